@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A document: an immutable value that holds a film. Copies are cheap and share everything; keeping one is undo.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/result.h"
+#include "betwixt/time.h"
+#include "betwixt/value.h"
+
+namespace betwixt {
+
+struct Scene;  // src/scene/document.h
+
+// A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole).
+struct Target {
+  ObjectId object;
+  std::uint16_t function = 0;
+  int component = -1;
+  friend constexpr bool operator==(Target, Target) = default;
+};
+
+class Document {
+ public:
+  Document();
+  explicit Document(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
+
+  Rate rate() const;
+  // First and last frame's time. Without a `range` command: frame 1 to the last event, one second where there are no events.
+  std::pair<Time, Time> range() const;
+  int frame_count() const;  // frames in the range, ends included; at least 1
+
+  std::vector<std::string> names() const;  // of all objects, in the order they were created
+  ObjectId find(std::string_view name) const;
+  std::string name(ObjectId) const;
+  std::string name(const Target&) const;  // "ball.position.x"
+  std::vector<std::pair<Time, std::string>> notes(Time from, Time to) const;  // both ends included
+
+  const Scene& scene() const { return *scene_; }
+  friend bool operator==(const Document&, const Document&);  // same content
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+};
+
+}  // namespace betwixt

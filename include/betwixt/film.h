@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Movies from pictures: .mp4 .webm .gif .apng through the ffmpeg program, or numbered PNG (frame-%04d.png).
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "betwixt/mesh.h"
+#include "betwixt/result.h"
+#include "betwixt/time.h"
+
+namespace betwixt {
+
+// Makes the picture of the k-th frame of the film, k from 0. Each job calls its own painter, from its own thread.
+using Painter = std::function<Status(int k, Picture& out)>;
+
+struct FilmOptions {
+  std::string path;      // the ending says what is made
+  int frames = 0;        // how many
+  int first_number = 1;  // number of the first picture file
+  Rate rate;
+  int width = 1280, height = 720;
+  int jobs = 0;             // painters at work; 0: as many as suits this machine
+  bool overwrite = true;
+};
+
+struct FilmStats {
+  int frames = 0;
+  double seconds = 0;          // wall clock, all of it
+  double painting = 0;         // seconds inside painters, summed over jobs
+  double encoding = 0;         // seconds in which the encoder or the disk was what was waited for
+};
+
+// Called now and then from one thread; returning false stops the film (nothing is left under its final name).
+using Progress = std::function<bool(int done, int frames, double seconds)>;
+
+// Errors: range (an ending nobody knows, bad sizes), file (cannot be written), machine (no ffmpeg, disk full), or the painter's own.
+Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
+                            const Progress& = {});
+
+}  // namespace betwixt

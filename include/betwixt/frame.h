@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A frame: everything that can be seen (or asked) of a document at one time. A pure value.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "betwixt/mesh.h"
+#include "betwixt/time.h"
+#include "betwixt/value.h"
+
+namespace betwixt {
+
+enum class Kind : std::uint8_t {
+  group, sphere, box, cylinder, cone, torus, plane, disc, polygon, polyline, points, text, mesh, light, camera
+};
+
+// What an object looks like in its own space, as a description; src/render turns it into triangles.
+//   sphere   radius, about the origin              disc      radius, in the plane z = 0, facing +z
+//   box      size, about the origin                plane     size x by y, in the plane z = 0, facing +z
+//   cylinder cone   radius, height along y, about the origin (a cone's tip up)
+//   torus    radius of the ring, tube: radius of the tube; the ring lies in the plane y = 0
+//   polygon  points, filled, one contour           polyline  points, width (0: a hairline)
+//   points   points, each drawn as a ball of diameter `width`
+//   text     text, font, size.y = height of one line (em) in metres, depth along z; centred on the origin, baseline at y = 0
+//   mesh     mesh
+struct Shape {
+  Kind kind = Kind::group;
+  Vec3 size{1, 1, 1};
+  double radius = 1, height = 1, tube = 0.3, width = 0, depth = 0;
+  Points points;
+  Text text, font;
+  std::shared_ptr<const Mesh> mesh;
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+
+// plastic: a highlight from shininess; matte: none; metal: highlights and reflections in its own colour; glow: shines by itself, unlit.
+enum class Material : std::uint8_t { plastic, matte, metal, glow };
+
+// One object that is drawn.
+struct Item {
+  ObjectId id;
+  Mat4 world;                           // object space to world space
+  std::shared_ptr<const Shape> shape;   // never null
+  std::shared_ptr<const Shape> toward;  // null, or the shape it is on the way to …
+  double blend = 0;                     // … and how far, 0 to 1 (and beyond, where a twerper overshoots)
+  Vec3 color{1, 1, 1};                  // linear light
+  double transparency = 0;              // 0 solid to 1 invisible
+  double shininess = 0;                 // 0 dull to 1 a mirror's highlight
+  Material material = Material::plastic;
+  std::shared_ptr<const Picture> texture;  // null: the mesh's own, if any
+};
+
+struct Light {
+  ObjectId id;
+  bool sun = false;     // parallel rays along `direction`; range does not matter
+  Vec3 position;        // world
+  Vec3 direction;       // world, unit length, away from the light (suns)
+  Vec3 color{1, 1, 1};  // linear light, intensity included
+  double range = 20;    // metres: the light fades smoothly to nothing there
+};
+
+struct Camera {
+  Mat4 world;               // camera space (looks along -z, y up) to world space; a rigid motion
+  bool orthographic = false;
+  double fov = 0.9;         // horizontal, radians (perspective)
+  double height = 10;       // metres seen from bottom to top (orthographic)
+};
+
+struct Frame {
+  Time time;
+  std::vector<Item> items;    // in object order
+  std::vector<Light> lights;  // empty: the renderer brings its own
+  Camera camera;
+  std::optional<Vec3> background;  // linear light; none: the renderer's own soft gradient
+  std::vector<std::string> notes;  // notes exactly at this time
+};
+
+}  // namespace betwixt

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Vectors, quaternions and matrices in f64. Column vectors, right-handed, y up, metres, radians.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace betwixt {
+
+inline constexpr double pi = std::numbers::pi;
+
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+  constexpr double& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+  constexpr double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
+constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
+constexpr Vec3 operator*(Vec3 a, double s) { return s * a; }
+constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Vec3 cross(Vec3 a, Vec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
+// The direction of `a`; `otherwise` where `a` has none.
+inline Vec3 normalize(Vec3 a, Vec3 otherwise = {0, 0, 1}) {
+  const double l = length(a);
+  return l > 0 ? (1 / l) * a : otherwise;
+}
+
+// A unit quaternion w + xi + yj + zk stands for an orientation.
+struct Quat {
+  double w = 1, x = 0, y = 0, z = 0;
+  friend constexpr bool operator==(const Quat&, const Quat&) = default;
+};
+
+constexpr Quat operator*(Quat a, Quat b) {
+  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+constexpr Quat operator-(Quat a) { return {-a.w, -a.x, -a.y, -a.z}; }
+constexpr double dot(Quat a, Quat b) { return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Quat conjugate(Quat a) { return {a.w, -a.x, -a.y, -a.z}; }
+inline Quat normalize(Quat a) {
+  const double l = std::sqrt(dot(a, a));
+  return l > 0 ? Quat{a.w / l, a.x / l, a.y / l, a.z / l} : Quat{};
+}
+inline Quat axis_angle(Vec3 axis, double angle) {
+  const Vec3 n = normalize(axis);
+  const double s = std::sin(angle / 2);
+  return {std::cos(angle / 2), n.x * s, n.y * s, n.z * s};
+}
+// Angles about the object's own x axis, then its y axis, then its z axis.
+inline Quat from_angles(Vec3 a) {
+  return axis_angle({1, 0, 0}, a.x) * axis_angle({0, 1, 0}, a.y) * axis_angle({0, 0, 1}, a.z);
+}
+
+// Sixteen numbers in column-major memory: element (row, column), translation in the last column.
+struct Mat4 {
+  std::array<double, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  constexpr double& operator()(int row, int column) { return m[static_cast<std::size_t>(column * 4 + row)]; }
+  constexpr double operator()(int row, int column) const {
+    return m[static_cast<std::size_t>(column * 4 + row)];
+  }
+  friend constexpr bool operator==(const Mat4&, const Mat4&) = default;
+};
+
+constexpr Mat4 operator*(const Mat4& a, const Mat4& b) {
+  Mat4 r;
+  for (int c = 0; c < 4; ++c)
+    for (int i = 0; i < 4; ++i)
+      r(i, c) = a(i, 0) * b(0, c) + a(i, 1) * b(1, c) + a(i, 2) * b(2, c) + a(i, 3) * b(3, c);
+  return r;
+}
+constexpr Vec3 transform_point(const Mat4& a, Vec3 p) {
+  return {a(0, 0) * p.x + a(0, 1) * p.y + a(0, 2) * p.z + a(0, 3),
+          a(1, 0) * p.x + a(1, 1) * p.y + a(1, 2) * p.z + a(1, 3),
+          a(2, 0) * p.x + a(2, 1) * p.y + a(2, 2) * p.z + a(2, 3)};
+}
+constexpr Vec3 transform_vector(const Mat4& a, Vec3 v) {
+  return {a(0, 0) * v.x + a(0, 1) * v.y + a(0, 2) * v.z, a(1, 0) * v.x + a(1, 1) * v.y + a(1, 2) * v.z,
+          a(2, 0) * v.x + a(2, 1) * v.y + a(2, 2) * v.z};
+}
+constexpr Vec3 translation_of(const Mat4& a) { return {a(0, 3), a(1, 3), a(2, 3)}; }
+constexpr Mat4 translation(Vec3 t) {
+  Mat4 r;
+  r(0, 3) = t.x, r(1, 3) = t.y, r(2, 3) = t.z;
+  return r;
+}
+constexpr Mat4 scaling(Vec3 s) {
+  Mat4 r;
+  r(0, 0) = s.x, r(1, 1) = s.y, r(2, 2) = s.z;
+  return r;
+}
+constexpr Mat4 rotation(Quat q) {
+  Mat4 r;
+  r(0, 0) = 1 - 2 * (q.y * q.y + q.z * q.z), r(0, 1) = 2 * (q.x * q.y - q.w * q.z);
+  r(0, 2) = 2 * (q.x * q.z + q.w * q.y), r(1, 0) = 2 * (q.x * q.y + q.w * q.z);
+  r(1, 1) = 1 - 2 * (q.x * q.x + q.z * q.z), r(1, 2) = 2 * (q.y * q.z - q.w * q.x);
+  r(2, 0) = 2 * (q.x * q.z - q.w * q.y), r(2, 1) = 2 * (q.y * q.z + q.w * q.x);
+  r(2, 2) = 1 - 2 * (q.x * q.x + q.y * q.y);
+  return r;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A program: a document compiled to flat arrays, ready to be asked for any time, in any order, from any thread.
+#pragma once
+
+#include <memory>
+
+#include "betwixt/document.h"
+#include "betwixt/frame.h"
+
+namespace betwixt {
+
+// A value read back, or a world matrix.
+using Reading = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Mat4>;
+
+class Program {
+ public:
+  static Program compile(const Document&);
+
+  // Pure: the same time gives the same bits, whatever was asked before.
+  Frame frame(Time) const;
+  // The value of one display function (or component) at a time; colours as the author writes them.
+  Reading read(const Target&, Time) const;
+
+  const Document& document() const;
+
+ private:
+  struct Code;
+  std::shared_ptr<const Code> code_;
+};
+
+// The numbers of a reading, for plots: a scalar gives one, a vector three, true 1; empty for what is not made of numbers.
+std::vector<double> numbers(const Reading&);
+
+}  // namespace betwixt

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pictures from frames. Needs no display and no GPU.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/frame.h"
+#include "betwixt/result.h"
+
+namespace betwixt {
+
+struct RenderOptions {
+  int width = 1280, height = 720;  // pixels, 1 to 8192
+  int samples = 4;                 // a pixel: 1, 4, 9 or 16
+  std::string style = "shaded";    // one of styles()
+};
+
+struct Style {
+  std::string_view name, what;
+};
+const std::vector<Style>& styles();
+
+// One renderer belongs to one thread. The same frame gives the same picture.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  // Draws into `out`, resizing it where needed.
+  virtual Status render(const Frame&, Picture& out) = 0;
+};
+
+// Errors: range (options out of bounds), name (no such style), machine (no graphics to be had).
+Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions&);
+
+}  // namespace betwixt

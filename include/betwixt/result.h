@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Errors are values. A Result is a T or an Error; nothing in the library throws across its boundary.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace betwixt {
+
+// What kind of thing went wrong; the exit code of the program follows from it.
+enum class Code : std::uint8_t {
+  syntax,   // the text cannot be read
+  name,     // a name that nothing has, or that something has already
+  type,     // a value or operation that means nothing for its target
+  range,    // a number outside what is possible
+  file,     // a file of the author's that is missing, unreadable or broken
+  machine,  // the machine failed: disk full, no such device, a program that is not there
+};
+
+// Where in a text; line and column count from 1, column in characters. line 0: no place is known.
+struct Place {
+  std::string file;
+  int line = 0, column = 0, length = 1;
+};
+
+struct Error {
+  Code code = Code::syntax;
+  std::string message;  // what is wrong, in plain words, no full stop
+  std::string hint;     // a near miss or a way out, may be empty
+  Place place;
+};
+
+// Something to tell the author about a text.
+enum class Severity : std::uint8_t { notice, warning, error };
+struct Diagnostic {
+  Severity severity = Severity::error;
+  Error what;
+  std::string line;  // the text of the line at place, for the caret
+};
+using Diagnostics = std::vector<Diagnostic>;
+
+// "file:line:column: error: message", the line, a caret, "suggestion"; with a final newline.
+std::string to_string(const Diagnostic&);
+bool has_errors(const Diagnostics&);
+
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+  explicit operator bool() const { return state_.index() == 0; }
+  T& operator*() & { return get(); }
+  const T& operator*() const& { return const_cast<Result*>(this)->get(); }
+  T&& operator*() && { return std::move(get()); }
+  T* operator->() { return &get(); }
+  const T* operator->() const { return &const_cast<Result*>(this)->get(); }
+  const Error& error() const { return std::get<1>(state_); }
+
+ private:
+  T& get() {
+    assert(state_.index() == 0 && "a Result was read without looking");
+    return *std::get_if<0>(&state_);
+  }
+  std::variant<T, Error> state_;
+};
+
+struct Nothing {};
+using Status = Result<Nothing>;
+
+inline Error fail(Code code, std::string message, std::string hint = {}) {
+  return {code, std::move(message), std::move(hint), {}};
+}
+
+}  // namespace betwixt

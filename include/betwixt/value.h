@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a display function can have for a value.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "betwixt/math.h"
+
+namespace betwixt {
+
+// An object of a document: an index and the generation that tells its successors in the same place apart.
+struct ObjectId {
+  static constexpr std::uint32_t nothing = 0xffffffff;
+  std::uint32_t index = nothing, generation = 0;
+  constexpr explicit operator bool() const { return index != nothing; }
+  friend constexpr bool operator==(ObjectId, ObjectId) = default;
+};
+
+// A colour as the author writes it: sRGB, 0 to 1 (more is brighter than white). Blending is in linear light.
+struct Color {
+  double r = 1, g = 1, b = 1;
+  friend constexpr bool operator==(const Color&, const Color&) = default;
+};
+
+// Rotation as three angles, radians, about the object's own x, y and z axes in that order. Whole turns count.
+struct Angles {
+  Vec3 xyz;
+  friend constexpr bool operator==(const Angles&, const Angles&) = default;
+};
+
+// Immutable and shared: copying a value never copies text or points.
+template <class T>
+struct Shared {
+  std::shared_ptr<const T> at;
+  Shared() : at(empty()) {}
+  Shared(T value) : at(std::make_shared<const T>(std::move(value))) {}
+  const T& operator*() const { return *at; }
+  const T* operator->() const { return at.get(); }
+  friend bool operator==(const Shared& a, const Shared& b) { return a.at == b.at || *a.at == *b.at; }
+
+ private:
+  static const std::shared_ptr<const T>& empty() {
+    static const auto e = std::make_shared<const T>();
+    return e;
+  }
+};
+using Text = Shared<std::string>;
+using Points = Shared<std::vector<Vec3>>;
+using Names = Shared<std::vector<std::string>>;
+
+// The types that values have. A display function has one type, its values and its events too.
+enum class Type : std::uint8_t {
+  scalar,       // double
+  angle,        // double, radians
+  pair,         // Vec3 with z = 0
+  vector,       // Vec3
+  color,        // Color
+  boolean,      // bool
+  rotation,     // Angles or Quat
+  orientation,  // Quat
+  shape,        // ObjectId: the geometry of that object; none: its own
+  aim,          // Vec3, a point of the world, or ObjectId
+  text,         // Text
+  points,       // Points
+  names,        // Names
+};
+std::string_view to_string(Type);  // in the author's words: "a number", "a vector", …
+
+using Value = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names>;
+
+}  // namespace betwixt

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Text as closed contours, through FreeType and HarfBuzz.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "betwixt/math.h"
+#include "betwixt/result.h"
+
+namespace betwixt {
+
+// One closed line in the plane; filled by the non-zero rule together with the others of its outline.
+using Contour = std::vector<Vec3>;
+struct Outline {
+  std::vector<Contour> contours;
+};
+
+// Whether the machine has a font of this family name; a near miss goes into the error's hint.
+Status find_font(const std::string& family);
+// `text` (UTF-8, lines end with \n) at 1 m an em, centred about x = 0, the first baseline at y = 0. A family that the machine
+// lacks is replaced by DejaVu Sans, or any other it has.
+Outline text_outline(const std::string& text, const std::string& family);
+
+}  // namespace betwixt
