@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What ./betwixt and ./test share: installing what is missing, configuring, building. Sourced, with `root` set to the
+# project's folder. Everything is said on stderr; what cannot be done ends the script with exit code 3.
+
+say() { printf 'betwixt: %s\n' "$*" >&2; }
+die() { say "$*"; exit 3; }
+
+# need FILE…: installs those packages of the lists that are missing.
+need() {
+  local missing
+  if ! command -v dpkg-query apt-get >/dev/null; then
+    say "this is not Debian: taking it that everything in tools/packages.txt is there"
+    return
+  fi
+  missing=$(comm -23 <(sed 's/#.*//; s/ .*//; /^$/d' "$@" | sort -u) \
+    <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort -u))
+  [ -z "$missing" ] || install_packages $missing
+}
+
+install_packages() {
+  local admin=() log
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || die "these Debian packages are missing, and installing them takes root or sudo: $*"
+    admin=(sudo)
+  fi
+  say "installing the Debian packages that building and running take${admin:+ (with sudo)}:"
+  say "  $*"
+  log=$(mktemp)
+  local get=("${admin[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
+  compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null || "${get[@]}" update >"$log" 2>&1 || true
+  if ! "${get[@]}" install -y --no-install-recommends "$@" >"$log" 2>&1; then
+    # Lists that are too old name files that are gone.
+    { "${get[@]}" update && "${get[@]}" install -y --no-install-recommends "$@"; } >"$log" 2>&1 || {
+      tail -n 20 "$log" >&2
+      rm -f "$log"
+      die "the packages could not be installed"
+    }
+  fi
+  rm -f "$log"
+}
+
+# build PRESET TARGET…: configures build/PRESET where that is due and builds the targets.
+build() {
+  local folder=$root/build/$1 log=$root/build/$1.log preset=$1 launcher=() fresh=()
+  shift
+  if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt" ||
+    [ ! -f "$folder/build.ninja" ] || [ "$root/CMakePresets.json" -nt "$folder/CMakeCache.txt" ]; then
+    [ ! -f "$folder/CMakeCache.txt" ] || fresh=(--fresh)
+    ! command -v ccache >/dev/null || launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    (cd "$root" && cmake --preset "$preset" "${fresh[@]}" "${launcher[@]}") >"$log" 2>&1 || {
+      tail -n 30 "$log" >&2
+      die "the build could not be configured (all of it: build/$preset.log)"
+    }
+  fi
+  if [ -t 2 ]; then
+    NINJA_STATUS='[%f/%t, %es] ' ninja -C "$folder" "$@" >&2 || die "the build failed"
+  else
+    NINJA_STATUS='[%f/%t] ' ninja -C "$folder" "$@" 2>&1 | tee "$log" | sparse "$preset"
+    [ "${PIPESTATUS[0]}" = 0 ] || {
+      tail -n 40 "$log" >&2
+      die "the build failed (all of it: build/$preset.log)"
+    }
+  fi
+}
+
+# One line for every tenth of the work.
+sparse() {
+  awk -v what="$1" -F '[][/]' '/^\[[0-9]+\/[0-9]+\]/ && $3 > 3 && int(10 * $2 / $3) > tenth {
+    tenth = int(10 * $2 / $3)
+    printf "betwixt: building (%s) %d of %d\n", what, $2, $3
+    fflush()
+  }' >&2
+}
