@@ -50,7 +50,7 @@ build() {
     [ ! -f "$folder/CMakeCache.txt" ] || fresh=(--fresh)
     ! command -v ccache >/dev/null || launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     (cd "$root" && cmake --preset "$preset" "${fresh[@]}" "${launcher[@]}") >"$log" 2>&1 || {
-      tail -n 30 "$log" >&2
+      grep -v '^-- ' "$log" | tail -n 30 >&2
       die "the build could not be configured (all of it: build/$preset.log)"
     }
   fi
