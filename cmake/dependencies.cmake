@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What libbetwixt is made with. Whoever links the static library needs the same: the CMake package includes this file.
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+find_package(fmt REQUIRED)
+pkg_check_modules(EGL REQUIRED QUIET IMPORTED_TARGET egl epoxy)
+pkg_check_modules(TYPE REQUIRED QUIET IMPORTED_TARGET freetype2 harfbuzz fontconfig glu)
+pkg_check_modules(ASSIMP REQUIRED QUIET IMPORTED_TARGET assimp)
+pkg_check_modules(SPNG REQUIRED QUIET IMPORTED_TARGET spng)

@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# One library from all rooms, and what a stranger needs to use it and the program.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+add_library(betwixt)
+set_target_properties(betwixt PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+target_compile_features(betwixt PUBLIC cxx_std_20)
+target_include_directories(betwixt PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+foreach(room IN LISTS BETWIXT_ROOMS)
+  target_sources(betwixt PRIVATE $<TARGET_OBJECTS:betwixt_${room}>)
+  get_target_property(libraries betwixt_${room} LINK_LIBRARIES)
+  list(FILTER libraries EXCLUDE REGEX "^betwixt_")
+  target_link_libraries(betwixt PRIVATE ${libraries})
+endforeach()
+set_target_properties(betwixt PROPERTIES LINKER_LANGUAGE CXX)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/betwixt)
+write_basic_package_version_file(betwixtConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(TARGETS betwixt EXPORT betwixt)
+install(EXPORT betwixt NAMESPACE betwixt:: FILE betwixtTargets.cmake DESTINATION ${package})
+install(FILES cmake/betwixtConfig.cmake cmake/dependencies.cmake ${CMAKE_BINARY_DIR}/betwixtConfigVersion.cmake
+        DESTINATION ${package})
+install(DIRECTORY include/betwixt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+if(TARGET betwixt_command)
+  install(TARGETS betwixt_command)
+endif()
+install(FILES packaging/betwixt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES packaging/betwixt.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME betwixt)
+install(FILES packaging/_betwixt DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES packaging/betwixt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt)
