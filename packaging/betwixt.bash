@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+_betwixt() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]} words
+  if [ "$COMP_CWORD" = 1 ]; then
+    mapfile -t COMPREPLY < <(compgen -W 'play render frame eval plot check tidy --help --version' -- "$current")
+    return
+  fi
+  case $previous in
+    --style) words='shaded wireframe' ;;
+    --samples) words='1 4 9 16' ;;
+    --size) words='320x180 640x360 960x540 1280x720 1920x1080 3840x2160' ;;
+    --at | --frames | --jobs) return ;;
+    -o | --output)
+      mapfile -t COMPREPLY < <(compgen -f -- "$current")
+      return
+      ;;
+  esac
+  if [ -z "$words" ] && [[ $current == -* ]]; then
+    case $command in
+      render) words='-o --output --frames --size --style --samples --jobs --stats' ;;
+      frame) words='-o --output --at --size --style --samples' ;;
+      play) words='--terminal --size --style --samples' ;;
+      eval) words='--at --json' ;;
+      plot) words='-o --output' ;;
+      tidy) words='--write' ;;
+    esac
+    words+=' --help'
+  fi
+  if [ -n "$words" ]; then
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+  else
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.bx' -- "$current" && compgen -d -- "$current" || compgen -d -- "$current")
+  fi
+}
+complete -o filenames -F _betwixt betwixt
