@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "film/encoder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+extern char** environ;
+
+namespace betwixt {
+namespace {
+
+constexpr int beat = 50;              // milliseconds between two looks at KeepGoing
+constexpr std::size_t memory = 4096;  // bytes of the program's words that are kept
+constexpr int buffer = 1 << 20;       // bytes under way to the program
+
+void shut(int& fd) {
+  if (fd >= 0) ::close(fd);
+  fd = -1;
+}
+
+// The program in a process group of its own: a Ctrl-C of the terminal is for us, who then end it.
+int spawn(pid_t& pid, const std::vector<std::string>& arguments, int in, int err) {
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t ways;
+  posix_spawn_file_actions_init(&files);
+  posix_spawnattr_init(&ways);
+  posix_spawn_file_actions_adddup2(&files, in, 0);
+  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, err, 2);
+  sigset_t none, all;
+  sigemptyset(&none);
+  sigfillset(&all);
+  posix_spawnattr_setsigmask(&ways, &none);
+  posix_spawnattr_setsigdefault(&ways, &all);
+  posix_spawnattr_setpgroup(&ways, 0);
+  posix_spawnattr_setflags(&ways, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  std::vector<char*> words;
+  for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
+  words.push_back(nullptr);
+  const int failed = posix_spawnp(&pid, words[0], &files, &ways, words.data(), environ);
+  posix_spawnattr_destroy(&ways);
+  posix_spawn_file_actions_destroy(&files);
+  return failed;
+}
+
+// The last three lines, on one.
+std::string last_words(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  std::size_t from = text.size();
+  for (int lines = 0; lines < 3 && from != std::string::npos && from > 0; ++lines) from = text.rfind('\n', from - 1);
+  text = from == std::string::npos ? text : text.substr(from == 0 ? 0 : from + 1);
+  for (std::size_t at; (at = text.find('\n')) != std::string::npos;) text.replace(at, 1, "; ");
+  return text;
+}
+
+}  // namespace
+
+Error stopped() { return fail(Code::machine, "the film was stopped"); }
+
+Result<std::unique_ptr<Encoder>> Encoder::start(const std::vector<std::string>& arguments) {
+  // A socket rather than a pipe: writing to one whose reader has died is an answer, not a signal to the whole process.
+  std::array<int, 2> in{-1, -1}, err{-1, -1};
+  const auto give_up = [&](int why) {
+    for (int* fd : {&in[0], &in[1], &err[0], &err[1]}) shut(*fd);
+    if (why == ENOENT)
+      return fail(Code::machine, arguments[0] + " is not installed", "sudo apt-get install " + arguments[0]);
+    return fail(Code::machine, fmt::format("cannot start {}: {}", arguments[0], std::strerror(why)));
+  };
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in.data()) != 0) return give_up(errno);
+  if (::pipe2(err.data(), O_CLOEXEC) != 0) return give_up(errno);
+  ::setsockopt(in[0], SOL_SOCKET, SO_SNDBUF, &buffer, sizeof buffer);
+  ::fcntl(err[0], F_SETFL, O_NONBLOCK);
+  pid_t pid = -1;
+  if (const int failed = spawn(pid, arguments, in[1], err[1])) return give_up(failed);
+  shut(in[1]);
+  shut(err[1]);
+  return std::unique_ptr<Encoder>(new Encoder(pid, in[0], err[0]));
+}
+
+Encoder::~Encoder() {
+  if (pid_ > 0) {
+    ::kill(pid_, SIGKILL);
+    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+  shut(in_);
+  shut(err_);
+}
+
+bool Encoder::listen() {
+  std::array<char, 1024> words;
+  for (;;) {
+    const ssize_t n = ::read(err_, words.data(), words.size());
+    if (n < 0) return errno == EAGAIN || errno == EINTR;
+    if (n == 0) return false;
+    said_.append(words.data(), static_cast<std::size_t>(n));
+    if (said_.size() > memory) said_.erase(0, said_.size() - memory);
+  }
+}
+
+Status Encoder::write(const std::vector<std::uint8_t>& bytes, const KeepGoing& keep_going) {
+  std::size_t at = 0;
+  while (at < bytes.size()) {
+    const ssize_t n = ::send(in_, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (n >= 0) {
+      at += static_cast<std::size_t>(n);
+      continue;
+    }
+    if (errno == EINTR) continue;
+    if (errno != EAGAIN) {  // it has closed its ear: let it say why
+      Status how = end(keep_going);
+      return how ? Status(fail(Code::machine, "ffmpeg stopped before the end of the film")) : how;
+    }
+    std::array<pollfd, 2> both{pollfd{in_, POLLOUT, 0}, pollfd{err_, POLLIN, 0}};
+    ::poll(both.data(), both.size(), beat);
+    // A poll on a mouth that is shut returns at once, for ever; but then the ear is shut as well.
+    if (both[1].revents) listen();
+    if (!keep_going()) return stopped();
+  }
+  return Nothing{};
+}
+
+Status Encoder::finish(const KeepGoing& keep_going) { return end(keep_going); }
+
+Status Encoder::end(const KeepGoing& keep_going) {
+  shut(in_);
+  for (bool open = true; open;) {
+    pollfd mouth{err_, POLLIN, 0};
+    ::poll(&mouth, 1, beat);
+    if (mouth.revents) open = listen();
+    if (!keep_going()) return stopped();
+  }
+  int status = 0;
+  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Nothing{};
+  return complaint(status);
+}
+
+Error Encoder::complaint(int status) const {
+  const std::string words = last_words(said_);
+  if (words.find(std::strerror(ENOSPC)) != std::string::npos)
+    return fail(Code::machine, "the disk is full (ffmpeg said: " + words + ")");
+  if (WIFSIGNALED(status))
+    return fail(
+        Code::machine,
+        fmt::format("ffmpeg was ended from outside by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))),
+        words);
+  return fail(Code::machine, fmt::format("ffmpeg failed: {}", words.empty() ? "it did not say why" : words));
+}
+
+}  // namespace betwixt

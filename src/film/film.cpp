@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "betwixt/film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+#include "film/sink.h"
+
+namespace betwixt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr int largest_side = 8192, most_jobs = 256;
+constexpr std::chrono::milliseconds beat{50};
+
+Status check(const FilmOptions& o) {
+  if (o.frames < 1) return fail(Code::range, "a film needs at least one frame");
+  if (o.width < 1 || o.height < 1 || o.width > largest_side || o.height > largest_side)
+    return fail(Code::range, fmt::format("a picture of {}x{} is not possible: 1 to {} pixels a side", o.width, o.height,
+                                         largest_side));
+  if (o.rate.num < 1 || o.rate.den < 1) return fail(Code::range, "a film needs a rate above 0");
+  if (o.jobs < 0 || o.jobs > most_jobs) return fail(Code::range, fmt::format("jobs are 1 to {}", most_jobs));
+  return Nothing{};
+}
+
+// Software graphics use all cores for one picture already, and the encoder wants some; a second painter fills the gaps.
+int jobs_of(const FilmOptions& o) {
+  return std::min(o.frames, o.jobs > 0 ? o.jobs : std::thread::hardware_concurrency() >= 2 ? 2 : 1);
+}
+
+Status check(const Picture& p, const FilmOptions& o) {
+  if (p.width == o.width && p.height == o.height &&
+      p.rgba.size() == 4 * static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height))
+    return Nothing{};
+  return fail(Code::range, fmt::format("a painter made a picture of {}x{} for a film of {}x{}", p.width, p.height,
+                                       o.width, o.height));
+}
+
+// Painters at work. Picture k goes through slot k mod the number of slots, so that no more than these are ever held,
+// and is taken out in the order of the film.
+class Crew {
+ public:
+  Crew(const FilmOptions& o, const std::function<Result<Painter>()>& new_painter, Sink& sink)
+      : options_(o), new_painter_(new_painter), sink_(sink), slots_(2 * static_cast<std::size_t>(jobs_of(o))) {
+    try {
+      for (int j = 0; j < jobs_of(o); ++j) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error& e) {  // fewer than asked for will do
+      if (threads_.empty()) failed_early_ = fail(Code::machine, fmt::format("cannot start a thread: {}", e.what()));
+    }
+  }
+  ~Crew() {
+    {
+      const std::lock_guard lock(mutex_);
+      stop_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& t : threads_) t.join();
+  }
+
+  // Waits until picture k is there; none while it is not, and once in a while.
+  std::optional<Status> wait(int k) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, beat, [&] { return slot(k).ready || failed_early_; });
+    if (slot(k).ready) return slot(k).how;
+    if (failed_early_) return Status(*failed_early_);
+    return std::nullopt;
+  }
+  const Parcel& parcel(int k) { return slot(k).parcel; }
+  void release(int k) {
+    const std::lock_guard lock(mutex_);
+    slot(k).ready = false;
+    ++taken_;
+    changed_.notify_all();
+  }
+
+  double painting() const { return painting_; }
+  double packing() const { return packing_; }
+
+ private:
+  struct Slot {
+    Parcel parcel;
+    Status how = Nothing{};
+    bool ready = false;
+  };
+  Slot& slot(int k) { return slots_[static_cast<std::size_t>(k) % slots_.size()]; }
+
+  void work() {
+    Result<Painter> painter = fail(Code::machine, "no painter");
+    {
+      // One at a time, while those that are ready paint.
+      const std::lock_guard lock(making_);
+      painter = new_painter_();
+    }
+    if (!painter) {
+      const std::lock_guard lock(mutex_);
+      failed_early_ = painter.error();
+      changed_.notify_all();
+      return;
+    }
+    while (const std::optional<int> k = next()) {
+      Status how = paint(*painter, *k);
+      const std::lock_guard lock(mutex_);
+      if (!how) last_ = std::min(last_, *k);
+      slot(*k).how = std::move(how);
+      slot(*k).ready = true;
+      changed_.notify_all();
+    }
+  }
+
+  // The next picture to paint, once there is room for it. After a failure only what comes before it is still of use.
+  std::optional<int> next() {
+    std::unique_lock lock(mutex_);
+    const auto over = [&] { return stop_ || next_ >= options_.frames || next_ > last_; };
+    changed_.wait(lock, [&] { return over() || next_ < taken_ + static_cast<int>(slots_.size()); });
+    return over() ? std::nullopt : std::optional<int>(next_++);
+  }
+
+  Status paint(const Painter& painter, int k) {
+    Parcel& parcel = slot(k).parcel;
+    const auto start = Clock::now();
+    Status how = painter(k, parcel.picture);
+    const double painted = since(start);
+    if (how) how = check(parcel.picture, options_);
+    if (how) how = sink_.pack(k, parcel);
+    const std::lock_guard lock(mutex_);
+    painting_ += painted;
+    packing_ += since(start) - painted;
+    return how;
+  }
+
+  const FilmOptions& options_;
+  const std::function<Result<Painter>()>& new_painter_;
+  Sink& sink_;
+  std::vector<Slot> slots_;
+  std::mutex mutex_, making_;
+  std::condition_variable changed_;
+  int next_ = 0, taken_ = 0, last_ = std::numeric_limits<int>::max();
+  bool stop_ = false;
+  std::optional<Error> failed_early_;
+  double painting_ = 0, packing_ = 0;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace
+
+Result<FilmStats> make_film(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter,
+                            const Progress& progress) {
+  const auto start = Clock::now();
+  if (Status s = check(options); !s) return s.error();
+  Result<std::unique_ptr<Sink>> sink = make_sink(options);
+  if (!sink) return sink.error();
+
+  FilmStats stats;
+  const KeepGoing keep_going = [&, told = start]() mutable {
+    if (!progress || Clock::now() - told < beat) return true;
+    told = Clock::now();
+    return progress(stats.frames, options.frames, since(start));
+  };
+  const auto encode = [&](const auto& what) {
+    const auto begin = Clock::now();
+    Status s = what();
+    stats.encoding += since(begin);
+    return s;
+  };
+
+  Crew crew(options, new_painter, **sink);
+  for (int k = 0; k < options.frames; ++k) {
+    std::optional<Status> ready;
+    while (!(ready = crew.wait(k)))
+      if (!keep_going()) return stopped();
+    if (!*ready) return ready->error();
+    if (Status s = encode([&] { return (*sink)->take(crew.parcel(k), keep_going); }); !s) return s.error();
+    crew.release(k);
+    ++stats.frames;
+    if (!keep_going()) return stopped();
+  }
+  if (Status s = encode([&] { return (*sink)->finish(keep_going); }); !s) return s.error();
+  stats.seconds = since(start);
+  stats.painting = crew.painting();
+  stats.encoding += crew.packing();
+  if (progress) progress(stats.frames, options.frames, stats.seconds);
+  return stats;
+}
+
+}  // namespace betwixt

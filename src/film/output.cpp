@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "film/output.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/names.h"
+
+namespace betwixt {
+namespace {
+
+constexpr const char* known_endings = ".mp4 .webm .gif .apng, or numbered pictures: frame-%04d.png";
+
+// Reads the one %d or %0Nd of a picture's name.
+Result<Output> read_number(Output out) {
+  const Error wrong =
+      fail(Code::range, fmt::format("a film as pictures needs one number in its name, not \"{}\"", out.name),
+           "such as frame-%04d.png");
+  const std::size_t at = out.name.find('%');
+  if (at == std::string::npos) return wrong;
+  std::size_t end = at + 1;
+  while (end < out.name.size() && std::isdigit(static_cast<unsigned char>(out.name[end]))) ++end;
+  const std::string digits = out.name.substr(at + 1, end - at - 1);
+  const bool padded = digits.size() == 2 && digits[0] == '0' && digits[1] != '0';
+  if (!(digits.empty() || padded) || out.name[end] != 'd') return wrong;
+  if (out.name.find('%', end) != std::string::npos) return wrong;
+  out.digits = padded ? digits[1] - '0' : 1;
+  out.before = out.name.substr(0, at);
+  out.after = out.name.substr(end + 1);
+  return out;
+}
+
+}  // namespace
+
+std::string Output::path() const { return folder + '/' + name; }
+std::string Output::path(int number) const {
+  return fmt::format("{}/{}{:0{}}{}", folder, before, number, digits, after);
+}
+std::string Output::hidden(const std::string& tail) const {
+  std::string stem = ending == Ending::pictures ? before + after : name;
+  stem = stem.substr(0, std::min(stem.rfind('.'), std::size_t{100}));  // a long name must not get too long
+  return fmt::format("{}/.{}.{}.partial{}", folder, stem, ::getpid(), tail);
+}
+
+Error system_error(int number, const std::string& doing, const std::string& path) {
+  if (number == ENOSPC || number == EDQUOT)
+    return fail(Code::machine, fmt::format("the disk is full: cannot {} {}", doing, path));
+  return fail(Code::machine, fmt::format("cannot {} {}: {}", doing, path, std::strerror(number)));
+}
+
+Result<Output> read_output(const std::string& path) {
+  Output out;
+  const std::size_t slash = path.rfind('/');
+  out.folder = slash == std::string::npos ? "." : path.substr(0, slash);
+  if (slash == 0) out.folder = "/.";
+  out.name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::size_t dot = out.name.rfind('.');
+  std::string ending = dot == std::string::npos ? "" : out.name.substr(dot);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".png") return out.ending = Ending::pictures, read_number(out);
+  const std::vector<std::string> names{".mp4", ".webm", ".gif", ".apng"};
+  const auto found = std::find(names.begin(), names.end(), ending);
+  if (found != names.end() && dot > 0) return out.ending = static_cast<Ending>(found - names.begin()), out;
+  if (dot == std::string::npos || dot == 0)
+    return fail(Code::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
+  return fail(Code::range,
+              fmt::format("nobody knows how to make a film \"{}\"; known endings: {}", ending, known_endings),
+              did_you_mean(ending, {names.begin(), names.end()}));
+}
+
+Status check_place(const std::string& path, bool overwrite) {
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+  struct stat what {};
+  if (path.empty() || slash + 1 == path.size()) return fail(Code::file, fmt::format("\"{}\" names no file", path));
+  if (::stat(folder.c_str(), &what) != 0) {
+    if (errno == ENOENT) return fail(Code::file, "there is no folder " + folder, "make it first: mkdir -p " + folder);
+    return system_error(errno, "write into", folder);
+  }
+  if (!S_ISDIR(what.st_mode)) return fail(Code::file, folder + " is no folder");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(errno, "write into", folder);
+  if (::stat(path.c_str(), &what) != 0) return Nothing{};
+  if (S_ISDIR(what.st_mode)) return fail(Code::file, path + " is a folder");
+  if (!overwrite) return fail(Code::file, path + " is there already");
+  return Nothing{};
+}
+
+Status put_in_place(const std::string& from, const std::string& to, bool overwrite) {
+  if (!overwrite) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return Nothing{};
+    if (errno == EEXIST) return fail(Code::file, to + " is there already");
+    // Some file systems cannot promise it; the place was free when the film began.
+    if (errno != EINVAL && errno != ENOSYS) return system_error(errno, "write", to);
+  }
+  if (::rename(from.c_str(), to.c_str()) != 0) return system_error(errno, "write", to);
+  return Nothing{};
+}
+
+}  // namespace betwixt

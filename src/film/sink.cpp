@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "film/sink.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "betwixt/picture.h"
+#include "film/yuv.h"
+
+namespace betwixt {
+namespace {
+
+bool is_yuv(Ending e) { return e == Ending::mp4 || e == Ending::webm; }
+
+// A good palette needs all pictures at once, and ffmpeg keeps them; a long film gets a palette for each picture
+// instead.
+constexpr double palette_memory = 1 << 30;
+
+std::string gif_filter(const FilmOptions& o) {
+  const bool whole = 4.0 * o.width * o.height * o.frames <= palette_memory;
+  // Players take a delay below 2/100 s for 10/100 s.
+  const std::string thin = o.rate.per_second() > 50 ? "fps=50," : "";
+  return thin +
+         (whole ? "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a:diff_mode=rectangle"
+                : "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=sierra2_4a");
+}
+
+class Movie final : public Sink {
+ public:
+  Movie(const FilmOptions& o, Output place)
+      : options_(o), place_(std::move(place)), partial_(place_.hidden(suffix())) {}
+  ~Movie() override {
+    encoder_.reset();
+    if (!done_) ::unlink(partial_.c_str());
+  }
+
+  Status start() {
+    if (Status s = check_place(options_.path, options_.overwrite); !s) return s;
+    // Made here, not by ffmpeg, so that a folder that cannot be written to is our own clear error.
+    const int fd = ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) return system_error(errno, "write", options_.path);
+    ::close(fd);
+    auto encoder = Encoder::start(encoder_arguments(options_, place_.ending, partial_));
+    if (!encoder) return encoder.error();
+    encoder_ = *std::move(encoder);
+    return Nothing{};
+  }
+
+  Status pack(int, Parcel& parcel) override {
+    if (is_yuv(place_.ending)) to_yuv420(parcel.picture, parcel.bytes);
+    return Nothing{};
+  }
+
+  Status take(const Parcel& parcel, const KeepGoing& keep_going) override {
+    return encoder_->write(is_yuv(place_.ending) ? parcel.bytes : parcel.picture.rgba, keep_going);
+  }
+
+  Status finish(const KeepGoing& keep_going) override {
+    if (Status s = encoder_->finish(keep_going); !s) return s;
+    if (Status s = put_in_place(partial_, options_.path, options_.overwrite); !s) return s;
+    done_ = true;
+    return Nothing{};
+  }
+
+ private:
+  std::string suffix() const { return place_.name.substr(place_.name.rfind('.')); }
+
+  const FilmOptions options_;
+  const Output place_;
+  const std::string partial_;
+  std::unique_ptr<Encoder> encoder_;
+  bool done_ = false;
+};
+
+// Pictures gather in a hidden folder and move to their names together: a film is there whole or not at all.
+class Pictures final : public Sink {
+ public:
+  Pictures(const FilmOptions& o, Output place)
+      : options_(o), place_(std::move(place)), gathering_(place_), count_(o.frames) {
+    gathering_.folder = place_.hidden("");
+  }
+  ~Pictures() override {
+    if (!made_) return;
+    for (int k = 0; k < count_; ++k) ::unlink(gathering_.path(number(k)).c_str());
+    ::rmdir(gathering_.folder.c_str());
+  }
+
+  Status start() {
+    for (int k = 0; k < count_; ++k)
+      if (Status s = check_place(place_.path(number(k)), options_.overwrite); !s) return s;
+    if (::mkdir(gathering_.folder.c_str(), 0777) != 0 && errno != EEXIST)
+      return system_error(errno, "write into", place_.folder);
+    made_ = true;
+    return Nothing{};
+  }
+
+  Status pack(int k, Parcel& parcel) override { return write_png(gathering_.path(number(k)), parcel.picture); }
+  Status take(const Parcel&, const KeepGoing&) override { return Nothing{}; }
+
+  Status finish(const KeepGoing&) override {
+    for (int k = 0; k < count_; ++k)
+      if (Status s = put_in_place(gathering_.path(number(k)), place_.path(number(k)), options_.overwrite); !s) return s;
+    return Nothing{};
+  }
+
+ private:
+  int number(int k) const { return options_.first_number + k; }
+
+  const FilmOptions options_;
+  const Output place_;
+  Output gathering_;
+  const int count_;
+  bool made_ = false;
+};
+
+template <class T>
+Result<std::unique_ptr<Sink>> started(const FilmOptions& o, const Output& place) {
+  auto sink = std::make_unique<T>(o, place);
+  if (Status s = sink->start(); !s) return s.error();
+  return std::unique_ptr<Sink>(std::move(sink));
+}
+
+}  // namespace
+
+std::vector<std::string> encoder_arguments(const FilmOptions& o, Ending ending, const std::string& file) {
+  const bool yuv = is_yuv(ending);
+  const int even = yuv ? 1 : 0;  // to_yuv420 has made the sizes even
+  std::vector<std::string> a{"ffmpeg",  "-hide_banner", "-nostdin", "-loglevel", "error",
+                             "-xerror", "-y",           "-f",       "rawvideo"};
+  const auto add = [&](std::initializer_list<const char*> more) { a.insert(a.end(), more.begin(), more.end()); };
+  const auto tags = [&] {
+    add({"-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"});
+  };
+  add({"-pix_fmt", yuv ? "yuv420p" : "rgba", "-video_size"});
+  a.push_back(fmt::format("{}x{}", o.width + (o.width & even), o.height + (o.height & even)));
+  a.insert(a.end(), {"-framerate", fmt::format("{}/{}", o.rate.num, o.rate.den)});
+  if (yuv) tags();
+  add({"-i", "pipe:0"});
+  if (yuv) tags();
+  switch (ending) {
+    case Ending::mp4:
+      add({"-c:v", "libx264", "-preset", "fast", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
+           "mp4"});
+      break;
+    case Ending::webm:
+      add({"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-deadline", "good", "-cpu-used", "4", "-row-mt", "1",
+           "-tile-columns", "2", "-pix_fmt", "yuv420p", "-f", "webm"});
+      break;
+    case Ending::gif:
+      a.insert(a.end(), {"-filter_complex", gif_filter(o)});
+      add({"-loop", "0", "-f", "gif"});
+      break;
+    case Ending::apng:
+    case Ending::pictures:
+      add({"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"});
+      break;
+  }
+  a.push_back("file:" + file);  // whatever the name looks like, it is a file
+  return a;
+}
+
+Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
+  const Result<Output> place = read_output(o.path);
+  if (!place) return place.error();
+  return place->ending == Ending::pictures ? started<Pictures>(o, *place) : started<Movie>(o, *place);
+}
+
+}  // namespace betwixt

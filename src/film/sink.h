@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where the pictures of a film go.
+#pragma once
+
+#include <memory>
+
+#include "betwixt/film.h"
+#include "film/encoder.h"
+#include "film/output.h"
+
+namespace betwixt {
+
+// One picture on its way from a painter to the film.
+struct Parcel {
+  Picture picture;
+  std::vector<std::uint8_t> bytes;  // as the encoder wants it; empty: as it is in the picture
+};
+
+// Until finish() has succeeded nothing stands under the film's name; whatever stands elsewhere goes with the sink.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  virtual Status pack(int k, Parcel&) = 0;                   // from the painters' threads, in any order
+  virtual Status take(const Parcel&, const KeepGoing&) = 0;  // from one thread, in the order of the film
+  virtual Status finish(const KeepGoing&) = 0;
+};
+
+Result<std::unique_ptr<Sink>> make_sink(const FilmOptions&);
+
+// What ffmpeg is called with to make `file`. For tests.
+std::vector<std::string> encoder_arguments(const FilmOptions&, Ending, const std::string& file);
+
+}  // namespace betwixt
