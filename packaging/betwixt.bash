@@ -30,7 +30,7 @@ _betwixt() {
   if [ -n "$words" ]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
   else
-    mapfile -t COMPREPLY < <(compgen -f -X '!*.bx' -- "$current" && compgen -d -- "$current" || compgen -d -- "$current")
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.bx' -- "$current"; compgen -d -- "$current")
   fi
 }
 complete -o filenames -F _betwixt betwixt

@@ -1,0 +1,45 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The house stands: no room includes a lower one, public headers include no third party, every file says its licence.
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
+rooms=(base track scene program exchange language render film app)
+passed=0 failed=0
+# verdict WHAT FINDINGS: passes where there are no findings.
+verdict() {
+  if [ -z "$2" ]; then
+    passed=$((passed + 1))
+  else
+    printf 'FAILED %s\n%s\n' "$1" "$2"
+    failed=$((failed + 1))
+  fi
+}
+files() { find include src tests bench -type f \( -name '*.h' -o -name '*.cpp' \); }
+
+for i in "${!rooms[@]}"; do
+  lower=$(IFS='|' && printf '%s' "${rooms[*]:i+1}")
+  [ -n "$lower" ] || continue
+  verdict "src/${rooms[i]} includes a lower room" \
+    "$(grep -rnE "^\s*#\s*include\s*[<\"](\.\./|src/)*($lower)/" "src/${rooms[i]}")"
+done
+verdict "a room that the house does not know" \
+  "$(find src -mindepth 1 -maxdepth 1 | grep -vxE "src/($(IFS='|' && printf '%s' "${rooms[*]}"))")"
+verdict "a room includes by a path that goes up" "$(grep -rnE '^\s*#\s*include\s*"[^"]*\.\./' src include)"
+# Headers of the standard have no dot and no slash in their names.
+verdict "a public header includes a third party" \
+  "$(grep -rnE '^\s*#\s*include' include | grep -vE 'include\s*(<[a-z0-9_]+>|"betwixt/[a-z_]+\.h")')"
+verdict "using namespace in a header" "$(grep -rnE '^\s*using namespace' --include='*.h' src include)"
+verdict "a file without its licence" "$(
+  files | while read -r file; do
+    [ "$(head -n 2 "$file")" = "// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0" ] || echo "$file"
+  done
+  find betwixt test .ci tools cmake tests bench CMakeLists.txt -type f \
+    \( -name '*.sh' -o -name '*.cmake' -o -name '*.py' -o -name CMakeLists.txt -o ! -name '*.*' \) |
+    while read -r file; do
+      head -n 3 "$file" | grep -q '^# SPDX-License-Identifier: Apache-2.0$' || echo "$file"
+    done
+)"
+printf '%d passed, %d failed\n' "$passed" "$failed"
+[ "$failed" = 0 ]

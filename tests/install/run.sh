@@ -1,0 +1,34 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# run.sh BUILD: installs the build into an empty folder and uses what is there as a stranger would.
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+folder=$(mktemp -d) passed=0 failed=0
+trap 'rm -rf "$folder"' EXIT
+verdict() {
+  if [ "$2" = "$3" ]; then
+    passed=$((passed + 1))
+  else
+    printf 'FAILED %s: expected %s, got %s\n' "$1" "$3" "$2"
+    failed=$((failed + 1))
+  fi
+}
+
+cmake --install "$1" --prefix "$folder/to" >"$folder/log" 2>&1 || tail -n 5 "$folder/log"
+# Moved: nothing may know where it was installed.
+mv "$folder/to" "$folder/prefix"
+for file in bin/betwixt include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
+  share/zsh/site-functions/_betwixt share/fish/vendor_completions.d/betwixt.fish share/doc/betwixt/LICENSE \
+  share/betwixt/examples/bounce.bx; do
+  verdict "is installed: $file" "$(ls "$folder/prefix/$file" 2>&1)" "$folder/prefix/$file"
+done
+{ cmake -S "$here" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" && cmake --build "$folder/build"; } \
+  >"$folder/log" 2>&1 || grep -v '^-- ' "$folder/log" | tail -n 30
+verdict "a stranger's program" "$("$folder/build/stranger" 2>&1)" "2 4 -1"
+verdict "the installed program" \
+  "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
+    sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"
+verdict "the manual page" "$(man --warnings -l "$folder/prefix/share/man/man1/betwixt.1" 2>&1 >/dev/null)" ""
+printf '%d passed, %d failed\n' "$passed" "$failed"
+[ "$failed" = 0 ]

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Prints where a ball is at frame 13, half way up.
+#include <cstdio>
+
+#include "betwixt/language.h"
+#include "betwixt/program.h"
+
+int main() {
+  const betwixt::Loaded loaded = betwixt::load_text(
+      "rate 24\n"
+      "create ball sphere\n"
+      "ball.position\n"
+      "  1f (0 0 0)\n"
+      "  25f (4 8 -2) linear\n",
+      "ball.bx");
+  for (const betwixt::Diagnostic& d : loaded.diagnostics) std::fputs(to_string(d).c_str(), stderr);
+  const auto program = betwixt::Program::compile(loaded.document);
+  const betwixt::Frame frame = program.frame(loaded.document.rate().frame(13));
+  if (frame.items.size() != 1) return 1;
+  const betwixt::Vec3 at = translation_of(frame.items.front().world);
+  std::printf("%g %g %g\n", at.x, at.y, at.z);
+}
