@@ -20,8 +20,8 @@ struct Outline {
 
 // Whether the machine has a font of this family name; a near miss goes into the error's hint.
 Status find_font(const std::string& family);
-// `text` (UTF-8, lines end with \n) at 1 m an em, centred about x = 0, the first baseline at y = 0. A family that the machine
-// lacks is replaced by DejaVu Sans, or any other it has.
+// `text` (UTF-8, lines end with \n) at 1 m an em, centred about x = 0, the first baseline at y = 0. A family that the
+// machine lacks is replaced by DejaVu Sans, or any other it has.
 Outline text_outline(const std::string& text, const std::string& family);
 
 }  // namespace betwixt

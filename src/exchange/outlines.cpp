@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/outlines.h"
+
+#include <GL/glu.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+
+#include "scene/topology.h"
+
+namespace betwixt {
+namespace {
+
+using Index = std::uint32_t;
+
+// Flat triangles over shared points.
+struct Filling {
+  std::deque<Vec3> points;  // a deque: the tessellator keeps pointers into it
+  std::vector<Index> triangles;
+  bool failed = false;
+};
+
+Index add(Filling& out, Vec3 p) {
+  out.points.push_back(p);
+  return static_cast<Index>(out.points.size() - 1);
+}
+// The tessellator carries indices as pointers.
+void* handle(Index i) { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(i)); }
+
+void on_begin(GLenum) {}
+void on_edge(GLboolean) {}  // its presence asks for plain triangles
+void on_vertex(void* vertex, void* out) {
+  static_cast<Filling*>(out)->triangles.push_back(static_cast<Index>(reinterpret_cast<std::uintptr_t>(vertex)));
+}
+void on_crossing(GLdouble at[3], void* [4], GLfloat[4], void** vertex, void* out) {
+  *vertex = handle(add(*static_cast<Filling*>(out), {at[0], at[1], at[2]}));
+}
+void on_error(GLenum, void* out) { static_cast<Filling*>(out)->failed = true; }
+
+template <class F>
+auto callback(F* f) {
+  return reinterpret_cast<_GLUfuncptr>(f);
+}
+
+Filling tessellate(const Outline& outline, Vec3 normal, Winding winding) {
+  Filling out;
+  GLUtesselator* tess = gluNewTess();
+  if (tess == nullptr) return out;
+  gluTessCallback(tess, GLU_TESS_BEGIN, callback(on_begin));
+  gluTessCallback(tess, GLU_TESS_EDGE_FLAG, callback(on_edge));
+  gluTessCallback(tess, GLU_TESS_VERTEX_DATA, callback(on_vertex));
+  gluTessCallback(tess, GLU_TESS_COMBINE_DATA, callback(on_crossing));
+  gluTessCallback(tess, GLU_TESS_ERROR_DATA, callback(on_error));
+  gluTessProperty(tess, GLU_TESS_WINDING_RULE,
+                  winding == Winding::nonzero ? GLU_TESS_WINDING_NONZERO : GLU_TESS_WINDING_POSITIVE);
+  gluTessNormal(tess, normal.x, normal.y, normal.z);
+  gluTessBeginPolygon(tess, &out);
+  for (const auto& contour : outline.contours) {
+    gluTessBeginContour(tess);
+    for (const Vec3 p : contour) {
+      GLdouble at[3] = {p.x, p.y, p.z};
+      gluTessVertex(tess, at, handle(add(out, p)));
+    }
+    gluTessEndContour(tess);
+  }
+  gluTessEndPolygon(tess);
+  gluDeleteTess(tess);
+  if (out.failed || out.triangles.size() % 3 != 0) out.triangles.clear();
+  return out;
+}
+
+// Border sides of the filling, from where to where, with the inside on the left.
+std::multimap<Index, Index> border(const std::vector<Index>& triangles) {
+  std::map<std::pair<Index, Index>, int> uses;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Index a = triangles[i], b = triangles[i % 3 == 2 ? i - 2 : i + 1];
+    if (--uses[{b, a}] == 0) uses.erase({b, a});
+    if (++uses[{a, b}] == 0) uses.erase({a, b});
+  }
+  std::multimap<Index, Index> sides;
+  for (const auto& [side, n] : uses)
+    for (int i = 0; i < n; ++i) sides.emplace(side.first, side.second);
+  return sides;
+}
+
+void flat_side(Mesh& mesh, const Filling& filling, Vec3 normal, Vec3 shift, bool turned) {
+  const Index base = static_cast<Index>(mesh.positions.size());
+  for (const Vec3 p : filling.points) {
+    mesh.positions.push_back(narrow(p + shift));
+    mesh.normals.push_back(narrow(normal));
+  }
+  for (std::size_t i = 0; i < filling.triangles.size(); i += 3) {
+    const Index *t = &filling.triangles[i], second = t[turned ? 2 : 1], third = t[turned ? 1 : 2];
+    mesh.triangles.insert(mesh.triangles.end(), {base + t[0], base + second, base + third});
+  }
+}
+
+void walls(Mesh& mesh, const Filling& filling, Vec3 facing, Vec3 shift) {
+  const auto sides = border(filling.triangles);
+  std::map<Index, Vec3> entering;  // the wall that ends at a point: its normal
+  std::map<Index, int> ends;
+  const auto wall = [&](Index a, Index b) { return normalize(cross(filling.points[b] - filling.points[a], facing)); };
+  for (const auto& [a, b] : sides) {
+    entering[b] = wall(a, b);
+    ++ends[b];
+  }
+  const double smooth = std::cos(30 * pi / 180);
+  // Between two walls that meet alone and nearly straight the normal is shared.
+  const auto joined = [&](Index at, Vec3 own, Vec3 neighbour) {
+    return ends[at] == 1 && sides.count(at) == 1 && dot(own, neighbour) > smooth ? normalize(own + neighbour) : own;
+  };
+  for (const auto& [a, b] : sides) {
+    const Vec3 own = wall(a, b), at_a = joined(a, own, entering[a]);
+    const auto next = sides.find(b);
+    const Vec3 at_b = next == sides.end() ? own : joined(b, own, wall(b, next->second));
+    const Index base = static_cast<Index>(mesh.positions.size());
+    const Vec3 pa = filling.points[a], pb = filling.points[b];
+    for (const Vec3 p : {pa - shift, pb - shift, pb + shift, pa + shift}) mesh.positions.push_back(narrow(p));
+    for (const Vec3 n : {at_a, at_b, at_b, at_a}) mesh.normals.push_back(narrow(n));
+    mesh.triangles.insert(mesh.triangles.end(), {base, base + 1, base + 2, base, base + 2, base + 3});
+  }
+}
+
+}  // namespace
+
+Vec3 facing(const Outline& outline) {
+  Vec3 turn{}, first{}, far{}, side{};
+  bool level = true, any = false;
+  for (const auto& contour : outline.contours)
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      if (!any) first = contour[i];
+      any = true;
+      level = level && contour[i].z == first.z;
+      turn = turn + cross(contour[i] - first, contour[(i + 1) % contour.size()] - first);
+      if (length(contour[i] - first) > length(far)) far = contour[i] - first;
+    }
+  if (level) return {0, 0, 1};
+  // A figure of eight turns nowhere: any two directions in it will do.
+  for (const auto& contour : outline.contours)
+    for (const Vec3 p : contour)
+      if (const Vec3 s = cross(far, p - first); length(s) > length(side)) side = s;
+  return normalize(length(turn) > 1e-6 * length(side) ? turn : side);
+}
+
+Mesh fill(const Outline& outline, double depth, Winding winding) {
+  Mesh mesh;
+  const Vec3 normal = facing(outline), half = depth / 2 * normal;
+  const Filling filling = tessellate(outline, normal, winding);
+  if (filling.triangles.empty()) return mesh;
+  flat_side(mesh, filling, normal, half, false);
+  if (depth > 0) {
+    flat_side(mesh, filling, -normal, -half, true);
+    walls(mesh, filling, normal, half);
+  }
+  mesh.edges = crease_edges(mesh);
+  mesh.closed = depth > 0 && is_closed(mesh);
+  return mesh;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/primitives.h"
+
+#include <algorithm>
+
+#include "scene/topology.h"
+
+namespace betwixt {
+namespace {
+
+using Index = std::uint32_t;
+
+Index add(Mesh& mesh, Vec3 position, Vec3 normal) {
+  mesh.positions.push_back(narrow(position));
+  mesh.normals.push_back(narrow(normal));
+  return static_cast<Index>(mesh.positions.size() - 1);
+}
+
+Index add(Mesh& mesh, Vec3 position, Vec3 normal, double u, double v) {
+  mesh.uvs.push_back({static_cast<float>(u), static_cast<float>(v)});
+  return add(mesh, position, normal);
+}
+
+void triangle(Mesh& mesh, Index a, Index b, Index c) { mesh.triangles.insert(mesh.triangles.end(), {a, b, c}); }
+
+// a b c d counter-clockwise.
+void quad(Mesh& mesh, Index a, Index b, Index c, Index d) {
+  triangle(mesh, a, b, c);
+  triangle(mesh, a, c, d);
+}
+
+Mesh finished(Mesh mesh, bool closed) {
+  mesh.edges = crease_edges(mesh);
+  mesh.closed = closed;
+  return mesh;
+}
+
+// The direction at step i of n around the y axis. The seam (i = 0 and n) is at -z, the middle of the picture at +z, and
+// the last direction has the very bits of the first, so that the surface is closed.
+Vec3 around_y(int i, int n) {
+  const double angle = 2 * pi * (i % n) / n - pi;
+  return {std::sin(angle), 0, std::cos(angle)};
+}
+
+// A flat round cap at height y, facing up (+1) or down (-1).
+void cap(Mesh& mesh, int around, double y, double facing) {
+  const Vec3 normal{0, facing, 0};
+  const Index hub = add(mesh, {0, y, 0}, normal, 0.5, 0.5);
+  for (int i = 0; i <= around; ++i) {
+    const Vec3 d = around_y(i, around);
+    add(mesh, {d.x, y, d.z}, normal, 0.5 + 0.5 * d.x, 0.5 + facing * 0.5 * d.z);
+  }
+  for (Index i = 1; i <= static_cast<Index>(around); ++i)
+    facing > 0 ? triangle(mesh, hub, hub + i, hub + i + 1) : triangle(mesh, hub, hub + i + 1, hub + i);
+}
+
+}  // namespace
+
+Mesh sphere_mesh(int around, int up) {
+  Mesh mesh;
+  for (int j = 0; j <= up; ++j) {
+    const double angle = pi * j / up, r = j == up ? 0 : std::sin(angle);
+    for (int i = 0; i <= around; ++i) {
+      const Vec3 d = around_y(i, around);
+      const Vec3 p{r * d.x, std::cos(angle), r * d.z};
+      const bool pole = j == 0 || j == up;  // one vertex a face, in the middle of it
+      add(mesh, p, p, std::min(1.0, (i + (pole ? 0.5 : 0)) / around), static_cast<double>(j) / up);
+    }
+  }
+  const Index row = static_cast<Index>(around) + 1;
+  for (Index j = 0; j < static_cast<Index>(up); ++j)
+    for (Index i = 0; i < static_cast<Index>(around); ++i) {
+      const Index a = j * row + i, b = a + row;
+      if (j + 1 < static_cast<Index>(up))
+        triangle(mesh, a, b, b + 1);
+      else
+        triangle(mesh, a, b, a + 1);
+      if (j > 0 && j + 1 < static_cast<Index>(up)) triangle(mesh, a, b + 1, a + 1);
+    }
+  return finished(std::move(mesh), true);
+}
+
+Mesh box_mesh() {
+  Mesh mesh;
+  const Vec3 y{0, 1, 0}, z{0, 0, 1};
+  const auto face = [&](Vec3 normal, Vec3 upward) {
+    const Vec3 right = cross(upward, normal), n = 0.5 * normal, u = 0.5 * upward, r = 0.5 * right;
+    const Index a = add(mesh, n - u - r, normal, 0, 1);
+    add(mesh, n - u + r, normal, 1, 1);
+    add(mesh, n + u + r, normal, 1, 0);
+    add(mesh, n + u - r, normal, 0, 0);
+    quad(mesh, a, a + 1, a + 2, a + 3);
+  };
+  for (const Vec3 side : {z, Vec3{1, 0, 0}, -z, Vec3{-1, 0, 0}}) face(side, y);
+  face(y, -z);
+  face(-y, z);
+  return finished(std::move(mesh), true);
+}
+
+Mesh cylinder_mesh(int around) {
+  Mesh mesh;
+  for (int i = 0; i <= around; ++i) {
+    const Vec3 d = around_y(i, around);
+    const double u = static_cast<double>(i) / around;
+    add(mesh, {d.x, 0.5, d.z}, d, u, 0);
+    add(mesh, {d.x, -0.5, d.z}, d, u, 1);
+  }
+  for (Index i = 0; i < 2 * static_cast<Index>(around); i += 2) quad(mesh, i, i + 1, i + 3, i + 2);
+  cap(mesh, around, 0.5, 1);
+  cap(mesh, around, -0.5, -1);
+  return finished(std::move(mesh), true);
+}
+
+Mesh cone_mesh(int around) {
+  Mesh mesh;
+  const auto slope = [](Vec3 d) { return normalize(Vec3{d.x, 1, d.z}); };  // radius 1, height 1: 45 degrees
+  for (int i = 0; i < around; ++i) {
+    const Vec3 a = around_y(i, around), b = around_y(i + 1, around);
+    const double u = static_cast<double>(i) / around, step = 1.0 / around;
+    const Index tip = add(mesh, {0, 0.5, 0}, slope(normalize(a + b)), u + step / 2, 0);
+    add(mesh, {a.x, -0.5, a.z}, slope(a), u, 1);
+    add(mesh, {b.x, -0.5, b.z}, slope(b), std::min(1.0, u + step), 1);
+    triangle(mesh, tip, tip + 1, tip + 2);
+  }
+  cap(mesh, around, -0.5, -1);
+  return finished(std::move(mesh), true);
+}
+
+Mesh plane_mesh() {
+  Mesh mesh;
+  const Vec3 z{0, 0, 1};
+  add(mesh, {-0.5, -0.5, 0}, z, 0, 1);
+  add(mesh, {0.5, -0.5, 0}, z, 1, 1);
+  add(mesh, {0.5, 0.5, 0}, z, 1, 0);
+  add(mesh, {-0.5, 0.5, 0}, z, 0, 0);
+  quad(mesh, 0, 1, 2, 3);
+  return finished(std::move(mesh), false);
+}
+
+Mesh disc_mesh(int around) {
+  Mesh mesh;
+  const Vec3 z{0, 0, 1};
+  add(mesh, {0, 0, 0}, z, 0.5, 0.5);
+  for (int i = 0; i <= around; ++i) {
+    const double angle = 2 * pi * (i % around) / around, x = std::cos(angle), y = std::sin(angle);
+    add(mesh, {x, y, 0}, z, 0.5 + 0.5 * x, 0.5 - 0.5 * y);
+  }
+  for (Index i = 1; i <= static_cast<Index>(around); ++i) triangle(mesh, 0, i, i + 1);
+  return finished(std::move(mesh), false);
+}
+
+Mesh torus_mesh(double radius, double tube, int around, int across) {
+  Mesh mesh;
+  for (int i = 0; i <= around; ++i)
+    for (int j = 0; j <= across; ++j) {
+      const Vec3 d = around_y(i, around);
+      const double angle = 2 * pi * (j % across) / across;  // from the outer rim over the top
+      const Vec3 n = std::cos(angle) * d + Vec3{0, std::sin(angle), 0};
+      add(mesh, radius * d + tube * n, n, static_cast<double>(i) / around, 1 - static_cast<double>(j) / across);
+    }
+  const Index row = static_cast<Index>(across) + 1;
+  for (Index i = 0; i < static_cast<Index>(around); ++i)
+    for (Index j = 0; j < static_cast<Index>(across); ++j) {
+      const Index a = i * row + j;
+      quad(mesh, a, a + row, a + row + 1, a + 1);
+    }
+  return finished(std::move(mesh), tube <= radius);
+}
+
+namespace {
+
+// Rings of a tube. `side` is kept perpendicular to the way the tube goes, so that the tube does not twist.
+struct Sweep {
+  Mesh mesh;
+  int around;
+  double radius;
+  Vec3 along, side;
+
+  // One turn about `centre`, leaning forward (or, where negative, back) by an angle: a circle of a ball.
+  void ring(Vec3 centre, double lean = 0) {
+    const Vec3 other = cross(along, side);
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * pi * i / around;
+      const Vec3 outward = std::cos(angle) * side + std::sin(angle) * other;
+      const Vec3 normal = std::cos(lean) * outward + std::sin(lean) * along;
+      add(mesh, centre + radius * normal, normal);
+    }
+    const Index n = static_cast<Index>(around), now = static_cast<Index>(mesh.positions.size()) - n;
+    if (now < n + 1) return;
+    for (Index i = 0; i < n; ++i) {
+      const Index j = (i + 1) % n;
+      quad(mesh, now - n + i, now - n + j, now + j, now + i);
+    }
+  }
+  // From facing `along` to facing `to` in small steps; the rings together are a ball's outside.
+  void turn(Vec3 centre, Vec3 to) {
+    const double angle = std::atan2(length(cross(along, to)), dot(along, to));
+    if (angle < 1e-6) {
+      along = to;
+      return;
+    }
+    const Vec3 axis = normalize(cross(along, to), side);
+    const int steps = 1 + static_cast<int>(angle / (2 * pi / around));
+    const Mat4 step = rotation(axis_angle(axis, angle / steps));
+    for (int i = 0; i < steps; ++i) {
+      along = normalize(transform_vector(step, along));
+      side = normalize(transform_vector(step, side));
+      ring(centre);
+    }
+    along = to;
+    side = normalize(side - dot(side, to) * to);
+  }
+};
+
+}  // namespace
+
+Mesh tube_mesh(const std::vector<Vec3>& given, double diameter, int around) {
+  std::vector<Vec3> points;
+  for (const Vec3 p : given)
+    if (points.empty() || length(p - points.back()) > 1e-6 * diameter) points.push_back(p);
+  if (points.size() < 2) return balls_mesh(points, diameter, sphere_mesh(around, std::max(2, around / 2)));
+
+  Sweep sweep{{}, around, diameter / 2, normalize(points[1] - points[0]), {}};
+  const Vec3 d = sweep.along, a{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+  sweep.side = normalize(cross(d, a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0}
+                                  : a.y <= a.z             ? Vec3{0, 1, 0}
+                                                           : Vec3{0, 0, 1}));
+
+  const int cap_rings = std::max(1, around / 4);
+  const Index start = add(sweep.mesh, points.front() - sweep.radius * d, -d);
+  for (int i = 1; i <= cap_rings; ++i) sweep.ring(points.front(), 0.5 * pi * i / cap_rings - 0.5 * pi);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sweep.ring(points[i]);
+    if (i + 1 < points.size()) sweep.turn(points[i], normalize(points[i + 1] - points[i]));
+  }
+  for (int i = 1; i < cap_rings; ++i) sweep.ring(points.back(), 0.5 * pi * i / cap_rings);
+  const Index end = add(sweep.mesh, points.back() + sweep.radius * sweep.along, sweep.along);
+  const Index n = static_cast<Index>(around);
+  for (Index i = 0; i < n; ++i) {
+    const Index j = (i + 1) % n;
+    triangle(sweep.mesh, start, start + 1 + j, start + 1 + i);
+    triangle(sweep.mesh, end, end - n + i, end - n + j);
+  }
+  return finished(std::move(sweep.mesh), true);
+}
+
+Mesh line_mesh(const std::vector<Vec3>& points) {
+  Mesh mesh;
+  for (const Vec3 p : points) add(mesh, p, {0, 0, 1});
+  for (Index i = 1; i < points.size(); ++i) mesh.edges.insert(mesh.edges.end(), {i - 1, i});
+  return mesh;
+}
+
+Mesh balls_mesh(const std::vector<Vec3>& points, double diameter, const Mesh& ball) {
+  Mesh mesh;
+  for (const Vec3 p : points) {
+    const Index base = static_cast<Index>(mesh.positions.size());
+    for (const auto& b : ball.positions) mesh.positions.push_back(narrow(p + 0.5 * diameter * widen(b)));
+    mesh.normals.insert(mesh.normals.end(), ball.normals.begin(), ball.normals.end());
+    for (const Index i : ball.triangles) mesh.triangles.push_back(base + i);
+    for (const Index i : ball.edges) mesh.edges.push_back(base + i);
+  }
+  mesh.closed = !points.empty();
+  return mesh;
+}
+
+}  // namespace betwixt
