@@ -41,23 +41,37 @@ install_packages() {
   rm -f "$log"
 }
 
-# build PRESET TARGET…: configures build/PRESET where that is due and builds the targets.
+# build PRESET TARGET…: configures build/PRESET where that is due and builds the targets; one at a time.
 build() {
-  local folder=$root/build/$1 log=$root/build/$1.log preset=$1 launcher=() fresh=()
-  shift
-  if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt" ||
-    [ ! -f "$folder/build.ninja" ] || [ "$root/CMakePresets.json" -nt "$folder/CMakeCache.txt" ]; then
-    [ ! -f "$folder/CMakeCache.txt" ] || fresh=(--fresh)
-    ! command -v ccache >/dev/null || launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-    (cd "$root" && cmake --preset "$preset" "${fresh[@]}" "${launcher[@]}") >"$log" 2>&1 || {
-      grep -v '^-- ' "$log" | tail -n 30 >&2
-      die "the build could not be configured (all of it: build/$preset.log)"
-    }
+  mkdir -p "$root/build" || die "cannot write in $root"
+  (
+    flock -n 9 || { say "waiting for another build to end" && flock 9; }
+    configure "$1" && make_targets "$@"
+  ) 9>"$root/build/$1.lock" || exit 3
+}
+
+configure() {
+  local cache=$root/build/$1/CMakeCache.txt log=$root/build/$1.log options=()
+  # A checkout that was moved is configured anew.
+  if [ -f "$root/build/$1/build.ninja" ] && [ "$cache" -nt "$root/CMakePresets.json" ] &&
+    grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
+    return
   fi
+  [ ! -f "$cache" ] || options+=(--fresh)
+  ! command -v ccache >/dev/null || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  (cd "$root" && cmake --preset "$1" "${options[@]}") >"$log" 2>&1 || {
+    grep -v '^-- ' "$log" | tail -n 30 >&2
+    die "the build could not be configured (all of it: build/$1.log)"
+  }
+}
+
+make_targets() {
+  local preset=$1 log=$root/build/$1.log
+  shift
   if [ -t 2 ]; then
-    NINJA_STATUS='[%f/%t, %es] ' ninja -C "$folder" "$@" >&2 || die "the build failed"
+    NINJA_STATUS='[%f/%t, %es] ' ninja -C "$root/build/$preset" "$@" >&2 || die "the build failed"
   else
-    NINJA_STATUS='[%f/%t] ' ninja -C "$folder" "$@" 2>&1 | tee "$log" | sparse "$preset"
+    NINJA_STATUS='[%f/%t] ' ninja -C "$root/build/$preset" "$@" 2>&1 | tee "$log" | sparse "$preset"
     [ "${PIPESTATUS[0]}" = 0 ] || {
       tail -n 40 "$log" >&2
       die "the build failed (all of it: build/$preset.log)"
