@@ -73,8 +73,7 @@ Result<Output> read_output(const std::string& path) {
   if (found != names.end() && dot > 0) return out.ending = static_cast<Ending>(found - names.begin()), out;
   if (dot == std::string::npos || dot == 0)
     return fail(Code::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
-  return fail(Code::range,
-              fmt::format("nobody knows how to make a film \"{}\"; known endings: {}", ending, known_endings),
+  return fail(Code::range, fmt::format("a film cannot end in \"{}\"; known endings: {}", ending, known_endings),
               did_you_mean(ending, {names.begin(), names.end()}));
 }
 

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "film/yuv.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace betwixt {
+namespace {
+
+// The same by the book, in f64: every pixel to Y'CbCr, then 1 2 1 across and 1 1 down around each chroma site.
+std::vector<double> by_the_book(const Picture& p) {
+  const int w = (p.width + 1) / 2 * 2, h = (p.height + 1) / 2 * 2;
+  const auto ycc = [&](int x, int y) {
+    x = std::clamp(x, 0, p.width - 1), y = std::clamp(y, 0, p.height - 1);
+    const std::uint8_t* c = &p.rgba[static_cast<std::size_t>(4 * (y * p.width + x))];
+    const double r = c[0] / 255.0, g = c[1] / 255.0, b = c[2] / 255.0, luma = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    return std::array<double, 3>{16 + 219 * luma, 128 + 224 * (b - luma) / 1.8556, 128 + 224 * (r - luma) / 1.5748};
+  };
+  std::vector<double> out;
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) out.push_back(ycc(x, y)[0]);
+  for (std::size_t c = 1; c < 3; ++c)
+    for (int y = 0; y < h; y += 2)
+      for (int x = 0; x < w; x += 2) {
+        double sum = 0;
+        for (int row = y; row < y + 2; ++row) sum += ycc(x - 1, row)[c] + 2 * ycc(x, row)[c] + ycc(x + 1, row)[c];
+        out.push_back(sum / 8);
+      }
+  return out;
+}
+
+TEST(Yuv, AgreesWithTheDefinition) {
+  std::mt19937 random(11);
+  for (const auto& [w, h] : {std::pair{1, 1}, {2, 2}, {1, 4}, {5, 3}, {16, 9}, {33, 17}}) {
+    Picture p{w, h, {}};
+    for (int i = 0; i < w * h * 4; ++i) p.rgba.push_back(static_cast<std::uint8_t>(random() & 255));
+    std::vector<std::uint8_t> made;
+    to_yuv420(p, made);
+    const auto expected = by_the_book(p);
+    ASSERT_EQ(made.size(), expected.size());
+    for (std::size_t i = 0; i < made.size(); ++i)
+      EXPECT_NEAR(made[i], expected[i], 0.51) << w << "x" << h << " at " << i;
+  }
+}
+
+TEST(Yuv, BlackAndWhiteAreTheEndsOfTheRange) {
+  std::vector<std::uint8_t> made;
+  to_yuv420({1, 1, {255, 255, 255, 255}}, made);
+  EXPECT_EQ(made, (std::vector<std::uint8_t>{235, 235, 235, 235, 128, 128}));
+  to_yuv420({1, 1, {0, 0, 0, 0}}, made);
+  EXPECT_EQ(made, (std::vector<std::uint8_t>{16, 16, 16, 16, 128, 128}));
+}
+
+}  // namespace
+}  // namespace betwixt
