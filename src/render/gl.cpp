@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gl.h"
+
+#include <fmt/format.h>
+
+namespace betwixt::gl {
+namespace {
+
+const char* const packages = "on Debian: apt install libegl1 libgl1-mesa-dri";
+
+Error no_graphics(const char* why) {
+  return fail(Code::machine, fmt::format("no graphics to be had: {}", why), packages);
+}
+
+// All contexts of the process share one display. It is never shut down: other threads, or the host program, may be
+// using it.
+EGLDisplay open_display() {
+  static const EGLDisplay display = [] {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
+    const EGLDisplay d = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    return d != EGL_NO_DISPLAY && eglInitialize(d, nullptr, nullptr) ? d : EGL_NO_DISPLAY;
+  }();
+  return display;
+}
+
+Result<GLuint> compile(GLenum stage, std::string_view source, std::string_view defines) {
+  const std::string text = fmt::format(
+      "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DShadow;\n{}\n{}",
+      defines, source);
+  const GLuint shader = glCreateShader(stage);
+  const char* const start = text.c_str();
+  glShaderSource(shader, 1, &start, nullptr);
+  glCompileShader(shader);
+  GLint good = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (good) return shader;
+  char log[1024] = "";
+  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+  glDeleteShader(shader);
+  return fail(Code::machine, fmt::format("the graphics driver cannot compile a shader: {}", log), packages);
+}
+
+}  // namespace
+
+Result<Context> Context::create() {
+  const EGLDisplay display = open_display();
+  if (display == EGL_NO_DISPLAY) return no_graphics("EGL has no surfaceless platform here");
+  const EGLenum previous = eglQueryAPI();
+  if (!eglBindAPI(EGL_OPENGL_ES_API)) return no_graphics("EGL has no OpenGL ES");
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
+  EGLContext context = EGL_NO_CONTEXT;
+  if (eglChooseConfig(display, wanted, &config, 1, &count) && count > 0)
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+  eglBindAPI(previous);
+  if (context == EGL_NO_CONTEXT) return no_graphics("OpenGL ES 3.0 is missing");
+  return Context(display, context);
+}
+
+Context::~Context() {
+  if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+}
+
+Current::Current(const Context& c)
+    : own_(c.display_),
+      display_(eglGetCurrentDisplay()),
+      context_(eglGetCurrentContext()),
+      draw_(eglGetCurrentSurface(EGL_DRAW)),
+      read_(eglGetCurrentSurface(EGL_READ)),
+      api_(eglQueryAPI()) {
+  eglBindAPI(EGL_OPENGL_ES_API);
+  eglMakeCurrent(own_, EGL_NO_SURFACE, EGL_NO_SURFACE, c.context_);
+}
+
+Current::~Current() {
+  eglMakeCurrent(own_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglBindAPI(api_);
+  if (context_ != EGL_NO_CONTEXT) eglMakeCurrent(display_, draw_, read_, context_);
+}
+
+void free_buffer(GLuint id) { glDeleteBuffers(1, &id); }
+void free_texture(GLuint id) { glDeleteTextures(1, &id); }
+void free_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
+void free_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
+void free_program(GLuint id) { glDeleteProgram(id); }
+
+Buffer new_buffer() {
+  GLuint id = 0;
+  glGenBuffers(1, &id);
+  return Buffer(id);
+}
+
+VertexArray new_vertex_array() {
+  GLuint id = 0;
+  glGenVertexArrays(1, &id);
+  return VertexArray(id);
+}
+
+Texture new_texture(GLenum format, int width, int height, GLint filter) {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  glBindTexture(GL_TEXTURE_2D, id);
+  glTexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return Texture(id);
+}
+
+void Target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glViewport(0, 0, width, height);
+}
+
+Result<Target> new_target(GLenum color_format, GLenum depth_format, int width, int height) {
+  Target t;
+  t.width = width, t.height = height;
+  GLuint id = 0;
+  glGenFramebuffers(1, &id);
+  t.framebuffer = Framebuffer(id);
+  glBindFramebuffer(GL_FRAMEBUFFER, id);
+  if (color_format != 0) {
+    t.color = new_texture(color_format, width, height, GL_NEAREST);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, t.color.id(), 0);
+  }
+  if (depth_format != 0) {
+    t.depth = new_texture(depth_format, width, height, GL_NEAREST);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, t.depth.id(), 0);
+  }
+  if (glGetError() != GL_NO_ERROR || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return fail(Code::machine, fmt::format("the graphics driver cannot draw {}x{} pixels", width, height),
+                "try a smaller size or fewer samples");
+  return t;
+}
+
+Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines) {
+  const auto v = compile(GL_VERTEX_SHADER, vertex, defines);
+  if (!v) return v.error();
+  const auto f = compile(GL_FRAGMENT_SHADER, fragment, defines);
+  if (!f) {
+    glDeleteShader(*v);
+    return f.error();
+  }
+  Program program(glCreateProgram());
+  glAttachShader(program.id(), *v);
+  glAttachShader(program.id(), *f);
+  glLinkProgram(program.id());
+  glDeleteShader(*v);
+  glDeleteShader(*f);
+  GLint good = 0;
+  glGetProgramiv(program.id(), GL_LINK_STATUS, &good);
+  if (good) return program;
+  char log[1024] = "";
+  glGetProgramInfoLog(program.id(), sizeof log, nullptr, log);
+  return fail(Code::machine, fmt::format("the graphics driver cannot link a shader: {}", log), packages);
+}
+
+const std::string_view fill_vertex = R"(
+out vec2 at;
+void main() {
+  at = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
+  gl_Position = vec4(2.0 * at - 1.0, 1.0, 1.0);
+}
+)";
+
+void fill() {
+  glBindVertexArray(0);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void use_texture(int unit, GLuint texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+GLint uniform(const Program& program, const char* name) { return glGetUniformLocation(program.id(), name); }
+
+void set_samplers(const Program& program, std::initializer_list<std::pair<const char*, int>> units) {
+  glUseProgram(program.id());
+  for (const auto& [name, unit] : units) glUniform1i(uniform(program, name), unit);
+}
+
+}  // namespace betwixt::gl

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// OpenGL ES 3.0 without a display: a context of our own, and owners for what lives in it.
+#pragma once
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "betwixt/result.h"
+
+namespace betwixt::gl {
+
+// One OpenGL ES 3.0 context on surfaceless EGL.
+class Context {
+ public:
+  static Result<Context> create();  // errors: machine
+  Context(Context&& o) noexcept : display_(o.display_), context_(std::exchange(o.context_, EGL_NO_CONTEXT)) {}
+  Context& operator=(Context&&) = delete;
+  ~Context();
+
+ private:
+  friend class Current;
+  Context(EGLDisplay d, EGLContext c) : display_(d), context_(c) {}
+  EGLDisplay display_;
+  EGLContext context_;
+};
+
+// Makes a context current for as long as it lives, then puts back whatever the host program had.
+class Current {
+ public:
+  explicit Current(const Context&);
+  ~Current();
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+
+ private:
+  EGLDisplay own_, display_;
+  EGLContext context_;
+  EGLSurface draw_, read_;
+  EGLenum api_;
+};
+
+// Owns one object of the graphics interface; freed while its context is current.
+template <void (*free)(GLuint)>
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(GLuint id) : id_(id) {}
+  Handle(Handle&& o) noexcept : id_(std::exchange(o.id_, 0)) {}
+  Handle& operator=(Handle&& o) noexcept {
+    std::swap(id_, o.id_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ != 0) free(id_);
+  }
+  GLuint id() const { return id_; }
+
+ private:
+  GLuint id_ = 0;
+};
+void free_buffer(GLuint);
+void free_texture(GLuint);
+void free_framebuffer(GLuint);
+void free_vertex_array(GLuint);
+void free_program(GLuint);
+using Buffer = Handle<free_buffer>;
+using Texture = Handle<free_texture>;
+using Framebuffer = Handle<free_framebuffer>;
+using VertexArray = Handle<free_vertex_array>;
+using Program = Handle<free_program>;
+
+Buffer new_buffer();
+VertexArray new_vertex_array();
+// A 2-D texture of one level without content, clamped at its edges.
+Texture new_texture(GLenum format, int width, int height, GLint filter);
+
+// A picture to draw into; either texture may be absent (format 0).
+struct Target {
+  int width = 0, height = 0;
+  Texture color, depth;
+  Framebuffer framebuffer;
+  void bind() const;  // and set the viewport to all of it
+};
+Result<Target> new_target(GLenum color_format, GLenum depth_format, int width, int height);  // errors: machine
+
+// Compiles and links; `defines` go to the head of both stages. Errors: machine (with the compiler's words).
+Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines = {});
+// The vertex stage of passes that fill the picture: three corners, no input; gives `vec2 at` in 0 to 1.
+extern const std::string_view fill_vertex;
+void fill();  // draws it
+
+void use_texture(int unit, GLuint texture);
+GLint uniform(const Program&, const char* name);
+void set_samplers(const Program&, std::initializer_list<std::pair<const char*, int>> units);
+
+}  // namespace betwixt::gl

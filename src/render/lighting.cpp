@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lighting.h"
+
+#include <algorithm>
+
+namespace betwixt {
+namespace {
+
+// Key from the upper left, fill from the right, rim from behind. They turn with the camera, but only about the
+// vertical, so that light always comes from above and shadows fall on the ground.
+std::vector<Lighting::One> rig(const View& view) {
+  Vec3 right = view.right;
+  right.y = 0;
+  right = normalize(right, {1, 0, 0});
+  const Vec3 up{0, 1, 0}, toward_eye = cross(right, up);
+  const auto sun = [&](double x, double y, double z, Vec3 color) {
+    return Lighting::One{true, normalize(x * right + y * up + z * toward_eye), color, 1};
+  };
+  return {sun(-0.55, 0.95, 0.6, {0.86, 0.83, 0.78}), sun(0.9, 0.35, 0.55, {0.13, 0.15, 0.19}),
+          sun(0.35, 0.6, -0.9, {0.3, 0.32, 0.36})};
+}
+
+double importance(const Lighting::One& l, Vec3 center) {
+  const double strength = l.color.x + l.color.y + l.color.z;
+  if (l.sun) return strength;
+  const double d = length(l.place - center) / l.range, w = std::max(1 - d * d, 0.0);
+  return strength * w * w;
+}
+
+}  // namespace
+
+Lighting lighting_of(const Frame& frame, const View& view, Vec3 center) {
+  Lighting r;
+  r.sky = {0.2, 0.215, 0.24}, r.ground = {0.1, 0.09, 0.08};
+  if (frame.lights.empty()) {
+    r.lights = rig(view);
+    return r;
+  }
+  for (const Light& l : frame.lights) {
+    if (!finite(l.color) || !finite(l.position) || !finite(l.direction) || std::isnan(l.range)) continue;
+    if (!l.sun && !(l.range > 0)) continue;
+    const Vec3 color{std::max(l.color.x, 0.0), std::max(l.color.y, 0.0), std::max(l.color.z, 0.0)};
+    r.lights.push_back({l.sun, l.sun ? normalize(-l.direction, {0, 1, 0}) : l.position - view.eye, color,
+                        std::clamp(l.range, 1e-9, 1e15)});
+  }
+  std::stable_sort(r.lights.begin(), r.lights.end(),
+                   [center](const auto& a, const auto& b) { return importance(a, center) > importance(b, center); });
+  if (r.lights.size() > Lighting::most) r.lights.resize(Lighting::most);
+  return r;
+}
+
+}  // namespace betwixt

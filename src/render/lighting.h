@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which lights shine on a frame.
+//
+// A light of colour c (intensity included) at distance d sends c·w² where w = 1 - (d / range)², and nothing beyond its
+// range; a surface of colour a that faces it shows a·c·w². So intensity 1 lights well from close by up to about two
+// thirds of the range (w² = 0.31), wherever the range ends, and nothing is ever cut off. A sun sends c.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/view.h"
+
+namespace betwixt {
+
+struct Lighting {
+  static constexpr std::size_t most = 16;
+  struct One {
+    bool sun = false;
+    Vec3 place;  // eye space: where a lamp is, or the direction towards a sun
+    Vec3 color;
+    double range = 1;
+  };
+  std::vector<One> lights;  // the most important first, `most` at most; that one casts the shadow
+  Vec3 sky, ground;         // ambient light from above and below
+};
+
+// `center`: what the picture is about, in eye space.
+Lighting lighting_of(const Frame&, const View&, Vec3 center);
+
+}  // namespace betwixt

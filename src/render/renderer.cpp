@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "betwixt/render.h"
+#include "render/gl.h"
+#include "render/module.h"
+
+namespace betwixt {
+namespace {
+
+struct Entry {
+  Style style;
+  MakeModule make;
+};
+constexpr Entry table[] = {
+    {{"shaded", "lit surfaces with soft shadows, highlights and glass"}, make_shaded},
+};
+
+class SurfacelessRenderer final : public Renderer {
+ public:
+  SurfacelessRenderer(gl::Context context, std::unique_ptr<Module> module)
+      : context_(std::move(context)), module_(std::move(module)) {}
+  ~SurfacelessRenderer() override {
+    const gl::Current current(context_);
+    module_.reset();
+  }
+  Status render(const Frame& frame, Picture& out) override {
+    const gl::Current current(context_);
+    return module_->draw(frame, out);
+  }
+
+ private:
+  gl::Context context_;
+  std::unique_ptr<Module> module_;
+};
+
+// How many letters must be changed, added or dropped to get from `a` to `b`.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, change}));
+    }
+  }
+  return row.back();
+}
+
+Error no_such_style(const std::string& name) {
+  std::string all;
+  const Entry* near = nullptr;
+  for (const Entry& e : table) {
+    all += (all.empty() ? "" : ", ") + std::string(e.style.name);
+    if (distance(name.substr(0, 64), e.style.name) <= 3) near = &e;
+  }
+  return fail(Code::name, fmt::format("no style is called '{}'", name.substr(0, 64)),
+              near != nullptr ? std::string(near->style.name) : "the styles are " + all);
+}
+
+}  // namespace
+
+const std::vector<Style>& styles() {
+  static const std::vector<Style> all = [] {
+    std::vector<Style> list;
+    for (const Entry& e : table) list.push_back(e.style);
+    return list;
+  }();
+  return all;
+}
+
+Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
+  const auto fits = [](int n) { return n >= 1 && n <= 8192; };
+  if (!fits(options.width) || !fits(options.height))
+    return fail(Code::range, fmt::format("a picture of {}x{} pixels cannot be drawn", options.width, options.height),
+                "each side may have 1 to 8192 pixels");
+  constexpr std::array samples{1, 4, 9, 16};
+  if (std::find(samples.begin(), samples.end(), options.samples) == samples.end())
+    return fail(Code::range, fmt::format("{} samples a pixel cannot be drawn", options.samples), "1, 4, 9 or 16");
+  const auto* entry =
+      std::find_if(std::begin(table), std::end(table), [&](const Entry& e) { return e.style.name == options.style; });
+  if (entry == std::end(table)) return no_such_style(options.style);
+  auto context = gl::Context::create();
+  if (!context) return context.error();
+  auto module = [&] {
+    const gl::Current current(*context);
+    return entry->make(options);
+  }();
+  if (!module) return module.error();
+  return std::unique_ptr<Renderer>(std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module)));
+}
+
+}  // namespace betwixt

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The style `shaded`: a shadow map, then solid surfaces, the background, glass, and the picture.
+#include "render/canvas.h"
+#include "render/module.h"
+#include "render/surfaces.h"
+
+namespace betwixt {
+namespace {
+
+constexpr Gradient gradient{{0.26, 0.28, 0.31}, {0.12, 0.125, 0.13}};
+
+class Shaded final : public Module {
+ public:
+  Shaded(Canvas canvas, Surfaces surfaces, Shadow shadow)
+      : canvas_(std::move(canvas)), surfaces_(std::move(surfaces)), shadow_(std::move(shadow)) {}
+
+  Status draw(const Frame& frame, Picture& out) override {
+    store_.next_frame();
+    bool good = false;
+    View view = make_view(frame.camera, canvas_.width(), canvas_.height(), good);
+    std::vector<Thing> things;
+    if (good) things = gather(frame, view, store_);
+    std::vector<const Thing*> solid, glass, casters;
+    for (const Thing& t : things) {
+      if (t.visible) (t.transparent ? glass : solid).push_back(&t);
+      if (!t.transparent && t.item->material != Material::glow) casters.push_back(&t);
+    }
+    const Lighting lighting = lighting_of(frame, view, {});
+    const bool shadows = !casters.empty() && !lighting.lights.empty();
+    if (shadows) shadow_.draw(casters, lighting.lights.front());
+    canvas_.begin(frame.background);
+    surfaces_.set(view, lighting, &shadow_);
+    surfaces_.draw_opaque(solid, store_);
+    canvas_.draw_behind(frame.background, gradient);
+    surfaces_.draw_transparent(glass, store_);
+    canvas_.finish(0, out);
+    return Nothing{};
+  }
+
+ private:
+  Canvas canvas_;
+  Surfaces surfaces_;
+  Shadow shadow_;
+  Store store_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Module>> make_shaded(const RenderOptions& options) {
+  auto canvas = Canvas::create(options);
+  if (!canvas) return canvas.error();
+  auto surfaces = Surfaces::create(canvas->side());
+  if (!surfaces) return surfaces.error();
+  auto shadow = Shadow::create();
+  if (!shadow) return shadow.error();
+  return std::unique_ptr<Module>(
+      std::make_unique<Shaded>(*std::move(canvas), *std::move(surfaces), *std::move(shadow)));
+}
+
+}  // namespace betwixt

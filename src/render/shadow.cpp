@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/shadow.h"
+
+#include <algorithm>
+
+namespace betwixt {
+namespace {
+
+constexpr int map_size = 1024;
+
+const char* const vertex = R"(
+layout(location = 0) in vec3 position;
+layout(location = 3) in vec4 row_x;
+layout(location = 4) in vec4 row_y;
+layout(location = 5) in vec4 row_z;
+uniform mat4 clip;
+void main() {
+  vec4 p = vec4(position, 1.0);
+  gl_Position = clip * vec4(dot(row_x, p), dot(row_y, p), dot(row_z, p), 1.0);
+}
+)";
+const char* const fragment = "void main() {}";
+
+struct Ball {
+  Vec3 center;
+  double radius = 0;
+};
+
+Ball around(const Ball& a, const Ball& b) {
+  const double d = length(b.center - a.center);
+  if (d + b.radius <= a.radius) return a;
+  if (d + a.radius <= b.radius) return b;
+  const double r = (d + a.radius + b.radius) / 2;
+  return {a.center + (r - a.radius) / d * (b.center - a.center), r};
+}
+
+// What the map must show finely: all casters but those that dwarf the rest (grounds and walls), whose own shadows
+// nobody misses.
+Ball subject(const std::vector<const Thing*>& casters) {
+  std::vector<const Thing*> by_size = casters;
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [](const Thing* a, const Thing* b) { return a->bounds.radius() < b->bounds.radius(); });
+  Ball all{by_size.front()->bounds.center, by_size.front()->bounds.radius()};
+  for (const Thing* t : by_size) {
+    if (t->bounds.radius() > 4 * all.radius) break;
+    all = around(all, {t->bounds.center, t->bounds.radius()});
+  }
+  return all;
+}
+
+Mat4 looking(Vec3 from, Vec3 backward) {
+  const Vec3 helper = std::abs(backward.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 right = normalize(cross(helper, backward)), up = cross(backward, right);
+  Mat4 r;
+  for (int c = 0; c < 3; ++c) r(0, c) = right[c], r(1, c) = up[c], r(2, c) = backward[c];
+  r(0, 3) = -dot(right, from), r(1, 3) = -dot(up, from), r(2, 3) = -dot(backward, from);
+  return r;
+}
+
+}  // namespace
+
+Result<Shadow> Shadow::create() {
+  Shadow s;
+  auto target = gl::new_target(0, GL_DEPTH_COMPONENT24, map_size, map_size);
+  if (!target) return target.error();
+  auto program = gl::new_program(vertex, fragment);
+  if (!program) return program.error();
+  s.target_ = *std::move(target), s.program_ = *std::move(program);
+  s.instances_ = gl::new_buffer();
+  s.clip_at_ = gl::uniform(s.program_, "clip");
+  glBindTexture(GL_TEXTURE_2D, s.target_.depth.id());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return s;
+}
+
+void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One& light) {
+  target_.bind();
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  if (casters.empty()) return;
+  Ball ball = subject(casters);
+  perspective_ = !light.sun;
+  Mat4 projection;
+  if (light.sun) {
+    // Measured and placed in steps, so that edges do not swim while things move about.
+    ball.radius = std::exp2(std::ceil(std::log2(ball.radius) * 4) / 4) * 1.02;
+    texel_ = 2 * ball.radius / map_size;
+    Mat4 view = looking({0, 0, 0}, light.place);
+    const Vec3 c = transform_point(view, ball.center);
+    double low = c.z - ball.radius, high = c.z + ball.radius;
+    for (const Thing* t : casters) {
+      const double z = transform_point(view, t->bounds.center).z, r = t->bounds.radius();
+      high = std::max(high, z + r), low = std::min(low, z - r);
+    }
+    projection(0, 0) = projection(1, 1) = 1 / ball.radius;
+    projection(0, 3) = -std::round(c.x / texel_) * texel_ / ball.radius;
+    projection(1, 3) = -std::round(c.y / texel_) * texel_ / ball.radius;
+    projection(2, 2) = -2 / (high - low), projection(2, 3) = (high + low) / (high - low);
+    clip_ = projection * view;
+  } else {
+    const Vec3 back = light.place - ball.center;
+    const double d = std::max(length(back), 1e-9);
+    const double tangent =
+        d > ball.radius ? std::min(ball.radius / std::sqrt(d * d - ball.radius * ball.radius), 2.5) : 2.5;
+    texel_ = 2 * tangent / map_size;
+    const double far = std::max(light.range, 1e-6), near = far * 1e-3;
+    projection(0, 0) = projection(1, 1) = 1 / tangent;
+    projection(2, 2) = -(far + near) / (far - near), projection(2, 3) = -2 * far * near / (far - near);
+    projection(3, 2) = -1, projection(3, 3) = 0;
+    clip_ = projection * looking(light.place, normalize(back, {0, 1, 0}));
+  }
+  const Batches batches = batches_of(casters, true);
+  send_instances(instances_, batches.instances);
+  glUseProgram(program_.id());
+  glUniformMatrix4fv(clip_at_, 1, GL_FALSE, to_float(clip_).data());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_BLEND);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.5F, 2.0F);
+  for (const Batch& b : batches.batches) {
+    if (b.mesh->parts.empty()) continue;
+    // Closed things cast by their far side: what faces the light is then never in its own shadow.
+    if (b.closed)
+      glEnable(GL_CULL_FACE);
+    else
+      glDisable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
+    set_facing(b.mirrored);
+    glBindVertexArray(b.mesh->triangles.id());
+    bind_instances(instances_, b.first);
+    for (const MeshPart& p : b.mesh->parts)
+      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(p.count), GL_UNSIGNED_INT,
+                              reinterpret_cast<const void*>(p.first * sizeof(std::uint32_t)),
+                              static_cast<GLsizei>(b.count));
+  }
+  glCullFace(GL_BACK);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+}  // namespace betwixt

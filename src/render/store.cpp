@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/store.h"
+
+#include <algorithm>
+#include <span>
+
+namespace betwixt {
+namespace {
+
+constexpr std::uint64_t kept_frames = 8;
+
+using Floats = std::vector<float>;
+
+template <class T>
+void send(GLenum target, GLuint buffer, const std::vector<T>& data) {
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
+}
+
+void floats_at(GLuint attribute, GLint count, std::size_t stride, std::size_t first) {
+  glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(attribute, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride * sizeof(float)),
+                        reinterpret_cast<const void*>(first * sizeof(float)));
+}
+
+bool indices_fit(const std::vector<std::uint32_t>& indices, std::size_t count) {
+  return std::all_of(indices.begin(), indices.end(), [count](std::uint32_t i) { return i < count; });
+}
+
+Floats interleave(const Mesh& mesh) {
+  const bool normals = mesh.normals.size() == mesh.positions.size();
+  const bool uvs = mesh.uvs.size() == mesh.positions.size();
+  Floats out;
+  out.reserve(mesh.positions.size() * 8);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const auto n = normals ? mesh.normals[i] : std::array<float, 3>{0, 0, 1};
+    const auto uv = uvs ? mesh.uvs[i] : std::array<float, 2>{0, 0};
+    out.insert(out.end(), mesh.positions[i].begin(), mesh.positions[i].end());
+    out.insert(out.end(), n.begin(), n.end());
+    out.insert(out.end(), uv.begin(), uv.end());
+  }
+  return out;
+}
+
+std::vector<MeshPart> parts_of(const Mesh& mesh) {
+  const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
+  if (!indices_fit(mesh.triangles, mesh.positions.size()) || all < 3) return {};
+  if (mesh.parts.empty()) return {{0, all, {1, 1, 1}, nullptr}};
+  std::vector<MeshPart> parts;
+  for (MeshPart p : mesh.parts) {
+    p.first = std::min(p.first, all), p.count = std::min(p.count, all - p.first);
+    if (p.count > 0) parts.push_back(p);
+  }
+  return parts;
+}
+
+// Graphics memory takes pictures up to a size; larger ones lose every other row and column until they fit.
+Picture thinned(const Picture& from, int limit) {
+  int step = 1;
+  while ((from.width + step - 1) / step > limit || (from.height + step - 1) / step > limit) step *= 2;
+  Picture to{(from.width + step - 1) / step, (from.height + step - 1) / step, {}};
+  to.rgba.reserve(static_cast<std::size_t>(to.width) * to.height * 4);
+  for (int y = 0; y < from.height; y += step)
+    for (int x = 0; x < from.width; x += step) {
+      const auto* p = &from.rgba[(static_cast<std::size_t>(y) * from.width + x) * 4];
+      to.rgba.insert(to.rgba.end(), p, p + 4);
+    }
+  return to;
+}
+
+gl::Texture send_texture(const Picture& picture) {
+  const auto size = static_cast<std::size_t>(std::max(picture.width, 0)) * std::max(picture.height, 0) * 4;
+  if (size == 0 || picture.rgba.size() < size) return {};
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  const bool large = picture.width > limit || picture.height > limit;
+  const Picture smaller = large ? thinned(picture, limit) : Picture{};
+  const Picture& p = large ? smaller : picture;
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  gl::use_texture(0, id);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, p.width, p.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return gl::Texture(id);
+}
+
+bool has_holes(const Picture& p) {
+  for (std::size_t i = 3; i < p.rgba.size(); i += 4)
+    if (p.rgba[i] != 255) return true;
+  return false;
+}
+
+}  // namespace
+
+void Store::next_frame() {
+  ++frame_;
+  latest_ = nullptr;
+  const auto old = [this](const auto& entry) { return entry.second.used + kept_frames < frame_; };
+  std::erase_if(meshes_, old);
+  std::erase_if(textures_, old);
+}
+
+StoredMesh& Store::mesh(const std::shared_ptr<const Mesh>& mesh) {
+  if (latest_ != nullptr && latest_->mesh == mesh) return *latest_;
+  StoredMesh& m = meshes_[mesh.get()];
+  latest_ = &m;
+  m.used = frame_;
+  if (m.mesh != nullptr) return m;
+  m.mesh = mesh;
+  m.box = mesh->box();
+  m.parts = parts_of(*mesh);
+  if (m.parts.empty()) return m;
+  m.triangles = gl::new_vertex_array();
+  glBindVertexArray(m.triangles.id());
+  m.vertices = gl::new_buffer();
+  send(GL_ARRAY_BUFFER, m.vertices.id(), interleave(*mesh));
+  m.indices = gl::new_buffer();
+  send(GL_ELEMENT_ARRAY_BUFFER, m.indices.id(), mesh->triangles);
+  floats_at(at_position, 3, 8, 0);
+  floats_at(at_normal, 3, 8, 3);
+  floats_at(at_uv, 2, 8, 6);
+  return m;
+}
+
+void Store::need_edges(StoredMesh& m) {
+  const Mesh& mesh = *m.mesh;
+  if (m.edge_count > 0 || mesh.edges.size() < 2 || !indices_fit(mesh.edges, mesh.positions.size())) return;
+  const std::size_t edges = mesh.edges.size() / 2;
+  Floats corners;
+  std::vector<std::uint32_t> indices;
+  corners.reserve(edges * 4 * 8), indices.reserve(edges * 6);
+  for (std::size_t e = 0; e < edges; ++e) {
+    const auto &a = mesh.positions[mesh.edges[2 * e]], &b = mesh.positions[mesh.edges[2 * e + 1]];
+    for (int corner = 0; corner < 4; ++corner)
+      corners.insert(corners.end(),
+                     {a[0], a[1], a[2], b[0], b[1], b[2], corner & 1 ? 1.F : 0.F, corner & 2 ? 1.F : -1.F});
+    for (const std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) indices.push_back(static_cast<std::uint32_t>(e) * 4 + k);
+  }
+  m.edges = gl::new_vertex_array();
+  glBindVertexArray(m.edges.id());
+  m.edge_vertices = gl::new_buffer();
+  send(GL_ARRAY_BUFFER, m.edge_vertices.id(), corners);
+  m.edge_indices = gl::new_buffer();
+  send(GL_ELEMENT_ARRAY_BUFFER, m.edge_indices.id(), indices);
+  floats_at(at_start, 3, 8, 0);
+  floats_at(at_end, 3, 8, 3);
+  floats_at(at_corner, 2, 8, 6);
+  m.edge_count = static_cast<GLsizei>(indices.size());
+}
+
+const StoredTexture& Store::texture(const std::shared_ptr<const Picture>& picture) {
+  StoredTexture& t = textures_[picture.get()];
+  t.used = frame_;
+  if (t.picture == nullptr) {
+    t.picture = picture;
+    t.texture = send_texture(*picture);
+    t.see_through = has_holes(*picture);
+  }
+  return t;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/surfaces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace betwixt {
+namespace {
+
+const char* const vertex = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 row_x;
+layout(location = 4) in vec4 row_y;
+layout(location = 5) in vec4 row_z;
+layout(location = 6) in vec3 normal_x;
+layout(location = 7) in vec3 normal_y;
+layout(location = 8) in vec3 normal_z;
+layout(location = 9) in vec4 color;
+layout(location = 10) in vec2 look;
+uniform mat4 clip;
+uniform mat4 shadow_clip;
+uniform vec4 shadow_texel;  // metres across, the same per metre of distance; half of the map
+out vec3 at, facing;
+#ifdef TEXTURED
+out vec2 place;
+#endif
+out vec4 in_light;
+flat out vec4 paint;
+flat out vec2 gloss;
+void main() {
+  vec4 p = vec4(position, 1.0);
+  at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
+  facing = normal_x * normal.x + normal_y * normal.y + normal_z * normal.z;
+#ifdef TEXTURED
+  place = uv;
+#endif
+  paint = color;
+  gloss = look;
+  gl_Position = clip * vec4(at, 1.0);
+  // Looked up a little above the surface, against shadows of itself.
+  float distance_to_light = (shadow_clip * vec4(at, 1.0)).w;
+  vec3 outward = facing * inversesqrt(max(dot(facing, facing), 1e-30));
+  float lift = shadow_texel.x + shadow_texel.y * distance_to_light;
+  in_light = shadow_clip * vec4(at + lift * outward, 1.0);
+}
+)";
+
+const char* const fragment = R"(
+in vec3 at, facing;
+in vec4 in_light;
+flat in vec4 paint;
+flat in vec2 gloss;
+uniform vec4 toward_eye;  // a direction (orthographic), or nothing and 1
+uniform vec3 part_color;
+uniform int lights;
+uniform vec4 light_place[16];  // a position and 1, or a direction and 0
+uniform vec4 light_color[16];  // and 1 / range², 0 for suns
+uniform vec3 sky, ground;
+uniform sampler2DShadow shadow;
+uniform float shadow_step;  // between look-ups, in the map's measure
+#ifdef TEXTURED
+in vec2 place;
+uniform sampler2D picture;
+#endif
+out vec4 color;
+
+float lit() {
+  vec3 p = in_light.xyz / in_light.w * 0.5 + 0.5;
+  p.z = min(p.z, 1.0);
+  // Neighbouring samples look at different places, which together make a soft edge.
+  vec2 start = (mod(floor(gl_FragCoord.xy), 2.0) - 1.5) * shadow_step;
+  float sum = 0.0;
+#if SIDE == 1
+  start = vec2(-1.5) * shadow_step;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) sum += textureLod(shadow, vec3(p.xy + start + vec2(x, y) * shadow_step, p.z), 0.0);
+  sum *= 1.0 / 16.0;
+#else
+  float two = 2.0 * shadow_step;
+  sum += textureLod(shadow, vec3(p.xy + start, p.z), 0.0);
+  sum += textureLod(shadow, vec3(p.xy + start + vec2(two, 0.0), p.z), 0.0);
+  sum += textureLod(shadow, vec3(p.xy + start + vec2(0.0, two), p.z), 0.0);
+  sum += textureLod(shadow, vec3(p.xy + start + vec2(two, two), p.z), 0.0);
+  sum *= 0.25;
+#endif
+  // Fades out towards the border of the map, and behind the light.
+  vec2 border = clamp((1.0 - abs(2.0 * p.xy - 1.0)) * 16.0, 0.0, 1.0);
+  return in_light.w > 0.0 ? mix(1.0, sum, border.x * border.y) : 1.0;
+}
+
+// Sky above, ground below, a soft horizon between.
+vec3 surroundings(float up, float blur) {
+  return mix(ground, sky, clamp(0.5 + up / (0.35 + 1.65 * blur), 0.0, 1.0));
+}
+
+void main() {
+  vec4 base = paint * vec4(part_color, 1.0);
+#ifdef TEXTURED
+  base *= texture(picture, place);
+#endif
+  float metal = gloss.y == 2.0 ? 1.0 : 0.0;
+  float glossy = gloss.y == 1.0 ? 0.0 : 1.0;
+  float shine = gloss.x;
+  float roughness = mix(0.8, 0.08, shine);
+  float a = roughness * roughness, a2 = a * a;
+  vec3 f0 = mix(vec3(0.045 * min(1.0, 0.25 + shine)), base.rgb, metal) * glossy;
+
+  vec3 n = facing * inversesqrt(max(dot(facing, facing), 1e-30));
+  if (!gl_FrontFacing) n = -n;
+  vec3 v = toward_eye.xyz - toward_eye.w * at;
+  v *= inversesqrt(max(dot(v, v), 1e-30));
+  float nv = dot(n, v);
+
+  vec3 diffuse = vec3(0.0), specular = vec3(0.0);
+  for (int i = 0; i < lights; ++i) {
+    vec3 to = light_place[i].xyz - light_place[i].w * at;
+    float d2 = max(dot(to, to), 1e-30);
+    vec3 l = to * inversesqrt(d2);
+    float nl = max(dot(n, l), 0.0);
+    float window = max(1.0 - d2 * light_color[i].w, 0.0);
+    float strength = nl * window * window;
+    if (i == 0) strength *= lit();
+    vec3 arriving = light_color[i].rgb * strength;
+    diffuse += arriving;
+    vec3 h = l + v;
+    float hh = max(dot(h, h), 1e-6), nh = dot(n, h), lh = dot(l, h);
+    nh = nh * nh / hh, lh = lh * lh / hh;
+    float d = nh * (a2 - 1.0) + 1.0;
+    specular += arriving * (a2 / (4.0 * d * d * max(lh, 0.1) * (roughness + 0.5)));
+  }
+  vec3 r = 2.0 * nv * n - v;
+  float rim = 1.0 - clamp(nv, 0.0, 1.0), rim2 = rim * rim;
+  vec3 fresnel = f0 + (max(vec3(shine * shine * glossy), f0) - f0) * (rim2 * rim2 * rim);
+  vec3 ambient = surroundings(n.y, 1.0);
+  vec3 body = base.rgb * (1.0 - metal);
+  vec3 soft = body * ambient;
+  vec3 shiny = specular * f0 + fresnel * surroundings(r.y, roughness) * (1.0 + 2.0 * metal);
+  float opacity = base.a;
+  vec3 sum = (body * diffuse + soft) * opacity + shiny;
+  opacity = opacity + (1.0 - opacity) * max(fresnel.r, max(fresnel.g, fresnel.b));
+  // A soft shoulder for what is over-bright.
+  vec3 over = max(sum - 0.9, 0.0) * 10.0;
+  sum = min(sum, 0.9) + 0.1 * over / (1.0 + over);
+  float weight = 0.6;
+  bool glows = gloss.y == 3.0;
+  color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
+#ifdef OPAQUE_WEIGHT
+#endif
+}
+)";
+
+std::array<float, 4> four(Vec3 v, double w) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
+}
+
+constexpr int shadow_unit = 1, picture_unit = 0;
+
+}  // namespace
+
+Result<Surfaces> Surfaces::create(int samples_side) {
+  Surfaces s;
+  for (Look* look : {&s.plain_, &s.textured_}) {
+    auto program = gl::new_program(
+        vertex, fragment,
+        fmt::format("#define SIDE {}\n{}", samples_side, look == &s.textured_ ? "#define TEXTURED" : ""));
+    if (!program) return program.error();
+    look->program = *std::move(program);
+    look->part_color = gl::uniform(look->program, "part_color");
+    gl::set_samplers(look->program, {{"shadow", shadow_unit}, {"picture", picture_unit}});
+  }
+  s.instances_ = gl::new_buffer();
+  return s;
+}
+
+void Surfaces::set_program(const Look& look, const View& view, const Lighting& lighting, const Shadow* shadow) const {
+  const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
+  glUseProgram(look.program.id());
+  glUniformMatrix4fv(at("clip"), 1, GL_FALSE, to_float(view.clip()).data());
+  const auto eye = view.orthographic ? four(view.backward, 0) : four({}, 1);
+  glUniform4fv(at("toward_eye"), 1, eye.data());
+  std::array<std::array<float, 4>, Lighting::most> places{}, colors{};
+  for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+    const Lighting::One& l = lighting.lights[i];
+    places[i] = four(l.place, l.sun ? 0 : 1);
+    colors[i] = four(l.color, l.sun ? 0 : 1 / (l.range * l.range));
+  }
+  glUniform1i(at("lights"), static_cast<GLint>(lighting.lights.size()));
+  glUniform4fv(at("light_place"), Lighting::most, places.front().data());
+  glUniform4fv(at("light_color"), Lighting::most, colors.front().data());
+  glUniform3fv(at("sky"), 1, four(lighting.sky, 0).data());
+  glUniform3fv(at("ground"), 1, four(lighting.ground, 0).data());
+  if (shadow == nullptr) return;
+  glUniformMatrix4fv(at("shadow_clip"), 1, GL_FALSE, to_float(shadow->clip()).data());
+  const auto texel = static_cast<float>(2 * shadow->texel());
+  glUniform4f(at("shadow_texel"), shadow->perspective() ? 0 : texel, shadow->perspective() ? texel : 0, 0, 0);
+  glUniform1f(at("shadow_step"), 1.25F / 1024);
+}
+
+void Surfaces::set(const View& view, const Lighting& lighting, const Shadow* shadow) {
+  for (const Look* look : {&textured_, &plain_}) set_program(*look, view, lighting, shadow);
+  if (shadow != nullptr) gl::use_texture(shadow_unit, shadow->map());
+}
+
+void Surfaces::draw_parts(const Batch& batch, Store& store) {
+  for (const MeshPart& part : batch.mesh->parts) {
+    const auto& picture = batch.texture != nullptr ? batch.texture : part.texture;
+    const GLuint texture = picture != nullptr ? store.texture(picture).texture.id() : 0;
+    const Look& look = texture != 0 ? textured_ : plain_;
+    if (texture != 0) gl::use_texture(picture_unit, texture);
+    glUseProgram(look.program.id());
+    glUniform3fv(look.part_color, 1, part.color.data());
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
+                            reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)),
+                            static_cast<GLsizei>(batch.count));
+  }
+}
+
+void Surfaces::draw_opaque(const std::vector<const Thing*>& things, Store& store) {
+  const Batches batches = batches_of(things, false);
+  send_instances(instances_, batches.instances);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  for (const Batch& b : batches.batches) {
+    if (b.mesh->parts.empty()) continue;
+    if (b.closed)
+      glEnable(GL_CULL_FACE);
+    else
+      glDisable(GL_CULL_FACE);
+    set_facing(b.mirrored);
+    glBindVertexArray(b.mesh->triangles.id());
+    bind_instances(instances_, b.first);
+    draw_parts(b, store);
+  }
+}
+
+void Surfaces::draw_transparent(const std::vector<const Thing*>& things, Store& store) {
+  const Batches batches = sorted_singles(things);
+  send_instances(instances_, batches.instances);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (const Batch& b : batches.batches) {
+    if (b.mesh->parts.empty()) continue;
+    set_facing(b.mirrored);
+    glBindVertexArray(b.mesh->triangles.id());
+    bind_instances(instances_, b.first);
+    if (b.closed) {
+      glEnable(GL_CULL_FACE);
+      glCullFace(GL_FRONT);
+      draw_parts(b, store);
+      glCullFace(GL_BACK);
+    } else {
+      glDisable(GL_CULL_FACE);
+    }
+    draw_parts(b, store);
+  }
+  glDepthMask(GL_TRUE);
+}
+
+}  // namespace betwixt

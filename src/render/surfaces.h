@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Lit surfaces: the program that shades a point, and how things go through it.
+#pragma once
+
+#include "render/batches.h"
+#include "render/lighting.h"
+#include "render/shadow.h"
+
+namespace betwixt {
+
+class Surfaces {
+ public:
+  static Result<Surfaces> create(int samples_side);
+  // Settings of a frame, for both calls below. `shadow`: of the first light, or null.
+  void set(const View&, const Lighting&, const Shadow* shadow);
+  void draw_opaque(const std::vector<const Thing*>&, Store&);
+  void draw_transparent(const std::vector<const Thing*>&, Store&);
+
+ private:
+  struct Look {  // one variant of the program
+    gl::Program program;
+    GLint part_color = 0;
+  };
+  void draw_parts(const Batch&, Store&);
+  void set_program(const Look&, const View&, const Lighting&, const Shadow*) const;
+  Look plain_, textured_;
+  gl::Buffer instances_;
+};
+
+}  // namespace betwixt

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/things.h"
+
+#include <algorithm>
+
+#include "exchange/geometry.h"
+
+namespace betwixt {
+namespace {
+
+constexpr double largest = 1e15;                       // metres; squares of f32 stay finite
+constexpr double coarse_below = 28, fine_above = 220;  // pixels across
+
+bool usable(const Item& item) {
+  return item.shape != nullptr && finite(item.world) && finite(item.color) && std::isfinite(item.transparency) &&
+         std::isfinite(item.shininess) && std::isfinite(item.blend) && item.transparency < 1;
+}
+
+Geometry geometry_of(const Item& item, int detail) {
+  const bool between = item.toward != nullptr && item.blend != 0;
+  return between ? realise_blend(*item.shape, *item.toward, item.blend, detail) : realise(*item.shape, detail);
+}
+
+Bounds bounds_of(const Mesh::Box& box, const Mat4& m) {
+  Vec3 center, half;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    center[i] = 0.5 * (static_cast<double>(box.low[k]) + box.high[k]);
+    half[i] = 0.5 * (static_cast<double>(box.high[k]) - box.low[k]);
+  }
+  Bounds b{transform_point(m, center), {}};
+  for (int i = 0; i < 3; ++i)
+    b.half[i] = std::abs(m(i, 0)) * half.x + std::abs(m(i, 1)) * half.y + std::abs(m(i, 2)) * half.z;
+  return b;
+}
+
+double determinant(const Mat4& m) {
+  const auto column = [&](int c) { return Vec3{m(0, c), m(1, c), m(2, c)}; };
+  return dot(column(0), cross(column(1), column(2)));
+}
+
+bool has_holes(const Item& item, const StoredMesh& mesh, Store& store) {
+  if (item.texture != nullptr) return store.texture(item.texture).see_through;
+  return std::any_of(mesh.parts.begin(), mesh.parts.end(),
+                     [&](const MeshPart& p) { return p.texture != nullptr && store.texture(p.texture).see_through; });
+}
+
+}  // namespace
+
+std::vector<Thing> gather(const Frame& frame, View& view, Store& store) {
+  std::vector<Thing> things;
+  things.reserve(frame.items.size());
+  double nearest = largest, farthest = 0;
+  for (const Item& item : frame.items) {
+    if (!usable(item)) continue;
+    Mat4 world = item.world;
+    for (int i = 0; i < 3; ++i) world(i, 3) -= view.eye[i];
+    const Geometry coarse = geometry_of(item, 0);
+    if (coarse.mesh == nullptr || coarse.mesh->positions.empty()) continue;
+    Thing t;
+    t.item = &item;
+    t.coarse = t.mesh = &store.mesh(coarse.mesh);
+    t.coarse_local = t.local = world * coarse.local;
+    t.bounds = bounds_of(t.mesh->box, t.local);
+    if (!(t.bounds.radius() > 0 && t.bounds.radius() < largest && length(t.bounds.center) < largest)) continue;
+    t.depth = view.depth(t.bounds.center);
+    t.visible = view.sees(t.bounds);
+    if (t.visible) {
+      nearest = std::min(nearest, t.depth - view.reach(t.bounds));
+      farthest = std::max(farthest, t.depth + view.reach(t.bounds));
+      if (const double across = view.pixels(t.bounds); across >= coarse_below) {
+        const Geometry better = geometry_of(item, across < fine_above ? 1 : 2);
+        t.mesh = &store.mesh(better.mesh);
+        t.local = world * better.local;
+      }
+    }
+    const double d = determinant(t.local);
+    t.mirrored = d < 0;
+    t.closed = t.mesh->mesh->closed && d != 0;
+    t.transparent = item.transparency > 0 || has_holes(item, *t.mesh, store);
+    things.push_back(t);
+  }
+  view.fit(nearest, farthest);
+  return things;
+}
+
+}  // namespace betwixt

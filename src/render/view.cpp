@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/view.h"
+
+#include <algorithm>
+
+namespace betwixt {
+
+bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const Mat4& a) {
+  return std::all_of(a.m.begin(), a.m.end(), [](double x) { return std::isfinite(x); });
+}
+
+std::array<float, 16> to_float(const Mat4& a) {
+  std::array<float, 16> r;
+  std::transform(a.m.begin(), a.m.end(), r.begin(), [](double x) { return static_cast<float>(x); });
+  return r;
+}
+
+View make_view(const Camera& camera, int width, int height, bool& good) {
+  View v;
+  v.width = width, v.height = height;
+  v.orthographic = camera.orthographic;
+  v.eye = translation_of(camera.world);
+  // A camera that hangs on something scaled is made rigid again.
+  v.backward = normalize(transform_vector(camera.world, {0, 0, 1}), {0, 0, 1});
+  v.right = normalize(cross(transform_vector(camera.world, {0, 1, 0}), v.backward), {1, 0, 0});
+  v.up = cross(v.backward, v.right);
+  const double aspect = static_cast<double>(width) / height;
+  if (v.orthographic) {
+    v.tall = std::max(camera.height, 1e-9) / 2, v.wide = v.tall * aspect;
+    v.sy = 1 / v.tall, v.sx = 1 / v.wide;
+  } else {
+    v.sx = 1 / std::tan(std::clamp(camera.fov, 1e-5, pi - 1e-3) / 2), v.sy = v.sx * aspect;
+    v.side = {normalize(v.sx * v.right - v.backward), normalize(-v.sx * v.right - v.backward),
+              normalize(v.sy * v.up - v.backward), normalize(-v.sy * v.up - v.backward)};
+  }
+  good = finite(camera.world) && std::isfinite(v.sx) && std::isfinite(v.sy) && finite(v.up);
+  return v;
+}
+
+double View::reach(const Bounds& b) const {
+  return std::abs(backward.x) * b.half.x + std::abs(backward.y) * b.half.y + std::abs(backward.z) * b.half.z;
+}
+
+bool View::sees(const Bounds& b) const {
+  const double radius = b.radius();
+  if (depth(b.center) + reach(b) <= 0) return false;
+  if (orthographic)
+    return std::abs(dot(b.center, right)) < wide + radius && std::abs(dot(b.center, up)) < tall + radius;
+  return std::all_of(side.begin(), side.end(), [&](Vec3 n) { return dot(b.center, n) > -radius; });
+}
+
+double View::pixels(const Bounds& b) const {
+  const double scale = sx * width * b.radius();
+  return orthographic ? scale : scale / std::max(depth(b.center) - 0.5 * b.radius(), 1e-3 * b.radius() + 1e-300);
+}
+
+void View::fit(double nearest, double farthest) {
+  far = std::max(farthest, 1e-6) * 1.001;
+  // Five decades is what the depth buffer can tell apart.
+  near = orthographic ? std::max(nearest * 0.999, 0.0) : std::max(nearest * 0.999, far * 1e-5);
+  if (near >= far) near = far * 0.5;
+}
+
+Mat4 View::clip() const {
+  Mat4 turn;
+  for (int c = 0; c < 3; ++c) turn(0, c) = right[c], turn(1, c) = up[c], turn(2, c) = backward[c];
+  Mat4 p;
+  p(0, 0) = sx, p(1, 1) = sy;
+  if (orthographic) {
+    p(2, 2) = -2 / (far - near), p(2, 3) = -(far + near) / (far - near);
+  } else {
+    p(2, 2) = -(far + near) / (far - near), p(2, 3) = -2 * far * near / (far - near);
+    p(3, 2) = -1, p(3, 3) = 0;
+  }
+  return p * turn;
+}
+
+}  // namespace betwixt

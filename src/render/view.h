@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the camera sees. All drawing happens in *eye space*: the axes of the world, the camera in the origin. Positions
+// are made relative in f64, so scenes far from the world's origin do not jitter in f32.
+#pragma once
+
+#include <array>
+
+#include "betwixt/frame.h"
+
+namespace betwixt {
+
+// A box along the axes of eye space.
+struct Bounds {
+  Vec3 center, half;
+  double radius() const { return length(half); }
+};
+
+struct View {
+  Vec3 eye;                  // world
+  Vec3 right, up, backward;  // world, the camera's x, y and z
+  bool orthographic = false;
+  double sx = 1, sy = 1;         // camera x/y to clip space, at depth 1 (perspective) or at any depth (orthographic)
+  double near = 0.1, far = 100;  // metres before the eye; chosen by fit()
+  int width = 1, height = 1;     // pixels of the picture
+  std::array<Vec3, 4> side;      // inward normals of the frustum's side planes; of unit length
+  double wide = 0, tall = 0;     // half the measures of an orthographic picture
+
+  double depth(Vec3 p) const { return -dot(p, backward); }
+  // How far a box reaches to either side of its centre, along the line of sight.
+  double reach(const Bounds&) const;
+  bool sees(const Bounds&) const;      // perhaps: never false for what is in the picture
+  double pixels(const Bounds&) const;  // across, on the picture; roughly
+  void fit(double nearest, double farthest);
+  Mat4 clip() const;  // eye space to clip space
+};
+
+// Whether the camera's numbers can be used goes to `good`.
+View make_view(const Camera&, int width, int height, bool& good);
+
+std::array<float, 16> to_float(const Mat4&);
+bool finite(Vec3);
+bool finite(const Mat4&);
+
+}  // namespace betwixt
