@@ -19,6 +19,7 @@ namespace betwixt {
 struct Scene;  // src/scene/document.h
 
 // A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole).
+inline constexpr std::uint16_t world_function = 0xffff;  // the full matrix: can be asked for, not set
 struct Target {
   ObjectId object;
   std::uint16_t function = 0;

@@ -25,9 +25,10 @@ class Program {
 
   const Document& document() const;
 
+  struct Compiled;  // src/program/code.h
+
  private:
-  struct Code;
-  std::shared_ptr<const Code> code_;
+  std::shared_ptr<const Compiled> code_;
 };
 
 // The numbers of a reading, for plots: a scalar gives one, a vector three, true 1; empty for what is not made of numbers.

@@ -41,7 +41,8 @@ enum class Severity : std::uint8_t { notice, warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   Error what;
-  std::string line;  // the text of the line at place, for the caret
+  std::string line;  // the text of the line at place (a long one is cut around it)
+  int caret = 0;     // how many characters of `line` stand before the place
 };
 using Diagnostics = std::vector<Diagnostic>;
 

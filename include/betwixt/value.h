@@ -15,10 +15,11 @@
 
 namespace betwixt {
 
-// An object of a document: an index and the generation that tells its successors in the same place apart.
+// An object of a document, numbered in the order of creation. A number is never given out twice, so an id that outlives its object
+// finds nothing.
 struct ObjectId {
   static constexpr std::uint32_t nothing = 0xffffffff;
-  std::uint32_t index = nothing, generation = 0;
+  std::uint32_t index = nothing;
   constexpr explicit operator bool() const { return index != nothing; }
   friend constexpr bool operator==(ObjectId, ObjectId) = default;
 };

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+namespace betwixt {
+namespace {
+
+bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool digit(char c) { return c >= '0' && c <= '9'; }
+
+// The index of the brace that closes the one at `open`, or npos.
+std::size_t closing(std::string_view s, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < s.size(); ++i) {
+    if (s[i] == '{') ++depth;
+    if (s[i] == '}' && --depth == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+std::vector<std::string_view> split_top(std::string_view body) {
+  std::vector<std::string_view> parts;
+  int depth = 0;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    if (body[i] == '{') ++depth;
+    if (body[i] == '}') --depth;
+    if (body[i] == ',' && depth == 0) {
+      parts.push_back(body.substr(start, i - start));
+      start = i + 1;
+    }
+  }
+  parts.push_back(body.substr(start));
+  return parts;
+}
+
+bool whole_number(std::string_view s, long& out) {
+  const auto r = std::from_chars(s.data(), s.data() + s.size(), out);
+  return r.ec == std::errc{} && r.ptr == s.data() + s.size();
+}
+
+// One brace group's alternatives: the numbers of a..b, or the parts between commas.
+Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t most) {
+  std::vector<std::string> out;
+  const auto dots = body.find("..");
+  long a = 0, b = 0;
+  if (dots != std::string_view::npos && whole_number(body.substr(0, dots), a) && whole_number(body.substr(dots + 2), b)) {
+    const auto count = static_cast<std::size_t>(std::labs(b / 2 - a / 2)) * 2;  // halved first: no overflow
+    if (count > most) return fail(Code::range, fmt::format("'{{{}}}' makes more than {} names", body, most));
+    // {01..10} keeps its zeros, as the shell does.
+    const auto width = body[0] == '0' && dots > 1 ? dots : 1;
+    for (long i = a;; i += a <= b ? 1 : -1) {
+      out.push_back(fmt::format("{:0{}}", i, width));
+      if (i == b) break;
+    }
+    return out;
+  }
+  for (auto part : split_top(body)) out.emplace_back(part);
+  return out;
+}
+
+}  // namespace
+
+bool is_name(std::string_view s) {
+  if (s.empty() || s.size() > 1000 || !letter(s[0]) || s.back() == '/') return false;
+  for (std::size_t i = 1; i < s.size(); ++i) {
+    const char c = s[i];
+    if (!letter(c) && !digit(c) && c != '-' && c != '_' && c != '/') return false;
+    if (c == '/' && !letter(s[i + 1])) return false;
+  }
+  return true;
+}
+
+bool is_pattern(std::string_view s) { return s.find_first_of("*?[{") != std::string_view::npos; }
+
+Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::size_t most) {
+  std::vector<std::string> done{std::string(pattern)};
+  // The leftmost group of every string is replaced until none is left; each round keeps the order written.
+  for (int round = 0;; ++round) {
+    bool any = false;
+    std::vector<std::string> next;
+    for (const auto& s : done) {
+      const auto open = s.find('{');
+      if (open == std::string::npos) {
+        next.push_back(s);
+        continue;
+      }
+      const auto close = closing(s, open);
+      if (close == std::string_view::npos || round > 100)
+        return fail(Code::syntax, fmt::format("the brace in '{}' is not closed", s.substr(0, 60)));
+      any = true;
+      auto parts = alternatives(std::string_view(s).substr(open + 1, close - open - 1), most);
+      if (!parts) return parts.error();
+      if (next.size() + parts->size() > most) return fail(Code::range, fmt::format("the braces make more than {} names", most));
+      for (const auto& part : *parts) next.push_back(s.substr(0, open) + part + s.substr(close + 1));
+    }
+    done = std::move(next);
+    if (!any) return done;
+  }
+}
+
+bool matches(std::string_view p, std::string_view s) {
+  // Greedy with one way back to the last star: linear in practice, never exponential.
+  std::size_t i = 0, j = 0, star = std::string_view::npos, mark = 0;
+  while (j < s.size()) {
+    const bool stop = s[j] == '/' || s[j] == '.';
+    bool one = false;
+    std::size_t step = 1;
+    if (i < p.size() && p[i] == '*') {
+      star = i++;
+      mark = j;
+      continue;
+    }
+    if (i < p.size() && p[i] == '?') {
+      one = !stop;
+    } else if (i < p.size() && p[i] == '[') {
+      const auto end = p.find(']', i + 2);
+      if (end != std::string_view::npos) {
+        std::size_t k = i + 1;
+        const bool negated = p[k] == '!' || p[k] == '^';
+        if (negated) ++k;
+        bool in = false;
+        for (; k < end; ++k) {
+          if (k + 2 < end && p[k + 1] == '-') {
+            in = in || (s[j] >= p[k] && s[j] <= p[k + 2]);
+            k += 2;
+          } else {
+            in = in || s[j] == p[k];
+          }
+        }
+        one = in != negated && !stop;
+        step = end - i + 1;
+      }
+    } else if (i < p.size()) {
+      one = p[i] == s[j];
+    }
+    if (one) {
+      i += step;
+      ++j;
+    } else if (star != std::string_view::npos && s[mark] != '/' && s[mark] != '.') {
+      i = star + 1;
+      j = ++mark;
+    } else {
+      return false;
+    }
+  }
+  while (i < p.size() && p[i] == '*') ++i;
+  return i == p.size();
+}
+
+bool natural_less(std::string_view a, std::string_view b) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (digit(a[i]) && digit(b[j])) {
+      const auto run = [](std::string_view s, std::size_t& k) {
+        while (k < s.size() && s[k] == '0') ++k;
+        const auto start = k;
+        while (k < s.size() && digit(s[k])) ++k;
+        return s.substr(start, k - start);
+      };
+      const auto x = run(a, i), y = run(b, j);
+      if (x.size() != y.size()) return x.size() < y.size();
+      if (x != y) return x < y;
+    } else if (a[i] != b[j]) {
+      return a[i] < b[j];
+    } else {
+      ++i, ++j;
+    }
+  }
+  if (i == a.size() && j == b.size()) return a < b;  // a01 and a1: some order, always the same
+  return i == a.size();
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
+  if (word.empty() || word.size() > 64) return {};
+  std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::string_view found;
+  std::vector<std::size_t> before, row, next;  // optimal string alignment, three rows
+  for (auto c : candidates) {
+    if (c == word || c.size() > word.size() + best || word.size() > c.size() + best) continue;
+    row.assign(c.size() + 1, 0);
+    before = next = row;
+    for (std::size_t j = 0; j <= c.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= word.size(); ++i) {
+      next[0] = i;
+      for (std::size_t j = 1; j <= c.size(); ++j) {
+        next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (word[i - 1] == c[j - 1] ? 0u : 1u)});
+        if (i > 1 && j > 1 && word[i - 1] == c[j - 2] && word[i - 2] == c[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+      }
+      std::swap(before, row);
+      std::swap(row, next);
+    }
+    if (row[c.size()] < best) {
+      best = row[c.size()];
+      found = c;
+    }
+  }
+  return found.empty() ? std::string() : fmt::format("did you mean '{}'?", found);
+}
+
+}  // namespace betwixt

@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "program/code.h"
+#include "scene/extent.h"
+
+namespace betwixt {
+namespace {
+
+Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
+
+Vec3 mix(Vec3 a, Vec3 b, double s) { return a + s * (b - a); }
+
+}  // namespace
+
+std::vector<double> Program::Compiled::at(Time t) const {
+  std::vector<double> numbers = rest;
+  for (const CurveUse& use : curves) set.evaluate(use.curve, t, &numbers[use.offset]);
+  return numbers;
+}
+
+void Program::Compiled::evaluate(const Binding& b, Time t, double* out) const {
+  std::copy_n(&rest[b.offset], 4, out);
+  for (std::uint32_t i = 0; i < b.curves; ++i) {
+    const CurveUse& use = curves[b.first_curve + i];
+    set.evaluate(use.curve, t, out + (use.offset - b.offset));
+  }
+}
+
+const Value& Program::Compiled::value(const Binding& b, Time t) const {
+  if (b.steps < 0) return b.constant;
+  const Between w = between(b, t);
+  return steps[static_cast<std::size_t>(b.steps)].values()[w.s >= 1 ? w.b : w.a];
+}
+
+// Scale and rotation about the pivot, then the move; what is attached is moved by its place on the parent too (R-H1, R-H7).
+Mat4 Program::Compiled::local(const Node& n, const double* numbers) const {
+  const double* r = numbers + n.rotation;
+  const Quat turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
+  Mat4 m = rotation(turn);
+  const Vec3 s = vec3(numbers + n.scale), pivot = vec3(numbers + n.pivot);
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 3; ++i) m(i, c) *= s[c];
+  Vec3 move = vec3(numbers + n.position);
+  if (n.parent >= 0) move = move + vec3(numbers + n.attach);
+  move = move + pivot - transform_vector(m, pivot);
+  m(0, 3) = move.x, m(1, 3) = move.y, m(2, 3) = move.z;
+  return m;
+}
+
+Mat4 look_at(Vec3 eye, Vec3 target) {
+  const Vec3 back = normalize(eye - target);
+  const Vec3 up = std::abs(back.y) > 1 - 1e-12 ? Vec3{0, 0, back.y > 0 ? -1.0 : 1.0} : Vec3{0, 1, 0};
+  const Vec3 right = normalize(cross(up, back)), over = cross(back, right);
+  Mat4 m = translation(eye);
+  for (int i = 0; i < 3; ++i) m(i, 0) = right[i], m(i, 1) = over[i], m(i, 2) = back[i];
+  return m;
+}
+
+// Worlds of all nodes. A camera that looks at something turns with it, and so does what is coupled to the camera: cameras take their turn in
+// object order, each seeing the ones before it already turned.
+std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers) const {
+  std::vector<Mat4> w(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Mat4 m = local(nodes[i], numbers);
+    w[i] = nodes[i].parent < 0 ? m : w[static_cast<std::size_t>(nodes[i].parent)] * m;
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].kind != Kind::camera) continue;
+    const auto target = aim(nodes[i].object, t, numbers, &w);
+    if (!target || *target == translation_of(w[i])) continue;
+    w[i] = look_at(translation_of(w[i]), *target);
+    std::vector<bool> below(nodes.size() - i);
+    below[0] = true;
+    for (std::size_t k = i + 1; k < nodes.size(); ++k) {
+      const auto p = nodes[k].parent;
+      if (p < static_cast<std::int32_t>(i) || !below[static_cast<std::size_t>(p) - i]) continue;
+      below[k - i] = true;
+      w[k] = w[static_cast<std::size_t>(p)] * local(nodes[k], numbers);
+    }
+  }
+  return w;
+}
+
+Mat4 Program::Compiled::world(std::uint32_t object, Time t) const {
+  const auto numbers = at(t);
+  return worlds(t, numbers.data())[node_of[object]];
+}
+
+std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers, const std::vector<Mat4>* worlds) const {
+  const Binding& b = find(camera, fn::look_at);
+  if (b.channels == 3) return vec3(numbers + b.offset);
+  const auto point = [&](const Value& v) -> std::optional<Vec3> {
+    if (const auto* p = std::get_if<Vec3>(&v)) return *p;
+    const auto* id = std::get_if<ObjectId>(&v);
+    if (!id || !find_object(document.scene(), *id)) return std::nullopt;
+    return translation_of((*worlds)[node_of[id->index]]);
+  };
+  if (b.steps < 0) return point(b.constant);
+  const Between w = between(b, t);
+  const auto values = steps[static_cast<std::size_t>(b.steps)].values();
+  const auto from = point(values[w.a]), to = point(values[w.b]);
+  if (!from || !to || w.a == w.b) return w.s >= 1 ? to : from;
+  return mix(*from, *to, w.s);
+}
+
+Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbers) const {
+  const Scene& scene = document.scene();
+  Shape s;
+  s.kind = scene.objects[object].kind;
+  const auto number = [&](FunctionId f) { return numbers[find(object, f).offset]; };
+  const auto text = [&](FunctionId f) { return std::get<Text>(value(find(object, f), t)); };
+  switch (s.kind) {
+    case Kind::sphere:
+    case Kind::disc: s.radius = number(fn::radius); break;
+    case Kind::box: s.size = vec3(numbers + find(object, fn::box_size).offset); break;
+    case Kind::plane: {
+      const double* n = numbers + find(object, fn::plane_size).offset;
+      s.size = {n[0], n[1], 1};
+      break;
+    }
+    case Kind::cylinder:
+    case Kind::cone: s.radius = number(fn::radius), s.height = number(fn::height); break;
+    case Kind::torus: s.radius = number(fn::radius), s.tube = number(fn::tube); break;
+    case Kind::polygon:
+    case Kind::polyline:
+    case Kind::points: {
+      const Binding& b = find(object, fn::points);
+      s.points = std::get<Points>(value(b, t));
+      if (b.steps >= 0) {
+        const Between w = between(b, t);
+        const auto values = steps[static_cast<std::size_t>(b.steps)].values();
+        const auto &from = *std::get<Points>(values[w.a]), &to = *std::get<Points>(values[w.b]);
+        if (w.a != w.b && from.size() == to.size()) {
+          std::vector<Vec3> between_them(from.size());
+          for (std::size_t i = 0; i < from.size(); ++i) between_them[i] = mix(from[i], to[i], w.s);
+          s.points = Points(std::move(between_them));
+        }
+      }
+      if (s.kind == Kind::polyline) s.width = number(fn::width);
+      if (s.kind == Kind::points) s.width = number(fn::point_size);
+      break;
+    }
+    case Kind::text:
+      s.text = text(fn::text), s.font = text(fn::font), s.depth = number(fn::depth);
+      s.size = {1, number(fn::text_size), 1};
+      break;
+    case Kind::mesh: {
+      const auto found = scene.meshes->find(*text(fn::file));
+      if (found != scene.meshes->end()) s.mesh = found->second;
+      break;
+    }
+    default: break;
+  }
+  return s;
+}
+
+namespace {
+
+Material material_of(const std::string& word) {
+  return word == "matte" ? Material::matte : word == "metal" ? Material::metal : word == "glow" ? Material::glow : Material::plastic;
+}
+
+}  // namespace
+
+void Program::Compiled::add_items(Frame& frame, const double* numbers, const std::vector<Mat4>& w) const {
+  const Scene& scene = document.scene();
+  const Time t = frame.time;
+  const auto shape_of = [&](std::uint32_t object) {
+    const Node& n = nodes[node_of[object]];
+    return n.shape ? n.shape : std::make_shared<const Shape>(shape(object, t, numbers));
+  };
+  for (std::uint32_t object = 0; object < node_of.size(); ++object) {
+    if (node_of[object] == ObjectId::nothing) continue;
+    const Node& n = nodes[node_of[object]];
+    if (!drawn(n.kind) || numbers[n.display] == 0) continue;
+    Item item;
+    item.id = {object};
+    item.world = w[node_of[object]];
+    item.color = vec3(numbers + n.color);
+    item.transparency = std::clamp(numbers[find(object, fn::transparency).offset], 0.0, 1.0);
+    item.shininess = std::clamp(numbers[find(object, fn::shininess).offset], 0.0, 1.0);
+    item.material = material_of(*std::get<Text>(value(find(object, fn::material), t)));
+    const auto picture = scene.pictures->find(*std::get<Text>(value(find(object, fn::texture), t)));
+    if (picture != scene.pictures->end()) item.texture = picture->second;
+
+    // Its own shape, another object's, or on the way between two.
+    const auto look = [&](const Value& v) {
+      const ObjectId other = std::get<ObjectId>(v);
+      const Object* o = find_object(scene, other);
+      return shape_of(o && drawn(o->kind) ? other.index : object);
+    };
+    const Binding& geometry = find(object, fn::geometry);
+    if (geometry.steps < 0) {
+      item.shape = look(geometry.constant);
+    } else {
+      const Between b = between(geometry, t);
+      const auto values = steps[static_cast<std::size_t>(geometry.steps)].values();
+      item.shape = look(values[b.a]);
+      if (b.a != b.b && b.s != 0) item.toward = look(values[b.b]), item.blend = b.s;
+    }
+    frame.items.push_back(std::move(item));
+  }
+}
+
+void Program::Compiled::add_lights(Frame& frame, const double* numbers, const std::vector<Mat4>& w) const {
+  for (std::uint32_t object = 0; object < node_of.size(); ++object) {
+    if (node_of[object] == ObjectId::nothing) continue;
+    const Node& n = nodes[node_of[object]];
+    if (n.kind != Kind::light || numbers[n.display] == 0) continue;
+    Light l;
+    l.id = {object};
+    l.position = translation_of(w[node_of[object]]);
+    l.sun = *std::get<Text>(value(find(object, fn::shines), frame.time)) == "sun";
+    // A sun shines from where it stands towards the middle of the world; one that stands there shines down.
+    l.direction = normalize(-l.position, {0, -1, 0});
+    l.color = numbers[find(object, fn::intensity).offset] * vec3(numbers + n.color);
+    const Vec3 own = vec3(numbers + n.scale);
+    l.range = numbers[find(object, fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});  // R-H9
+    frame.lights.push_back(l);
+  }
+}
+
+Camera Program::Compiled::camera(Time t, const double* numbers, const std::vector<Mat4>& w) const {
+  const Scene& scene = document.scene();
+  ObjectId through;
+  const auto cut = scene.cuts->upper_bound(t);
+  if (cut != scene.cuts->begin()) through = std::prev(cut)->second;
+  for (std::uint32_t object = 0; !through && object < node_of.size(); ++object)
+    if (node_of[object] != ObjectId::nothing && nodes[node_of[object]].kind == Kind::camera) through = {object};
+  if (!through) return own_camera();
+
+  const std::uint32_t object = through.index;
+  const auto number = [&](FunctionId f) { return numbers[find(object, f).offset]; };
+  Camera c;
+  const Mat4& m = w[node_of[object]];
+  const Vec3 at = translation_of(m);
+  // A rigid motion, whatever scales the camera has been put through.
+  const Vec3 back = normalize(transform_vector(m, {0, 0, 1})), up = transform_vector(m, {0, 1, 0});
+  const Vec3 right = normalize(cross(up, back), {1, 0, 0}), over = cross(back, right);
+  c.world = translation(at);
+  for (int i = 0; i < 3; ++i) c.world(i, 0) = right[i], c.world(i, 1) = over[i], c.world(i, 2) = back[i];
+  constexpr double gate = 36;  // mm
+  const double fov = number(fn::fov);
+  c.fov = fov > 0 ? std::min(fov, 3.1) : 2 * std::atan(gate / (2 * std::max(number(fn::lens), 0.1)));
+  c.height = number(fn::camera_height);
+  c.orthographic = c.height > 0;
+  return c;
+}
+
+const Camera& Program::Compiled::own_camera() const {
+  std::call_once(own_camera_once, [this] {
+    Extent all;
+    const auto [from, to] = document.range();
+    constexpr int looks = 24;
+    for (int k = 0; k <= looks; ++k) {
+      const Time t{from.flicks + (to - from).flicks / looks * k};
+      Frame f;
+      f.time = t;
+      const auto numbers = at(t);
+      add_items(f, numbers.data(), worlds(t, numbers.data()));
+      for (const Item& item : f.items) {
+        const Extent e = extent(*item.shape);
+        if (e.empty()) continue;
+        for (int corner = 0; corner < 8; ++corner) {
+          const Vec3 p = transform_point(
+              item.world, {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y, corner & 4 ? e.high.z : e.low.z});
+          if (!std::isfinite(p.x + p.y + p.z)) continue;
+          if (all.empty()) all = {p, p};
+          for (int i = 0; i < 3; ++i) all.low[i] = std::min(all.low[i], p[i]), all.high[i] = std::max(all.high[i], p[i]);
+        }
+      }
+    }
+    if (all.empty()) all = {{-1, -1, -1}, {1, 1, 1}};
+    Camera& c = own_camera_made;
+    c.fov = 2 * std::atan(36.0 / 70);
+    // The widest picture people make is 16:9; what fits its height and width fits taller ones better.
+    const Vec3 middle = 0.5 * (all.low + all.high), half = 0.5 * (all.high - all.low);
+    const double across = std::tan(c.fov / 2), up = across * 9 / 16;
+    const double distance = 1.1 * std::max({half.x / across, half.y / up, 1e-3}) + half.z * 1.2;
+    c.world = look_at(middle + distance * normalize(Vec3{0, 0.12, 1}), middle);
+  });
+  return own_camera_made;
+}
+
+Frame Program::frame(Time t) const {
+  Frame f;
+  f.time = t;
+  const auto numbers = code_->at(t);
+  const auto worlds = code_->worlds(t, numbers.data());
+  code_->add_items(f, numbers.data(), worlds);
+  code_->add_lights(f, numbers.data(), worlds);
+  f.camera = code_->camera(t, numbers.data(), worlds);
+  const Scene& scene = code_->document.scene();
+  if (scene.background) f.background = to_linear(*scene.background);
+  for (auto& [when, text] : code_->document.notes(t, t)) f.notes.push_back(text);
+  return f;
+}
+
+Reading Program::read(const Target& target, Time t) const {
+  const Compiled& c = *code_;
+  if (target.function == world_function) return c.world(target.object.index, t);
+  const Binding& b = c.find(target.object.index, target.function);
+  const Type type = spec_of(c.document.scene(), target.function).type;
+  if (b.channels == 0) {
+    const Value& v = c.value(b, t);
+    if (type == Type::aim && b.steps >= 0) {
+      const auto numbers = c.at(t);
+      const auto worlds = c.worlds(t, numbers.data());
+      const Between w = c.between(b, t);
+      if (w.a != w.b)
+        if (const auto p = c.aim(target.object.index, t, numbers.data(), &worlds)) return *p;
+    }
+    if (type == Type::points && b.steps >= 0) {
+      const auto numbers = c.at(t);
+      return c.shape(target.object.index, t, numbers.data()).points;
+    }
+    return std::visit([](const auto& x) -> Reading { return x; }, v);
+  }
+  double n[4];
+  c.evaluate(b, t, n);
+  const auto whole = [&]() -> Reading {
+    switch (type) {
+      case Type::scalar:
+      case Type::angle: return n[0];
+      case Type::boolean: return n[0] != 0;
+      case Type::pair: return Vec3{n[0], n[1], 0};
+      case Type::color: return to_srgb(vec3(n));
+      case Type::rotation:
+      case Type::orientation:
+        if (b.orientation) return Quat{n[0], n[1], n[2], n[3]};
+        return Angles{vec3(n)};
+      default: return vec3(n);
+    }
+  }();
+  if (target.component < 0) return whole;
+  if (const auto* color = std::get_if<Color>(&whole)) return component_of(*color, target.component);
+  return n[target.component];
+}
+
+std::vector<double> numbers(const Reading& r) {
+  if (const auto* m = std::get_if<Mat4>(&r)) {
+    std::vector<double> out;
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) out.push_back((*m)(i, k));
+    return out;
+  }
+  double n[4];
+  int count = 0;
+  std::visit(
+      [&](const auto& x) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(x)>, Mat4>) count = to_numbers(Value(x), n);
+      },
+      r);
+  return {n, n + count};
+}
+
+}  // namespace betwixt

@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/document.h"
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "track/curve.h"
+
+namespace betwixt {
+namespace {
+
+// An event of one component of a value.
+Event part_of(const Event& e, int component) {
+  Event part = e;
+  if (!e.keep) part.value = component_of(e.value, component);
+  if (!e.detail) return part;
+  EventDetail& d = part.detail.edit();
+  for (auto* v : {&d.before, &d.tangent_in, &d.tangent_out})
+    if (*v) *v = component_of(**v, component);
+  return part;
+}
+
+void split(Slot& slot, Type type) {
+  const auto n = static_cast<std::size_t>(component_count(type));
+  if (slot.components.size() == n) return;
+  slot.components.assign(n, {});
+  if (slot.track->events.empty() && *slot.track == Track{}) return slot.track.reset();
+  for (std::size_t i = 0; i < n; ++i) {
+    Track t = *slot.track;
+    t.events = {};
+    slot.track->events.each([&](const Event& e) { t.events.put(part_of(e, static_cast<int>(i))); });
+    slot.components[i] = Cow<Track>(std::move(t));
+  }
+  slot.track.reset();
+}
+
+}  // namespace
+
+const Slot* Object::find(FunctionId f) const {
+  const auto at = std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
+  return at != slots.end() && at->function == f ? &*at : nullptr;
+}
+
+Slot& Object::slot(FunctionId f) {
+  const auto at = std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
+  if (at != slots.end() && at->function == f) return *at;
+  Slot fresh;
+  fresh.function = f;
+  return *slots.insert(at, std::move(fresh));
+}
+
+std::size_t Objects::add(Object object) {
+  if (size_ % chunk == 0) chunks_.emplace_back();
+  chunks_.back().edit().emplace_back(std::move(object));
+  return size_++;
+}
+
+ObjectId NameIndex::find(std::string_view name) const {
+  const Shard& s = *shards_[Hash{}(name) % shards_.size()];
+  const auto at = s.find(name);
+  return at == s.end() ? ObjectId{} : at->second;
+}
+
+const FunctionSpec& spec_of(const Scene& s, FunctionId f) {
+  const auto built_in = built_in_functions();
+  return f < built_in.size() ? built_in[f] : (*s.defined)[f - built_in.size()];
+}
+
+std::optional<FunctionId> find_function(const Scene& s, Kind kind, std::string_view name) {
+  if (const auto f = find_built_in(kind, name)) return f;
+  for (std::size_t i = 0; i < s.defined->size(); ++i)
+    if ((*s.defined)[i].name == name) return static_cast<FunctionId>(built_in_functions().size() + i);
+  return std::nullopt;
+}
+
+std::vector<std::string_view> function_names(const Scene& s, Kind kind) {
+  std::vector<std::string_view> out;
+  for (const auto& f : built_in_functions())
+    if (f.kinds & (1u << static_cast<unsigned>(kind))) out.push_back(f.name);
+  for (const auto& f : *s.defined) out.push_back(f.name);
+  return out;
+}
+
+namespace {
+
+void select_one(const Scene& s, std::string_view word, std::vector<std::string>& open, std::vector<ObjectId>& out) {
+  const auto alias = s.aliases->find(std::string(word));
+  if (alias != s.aliases->end()) {  // an alias beats an object of the same name; a cycle expands once (R-T12)
+    if (std::find(open.begin(), open.end(), word) != open.end()) {
+      if (const auto id = s.names.find(word)) out.push_back(id);
+      return;
+    }
+    open.emplace_back(word);
+    for (const auto& element : alias->second) select_one(s, element, open, out);
+    open.pop_back();
+    return;
+  }
+  const auto words = expand_braces(word);
+  if (!words) return;
+  for (const auto& w : *words) {
+    if (!is_pattern(w)) {
+      if (const auto id = s.names.find(w)) out.push_back(id);
+      continue;
+    }
+    std::vector<ObjectId> found;
+    for (std::size_t i = 0; i < s.objects.size(); ++i)
+      if (!s.objects[i].removed && matches(w, s.objects[i].name)) found.push_back({static_cast<std::uint32_t>(i)});
+    std::sort(found.begin(), found.end(),
+              [&](ObjectId a, ObjectId b) { return natural_less(s.objects[a.index].name, s.objects[b.index].name); });
+    out.insert(out.end(), found.begin(), found.end());
+  }
+}
+
+}  // namespace
+
+std::vector<ObjectId> select(const Scene& s, std::string_view word) {
+  std::vector<ObjectId> out;
+  std::vector<std::string> open;
+  select_one(s, word, open, out);
+  // Named twice, meant once.
+  std::vector<ObjectId> once;
+  std::vector<bool> seen(s.objects.size());
+  for (ObjectId id : out)
+    if (!seen[id.index]) seen[id.index] = true, once.push_back(id);
+  return once;
+}
+
+bool attached_below(const Scene& s, ObjectId below, ObjectId above) {
+  for (ObjectId at = below; at; at = s.objects[at.index].parent)
+    if (at == above) return true;
+  return false;
+}
+
+ObjectId add_object(Scene& s, Object object) {
+  const std::string name = object.name;
+  const ObjectId id{static_cast<std::uint32_t>(s.objects.add(std::move(object)))};
+  s.names.put(name, id);
+  return id;
+}
+
+void remove_object(Scene& s, ObjectId id) {
+  s.names.erase(s.objects[id.index].name);
+  Object& gone = s.objects.edit(id.index);
+  gone.removed = true;
+  gone.slots.clear();
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (s.objects[i].parent == id) s.objects.edit(i).parent = {};
+  const bool looked_through = std::any_of(s.cuts->begin(), s.cuts->end(), [&](const auto& cut) { return cut.second == id; });
+  if (looked_through) std::erase_if(s.cuts.edit(), [&](const auto& cut) { return cut.second == id; });
+}
+
+Track* edit_track(Scene& s, const Target& t) {
+  const Type type = spec_of(s, t.function).type;
+  Slot& slot = s.objects.edit(t.object.index).slot(t.function);
+  if (t.component < 0) return slot.components.empty() ? &slot.track.edit() : nullptr;
+  split(slot, type);
+  return &slot.components[static_cast<std::size_t>(t.component)].edit();
+}
+
+std::vector<Track*> edit_tracks(Scene& s, const Target& t) {
+  if (Track* one = edit_track(s, t)) return {one};
+  std::vector<Track*> out;
+  for (auto& c : s.objects.edit(t.object.index).slot(t.function).components) out.push_back(&c.edit());
+  return out;
+}
+
+std::vector<const Track*> tracks_of(const Scene& s, const Target& t) {
+  const Slot* slot = s.objects[t.object.index].find(t.function);
+  if (!slot) return {};
+  if (slot->components.empty()) return {&*slot->track};
+  if (t.component >= 0) return {&*slot->components[static_cast<std::size_t>(t.component)]};
+  std::vector<const Track*> out;
+  for (const auto& c : slot->components) out.push_back(&*c);
+  return out;
+}
+
+void put_event(Scene& s, const Target& t, Event e) {
+  if (Track* one = edit_track(s, t)) return one->events.put(std::move(e));
+  const auto tracks = edit_tracks(s, t);
+  for (std::size_t i = 0; i < tracks.size(); ++i) tracks[i]->events.put(part_of(e, static_cast<int>(i)));
+}
+
+void set_value(Scene& s, const Target& t, const Value& v) {
+  const FunctionSpec& spec = spec_of(s, t.function);
+  Slot& slot = s.objects.edit(t.object.index).slot(t.function);
+  slot.set = t.component < 0 ? v : with_component(slot.set.value_or(spec.rest), t.component, std::get<double>(v));
+}
+
+double component_of(const Value& v, int component) {
+  double n[4] = {0, 0, 0, 0};
+  to_numbers(v, n);
+  return n[component];
+}
+
+Value with_component(Value v, int component, double number) {
+  if (auto* p = std::get_if<Vec3>(&v)) (*p)[component] = number;
+  if (auto* a = std::get_if<Angles>(&v)) a->xyz[component] = number;
+  if (auto* c = std::get_if<Color>(&v)) (component == 0 ? c->r : component == 1 ? c->g : c->b) = number;
+  return v;
+}
+
+namespace {
+
+// Two documents number their objects differently when some were removed: ids are compared by rank among the living.
+struct Ranks {
+  std::vector<std::uint32_t> rank;
+  std::vector<const Object*> living;
+  explicit Ranks(const Scene& s) : rank(s.objects.size(), ObjectId::nothing) {
+    for (std::size_t i = 0; i < s.objects.size(); ++i) {
+      if (s.objects[i].removed) continue;
+      rank[i] = static_cast<std::uint32_t>(living.size());
+      living.push_back(&s.objects[i]);
+    }
+  }
+  ObjectId operator()(ObjectId id) const { return {id.index < rank.size() ? rank[id.index] : ObjectId::nothing}; }
+};
+
+struct Compare {
+  const Scene &a, &b;
+  Ranks ra{a}, rb{b};
+
+  bool values(const Value& x, const Value& y) const {
+    const auto *p = std::get_if<ObjectId>(&x), *q = std::get_if<ObjectId>(&y);
+    return p && q ? ra(*p) == rb(*q) : x == y;
+  }
+  bool maybe(const std::optional<Value>& x, const std::optional<Value>& y) const {
+    return x.has_value() == y.has_value() && (!x || values(*x, *y));
+  }
+  bool events(const Event& x, const Event& y) const {
+    return x.time == y.time && x.twerper == y.twerper && x.keep == y.keep && (x.keep || values(x.value, y.value)) &&
+           x.detail->ease_in == y.detail->ease_in && x.detail->ease_out == y.detail->ease_out &&
+           x.detail->bezier == y.detail->bezier && maybe(x.detail->before, y.detail->before) &&
+           maybe(x.detail->tangent_in, y.detail->tangent_in) && maybe(x.detail->tangent_out, y.detail->tangent_out);
+  }
+  bool tracks(const Track& x, const Track& y) const {
+    if (x.global != y.global || x.before != y.before || x.after != y.after || x.srgb != y.srgb || x.events.size() != y.events.size())
+      return false;
+    if (x.global == Twerper::bezier && x.bezier != y.bezier) return false;
+    const auto p = x.events.between({INT64_MIN}, {INT64_MAX}), q = y.events.between({INT64_MIN}, {INT64_MAX});
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(), [&](const Event& e, const Event& f) { return events(e, f); });
+  }
+  bool objects(const Object& x, const Object& y) const {
+    if (x.name != y.name || x.kind != y.kind || ra(x.parent) != rb(y.parent)) return false;
+    for (FunctionId f = 0; f < static_cast<FunctionId>(built_in_functions().size() + a.defined->size()); ++f) {
+      static const Slot nothing;
+      const Slot *p = x.find(f), *q = y.find(f);
+      if (!p && !q) continue;
+      const Slot &s = p ? *p : nothing, &t = q ? *q : nothing;
+      if (!maybe(s.set, t.set) || !tracks(*s.track, *t.track) || s.components.size() != t.components.size()) return false;
+      for (std::size_t i = 0; i < s.components.size(); ++i)
+        if (!tracks(*s.components[i], *t.components[i])) return false;
+    }
+    return true;
+  }
+  bool all() const {
+    if (!(a.rate == b.rate && a.ticks == b.ticks && a.range == b.range && a.background == b.background &&
+          a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases && a.notes == b.notes))
+      return false;
+    const auto same_cut = [&](const auto& x, const auto& y) { return x.first == y.first && ra(x.second) == rb(y.second); };
+    if (!std::equal(a.cuts->begin(), a.cuts->end(), b.cuts->begin(), b.cuts->end(), same_cut)) return false;
+    return std::equal(ra.living.begin(), ra.living.end(), rb.living.begin(), rb.living.end(),
+                      [&](const Object* x, const Object* y) { return objects(*x, *y); });
+  }
+};
+
+}  // namespace
+
+bool same(const Scene& a, const Scene& b) { return Compare{a, b}.all(); }
+
+Document::Document() : scene_(std::make_shared<const Scene>()) {}
+Rate Document::rate() const { return scene_->rate; }
+
+std::pair<Time, Time> Document::range() const {
+  if (scene_->range) return *scene_->range;
+  Time last{INT64_MIN};
+  const auto reach = [&](const Track& t) {
+    if (!t.events.empty()) last = std::max(last, t.events.back().time);
+  };
+  for (std::size_t i = 0; i < scene_->objects.size(); ++i)
+    for (const Slot& slot : scene_->objects[i].slots) {
+      reach(*slot.track);
+      for (const auto& c : slot.components) reach(*c);
+    }
+  if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
+  if (last <= Time{}) return {{}, scene_->rate.frame(std::max(1.0, std::round(scene_->rate.per_second())))};
+  return {{}, last};
+}
+
+int Document::frame_count() const {
+  const auto [from, to] = range();
+  const double n = std::floor(scene_->rate.frame_number(to) - scene_->rate.frame_number(from) + 1e-9) + 1;
+  return static_cast<int>(std::clamp(n, 1.0, 2e9));
+}
+
+std::vector<std::string> Document::names() const {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < scene_->objects.size(); ++i)
+    if (!scene_->objects[i].removed) out.push_back(scene_->objects[i].name);
+  return out;
+}
+
+ObjectId Document::find(std::string_view name) const { return scene_->names.find(name); }
+
+std::string Document::name(ObjectId id) const {
+  const Object* o = find_object(*scene_, id);
+  return o ? o->name : "none";
+}
+
+std::string Document::name(const Target& t) const {
+  if (t.function == world_function) return name(t.object) + ".world";
+  const FunctionSpec& spec = spec_of(*scene_, t.function);
+  std::string out = name(t.object) + "." + spec.name;
+  if (t.component >= 0) out += "." + std::string(component_name(spec.type, t.component));
+  return out;
+}
+
+std::vector<std::pair<Time, std::string>> Document::notes(Time from, Time to) const {
+  std::vector<std::pair<Time, std::string>> out;
+  for (const auto& n : *scene_->notes)
+    if (n.first >= from && n.first <= to) out.push_back(n);
+  return out;
+}
+
+bool operator==(const Document& a, const Document& b) { return a.scene_ == b.scene_ || same(*a.scene_, *b.scene_); }
+
+}  // namespace betwixt

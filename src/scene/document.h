@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a document holds. A Scene is a value: copying it shares all its parts, editing a copy leaves the original as it was, and costs what the edit
+// touches, not what the document holds.
+#pragma once
+
+#include <array>
+#include <map>
+#include <unordered_map>
+
+#include "base/cow.h"
+#include "betwixt/document.h"
+#include "scene/functions.h"
+#include "track/track.h"
+
+namespace betwixt {
+
+// What is known of one display function of one object: the value while there are no events, and the track or the tracks of its components.
+struct Slot {
+  FunctionId function = 0;
+  std::optional<Value> set;
+  Cow<Track> track;                       // events of the whole value …
+  std::vector<Cow<Track>> components;     // … or of each component (as many as the type has); never both
+};
+
+struct Object {
+  std::string name;
+  Kind kind = Kind::group;
+  bool removed = false;
+  ObjectId parent;          // coupled to it, or none
+  std::vector<Slot> slots;  // sorted by function
+
+  const Slot* find(FunctionId f) const;
+  Slot& slot(FunctionId f);  // made where there is none
+};
+
+// Objects by number, in shared chunks.
+class Objects {
+ public:
+  std::size_t size() const { return size_; }
+  const Object& operator[](std::size_t i) const { return *(*chunks_[i / chunk])[i % chunk]; }
+  Object& edit(std::size_t i) { return chunks_[i / chunk].edit()[i % chunk].edit(); }
+  std::size_t add(Object object);
+
+ private:
+  static constexpr std::size_t chunk = 128;
+  std::vector<Cow<std::vector<Cow<Object>>>> chunks_;
+  std::size_t size_ = 0;
+};
+
+// Names to objects, in shards so that naming one object in a large document copies little.
+class NameIndex {
+ public:
+  ObjectId find(std::string_view name) const;
+  void put(const std::string& name, ObjectId id) { shard(name).edit()[name] = id; }
+  void erase(const std::string& name) { shard(name).edit().erase(name); }
+
+ private:
+  struct Hash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
+  };
+  using Shard = std::unordered_map<std::string, ObjectId, Hash, std::equal_to<>>;
+  Cow<Shard>& shard(std::string_view name) { return shards_[Hash{}(name) % shards_.size()]; }
+  std::array<Cow<Shard>, 64> shards_;
+};
+
+enum class Policy : std::uint8_t { translate, ignore, ask };
+inline constexpr std::array<std::string_view, 3> policy_names{"translate", "ignore", "ask"};
+
+struct Scene {
+  Rate rate, ticks{30, 1};
+  std::optional<std::pair<Time, Time>> range;
+  std::optional<Color> background;
+  bool notes_shown = true;
+  Policy policy = Policy::ask;
+
+  Objects objects;
+  NameIndex names;
+  Cow<std::vector<FunctionSpec>> defined;                        // the user's own functions; ids follow the built-in ones
+  Cow<std::map<std::string, std::vector<std::string>>> aliases;  // patterns inside are read at each use
+  Cow<std::vector<std::pair<Time, std::string>>> notes;          // sorted by time
+  Cow<std::map<Time, ObjectId>> cuts;                            // which camera is looked through from when on
+  // What files held when they were named, by the path as the author wrote it.
+  Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
+  Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;
+};
+
+const FunctionSpec& spec_of(const Scene&, FunctionId);
+// The function of this name that objects of the kind have.
+std::optional<FunctionId> find_function(const Scene&, Kind, std::string_view name);
+std::vector<std::string_view> function_names(const Scene&, Kind);  // for near misses
+
+inline const Object* find_object(const Scene& s, ObjectId id) {
+  return id.index < s.objects.size() && !s.objects[id.index].removed ? &s.objects[id.index] : nullptr;
+}
+
+// Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left out.
+std::vector<ObjectId> select(const Scene&, std::string_view word);
+// Is `below` the same as `above` or attached, directly or not, to it?
+bool attached_below(const Scene&, ObjectId below, ObjectId above);
+
+ObjectId add_object(Scene&, Object object);
+void remove_object(Scene&, ObjectId);  // what was coupled to it stands free; tracks that speak of it hold nothing there
+
+// The track to write events of a target to; writing a component splits the track (rules, section 6).
+// For a whole value of a split track there is none: write its components.
+Track* edit_track(Scene&, const Target&);
+// All tracks that a target stands for: one, or one per component.
+std::vector<Track*> edit_tracks(Scene&, const Target&);
+std::vector<const Track*> tracks_of(const Scene&, const Target&);
+void put_event(Scene&, const Target&, Event);
+void set_value(Scene&, const Target&, const Value&);
+
+// One component of a value made of numbers, and a value with one component changed.
+double component_of(const Value&, int component);
+Value with_component(Value, int component, double number);
+
+// Same content: names, values, tracks, everything the author can see; not how it came to be.
+bool same(const Scene&, const Scene&);
+
+}  // namespace betwixt

@@ -1,0 +1,389 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "track/curve.h"
+
+#include <cmath>
+
+namespace betwixt {
+namespace {
+
+using Numbers = std::array<double, 4>;
+
+Quat quat(const double* v) { return {v[0], v[1], v[2], v[3]}; }
+void store(Quat q, double* out) { out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z; }
+
+Quat log(Quat q) {  // of a unit quaternion; a pure one comes back
+  const double l = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+  const double k = l > 1e-12 ? std::atan2(l, q.w) / l : 1;
+  return {0, k * q.x, k * q.y, k * q.z};
+}
+Quat exp(Quat v) {
+  const double a = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  const double k = a > 1e-12 ? std::sin(a) / a : 1;
+  return {std::cos(a), k * v.x, k * v.y, k * v.z};
+}
+Quat power(Quat q, double s) {
+  const Quat l = log(q);
+  return exp({0, s * l.x, s * l.y, s * l.z});
+}
+
+// Where a time outside the events falls when the track repeats: `back` says that it runs backwards there.
+std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bounce) {
+  const std::int64_t period = last - first;
+  if (period <= 0) return first;
+  std::int64_t cycle = (t - first) / period, rest = (t - first) % period;
+  if (rest < 0) rest += period, --cycle;
+  return bounce && (cycle & 1) ? last - rest : first + rest;
+}
+
+// What a twerper means for orientations, which have ways of their own.
+Twerper for_orientation(Twerper t) {
+  switch (t) {
+    case Twerper::linear: return Twerper::slerp;
+    case Twerper::smooth: return Twerper::squad;
+    default: return t;
+  }
+}
+
+Twerper resolve(const Track& track, const Event& e, Type type, bool orientation) {
+  Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
+  if (t == Twerper::unset) t = orientation ? Twerper::slerp : type == Type::rotation ? Twerper::smooth : default_twerper(type);
+  if (type == Type::boolean) t = Twerper::hold;
+  if (orientation) return for_orientation(t);
+  return t == Twerper::slerp ? Twerper::linear : t == Twerper::squad ? Twerper::smooth : t;
+}
+
+bool all_angles(const Track& track) {
+  bool all = true;
+  track.events.each([&](const Event& e) {
+    all = all && (e.keep || std::holds_alternative<Angles>(e.value));
+    if (e.detail && e.detail->before) all = all && std::holds_alternative<Angles>(*e.detail->before);
+  });
+  return all;
+}
+
+// The numbers of a value as a curve holds them.
+Numbers compiled(const Value& v, const Curve& c) {
+  Numbers n{};
+  if (c.orientation) {
+    if (const auto* a = std::get_if<Angles>(&v)) {
+      store(from_angles(a->xyz), n.data());
+      return n;
+    }
+  }
+  to_numbers(v, n.data());
+  if (std::holds_alternative<Color>(v) && !c.srgb)
+    for (int i = 0; i < 3; ++i) n[static_cast<std::size_t>(i)] = to_linear(n[static_cast<std::size_t>(i)]);
+  return n;
+}
+
+double segment_factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) {
+  double s = u;
+  const double out = from ? from->ease_out / h : 0, in = to ? to->ease_in / h : 0;
+  if (out > 0 || in > 0) s = ease(u, out, in);
+  if (t == Twerper::bezier) s = bezier_factor(s, from ? from->bezier : std::array<double, 4>{0.25, 0.1, 0.25, 1});
+  return s;
+}
+
+}  // namespace
+
+int channels(Type type) {
+  switch (type) {
+    case Type::pair: return 2;
+    case Type::vector:
+    case Type::color:
+    case Type::aim: return 3;
+    case Type::rotation:
+    case Type::orientation: return 4;
+    default: return 1;
+  }
+}
+
+bool numeric(const Value& v) {
+  return std::holds_alternative<double>(v) || std::holds_alternative<Vec3>(v) || std::holds_alternative<Color>(v) ||
+         std::holds_alternative<bool>(v) || std::holds_alternative<Angles>(v) || std::holds_alternative<Quat>(v);
+}
+
+int to_numbers(const Value& v, double* out) {
+  if (const auto* d = std::get_if<double>(&v)) return out[0] = *d, 1;
+  if (const auto* b = std::get_if<bool>(&v)) return out[0] = *b ? 1 : 0, 1;
+  if (const auto* p = std::get_if<Vec3>(&v)) return out[0] = p->x, out[1] = p->y, out[2] = p->z, 3;
+  if (const auto* c = std::get_if<Color>(&v)) return out[0] = c->r, out[1] = c->g, out[2] = c->b, 3;
+  if (const auto* a = std::get_if<Angles>(&v)) return out[0] = a->xyz.x, out[1] = a->xyz.y, out[2] = a->xyz.z, 3;
+  if (const auto* q = std::get_if<Quat>(&v)) return store(*q, out), 4;
+  return 0;
+}
+
+double ease(double u, double a, double b) {
+  if (a + b > 1) {
+    const double fit = 1 / (a + b);
+    a *= fit, b *= fit;
+  }
+  const double v = 1 / (1 - (a + b) / 2);  // the constant speed in between
+  if (u < a) return v * u * u / (2 * a);
+  if (u > 1 - b) return 1 - v * (1 - u) * (1 - u) / (2 * b);
+  return v * (u - a / 2);
+}
+
+double bezier_factor(double u, const std::array<double, 4>& xy) {
+  if (u <= 0 || u >= 1) return u;
+  const auto at = [](double p, double q, double s) { return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s; };
+  // x rises over [0, 1] because the language keeps x1 and x2 there: halving always ends.
+  double low = 0, high = 1, s = u;
+  for (int i = 0; i < 60; ++i) {
+    const double x = at(xy[0], xy[2], s);
+    if (std::abs(x - u) < 1e-15) break;
+    (x < u ? low : high) = s;
+    const double slope = 3 * (1 - s) * (1 - s) * xy[0] + 6 * (1 - s) * s * (xy[2] - xy[0]) + 3 * s * s * (1 - xy[2]);
+    const double newton = slope > 1e-9 ? s - (x - u) / slope : low;
+    s = newton > low && newton < high ? newton : (low + high) / 2;
+  }
+  return at(xy[1], xy[3], s);
+}
+
+Quat slerp(Quat a, Quat b, double s) {
+  const double d = dot(a, b);
+  if (d > 1 - 1e-12)
+    return normalize({a.w + s * (b.w - a.w), a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z)});
+  const double angle = std::acos(std::max(-1.0, d)), sine = std::sin(angle);
+  if (sine < 1e-12) return a;  // opposite signs of one orientation: nothing to turn
+  const double p = std::sin((1 - s) * angle) / sine, q = std::sin(s * angle) / sine;
+  return {p * a.w + q * b.w, p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
+}
+
+Curve CurveSet::add(const Track& track, Type type) {
+  Curve c;
+  c.first = static_cast<std::uint32_t>(times_.size());
+  c.values = static_cast<std::uint32_t>(values_.size());
+  c.orientation = type == Type::orientation || (type == Type::rotation && !all_angles(track));
+  c.channels = static_cast<std::uint8_t>(type == Type::rotation && !c.orientation ? 3 : channels(type));
+  c.srgb = track.srgb && type == Type::color;
+  c.before = track.before, c.after = track.after;
+  const auto first_detail = details_.size();
+  std::vector<std::uint32_t> kept;  // events that only change the twerper
+
+  const auto push = [&](const Event& e, const Numbers& n) {
+    const auto index = static_cast<std::uint32_t>(times_.size());
+    times_.push_back(e.time.flicks);
+    values_.insert(values_.end(), n.begin(), n.begin() + c.channels);
+    const Twerper t = resolve(track, e, type, c.orientation);
+    twerpers_.push_back(static_cast<std::uint8_t>(t));
+    if (!e.detail && !(track.global == Twerper::bezier)) return;
+    CurveDetail d;
+    d.event = index;
+    d.ease_in = static_cast<double>(e.detail->ease_in.flicks);
+    d.ease_out = static_cast<double>(e.detail->ease_out.flicks);
+    d.bezier = track.global == Twerper::bezier ? track.bezier : e.detail->bezier;
+    if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c);
+    if (e.detail->tangent_in) d.has_in = true, d.tangent_in = compiled(*e.detail->tangent_in, c);
+    if (e.detail->tangent_out) d.has_out = true, d.tangent_out = compiled(*e.detail->tangent_out, c);
+    details_.push_back(d);
+  };
+
+  bool any_kept = false;
+  track.events.each([&](const Event& e) { any_kept = any_kept || e.keep; });
+  if (any_kept) {
+    // The curve through the events that have values says what the others keep.
+    Track valued = track;
+    std::vector<Time> without;
+    track.events.each([&](const Event& e) {
+      if (e.keep) without.push_back(e.time);
+    });
+    for (Time t : without) valued.events.erase(t, t);
+    CurveSet set;
+    const Curve through = valued.events.empty() ? Curve{} : set.add(valued, type);
+    track.events.each([&](const Event& e) {
+      if (!e.keep) return push(e, compiled(e.value, c));
+      if (through.count == 0) return;
+      Numbers n{};
+      set.evaluate(through, e.time, n.data());
+      push(e, n);
+    });
+  } else {
+    track.events.each([&](const Event& e) { push(e, compiled(e.value, c)); });
+  }
+  c.count = static_cast<std::uint32_t>(times_.size()) - c.first;
+
+  if (c.orientation) {  // q and -q are one orientation: each key takes the sign nearer to the one before it
+    auto d = details_.begin() + static_cast<std::ptrdiff_t>(first_detail);
+    Quat last;
+    for (std::uint32_t k = 0; k < c.count; ++k) {
+      double* v = &values_[c.values + 4 * k];
+      if (d != details_.end() && d->event == c.first + k) {
+        if (d->cut) {
+          if (k > 0 && dot(last, quat(d->before.data())) < 0) store(-quat(d->before.data()), d->before.data());
+          last = quat(d->before.data());
+        }
+        ++d;
+      }
+      if (k > 0 && dot(last, quat(v)) < 0) store(-quat(v), v);
+      last = quat(v);
+    }
+  }
+  return c;
+}
+
+const CurveDetail* CurveSet::detail(std::uint32_t event) const {
+  if (details_.empty()) return nullptr;
+  const auto at = std::lower_bound(details_.begin(), details_.end(), event,
+                                   [](const CurveDetail& d, std::uint32_t e) { return d.event < e; });
+  return at != details_.end() && at->event == event ? &*at : nullptr;
+}
+
+// The segment from event k to event k + 1 (R-T4). `t` in flicks; outside the segment its formula goes on.
+void CurveSet::segment(const Curve& c, std::uint32_t k, double t, double* out) const {
+  const std::uint32_t n = c.channels;
+  const std::int64_t* time = &times_[c.first];
+  const double* value = &values_[c.values];
+  const auto twerper_of = [&](std::uint32_t i) { return static_cast<Twerper>(twerpers_[c.first + i]); };
+  const Twerper twerper = twerper_of(k);
+  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
+  const double* p1 = value + n * k;
+  const double* p2 = next && next->cut ? next->before.data() : p1 + n;
+  const double h = static_cast<double>(time[k + 1] - time[k]);
+  const double u = (t - static_cast<double>(time[k])) / h;
+  const double s = segment_factor(twerper, u, here, next, h);
+
+  if (twerper == Twerper::hold) {
+    std::copy_n(p1, n, out);
+    return;
+  }
+  if (twerper == Twerper::linear || twerper == Twerper::bezier) {
+    if (c.orientation) return store(slerp(quat(p1), quat(p2), s), out);
+    for (std::uint32_t i = 0; i < n; ++i) out[i] = p1[i] + s * (p2[i] - p1[i]);
+    return;
+  }
+  if (twerper == Twerper::slerp) return store(slerp(quat(p1), quat(p2), s), out);
+
+  // Neighbours; across a cut, a hold or the track's end they are reflected.
+  Numbers p0, p3;
+  double h0 = h, h2 = h;
+  const bool left = k > 0 && !(here && here->cut) && twerper_of(k - 1) != Twerper::hold;
+  const bool right = k + 2 < c.count && !(next && next->cut) && twerper_of(k + 1) != Twerper::hold;
+  if (left) {
+    std::copy_n(p1 - n, n, p0.begin());
+    h0 = static_cast<double>(time[k] - time[k - 1]);
+  }
+  if (right) {
+    const CurveDetail* after = detail(c.first + k + 2);
+    std::copy_n(after && after->cut ? after->before.data() : value + n * (k + 2), n, p3.begin());
+    h2 = static_cast<double>(time[k + 2] - time[k + 1]);
+  }
+
+  if (c.orientation) {
+    const Quat q1 = quat(p1), q2 = quat(p2);
+    const Quat q0 = left ? quat(p0.data()) : q1 * conjugate(q2) * q1;
+    const Quat q3 = right ? quat(p3.data()) : q2 * conjugate(q1) * q2;
+    if (twerper == Twerper::bspline) {  // cumulative form: every step's turn, weighted
+      const double s2 = s * s, s3 = s2 * s;
+      const double b1 = (5 + 3 * s - 3 * s2 + s3) / 6, b2 = (1 + 3 * s + 3 * s2 - 2 * s3) / 6, b3 = s3 / 6;
+      return store(normalize(q0 * power(conjugate(q0) * q1, b1) * power(conjugate(q1) * q2, b2) * power(conjugate(q2) * q3, b3)),
+                   out);
+    }
+    if (twerper == Twerper::squad) {
+      const auto control = [](Quat a, Quat b, Quat d) {
+        const Quat f = log(conjugate(b) * d), g = log(conjugate(b) * a);
+        return b * exp({0, -(f.x + g.x) / 4, -(f.y + g.y) / 4, -(f.z + g.z) / 4});
+      };
+      return store(normalize(slerp(slerp(q1, q2, s), slerp(control(q0, q1, q2), control(q1, q2, q3), s), 2 * s * (1 - s))), out);
+    }
+    return store(slerp(q1, q2, s * s * (3 - 2 * s)), out);  // hermite: at rest at both ends
+  }
+
+  const double seconds = h / static_cast<double>(flicks_per_second);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double a = left ? p0[i] : 2 * p1[i] - p2[i], b = p1[i], e = p2[i], d = right ? p3[i] : 2 * p2[i] - p1[i];
+    if (twerper == Twerper::bspline) {
+      const double s2 = s * s, s3 = s2 * s, r = 1 - s;
+      out[i] = (r * r * r * a + (3 * s3 - 6 * s2 + 4) * b + (-3 * s3 + 3 * s2 + 3 * s + 1) * e + s3 * d) / 6;
+      continue;
+    }
+    double m1, m2;  // tangents, over the segment
+    if (twerper == Twerper::hermite) {
+      m1 = here && here->has_out ? here->tangent_out[i] * seconds : 0;
+      m2 = next && next->has_in ? next->tangent_in[i] * seconds : 0;
+    } else {  // smooth: the tangent of the parabola through three neighbours, in their real times
+      const double chord = e - b;
+      m1 = ((b - a) * (h / h0) * h + chord * h0) / (h0 + h);
+      m2 = (chord * h2 + (d - e) * (h / h2) * h) / (h + h2);
+    }
+    const double a2 = 3 * (e - b) - 2 * m1 - m2, a3 = m1 + m2 - 2 * (e - b);
+    out[i] = ((a3 * s + a2) * s + m1) * s + b;
+  }
+}
+
+// Beyond the first or last event in a straight line: the end segment's slope goes on.
+void CurveSet::beyond(const Curve& c, bool after, double t, double* out) const {
+  const std::uint32_t k = after ? c.count - 2 : 0;
+  const double end = static_cast<double>(times_[c.first + (after ? c.count - 1 : 0)]);
+  if (c.orientation) return segment(c, k, t, out);  // keeps turning
+  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
+  const double step = (after ? -1 : 1) * h / 4096;
+  Numbers at_end{}, inside{}, further{};
+  segment(c, k, end, at_end.data());
+  segment(c, k, end + step, inside.data());
+  segment(c, k, end + 2 * step, further.data());
+  for (std::uint32_t i = 0; i < c.channels; ++i) {
+    const double slope = (-3 * at_end[i] + 4 * inside[i] - further[i]) / (2 * step);  // exact for parabolas
+    out[i] = at_end[i] + slope * (t - end);
+  }
+}
+
+void CurveSet::evaluate(const Curve& c, Time time, double* out) const {
+  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  std::int64_t t = time.flicks;
+  const bool before = t < *first, after = t > *last;
+  if (before || after) {
+    const Extend how = before ? c.before : c.after;
+    if (how == Extend::linear && c.count > 1) {
+      beyond(c, after, static_cast<double>(t), out);
+      if (c.srgb)
+        for (int i = 0; i < 3; ++i) out[i] = to_linear(out[i]);
+      return;
+    }
+    if (how == Extend::cycle || how == Extend::bounce) t = fold(t, *first, *last, how == Extend::bounce);
+  }
+  const auto next = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first);
+  if (next == 0 || next == c.count) {
+    std::copy_n(&values_[c.values + (next == 0 ? 0 : (c.count - 1) * c.channels)], c.channels, out);
+  } else {
+    segment(c, next - 1, static_cast<double>(t), out);
+  }
+  if (c.srgb)
+    for (int i = 0; i < 3; ++i) out[i] = to_linear(out[i]);
+}
+
+std::size_t CurveSet::bytes() const {
+  return times_.size() * sizeof(times_[0]) + values_.size() * sizeof(double) + twerpers_.size() + details_.size() * sizeof(CurveDetail);
+}
+
+Steps::Steps(const Track& track, Type type) : before_(track.before), after_(track.after) {
+  track.events.each([&](const Event& e) {
+    if (e.keep && values_.empty()) return;
+    times_.push_back(e.time);
+    values_.push_back(e.keep ? values_.back() : e.value);
+    twerpers_.push_back(static_cast<std::uint8_t>(resolve(track, e, type, false)));
+    details_.push_back(e.detail);
+    if (track.global == Twerper::bezier) details_.back().edit().bezier = track.bezier;
+  });
+}
+
+Between Steps::at(Time time) const {
+  Time t = time;
+  if ((t < times_.front() && before_ >= Extend::cycle) || (t > times_.back() && after_ >= Extend::cycle))
+    t = {fold(t.flicks, times_.front().flicks, times_.back().flicks, (t < times_.front() ? before_ : after_) == Extend::bounce)};
+  const auto next = static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
+  if (next == 0) return {0, 0, 0};
+  const std::size_t k = next - 1;
+  const auto twerper = static_cast<Twerper>(twerpers_[k]);
+  if (next == times_.size() || twerper == Twerper::hold) return {k, k, 0};
+  const double h = static_cast<double>((times_[next] - times_[k]).flicks);
+  CurveDetail from, to;
+  from.ease_out = static_cast<double>(details_[k]->ease_out.flicks), from.bezier = details_[k]->bezier;
+  to.ease_in = static_cast<double>(details_[next]->ease_in.flicks);
+  double s = segment_factor(twerper, static_cast<double>((t - times_[k]).flicks) / h, &from, &to, h);
+  if (twerper == Twerper::hermite || twerper == Twerper::bspline) s = s * s * (3 - 2 * s);
+  return {k, next, s};
+}
+
+}  // namespace betwixt

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tracks compiled for evaluation: columns of times and numbers, many tracks in one set of arrays. Colours are linear light here, angles radians,
+// orientations four numbers with signs chosen so that neighbours take the short way (R-T8).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "track/track.h"
+
+namespace betwixt {
+
+struct CurveDetail {
+  std::uint32_t event = 0;  // index into the set's columns
+  double ease_in = 0, ease_out = 0;  // flicks
+  std::array<double, 4> bezier{};
+  bool cut = false, has_in = false, has_out = false;
+  std::array<double, 4> before{}, tangent_in{}, tangent_out{};
+};
+
+struct Curve {
+  std::uint32_t first = 0, count = 0;  // events, into the set's columns
+  std::uint32_t values = 0;            // the first one's numbers
+  std::uint8_t channels = 1;
+  bool orientation = false;
+  bool srgb = false;  // the numbers are as written and become light when evaluated
+  Extend before = Extend::hold, after = Extend::hold;
+};
+
+class CurveSet {
+ public:
+  // A track of numbers (not text, names, shapes, points, nor aims at objects) with at least one event that has a value. `angles`: a rotation
+  // track whose values are all Angles is three numbers; otherwise orientations. `rest`: what a component falls back to.
+  Curve add(const Track& track, Type type);
+  // out[0 … channels): the value at t.
+  void evaluate(const Curve& curve, Time t, double* out) const;
+  std::size_t bytes() const;
+
+ private:
+  const CurveDetail* detail(std::uint32_t event) const;
+  void segment(const Curve& c, std::uint32_t k, double t, double* out) const;
+  void beyond(const Curve& c, bool after, double t, double* out) const;
+
+  std::vector<std::int64_t> times_;
+  std::vector<double> values_;
+  std::vector<std::uint8_t> twerpers_;  // of the segment that begins at the event
+  std::vector<CurveDetail> details_;    // sorted by event
+};
+
+// How many numbers a value of the type has, and which. Rotations: 3 for angles, 4 for orientations.
+int channels(Type type);
+bool numeric(const Value& value);
+// The numbers of a value: scalar 1, vector 3, colour 3 as written, orientation 4 (w x y z), angles 3.
+int to_numbers(const Value& value, double* out);
+
+// A twerper's blending factor: where along [0, 1] the motion is at u, given the eases as fractions of the segment. (R-T7)
+double ease(double u, double ease_out, double ease_in);
+double bezier_factor(double u, const std::array<double, 4>& xy);
+Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen
+
+// For values that are not numbers: between which two events of a track a time falls, and how far the blend is.
+struct Between {
+  std::size_t a = 0, b = 0;
+  double s = 0;
+};
+class Steps {
+ public:
+  Steps(const Track& track, Type type);
+  Between at(Time t) const;
+  std::span<const Value> values() const { return values_; }
+
+ private:
+  std::vector<Time> times_;
+  std::vector<Value> values_;
+  std::vector<std::uint8_t> twerpers_;
+  std::vector<DetailBox> details_;
+  Extend before_ = Extend::hold, after_ = Extend::hold;
+};
+
+}  // namespace betwixt

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// An event: a value at a time, and how to go on from there. (twixt notes, 3.2 and 4.6)
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "betwixt/time.h"
+#include "betwixt/value.h"
+
+namespace betwixt {
+
+// Interpolators. `unset` leaves the choice to the type: numbers smooth, colours linear, orientations slerp, all else hold.
+enum class Twerper : std::uint8_t { unset, hold, linear, smooth, bspline, hermite, bezier, slerp, squad };
+inline constexpr std::array<std::string_view, 9> twerper_names{"unset",   "hold",   "linear", "smooth", "bspline",
+                                                               "hermite", "bezier", "slerp",  "squad"};
+
+// What few events have.
+struct EventDetail {
+  Time ease_in, ease_out;
+  std::optional<Value> before;                     // a cut: what the track comes to; the event's value is what it goes on from
+  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};  // x1 y1 x2 y2, as CSS counts them
+  std::optional<Value> tangent_in, tangent_out;    // hermite: per second
+  friend bool operator==(const EventDetail&, const EventDetail&) = default;
+};
+
+// A detail or none, in one word; copies are deep.
+class DetailBox {
+ public:
+  DetailBox() = default;
+  DetailBox(const DetailBox& o) : at_(o.at_ ? std::make_unique<EventDetail>(*o.at_) : nullptr) {}
+  DetailBox(DetailBox&&) noexcept = default;
+  DetailBox& operator=(const DetailBox& o) {
+    at_ = o.at_ ? std::make_unique<EventDetail>(*o.at_) : nullptr;
+    return *this;
+  }
+  DetailBox& operator=(DetailBox&&) noexcept = default;
+  explicit operator bool() const { return at_ != nullptr; }
+  const EventDetail& operator*() const { return at_ ? *at_ : none(); }
+  const EventDetail* operator->() const { return &**this; }
+  EventDetail& edit() {
+    if (!at_) at_ = std::make_unique<EventDetail>();
+    return *at_;
+  }
+  // Equal in effect: an empty detail is no detail.
+  friend bool operator==(const DetailBox& a, const DetailBox& b) { return *a == *b; }
+
+ private:
+  static const EventDetail& none() {
+    static const EventDetail d;
+    return d;
+  }
+  std::unique_ptr<EventDetail> at_;
+};
+
+struct Event {
+  Time time;
+  Value value;
+  DetailBox detail;
+  Twerper twerper = Twerper::unset;
+  bool keep = false;  // changes the twerper only: the value is what the track would have here without this event
+  friend bool operator==(const Event&, const Event&) = default;
+};
+static_assert(sizeof(Event) <= 64, "an event has grown; a document of a million of them notices");
+
+}  // namespace betwixt

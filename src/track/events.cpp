@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "track/events.h"
+
+namespace betwixt {
+
+std::size_t Events::chunk_of(Time t) const {
+  const auto it = std::lower_bound(chunks_.begin(), chunks_.end(), t,
+                                   [](const Cow<Chunk>& c, Time time) { return c->back().time < time; });
+  return static_cast<std::size_t>(it - chunks_.begin());
+}
+
+void Events::put(Event event) {
+  std::size_t c = chunks_.empty() || chunks_.back()->back().time < event.time ? chunks_.size() : chunk_of(event.time);
+  if (c == chunks_.size()) {  // after everything: the usual case when a file is read
+    if (chunks_.empty() || chunks_.back()->size() >= most) {
+      chunks_.emplace_back();
+      if (chunks_.size() > 1) chunks_.back().edit().reserve(most);
+    }
+    chunks_.back().edit().push_back(std::move(event));
+    ++size_;
+    return;
+  }
+  Chunk& chunk = chunks_[c].edit();
+  const auto at =
+      std::lower_bound(chunk.begin(), chunk.end(), event.time, [](const Event& e, Time t) { return e.time < t; });
+  if (at != chunk.end() && at->time == event.time) {
+    *at = std::move(event);
+    return;
+  }
+  chunk.insert(at, std::move(event));
+  ++size_;
+  if (chunk.size() <= most) return;
+  const auto middle = chunk.begin() + static_cast<std::ptrdiff_t>(chunk.size() / 2);
+  Chunk second(std::make_move_iterator(middle), std::make_move_iterator(chunk.end()));
+  chunk.erase(middle, chunk.end());
+  chunks_.insert(chunks_.begin() + static_cast<std::ptrdiff_t>(c) + 1, Cow<Chunk>(std::move(second)));
+}
+
+std::size_t Events::erase(Time from, Time to) {
+  std::size_t removed = 0;
+  for (auto& chunk : chunks_) {
+    if (chunk->back().time < from || chunk->front().time > to) continue;
+    removed += std::erase_if(chunk.edit(), [&](const Event& e) { return e.time >= from && e.time <= to; });
+  }
+  if (removed > 0) std::erase_if(chunks_, [](const Cow<Chunk>& c) { return c->empty(); });
+  size_ -= removed;
+  return removed;
+}
+
+const Event* Events::find(Time t) const {
+  const std::size_t c = chunk_of(t);
+  if (c == chunks_.size()) return nullptr;
+  const Chunk& chunk = *chunks_[c];
+  const auto at = std::lower_bound(chunk.begin(), chunk.end(), t, [](const Event& e, Time time) { return e.time < time; });
+  return at != chunk.end() && at->time == t ? &*at : nullptr;
+}
+
+std::vector<Event> Events::between(Time from, Time to) const {
+  std::vector<Event> out;
+  for (std::size_t c = chunk_of(from); c < chunks_.size() && chunks_[c]->front().time <= to; ++c)
+    for (const Event& e : *chunks_[c])
+      if (e.time >= from && e.time <= to) out.push_back(e);
+  return out;
+}
+
+bool operator==(const Events& a, const Events& b) {
+  if (a.size_ != b.size_) return false;
+  std::vector<const Event*> x, y;
+  a.each([&](const Event& e) { x.push_back(&e); });
+  b.each([&](const Event& e) { y.push_back(&e); });
+  return std::equal(x.begin(), x.end(), y.begin(), [](const Event* p, const Event* q) { return *p == *q; });
+}
+
+}  // namespace betwixt

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Events sorted by time, in shared chunks: a copy is cheap, and an edit copies one chunk however long the track is.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "base/cow.h"
+#include "track/event.h"
+
+namespace betwixt {
+
+class Events {
+ public:
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const Event& front() const { return chunks_.front()->front(); }
+  const Event& back() const { return chunks_.back()->back(); }
+
+  // Puts the event where its time belongs; it replaces what stood at that time. (R-T2)
+  void put(Event event);
+  // Removes the events with from <= time <= to; how many.
+  std::size_t erase(Time from, Time to);
+  // The event exactly at t, or null.
+  const Event* find(Time t) const;
+  // Copies of the events with from <= time <= to.
+  std::vector<Event> between(Time from, Time to) const;
+
+  template <class F>
+  void each(F&& f) const {
+    for (const auto& chunk : chunks_)
+      for (const Event& e : *chunk) f(e);
+  }
+  // Changes values, never times: f(Event&) for from <= time <= to; how many.
+  template <class F>
+  std::size_t edit_between(Time from, Time to, F&& f) {
+    std::size_t n = 0;
+    for (auto& chunk : chunks_) {
+      if (chunk->back().time < from || chunk->front().time > to) continue;
+      for (Event& e : chunk.edit())
+        if (e.time >= from && e.time <= to) f(e), ++n;
+    }
+    return n;
+  }
+  friend bool operator==(const Events& a, const Events& b);
+
+ private:
+  using Chunk = std::vector<Event>;
+  static constexpr std::size_t most = 128;  // events a chunk; small enough that inserting at random moves little
+  std::size_t chunk_of(Time t) const;       // the first chunk that ends at or after t; chunks_.size() if none does
+  std::vector<Cow<Chunk>> chunks_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace betwixt

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "track/operations.h"
+
+#include <cmath>
+
+#include "track/curve.h"
+
+namespace betwixt {
+namespace {
+
+// f for each pair of numbers in a and b; b may be one number for all of them.
+template <class F>
+std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
+  const double* one = std::get_if<double>(&b);
+  if (const auto* x = std::get_if<double>(&a)) return one ? std::optional<Value>(f(*x, *one)) : std::nullopt;
+  const auto three = [&](Vec3 v) -> std::optional<Vec3> {
+    if (one) return Vec3{f(v.x, *one), f(v.y, *one), f(v.z, *one)};
+    const auto each = [&](Vec3 w) { return Vec3{f(v.x, w.x), f(v.y, w.y), f(v.z, w.z)}; };
+    if (const auto* w = std::get_if<Vec3>(&b)) return each(*w);
+    if (const auto* w = std::get_if<Color>(&b)) return each({w->r, w->g, w->b});
+    if (const auto* w = std::get_if<Angles>(&b)) return each(w->xyz);
+    return std::nullopt;
+  };
+  const auto as = [](std::optional<Vec3> v, auto make) { return v ? std::optional<Value>(make(*v)) : std::nullopt; };
+  if (const auto* v = std::get_if<Vec3>(&a)) return as(three(*v), [](Vec3 r) { return r; });
+  if (const auto* c = std::get_if<Color>(&a)) return as(three({c->r, c->g, c->b}), [](Vec3 r) { return Color{r.x, r.y, r.z}; });
+  if (const auto* g = std::get_if<Angles>(&a)) return as(three(g->xyz), [](Vec3 r) { return Angles{r}; });
+  return std::nullopt;
+}
+
+bool finite(const Value& v) {
+  double n[4];
+  for (int i = to_numbers(v, n); i-- > 0;)
+    if (!std::isfinite(n[i])) return false;
+  return true;
+}
+
+// Changes every value (and, if asked, tangent) of a segment by f, or nothing at all.
+template <class F>
+Result<Changed> change_values(Track& track, Segment s, bool tangents, const char* what, F&& f) {
+  Track changed = track;
+  std::optional<Error> error;
+  const auto apply = [&](Value& v) {
+    std::optional<Value> r = f(v);
+    if (r && finite(*r))
+      v = std::move(*r);
+    else if (!error)
+      error = r ? fail(Code::range, std::string("a value grows beyond all numbers when it is ") + what)
+                : fail(Code::type, std::string("this cannot be ") + what);
+  };
+  Changed done;
+  done.events = changed.events.edit_between(s.from, s.to, [&](Event& e) {
+    if (!e.keep) apply(e.value);
+    if (!e.detail) return;
+    EventDetail& d = e.detail.edit();
+    if (d.before) apply(*d.before);
+    if (tangents && d.tangent_in) apply(*d.tangent_in);
+    if (tangents && d.tangent_out) apply(*d.tangent_out);
+  });
+  if (error) return *error;
+  track = std::move(changed);
+  return done;
+}
+
+// Takes the segment's events off, and puts the changed ones back where nobody else is left standing.
+Result<Changed> put_back(Track& track, Segment s, std::vector<Event> events) {
+  Changed done{events.size(), 0};
+  track.events.erase(s.from, s.to);
+  const auto before = track.events.size();
+  for (Event& e : events) track.events.put(std::move(e));
+  done.replaced = before + done.events - track.events.size();
+  return done;
+}
+
+bool in_reach(Time t) { return std::abs(t.seconds()) <= longest_seconds; }
+Error out_of_reach() { return fail(Code::range, "the events would end up more than 146 years away"); }
+
+}  // namespace
+
+std::optional<Value> add_scaled(const Value& a, const Value& b, double k) {
+  return combine(a, b, [k](double x, double y) { return x + k * y; });
+}
+
+Result<Changed> copy_segment(const Track& from_track, Segment s, Track& into, Time start, const std::optional<Value>& shift,
+                             int times) {
+  const std::vector<Event> source = from_track.events.between(s.from, s.to);
+  const Time span = s.to - s.from;
+  if (!in_reach(start) || !in_reach({static_cast<std::int64_t>(std::min(9e18, static_cast<double>(start.flicks) +
+                                                                                  static_cast<double>(span.flicks) * times))}))
+    return out_of_reach();
+  Track out = into;
+  Changed done;
+  for (int k = 1; k <= times; ++k) {
+    const Time at{start.flicks + (k - 1) * span.flicks};
+    const Event* standing = out.events.find(at);
+    const bool seam = standing != nullptr;
+    const Time ease_in = seam ? standing->detail->ease_in : Time{};
+    done.replaced += out.events.erase(at, at + span);
+    for (Event e : source) {
+      e.time = at + (e.time - s.from);
+      if (seam && e.time == at && (ease_in != Time{} || e.detail)) e.detail.edit().ease_in = ease_in;
+      if (shift) {
+        for (Value* v : {&e.value, e.detail && e.detail->before ? &*e.detail.edit().before : nullptr}) {
+          if (!v || e.keep) continue;
+          auto moved = add_scaled(*v, *shift, k);
+          if (!moved || !finite(*moved)) return fail(Code::type, "the copies cannot be shifted by that");
+          *v = std::move(*moved);
+        }
+      }
+      out.events.put(std::move(e));
+      ++done.events;
+    }
+  }
+  into = std::move(out);
+  return done;
+}
+
+Result<Changed> move_segment(Track& track, Segment s, Time by) {
+  auto events = track.events.between(s.from, s.to);
+  for (Event& e : events)
+    if (!in_reach(e.time = e.time + by)) return out_of_reach();
+  return put_back(track, s, std::move(events));
+}
+
+Result<Changed> stretch_segment(Track& track, Segment s, double factor) {
+  auto events = track.events.between(s.from, s.to);
+  const auto stretched = [&](Time t) { return Time{std::llround(static_cast<double>(t.flicks) * factor)}; };
+  for (Event& e : events) {
+    if (std::abs((e.time - s.from).seconds()) * factor > longest_seconds) return out_of_reach();
+    if (!in_reach(e.time = s.from + stretched(e.time - s.from))) return out_of_reach();
+    if (!e.detail) continue;
+    EventDetail& d = e.detail.edit();
+    if (std::max(d.ease_in, d.ease_out).seconds() * factor > longest_seconds) return out_of_reach();
+    d.ease_in = stretched(d.ease_in), d.ease_out = stretched(d.ease_out);
+    for (auto* tangent : {&d.tangent_in, &d.tangent_out})
+      if (*tangent) *tangent = combine(**tangent, Value(1 / factor), [](double x, double y) { return x * y; });
+  }
+  return put_back(track, s, std::move(events));
+}
+
+Result<Changed> reverse_segment(Track& track, Segment s) {
+  auto events = track.events.between(s.from, s.to);
+  std::vector<Event> out;
+  out.reserve(events.size());
+  for (std::size_t i = events.size(); i-- > 0;) {
+    Event e = events[i];
+    e.time = s.from + (s.to - e.time);
+    // The in-between that led to this event now leads away from it.
+    const Event& leader = events[i > 0 ? i - 1 : events.size() - 1];
+    e.twerper = leader.twerper;
+    const bool shaped = e.detail || leader.detail;
+    if (shaped) {
+      EventDetail& d = e.detail.edit();
+      std::swap(d.ease_in, d.ease_out);
+      if (d.before) std::swap(*d.before, e.value);
+      d.bezier = leader.detail->bezier;
+      if (i > 0) d.bezier = {1 - d.bezier[2], 1 - d.bezier[3], 1 - d.bezier[0], 1 - d.bezier[1]};
+      std::swap(d.tangent_in, d.tangent_out);
+      for (auto* tangent : {&d.tangent_in, &d.tangent_out})
+        if (*tangent) *tangent = combine(**tangent, Value(-1.0), [](double x, double y) { return x * y; });
+    }
+    out.push_back(std::move(e));
+  }
+  return put_back(track, s, std::move(out));
+}
+
+Result<Changed> scale_segment(Track& track, Segment s, const Value& by) {
+  return change_values(track, s, true, "scaled by that", [&](const Value& v) {
+    return combine(v, by, [](double x, double y) { return x * y; });
+  });
+}
+
+Result<Changed> translate_segment(Track& track, Segment s, const Value& by) {
+  return change_values(track, s, false, "moved by that", [&](const Value& v) { return add_scaled(v, by, 1); });
+}
+
+Result<Changed> rotate_segment(Track& track, Segment s, Quat by, Vec3 centre) {
+  const Mat4 turn = rotation(by);
+  // Tangents turn too, but about no centre: they are differences.
+  const auto vectors = change_values(track, s, false, "rotated", [&](const Value& v) -> std::optional<Value> {
+    if (const auto* p = std::get_if<Vec3>(&v)) return centre + transform_vector(turn, *p - centre);
+    if (const auto* q = std::get_if<Quat>(&v)) return normalize(*q * by);
+    return std::nullopt;
+  });
+  if (!vectors) return vectors;
+  track.events.edit_between(s.from, s.to, [&](Event& e) {
+    if (!e.detail) return;
+    EventDetail& d = e.detail.edit();
+    for (auto* tangent : {&d.tangent_in, &d.tangent_out})
+      if (*tangent)
+        if (auto* t = std::get_if<Vec3>(&**tangent)) *t = transform_vector(turn, *t);
+  });
+  return vectors;
+}
+
+}  // namespace betwixt

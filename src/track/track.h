@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A track: the sorted events of one display function, and what it does outside them. (twixt notes, 3.2, 4.4)
+#pragma once
+
+#include "track/events.h"
+
+namespace betwixt {
+
+enum class Extend : std::uint8_t { hold, linear, cycle, bounce };
+inline constexpr std::array<std::string_view, 4> extend_names{"hold", "linear", "cycle", "bounce"};
+
+struct Track {
+  Events events;
+  Twerper global = Twerper::unset;  // set: the one interpolator of the whole track, whatever the events say (G102)
+  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};  // of a global bezier
+  Extend before = Extend::hold, after = Extend::hold;
+  bool srgb = false;  // colours: blend the numbers as written, not the light
+  friend bool operator==(const Track&, const Track&) = default;
+};
+
+// Whether `twerper` means anything for values of `type`; the reason if not.
+bool fits(Twerper twerper, Type type, std::string* why = nullptr);
+// The twerper that `unset` stands for.
+Twerper default_twerper(Type type);
+
+// sRGB (as written) to linear light and back, per channel, mirrored at 0. Going there and back gives the number written.
+double to_linear(double srgb);
+double to_srgb(double linear);
+Vec3 to_linear(Color c);
+Color to_srgb(Vec3 linear);
+
+}  // namespace betwixt
