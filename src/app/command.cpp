@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace betwixt {
+namespace {
+
+volatile sig_atomic_t stop_asked = 0;
+
+// A film longer than this is a mistake in the call.
+constexpr double most_frames = 10'000'000;
+
+// Reads "WxH"; false where it is none.
+bool read_size(const std::string& text, RenderOptions& to) {
+  int used = 0;
+  return text.size() <= 11 && std::sscanf(text.c_str(), "%5dx%5d%n", &to.width, &to.height, &used) == 2 &&
+         used == static_cast<int>(text.size());
+}
+
+}  // namespace
+
+int complain(const Error& e, int otherwise) {
+  fmt::print(stderr, "betwixt: {}\n", e.message);
+  if (!e.hint.empty()) fmt::print(stderr, "  {}\n", e.hint);
+  return e.code == Code::machine ? static_cast<int>(machine_failed) : otherwise;
+}
+
+std::optional<Document> open_script(const std::string& file) {
+  Loaded loaded = load_file(file);
+  for (const Diagnostic& d : loaded.diagnostics) std::fputs(to_string(d).c_str(), stderr);
+  if (has_errors(loaded.diagnostics)) return std::nullopt;
+  return std::move(loaded.document);
+}
+
+void add_picture_options(CLI::App& app, RenderOptions& to) {
+  app.add_option_function<std::string>(
+         "--size",
+         [&to](const std::string& text) {
+           if (!read_size(text, to) || to.width < 1 || to.height < 1 || to.width > 8192 || to.height > 8192)
+             throw CLI::ValidationError(
+                 "--size", fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
+         },
+         fmt::format("pixels; {}x{} if not said", to.width, to.height))
+      ->type_name("WxH");
+  std::vector<std::string> names;
+  for (const Style& s : styles()) names.emplace_back(s.name);
+  app.add_option("--style", to.style, fmt::format("{}; {} if not said", fmt::join(names, " or "), to.style))
+      ->type_name("STYLE");
+  app.add_option("--samples", to.samples, fmt::format("samples a pixel: 1, 4, 9 or 16; {} if not said", to.samples))
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 4, 9, 16}).description(""));
+}
+
+Result<Time> read_time(const std::string& text, const Document& document, const std::string& option) {
+  const bool bare = !text.empty() && text.find_first_not_of("0123456789.-") == std::string::npos;
+  Result<Time> time = parse_time(bare ? text + "f" : text, document);
+  if (time) return time;
+  Error e = time.error();
+  e.message = fmt::format("{}: {}", option, e.message);
+  return e;
+}
+
+Result<FrameList> read_frames(const std::string& text, const Document& document) {
+  FrameList frames;
+  frames.rate = document.rate();
+  auto [first, last] = document.range();
+  if (!text.empty()) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos)
+      return fail(Code::range, fmt::format("--frames: \"{}\" is no segment", text), "such as 1f..24f");
+    const auto from = read_time(text.substr(0, dots), document, "--frames");
+    if (!from) return from.error();
+    const auto to = read_time(text.substr(dots + 2), document, "--frames");
+    if (!to) return to.error();
+    first = *from, last = *to;
+    if (last < first) return fail(Code::range, fmt::format("--frames: \"{}\" ends before it begins", text));
+  }
+  const double number = frames.rate.frame_number(first);
+  const double count = std::floor(frames.rate.frame_number(last) - number + 1e-6) + 1;
+  if (count > most_frames)
+    return fail(Code::range, fmt::format("{:.0f} frames are too many for one film; at most {:.0f}", count, most_frames),
+                "name some: --frames A..B");
+  if (std::abs(number) > 1e9) return fail(Code::range, "--frames: too far from the beginning");
+  frames.first = first;
+  frames.count = std::max(1, static_cast<int>(count));
+  frames.number = static_cast<int>(std::floor(number));
+  frames.on_grid = number == std::floor(number);
+  return frames;
+}
+
+void catch_stops() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { stop_asked = 1; };
+  for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(s, &action, nullptr);
+}
+
+bool stop_requested() { return stop_asked != 0; }
+
+}  // namespace betwixt

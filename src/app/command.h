@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the subcommands share. Each has a file of its own that adds it to the command line; when the line asks for it,
+// it runs and leaves its exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "betwixt/language.h"
+#include "betwixt/render.h"
+
+namespace betwixt {
+
+enum Exit { all_done = 0, wrong_input = 1, wrong_call = 2, machine_failed = 3, interrupted = 130 };
+
+void add_render(CLI::App&, int& exit_code);
+void add_frame(CLI::App&, int& exit_code);
+void add_plot(CLI::App&, int& exit_code);
+void add_play(CLI::App&, int& exit_code);
+void add_eval(CLI::App&, int& exit_code);
+void add_check(CLI::App&, int& exit_code);
+void add_tidy(CLI::App&, int& exit_code);
+
+// Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
+int complain(const Error&, int otherwise);
+
+// Loads a script, saying all there is to say about it on standard error; none where it has errors.
+std::optional<Document> open_script(const std::string& file);
+
+// --size, --style, --samples
+void add_picture_options(CLI::App&, RenderOptions&);
+
+// A time of the command line; a bare number is a frame. Errors name the option.
+Result<Time> read_time(const std::string& text, const Document&, const std::string& option);
+
+// The frames of a film: the k-th one's time.
+struct FrameList {
+  Time first;
+  int count = 1;
+  int number = 1;       // of the first frame
+  bool on_grid = true;  // the first frame is a whole one
+  Rate rate;
+  Time time(int k) const { return on_grid ? rate.frame(number + k) : first + rate.span(k); }
+};
+// `text`: "A..B", or empty for the document's own range.
+Result<FrameList> read_frames(const std::string& text, const Document&);
+
+// From here on Ctrl-C and friends only ask the program to stop.
+void catch_stops();
+bool stop_requested();
+
+}  // namespace betwixt

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "app/command.h"
+#include "base/names.h"
+
+namespace betwixt {
+namespace {
+
+constexpr const char* version = "betwixt " BETWIXT_VERSION;
+
+std::string hinted(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
+  const std::string hint = did_you_mean(word, {known.begin(), known.end()});
+  return what + " '" + word + "'" + (hint.empty() ? "" : "\n  " + hint);
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* o : app.get_options())
+    for (const std::string& name : o->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// What is wrong with a command line, in our words where the parser's are poor.
+std::string explain(const CLI::App& app, const CLI::ParseError& e) {
+  const auto asked = app.get_subcommands();
+  const CLI::App& place = asked.empty() ? app : *asked.front();
+  for (const std::string& word : app.remaining(true))
+    if (word.size() > 1 && word[0] == '-')
+      return hinted("no such option", word.substr(0, word.find('=')), option_names(place));
+  for (const std::string& word : app.remaining(true)) {
+    if (!asked.empty()) return fmt::format("'{}' is one word too many", word);
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(sub->get_name());
+    return hinted("no such command", word, names);
+  }
+  return e.what();
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Betwixt makes films from scripts: event-driven animation.", "betwixt");
+  int exit_code = all_done;
+  app.set_version_flag("--version", version, "the version");
+  app.set_help_flag("-h,--help", "this help, or a command's");
+  app.get_formatter()->column_width(28);
+  app.footer("Example:\n  betwixt render examples/bounce.bx -o bounce.mp4");
+  app.require_subcommand(0, 1);
+  for (const auto& add : {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy})
+    add(app, exit_code);
+  for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    sub->set_help_flag("-h,--help", "this help");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    const auto asked = app.get_subcommands();
+    fmt::print(stderr, "betwixt: {}\n  see betwixt {}--help\n", explain(app, e),
+               asked.empty() ? "" : asked.front()->get_name() + " ");
+    return wrong_call;
+  }
+  if (!app.get_subcommands().empty()) return exit_code;
+  fmt::print(stderr, "{}", app.help());
+  return wrong_call;
+}
+
+}  // namespace
+}  // namespace betwixt
+
+int main(int argc, char** argv) {
+  try {
+    return betwixt::run(argc, argv);
+  } catch (const std::exception& e) {  // memory that is not to be had, above all
+    fmt::print(stderr, "betwixt: the machine failed: {}\n", e.what());
+    return betwixt::machine_failed;
+  }
+}
