@@ -1,0 +1,4 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+add_executable(bench_parse bench/parse.cpp)
+target_link_libraries(bench_parse PRIVATE betwixt_language)
