@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Any text at all: it loads, is tidied, compiles and gives frames without a crash; what tidy returns means the same.
+#include "betwixt/language.h"
+
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
-#include "betwixt/language.h"
 #include "betwixt/program.h"
 
 using namespace betwixt;
