@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <unordered_map>
+
+#include "exchange/files.h"
+#include "scene/topology.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t most_indices = 3 * 50'000'000;
+constexpr double crease = 60 * pi / 180;  // where a file brings no normals
+
+bool in_reach(const std::array<float, 3>& p) {
+  return std::all_of(p.begin(), p.end(), [](float f) { return std::abs(f) < 1e15F; });  // false for NaN
+}
+
+// Transforms normals, up to their length: the cofactors of the upper 3 by 3. Works for a matrix that flattens, too.
+Mat4 normal_matrix(const Mat4& m) {
+  Mat4 n;
+  for (int c = 0; c < 3; ++c) {
+    const auto column = [&](int i) { return Vec3{m(0, i % 3), m(1, i % 3), m(2, i % 3)}; };
+    const Vec3 cofactor = cross(column(c + 1), column(c + 2));
+    n(0, c) = cofactor.x, n(1, c) = cofactor.y, n(2, c) = cofactor.z;
+  }
+  return n;
+}
+
+double determinant(const Mat4& m) {
+  return dot(Vec3{m(0, 0), m(1, 0), m(2, 0)}, cross(Vec3{m(0, 1), m(1, 1), m(2, 1)}, Vec3{m(0, 2), m(1, 2), m(2, 2)}));
+}
+
+using Vertex = std::array<float, 8>;
+struct VertexHash {
+  std::size_t operator()(const Vertex& v) const {
+    std::uint64_t h = 0;
+    for (const float f : v) h = (h ^ std::bit_cast<std::uint32_t>(f)) * 0x9e3779b97f4a7c15ULL, h ^= h >> 29;
+    return static_cast<std::size_t>(h);
+  }
+};
+
+// Vertices that are the same in everything become one; those that nothing uses go.
+void join_vertices(Mesh& mesh) {
+  Mesh out;
+  std::unordered_map<Vertex, std::uint32_t, VertexHash> known;
+  known.reserve(mesh.positions.size());
+  const bool uvs = !mesh.uvs.empty();
+  const auto joined = [&](std::uint32_t i) {
+    const auto &p = mesh.positions[i], &n = mesh.normals[i];
+    const std::array<float, 2> uv = uvs ? mesh.uvs[i] : std::array<float, 2>{0, 0};
+    const auto [at, fresh] = known.try_emplace({p[0], p[1], p[2], n[0], n[1], n[2], uv[0], uv[1]},
+                                               static_cast<std::uint32_t>(out.positions.size()));
+    if (fresh) {
+      out.positions.push_back(p);
+      out.normals.push_back(n);
+      if (uvs) out.uvs.push_back(uv);
+    }
+    return at->second;
+  };
+  for (auto& i : mesh.triangles) i = joined(i);
+  for (auto& i : mesh.edges) i = joined(i);
+  mesh.positions = std::move(out.positions);
+  mesh.normals = std::move(out.normals);
+  mesh.uvs = std::move(out.uvs);
+}
+
+// Each edge once, however many polygons share it.
+void join_edges(Mesh& mesh) {
+  const auto welded = weld(mesh.positions);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> seen;
+  std::vector<std::uint32_t> edges;
+  for (std::size_t i = 0; i + 1 < mesh.edges.size(); i += 2) {
+    const auto [a, b] = std::minmax(welded[mesh.edges[i]], welded[mesh.edges[i + 1]]);
+    if (a != b && seen.try_emplace({a, b}, true).second) edges.insert(edges.end(), {a, b});
+  }
+  mesh.edges = std::move(edges);
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+Error Assembly::error(const std::string& what) const {
+  return fail(Code::file, fmt::format("{} cannot be read as a mesh: {}", path_, what));
+}
+
+Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look) {
+  const std::size_t count = piece.positions.size();
+  piece.triangles.resize(piece.triangles.size() / 3 * 3);
+  if (piece.triangles.empty()) return Nothing{};
+  if (mesh_.triangles.size() + piece.triangles.size() > most_indices || mesh_.positions.size() + count > most_indices)
+    return error("it has more than 50 million triangles");
+  for (const auto* indices : {&piece.triangles, &piece.edges})
+    for (const auto i : *indices)
+      if (i >= count) return error(fmt::format("a triangle wants vertex {}, but there are only {}", i, count));
+  for (auto& p : piece.positions) {
+    p = narrow(transform_point(to_scene, widen(p)));
+    if (!in_reach(p)) return error("it has a vertex that is infinitely far away, or not a number");
+  }
+  if (determinant(to_scene) < 0)
+    for (std::size_t i = 0; i < piece.triangles.size(); i += 3)
+      std::swap(piece.triangles[i + 1], piece.triangles[i + 2]);
+  if (piece.uvs.size() != count) piece.uvs.clear();
+  for (auto& uv : piece.uvs)
+    for (auto& f : uv)
+      if (!std::isfinite(f)) f = 0;
+
+  const Mat4 turn = normal_matrix(to_scene);
+  bool normals = piece.normals.size() == count;
+  for (auto& n : piece.normals) {
+    const Vec3 turned = transform_vector(turn, widen(n));
+    normals = normals && length(turned) > 0 && std::isfinite(length(turned));
+    n = narrow(normalize(turned));
+  }
+  if (!normals) make_normals(piece, crease);
+  if (piece.triangles.empty()) return Nothing{};  // none of them had an area
+  join_vertices(piece);
+  if (piece.edges.empty())
+    piece.edges = crease_edges(piece);
+  else
+    join_edges(piece);
+
+  const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
+  const bool uvs = !mesh_.uvs.empty() || !piece.uvs.empty();
+  if (uvs) mesh_.uvs.resize(mesh_.positions.size());
+  append(mesh_.positions, piece.positions);
+  append(mesh_.normals, piece.normals);
+  append(mesh_.uvs, piece.uvs);
+  if (uvs) mesh_.uvs.resize(mesh_.positions.size());
+  for (auto& i : piece.edges) i += base;
+  for (auto& i : piece.triangles) i += base;
+  append(mesh_.edges, piece.edges);
+  look.first = static_cast<std::uint32_t>(mesh_.triangles.size());
+  look.count = static_cast<std::uint32_t>(piece.triangles.size());
+  append(mesh_.triangles, piece.triangles);
+  // Neighbours that look the same are one run: fewer things to draw.
+  if (!mesh_.parts.empty() && mesh_.parts.back().color == look.color && mesh_.parts.back().texture == look.texture)
+    mesh_.parts.back().count += look.count;
+  else
+    mesh_.parts.push_back(std::move(look));
+  return Nothing{};
+}
+
+Result<std::shared_ptr<const Mesh>> Assembly::finish() && {
+  if (mesh_.triangles.empty()) return error("it holds no triangles");
+  mesh_.closed = is_closed(mesh_);
+  return std::make_shared<const Mesh>(std::move(mesh_));
+}
+
+Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
+  if (!may_read(path)) return fail(Code::file, fmt::format("{} may not be read", path));
+  const std::string kind = ending(path);
+  if (kind == "gltf" || kind == "glb") return load_gltf(path, may_read);
+  // What assimp reads without falling over broken files.
+  for (const char* known : {"obj", "ply", "stl", "dae", "fbx", "3ds", "off"})
+    if (kind == known) return load_by_assimp(path, may_read);
+  const auto bytes = read_whole(path);  // a missing file is told before an odd ending
+  if (!bytes) return bytes.error();
+  return fail(Code::file, fmt::format("{} is not a kind of mesh that can be read", path),
+              "glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds .off can be");
+}
+
+}  // namespace betwixt
