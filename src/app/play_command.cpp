@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "app/command.h"
+#include "app/terminal.h"
+#include "betwixt/program.h"
+
+namespace betwixt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Call {
+  std::string file, frames;
+  RenderOptions picture{960, 540};
+  bool terminal = false, loop = false;
+};
+
+double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+// Which frame is due. Time comes from the clock, never from counting pictures: a late picture is dropped.
+class Playhead {
+ public:
+  Playhead(const FrameList& frames, bool loop) : frames_(frames), loop_(loop) {}
+  bool playing() const { return playing_; }
+  int last() const { return frames_.count - 1; }
+  int now() const {
+    if (!playing_) return at_;
+    const double due = at_ + since(started_) * frames_.rate.per_second();
+    if (loop_) return static_cast<int>(std::fmod(due, frames_.count));
+    return static_cast<int>(std::min<double>(due, last()));
+  }
+  double until_next() const {  // seconds
+    const double due = since(started_) * frames_.rate.per_second();
+    return (std::floor(due) + 1 - due) / frames_.rate.per_second();
+  }
+  void pause() { at_ = now(), playing_ = false; }
+  void play() { at_ = now() == last() && !loop_ ? 0 : now(), started_ = Clock::now(), playing_ = true; }
+  void jump(int k) { at_ = std::clamp(k, 0, last()), started_ = Clock::now(); }
+
+ private:
+  const FrameList& frames_;
+  const bool loop_;
+  bool playing_ = true;
+  int at_ = 0;
+  Clock::time_point started_ = Clock::now();
+};
+
+class Player {
+ public:
+  Player(const Document& document, const Call& call, const FrameList& frames, Terminal& terminal)
+      : document_(document),
+        program_(Program::compile(document)),
+        call_(call),
+        frames_(frames),
+        terminal_(terminal),
+        head_(frames, call.loop) {}
+
+  Status run() {
+    bool closed = false;
+    while (!stop_requested() && !closed && !quit_) {
+      const int k = head_.now();
+      if (head_.playing() && k == head_.last() && !call_.loop) head_.pause();
+      if (Status s = show(k); !s) return s;
+      if (!terminal_.has_keys() && !head_.playing()) break;  // nobody could go on from here
+      const double pause = head_.playing() ? std::min(head_.until_next(), 0.25) : 0.1;
+      for (const Key key : terminal_.wait(pause, closed)) press(key);
+    }
+    return Nothing{};
+  }
+
+ private:
+  void press(Key key) {
+    const int second = std::max(1, static_cast<int>(std::lround(frames_.rate.per_second())));
+    const int k = head_.now();
+    const auto step = [&](int by) { head_.pause(), head_.jump(k + by); };
+    switch (key) {
+      case Key::space:
+        return head_.playing() ? head_.pause() : head_.play();
+      case Key::left:
+        return step(-1);
+      case Key::right:
+        return step(1);
+      case Key::shift_left:
+      case Key::down:
+        return head_.jump(k - second);
+      case Key::shift_right:
+      case Key::up:
+        return head_.jump(k + second);
+      case Key::home:
+        return head_.jump(0);
+      case Key::end:
+        return step(frames_.count);
+      case Key::quit:
+        quit_ = true;
+    }
+  }
+
+  // The largest box of cells of the film's own shape, in the middle; a row is left for the status line.
+  struct Box {
+    int column = 1, row = 1, columns = 1, rows = 1;
+  };
+  Box box(const TerminalSize& s) const {
+    const double shape = static_cast<double>(call_.picture.width) / call_.picture.height / s.cell_aspect;  // in cells
+    const int high = std::max(1, s.rows - 1);
+    Box b;
+    b.columns = std::clamp(static_cast<int>(std::lround(high * shape)), 1, s.columns);
+    b.rows = std::clamp(static_cast<int>(std::lround(b.columns / shape)), 1, high);
+    b.column = 1 + (s.columns - b.columns) / 2, b.row = 1 + (high - b.rows) / 2;
+    return b;
+  }
+
+  // A renderer whose pictures are as large as the characters can show, in the film's shape, and no larger than asked
+  // for.
+  Status fit(const TerminalSize& size) {
+    if (renderer_ && size == size_) return Nothing{};
+    size_ = size;
+    RenderOptions o = call_.picture;
+    const Box b = box(size);
+    const double shrink = std::min(1.0, 8.0 * b.columns / o.width);  // 8 pixels a character tell all symbols apart
+    o.width = std::max(1, static_cast<int>(std::lround(o.width * shrink)));
+    o.height = std::max(1, static_cast<int>(std::lround(o.height * shrink)));
+    Result<std::unique_ptr<Renderer>> made = make_renderer(o);
+    if (!made) return made.error();
+    renderer_ = *std::move(made);
+    shown_ = -1;
+    terminal_.write("\x1b[2J");
+    return Nothing{};
+  }
+
+  Status show(int k) {
+    if (Status s = fit(terminal_.size()); !s) return s;
+    listen(k);
+    std::string out = "\x1b[?2026h";  // terminals that know this show the whole at once
+    if (k != shown_) {
+      if (Status s = renderer_->render(program_.frame(frames_.time(k)), picture_); !s) return s;
+      if (head_.playing() && shown_ >= 0 && k > shown_ + 1) dropped_ += k - shown_ - 1;
+      shown_ = k;
+      const Box b = box(size_);
+      out += characters(picture_, b.column, b.row, b.columns, b.rows);
+    }
+    out += status(k) + "\x1b[?2026l";
+    if (out != last_drawn_) terminal_.write(out);
+    last_drawn_ = out;
+    return Nothing{};
+  }
+
+  // Notes that playing has passed, or that stand exactly where was jumped to.
+  void listen(int k) {
+    if (k == heard_) return;
+    const bool passed = head_.playing() && k > heard_ && heard_ >= 0;
+    const Time to = frames_.time(k), from = passed ? frames_.time(heard_) + Time{1} : to;
+    heard_ = k;
+    for (const auto& [time, words] : document_.notes(from, to)) note_ = words, noted_ = Clock::now();
+    if (since(noted_) > 3 && head_.playing()) note_.clear();
+  }
+
+  std::string status(int k) const {
+    const Time t = frames_.time(k);
+    std::string left = fmt::format(" {} {}/{}  {:.2f} s", head_.playing() ? ">" : "=", frames_.number + k,
+                                   frames_.number + head_.last(), t.seconds());
+    if (dropped_ > 0) left += fmt::format("  {} dropped", dropped_);
+    if (!note_.empty()) left += "  \"" + note_ + "\"";
+    const std::string keys = terminal_.has_keys() ? "space pause  arrows step  home end  q quit " : "";
+    const std::size_t columns = static_cast<std::size_t>(size_.columns);
+    std::string line;
+    for (const char c : left) line += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+    const std::size_t used = wide(line);
+    if (used > columns)
+      line = cut(line, columns);
+    else if (used + keys.size() + 1 <= columns)
+      line += std::string(columns - used - keys.size(), ' ') + keys;
+    else
+      line += std::string(columns - used, ' ');
+    return fmt::format("\x1b[{};1H\x1b[7m{}\x1b[0m", size_.rows, line);
+  }
+  static std::size_t wide(const std::string& s) {  // characters
+    return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  }
+  static std::string cut(const std::string& s, std::size_t columns) {
+    std::size_t at = 0;
+    for (; at < s.size(); ++at)
+      if ((s[at] & 0xC0) != 0x80 && columns-- == 0) break;
+    return s.substr(0, at);
+  }
+
+  const Document& document_;
+  const Program program_;
+  const Call& call_;
+  const FrameList& frames_;
+  Terminal& terminal_;
+  Playhead head_;
+  bool quit_ = false;
+  TerminalSize size_;
+  std::unique_ptr<Renderer> renderer_;
+  Picture picture_;
+  int shown_ = -1, heard_ = -1, dropped_ = 0;
+  std::string note_, last_drawn_;
+  Clock::time_point noted_ = Clock::now();
+};
+
+int play(const Call& call) {
+  const std::optional<Document> document = open_script(call.file);
+  if (!document) return wrong_input;
+  const Result<FrameList> frames = read_frames(call.frames, *document);
+  if (!frames) return complain(frames.error(), wrong_call);
+  catch_stops();
+  Status played = Nothing{};
+  {
+    Result<std::unique_ptr<Terminal>> terminal = Terminal::open();
+    if (!terminal) return complain(terminal.error(), wrong_call);
+    played = Player(*document, call, *frames, **terminal).run();
+  }
+  if (!played) return complain(played.error(), wrong_call);
+  return stop_requested() ? interrupted : all_done;
+}
+
+}  // namespace
+
+void add_play(CLI::App& app, int& exit_code) {
+  const auto call = std::make_shared<Call>();
+  CLI::App* sub = app.add_subcommand("play", "plays in the terminal, in real time");
+  sub->add_option("FILE", call->file, "the script")->required();
+  sub->add_flag("--terminal", call->terminal, "in the terminal; in this version that is always so");
+  sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
+  add_picture_options(*sub, call->picture);
+  sub->add_flag("--loop", call->loop, "again and again");
+  sub->footer(
+      "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, q quits.\n"
+      "Example:\n  betwixt play examples/bounce.bx --terminal --loop");
+  sub->callback([call, &exit_code] { exit_code = play(*call); });
+}
+
+}  // namespace betwixt

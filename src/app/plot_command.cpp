@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "app/command.h"
+#include "app/plot_svg.h"
+#include "betwixt/program.h"
+#include "film/output.h"
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+struct Call {
+  std::string file, out, frames;
+  std::vector<std::string> targets;
+};
+
+constexpr int samples_per_frame = 4;
+constexpr int most_samples = 200'000;  // a curve; more than any paper shows
+constexpr double degrees = 180 / pi;
+
+// One number of a target, as a function of time.
+struct Number {
+  const Program* program;
+  Target target;
+  std::size_t index = 0;  // among the numbers of the reading
+  double unit = 1;        // angles are drawn in degrees
+  double at(Time t) const {
+    const std::vector<double> all = numbers(program->read(target, t));
+    return index < all.size() ? unit * all[index] : 0;
+  }
+};
+
+// Whether the value jumps between two times that are near each other; if so they close in on the jump. A steep slope
+// shows by its fall having two halves, however small the part that is looked at.
+bool find_jump(const Number& n, Time& a, Time& b, double least) {
+  double from = n.at(a), to = n.at(b);
+  if (std::abs(to - from) < least) return false;
+  while (b.flicks - a.flicks > 1) {
+    const Time middle{a.flicks + (b.flicks - a.flicks) / 2};
+    const double v = n.at(middle);
+    const bool first_half = std::abs(v - from) > std::abs(to - v);
+    (first_half ? b : a) = middle;
+    (first_half ? to : from) = v;
+    if (std::abs(to - from) < least / 2) return false;
+  }
+  return true;
+}
+
+std::vector<Stroke> strokes(const Number& n, const FrameList& frames, Time last) {
+  const int per_frame = std::clamp(most_samples / frames.count, 1, samples_per_frame);
+  const int count = std::max(1, (frames.count - 1) * per_frame);
+  const auto time = [&](int k) {
+    return k >= count ? last : frames.first + frames.rate.span(static_cast<double>(k) / per_frame);
+  };
+  std::vector<double> values;
+  for (int k = 0; k <= count; ++k) values.push_back(n.at(time(k)));
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double least = 0.02 * (*high - *low);
+
+  std::vector<Stroke> all(1);
+  const auto put = [&](Time t, double v) { all.back().emplace_back(frames.rate.frame_number(t), v); };
+  for (int k = 0; k <= count; ++k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    Time a = time(std::max(0, k - 1)), b = time(k);
+    if (k > 0 && *high > *low && std::abs(values[i] - values[i - 1]) >= least && find_jump(n, a, b, least)) {
+      put(a, n.at(a));
+      all.emplace_back();
+      put(b, n.at(b));
+    }
+    put(time(k), values[i]);
+  }
+  return all;
+}
+
+Stroke events(const Number& n, const Document& document, const Target& target, const FrameList& frames, Time last) {
+  Stroke all;
+  for (const Track* track : tracks_of(document.scene(), target))
+    track->events.each([&](const Event& e) {
+      if (e.time >= frames.first && e.time <= last) all.emplace_back(frames.rate.frame_number(e.time), n.at(e.time));
+    });
+  return all;
+}
+
+// The curves of a target; none where it is not made of numbers.
+std::vector<Curve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
+  const Document& document = program.document();
+  const Type type = spec_of(document.scene(), target.function).type;
+  const std::size_t count = numbers(program.read(target, frames.first)).size();
+  const bool angles = type == Type::angle || (type == Type::rotation && count == 3);
+  const double unit = angles ? degrees : 1;
+  std::vector<Curve> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Number n{&program, target, i, unit};
+    const std::string_view part = count == 4  ? std::string_view("wxyz").substr(i, 1)
+                                  : count > 1 ? component_name(type, static_cast<int>(i))
+                                              : "";
+    Target own = target;  // a component's events, where the components have tracks of their own
+    if (count > 1 && static_cast<int>(count) == component_count(type)) own.component = static_cast<int>(i);
+    all.push_back(
+        {document.name(target) + (part.empty() ? "" : fmt::format(".{}", part)) + (angles ? " (degrees)" : ""),
+         strokes(n, frames, last), events(n, document, own, frames, last)});
+  }
+  return all;
+}
+
+Status write_text(const std::string& path, const std::string& text) {
+  const std::string partial = fmt::format("{}.{}.partial", path, ::getpid());
+  std::FILE* file = std::fopen(partial.c_str(), "wb");
+  if (!file) return system_error(errno, "write", path);
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool closed = std::fclose(file) == 0;
+  const Status done =
+      written && closed ? put_in_place(partial, path, true) : Status(system_error(errno, "write", path));
+  if (!done) ::unlink(partial.c_str());
+  return done;
+}
+
+int plot(const Call& call) {
+  if (!call.out.ends_with(".svg"))
+    return complain(fail(Code::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
+  if (Status s = check_place(call.out, true); !s) return complain(s.error(), wrong_call);
+  const std::optional<Document> document = open_script(call.file);
+  if (!document) return wrong_input;
+  const Result<FrameList> frames = read_frames(call.frames, *document);
+  if (!frames) return complain(frames.error(), wrong_call);
+
+  const Program program = Program::compile(*document);
+  const Time last = frames->time(frames->count - 1);
+  Plot drawing{fmt::format("{}", fmt::join(call.targets, "  ")),
+               frames->rate.frame_number(frames->first),
+               frames->rate.frame_number(last),
+               frames->rate,
+               {}};
+  for (const std::string& word : call.targets) {
+    const Result<std::vector<Target>> targets = find_targets(word, *document);
+    if (!targets) return complain(targets.error(), wrong_call);
+    if (targets->empty()) fmt::print(stderr, "betwixt: nothing matches \"{}\"\n", word);
+    std::size_t before = drawing.curves.size();
+    for (const Target& t : *targets)
+      for (Curve& c : curves(program, t, *frames, last)) drawing.curves.push_back(std::move(c));
+    if (drawing.curves.size() == before && !targets->empty())
+      return complain(fail(Code::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word)),
+                      wrong_call);
+  }
+  if (drawing.curves.empty()) return complain(fail(Code::name, "there is nothing to plot"), wrong_call);
+  if (Status s = write_text(call.out, to_svg(drawing)); !s) return complain(s.error(), wrong_call);
+  return all_done;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, int& exit_code) {
+  const auto call = std::make_shared<Call>();
+  CLI::App* sub = app.add_subcommand("plot", "draws values against time, an SVG");
+  sub->add_option("FILE", call->file, "the script")->required();
+  sub->add_option("TARGET", call->targets, "what to draw: ball.position.y, 'wheel*.rotation'")->required();
+  sub->add_option("-o,--output", call->out, "the drawing")->required()->type_name("PLOT.svg");
+  sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
+  sub->footer("Example:\n  betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg");
+  sub->callback([call, &exit_code] { exit_code = plot(*call); });
+}
+
+}  // namespace betwixt
