@@ -22,10 +22,11 @@ need() {
 install_packages() {
   local admin=() log
   if [ "$(id -u)" != 0 ]; then
-    command -v sudo >/dev/null || die "these Debian packages are missing, and installing them takes root or sudo: $*"
+    command -v sudo >/dev/null ||
+      die "Debian packages are missing, and there is neither root nor sudo to install them. As root: apt-get install $*"
     admin=(sudo)
   fi
-  say "installing the Debian packages that building and running take${admin:+ (with sudo)}:"
+  say "installing Debian packages${admin:+ with sudo} (what each is for: tools/packages.txt, tools/test-packages.txt):"
   say "  $*"
   log=$(mktemp)
   local get=("${admin[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
