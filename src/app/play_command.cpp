@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 struct Call {
   std::string file, frames;
-  RenderOptions picture{960, 540};
+  RenderOptions picture{960, 540, 1};  // a character blends its pixels anyway
   bool terminal = false, loop = false;
 };
 
@@ -157,6 +157,7 @@ class Player {
     const bool passed = head_.playing() && k > heard_ && heard_ >= 0;
     const Time to = frames_.time(k), from = passed ? frames_.time(heard_) + Time{1} : to;
     heard_ = k;
+    if (!passed) note_.clear();
     for (const auto& [time, words] : document_.notes(from, to)) note_ = words, noted_ = Clock::now();
     if (since(noted_) > 3 && head_.playing()) note_.clear();
   }

@@ -97,12 +97,18 @@ std::string axes(const Plot& plot, const Paper& paper) {
   for (const double y : ys)
     s += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", left - 10, paper.y(y) + 4.5,
                      label(y));
-  for (const double x : xs) {
-    const double seconds = std::round(1000 * (x - 1) / plot.rate.per_second()) / 1000;
+  for (const double x : xs)
+    s += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}f</text>\n", paper.x(x),
+                     paper.bottom + 18, label(x));
+  s += "</g>\n<g font-size=\"11\" fill=\"#848b95\" stroke=\"none\">\n";
+  // Seconds have round numbers of their own, at ticks of their own.
+  const double rate = plot.rate.per_second();
+  for (const double t : ticks((paper.x0 - 1) / rate, (paper.x1 - 1) / rate, 8)) {
+    const double x = paper.x(1 + t * rate);
     s += fmt::format(
-        "<text x=\"{0:.1f}\" y=\"{1:.1f}\" text-anchor=\"middle\">{2}f</text>\n"
-        "<text x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"middle\" font-size=\"11\" fill=\"#848b95\">{4} s</text>\n",
-        paper.x(x), paper.bottom + 20, label(x), paper.bottom + 36, label(seconds));
+        "<path d=\"M{0:.1f} {1:.1f}v4\" stroke=\"#848b95\"/>\n"
+        "<text x=\"{0:.1f}\" y=\"{2:.1f}\" text-anchor=\"middle\">{3} s</text>\n",
+        x, paper.bottom + 24, paper.bottom + 39, label(t));
   }
   return s + "</g>\n";
 }
