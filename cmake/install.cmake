@@ -5,22 +5,22 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-add_library(betwixt)
-set_target_properties(betwixt PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
-target_compile_features(betwixt PUBLIC cxx_std_20)
-target_include_directories(betwixt PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+add_library(betwixt_library)
+set_target_properties(betwixt_library PROPERTIES OUTPUT_NAME betwixt EXPORT_NAME betwixt LINKER_LANGUAGE CXX
+                      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+target_compile_features(betwixt_library PUBLIC cxx_std_20)
+target_include_directories(betwixt_library PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 foreach(room IN LISTS BETWIXT_ROOMS)
-  target_sources(betwixt PRIVATE $<TARGET_OBJECTS:betwixt_${room}>)
+  target_sources(betwixt_library PRIVATE $<TARGET_OBJECTS:betwixt_${room}>)
   get_target_property(libraries betwixt_${room} LINK_LIBRARIES)
   list(FILTER libraries EXCLUDE REGEX "^betwixt_")
-  target_link_libraries(betwixt PRIVATE ${libraries})
+  target_link_libraries(betwixt_library PRIVATE ${libraries})
 endforeach()
-set_target_properties(betwixt PROPERTIES LINKER_LANGUAGE CXX)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/betwixt)
 write_basic_package_version_file(betwixtConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(TARGETS betwixt EXPORT betwixt)
+install(TARGETS betwixt_library EXPORT betwixt)
 install(EXPORT betwixt NAMESPACE betwixt:: FILE betwixtTargets.cmake DESTINATION ${package})
 install(FILES cmake/betwixtConfig.cmake cmake/dependencies.cmake ${CMAKE_BINARY_DIR}/betwixtConfigVersion.cmake
         DESTINATION ${package})
