@@ -61,7 +61,7 @@ Batches batches_of(std::span<const Thing* const> things, bool coarse) {
                      [](const Thing* a, const Thing* b) { return a->depth < b->depth; });
     const Thing& one = *g.members.front();
     r.batches.push_back(
-        {mesh_of(one), one.item->texture, one.mirrored, one.closed, r.instances.size(), g.members.size()});
+        {mesh_of(one), one.item->texture, one.mirrored, one.closed, one.ball, r.instances.size(), g.members.size()});
     for (const Thing* t : g.members) r.instances.push_back(instance_of(*t, coarse ? t->coarse_local : t->local));
   }
   return r;
@@ -72,7 +72,7 @@ Batches sorted_singles(std::span<const Thing* const> things) {
   std::stable_sort(order.begin(), order.end(), [](const Thing* a, const Thing* b) { return a->depth > b->depth; });
   Batches r;
   for (const Thing* t : order) {
-    r.batches.push_back({t->mesh, t->item->texture, t->mirrored, t->closed, r.instances.size(), 1});
+    r.batches.push_back({t->mesh, t->item->texture, t->mirrored, t->closed, t->ball, r.instances.size(), 1});
     r.instances.push_back(instance_of(*t, t->local));
   }
   return r;
@@ -103,6 +103,6 @@ void bind_instances(const gl::Buffer& buffer, std::size_t first) {
   }
 }
 
-void set_facing(bool mirrored) { glFrontFace(mirrored ? GL_CW : GL_CCW); }
+void set_facing(bool mirrored, bool upside_down) { glFrontFace(mirrored != upside_down ? GL_CW : GL_CCW); }
 
 }  // namespace betwixt

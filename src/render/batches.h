@@ -21,7 +21,7 @@ struct Instance {
 struct Batch {
   StoredMesh* mesh = nullptr;
   std::shared_ptr<const Picture> texture;  // the items' own
-  bool mirrored = false, closed = false;
+  bool mirrored = false, closed = false, ball = false;
   std::size_t first = 0, count = 0;  // instances
 };
 
@@ -39,7 +39,7 @@ Batches sorted_singles(std::span<const Thing* const>);
 void send_instances(const gl::Buffer& buffer, const std::vector<Instance>&);
 // Points the program's inputs at the first-th instance; the mesh's vertex array is bound.
 void bind_instances(const gl::Buffer&, std::size_t first);
-// Which way round triangles count as seen from outside.
-void set_facing(bool mirrored);
+// Which way round triangles are seen from outside; in pictures that are drawn upside down it is the other way.
+void set_facing(bool mirrored, bool upside_down);
 
 }  // namespace betwixt

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "render/view.h"
 
 namespace betwixt {
@@ -15,31 +13,18 @@ const char* const gradient_fragment = R"(
 in vec2 at;
 uniform vec3 top, bottom;
 out vec4 color;
-void main() { color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, at.y)), 0.0); }
+void main() { color = vec4(mix(top, bottom, smoothstep(0.0, 1.0, at.y)), 1.0); }
 )";
 
-// Rows come from the top, so the picture is turned over here, where it costs nothing.
-const char* const resolve_fragment = R"(
+const char* const average_fragment = R"(
 uniform sampler2D samples;
-uniform sampler2D occlusion;
-uniform int height;
-in vec2 at;
 out vec4 color;
-vec3 encoded(vec3 c) {
-  c = clamp(c, 0.0, 1.0);
-  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
-}
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  pixel.y = height - 1 - pixel.y;
+  ivec2 corner = SIDE * ivec2(gl_FragCoord.xy);
   vec4 sum = vec4(0.0);
   for (int y = 0; y < SIDE; ++y)
-    for (int x = 0; x < SIDE; ++x) sum += texelFetch(samples, SIDE * pixel + ivec2(x, y), 0);
-  sum *= 1.0 / float(SIDE * SIDE);
-#ifdef OCCLUSION
-  sum.rgb *= 1.0 - sum.a * (1.0 - texture(occlusion, vec2(at.x, 1.0 - at.y)).r);
-#endif
-  color = vec4(encoded(sum.rgb), 1.0);
+    for (int x = 0; x < SIDE; ++x) sum += texelFetch(samples, corner + ivec2(x, y), 0);
+  color = sum / float(SIDE * SIDE);
 }
 )";
 
@@ -52,29 +37,38 @@ void set_color(GLint where, Vec3 c) {
 Result<Canvas> Canvas::create(const RenderOptions& options) {
   Canvas c;
   c.width_ = options.width, c.height_ = options.height;
-  while ((c.side_ + 1) * (c.side_ + 1) <= options.samples) ++c.side_;
-  auto samples = gl::new_target(GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24, c.width_ * c.side_, c.height_ * c.side_);
-  if (!samples) return samples.error();
-  auto pixels = gl::new_target(GL_RGBA8, 0, c.width_, c.height_);
-  if (!pixels) return pixels.error();
+  const bool multisampled = options.samples == 4 || options.samples == 16;
+  c.side_ = options.samples == 9 ? 3 : options.samples == 16 ? 2 : 1;
+  const int width = c.width_ * c.side_, height = c.height_ * c.side_;
+  if (multisampled) {
+    auto corners = gl::new_multisampled(GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24, 4, width, height);
+    if (!corners) return corners.error();
+    c.corners_ = *std::move(corners);
+  }
+  auto large = gl::new_target(GL_SRGB8_ALPHA8, multisampled ? 0 : GL_DEPTH_COMPONENT24, width, height);
+  if (!large) return large.error();
+  c.large_ = *std::move(large);
   auto gradient = gl::new_program(gl::fill_vertex, gradient_fragment);
   if (!gradient) return gradient.error();
-  auto resolve = gl::new_program(gl::fill_vertex, resolve_fragment, fmt::format("#define SIDE {}", c.side_));
-  if (!resolve) return resolve.error();
-  c.samples_ = *std::move(samples), c.pixels_ = *std::move(pixels);
-  c.gradient_ = *std::move(gradient), c.resolve_ = *std::move(resolve);
+  c.gradient_ = *std::move(gradient);
   c.gradient_top_ = gl::uniform(c.gradient_, "top"), c.gradient_bottom_ = gl::uniform(c.gradient_, "bottom");
-  gl::set_samplers(c.resolve_, {{"samples", 0}, {"occlusion", 1}});
-  glUniform1i(gl::uniform(c.resolve_, "height"), c.height_);
+  if (c.side_ == 1) return c;
+  auto pixels = gl::new_target(GL_SRGB8_ALPHA8, 0, c.width_, c.height_);
+  if (!pixels) return pixels.error();
+  c.pixels_ = *std::move(pixels);
+  auto average = gl::new_program(gl::fill_vertex, average_fragment, fmt::format("#define SIDE {}", c.side_));
+  if (!average) return average.error();
+  c.average_ = *std::move(average);
+  gl::set_samplers(c.average_, {{"samples", 0}});
   return c;
 }
 
 void Canvas::begin(const std::optional<Vec3>& background) const {
-  samples_.bind();
+  large_.bind();
+  if (corners_.framebuffer.id() != 0) glBindFramebuffer(GL_FRAMEBUFFER, corners_.framebuffer.id());
   const Vec3 c = background && finite(*background) ? *background : Vec3{};
-  glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 0);
+  glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1);
   glDepthMask(GL_TRUE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
@@ -92,17 +86,27 @@ void Canvas::draw_behind(const std::optional<Vec3>& background, const Gradient& 
   glDepthMask(GL_TRUE);
 }
 
-void Canvas::finish(GLuint occlusion, Picture& out) const {
-  pixels_.bind();
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glUseProgram(resolve_.id());
-  gl::use_texture(1, occlusion);
-  gl::use_texture(0, samples_.color.id());
-  gl::fill();
+void Canvas::finish(Picture& out) const {
+  const gl::Target* last = &large_;
+  if (corners_.framebuffer.id() != 0) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, corners_.framebuffer.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, large_.framebuffer.id());
+    glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+  }
+  if (side_ > 1) {
+    last = &pixels_;
+    pixels_.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glUseProgram(average_.id());
+    gl::use_texture(0, large_.color.id());
+    gl::fill();
+  }
   out.width = width_, out.height = height_;
   out.rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
+  glBindFramebuffer(GL_FRAMEBUFFER, last->framebuffer.id());
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.rgba.data());
 }
 

@@ -21,20 +21,21 @@ class Canvas {
   static Result<Canvas> create(const RenderOptions&);
   int width() const { return width_; }
   int height() const { return height_; }
-  int side() const { return side_; }  // samples along one side of a pixel
-  const gl::Target& samples() const { return samples_; }
+  int side() const { return side_; }  // how many times as many pixels are drawn along a side
 
   // Clears colour and depth; a plain background is there from now on.
   void begin(const std::optional<Vec3>& background) const;
   // Fills what is still empty with the gradient, where the frame has no background of its own.
   void draw_behind(const std::optional<Vec3>& background, const Gradient&) const;
-  // Averages the samples in linear light, encodes and reads them. `occlusion`: a texture that darkens, or 0.
-  void finish(GLuint occlusion, Picture& out) const;
+  // Averages the samples in linear light and reads the picture.
+  void finish(Picture& out) const;
 
  private:
   int width_ = 0, height_ = 0, side_ = 0;
-  gl::Target samples_, pixels_;
-  gl::Program gradient_, resolve_;
+  gl::Multisampled corners_;  // four samples a pixel of `large_`; not there for plain supersampling
+  gl::Target large_;          // `side_` times the picture's size
+  gl::Target pixels_;         // the picture's size; not there where `large_` is that
+  gl::Program gradient_, average_;
   GLint gradient_top_ = 0, gradient_bottom_ = 0;
 };
 

@@ -41,6 +41,15 @@ Result<GLuint> compile(GLenum stage, std::string_view source, std::string_view d
   return fail(Code::machine, fmt::format("the graphics driver cannot compile a shader: {}", log), packages);
 }
 
+bool framebuffer_good() {
+  return glGetError() == GL_NO_ERROR && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+Error cannot_draw(int width, int height) {
+  return fail(Code::machine, fmt::format("the graphics driver cannot draw {}x{} pixels", width, height),
+              "try a smaller size or fewer samples");
+}
+
 }  // namespace
 
 Result<Context> Context::create() {
@@ -83,6 +92,7 @@ Current::~Current() {
 
 void free_buffer(GLuint id) { glDeleteBuffers(1, &id); }
 void free_texture(GLuint id) { glDeleteTextures(1, &id); }
+void free_renderbuffer(GLuint id) { glDeleteRenderbuffers(1, &id); }
 void free_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 void free_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 void free_program(GLuint id) { glDeleteProgram(id); }
@@ -131,10 +141,28 @@ Result<Target> new_target(GLenum color_format, GLenum depth_format, int width, i
     t.depth = new_texture(depth_format, width, height, GL_NEAREST);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, t.depth.id(), 0);
   }
-  if (glGetError() != GL_NO_ERROR || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    return fail(Code::machine, fmt::format("the graphics driver cannot draw {}x{} pixels", width, height),
-                "try a smaller size or fewer samples");
+  if (!framebuffer_good()) return cannot_draw(width, height);
   return t;
+}
+
+Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, int samples, int width, int height) {
+  Multisampled m;
+  GLuint id = 0;
+  glGenFramebuffers(1, &id);
+  m.framebuffer = Framebuffer(id);
+  glBindFramebuffer(GL_FRAMEBUFFER, id);
+  const auto attach = [&](GLenum format, GLenum attachment) {
+    GLuint buffer = 0;
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    return Renderbuffer(buffer);
+  };
+  m.color = attach(color_format, GL_COLOR_ATTACHMENT0);
+  m.depth = attach(depth_format, GL_DEPTH_ATTACHMENT);
+  if (!framebuffer_good()) return cannot_draw(width, height);
+  return m;
 }
 
 Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines) {

@@ -67,11 +67,13 @@ class Handle {
 };
 void free_buffer(GLuint);
 void free_texture(GLuint);
+void free_renderbuffer(GLuint);
 void free_framebuffer(GLuint);
 void free_vertex_array(GLuint);
 void free_program(GLuint);
 using Buffer = Handle<free_buffer>;
 using Texture = Handle<free_texture>;
+using Renderbuffer = Handle<free_renderbuffer>;
 using Framebuffer = Handle<free_framebuffer>;
 using VertexArray = Handle<free_vertex_array>;
 using Program = Handle<free_program>;
@@ -89,6 +91,12 @@ struct Target {
   void bind() const;  // and set the viewport to all of it
 };
 Result<Target> new_target(GLenum color_format, GLenum depth_format, int width, int height);  // errors: machine
+// The same with several samples a pixel; what is drawn is copied to a Target to be read.
+struct Multisampled {
+  Renderbuffer color, depth;
+  Framebuffer framebuffer;
+};
+Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, int samples, int width, int height);
 
 // Compiles and links; `defines` go to the head of both stages. Errors: machine (with the compiler's words).
 Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines = {});

@@ -21,7 +21,7 @@ class Shaded final : public Module {
     bool good = false;
     View view = make_view(frame.camera, canvas_.width(), canvas_.height(), good);
     std::vector<Thing> things;
-    if (good) things = gather(frame, view, store_);
+    if (good) things = gather(frame, view, store_, true);
     std::vector<const Thing*> solid, glass, casters;
     for (const Thing& t : things) {
       if (t.visible) (t.transparent ? glass : solid).push_back(&t);
@@ -35,7 +35,7 @@ class Shaded final : public Module {
     surfaces_.draw_opaque(solid, store_);
     canvas_.draw_behind(frame.background, gradient);
     surfaces_.draw_transparent(glass, store_);
-    canvas_.finish(0, out);
+    canvas_.finish(out);
     return Nothing{};
   }
 
@@ -51,7 +51,7 @@ class Shaded final : public Module {
 Result<std::unique_ptr<Module>> make_shaded(const RenderOptions& options) {
   auto canvas = Canvas::create(options);
   if (!canvas) return canvas.error();
-  auto surfaces = Surfaces::create(canvas->side());
+  auto surfaces = Surfaces::create();
   if (!surfaces) return surfaces.error();
   auto shadow = Shadow::create();
   if (!shadow) return shadow.error();

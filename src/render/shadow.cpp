@@ -4,19 +4,29 @@
 
 #include <algorithm>
 
+#include "render/balls.h"
+
 namespace betwixt {
 namespace {
 
-constexpr int map_size = 1024;
-
-const char* const vertex = R"(
+const char* const inputs = R"(
 layout(location = 0) in vec3 position;
 layout(location = 3) in vec4 row_x;
 layout(location = 4) in vec4 row_y;
 layout(location = 5) in vec4 row_z;
+layout(location = 6) in vec3 normal_x;
+layout(location = 7) in vec3 normal_y;
+layout(location = 8) in vec3 normal_z;
 uniform mat4 clip;
+uniform vec4 light;
+)";
+const char* const vertex = R"(
 void main() {
   vec4 p = vec4(position, 1.0);
+#ifdef BALL
+  vec4 e;
+  p.xyz = outline(position.xy, light, e);
+#endif
   gl_Position = clip * vec4(dot(row_x, p), dot(row_y, p), dot(row_z, p), 1.0);
 }
 )";
@@ -64,11 +74,14 @@ Result<Shadow> Shadow::create() {
   Shadow s;
   auto target = gl::new_target(0, GL_DEPTH_COMPONENT24, map_size, map_size);
   if (!target) return target.error();
-  auto program = gl::new_program(vertex, fragment);
-  if (!program) return program.error();
-  s.target_ = *std::move(target), s.program_ = *std::move(program);
+  const std::string source = std::string(inputs) + ball_outline + vertex;
+  for (auto* to : {&s.meshes_, &s.balls_}) {
+    auto program = gl::new_program(source, fragment, to == &s.balls_ ? "#define BALL" : "");
+    if (!program) return program.error();
+    *to = *std::move(program);
+  }
+  s.target_ = *std::move(target);
   s.instances_ = gl::new_buffer();
-  s.clip_at_ = gl::uniform(s.program_, "clip");
   glBindTexture(GL_TEXTURE_2D, s.target_.depth.id());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
@@ -115,8 +128,13 @@ void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One&
   }
   const Batches batches = batches_of(casters, true);
   send_instances(instances_, batches.instances);
-  glUseProgram(program_.id());
-  glUniformMatrix4fv(clip_at_, 1, GL_FALSE, to_float(clip_).data());
+  for (const auto* program : {&meshes_, &balls_}) {
+    glUseProgram(program->id());
+    glUniformMatrix4fv(gl::uniform(*program, "clip"), 1, GL_FALSE, to_float(clip_).data());
+    const Vec3 p = light.place;
+    glUniform4f(gl::uniform(*program, "light"), static_cast<float>(p.x), static_cast<float>(p.y),
+                static_cast<float>(p.z), light.sun ? 0 : 1);
+  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
@@ -125,12 +143,13 @@ void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One&
   for (const Batch& b : batches.batches) {
     if (b.mesh->parts.empty()) continue;
     // Closed things cast by their far side: what faces the light is then never in its own shadow.
-    if (b.closed)
+    glUseProgram(b.ball ? balls_.id() : meshes_.id());
+    if (b.closed && !b.ball)
       glEnable(GL_CULL_FACE);
     else
       glDisable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
-    set_facing(b.mirrored);
+    set_facing(b.mirrored, false);
     glBindVertexArray(b.mesh->triangles.id());
     bind_instances(instances_, b.first);
     for (const MeshPart& p : b.mesh->parts)

@@ -11,6 +11,7 @@ namespace betwixt {
 
 class Shadow {
  public:
+  static constexpr int map_size = 1024;
   static Result<Shadow> create();
   // Draws the map of what `casters` keep from `light`.
   void draw(const std::vector<const Thing*>& casters, const Lighting::One& light);
@@ -21,9 +22,8 @@ class Shadow {
 
  private:
   gl::Target target_;
-  gl::Program program_;
+  gl::Program meshes_, balls_;
   gl::Buffer instances_;
-  GLint clip_at_ = 0;
   Mat4 clip_;
   double texel_ = 0;
   bool perspective_ = false;

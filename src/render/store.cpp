@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <span>
 
+#include "betwixt/math.h"
+
 namespace betwixt {
 namespace {
 
@@ -53,6 +55,20 @@ std::vector<MeshPart> parts_of(const Mesh& mesh) {
     if (p.count > 0) parts.push_back(p);
   }
   return parts;
+}
+
+// Cut into a ring of triangles and what is left inside, again and again: they come out broad, which fills faster than a
+// fan.
+Mesh regular_polygon(std::uint32_t corners) {
+  Mesh m;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double angle = 2 * pi * i / corners;
+    m.positions.push_back({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0});
+  }
+  for (std::uint32_t step = 1; 2 * step < corners; step *= 2)
+    for (std::uint32_t i = 0; i < corners; i += 2 * step)
+      m.triangles.insert(m.triangles.end(), {i, i + step, (i + 2 * step) % corners});
+  return m;
 }
 
 // Graphics memory takes pictures up to a size; larger ones lose every other row and column until they fit.
@@ -123,6 +139,12 @@ StoredMesh& Store::mesh(const std::shared_ptr<const Mesh>& mesh) {
   floats_at(at_normal, 3, 8, 3);
   floats_at(at_uv, 2, 8, 6);
   return m;
+}
+
+StoredMesh& Store::disc(int detail) {
+  auto& mesh = discs_[detail];
+  if (mesh == nullptr) mesh = std::make_shared<const Mesh>(regular_polygon(16U << detail));
+  return this->mesh(mesh);
 }
 
 void Store::need_edges(StoredMesh& m) {

@@ -46,6 +46,8 @@ class Store {
   void next_frame();  // forgets what was not used for a while
   StoredMesh& mesh(const std::shared_ptr<const Mesh>&);
   const StoredTexture& texture(const std::shared_ptr<const Picture>&);
+  // A regular polygon on the unit circle: what balls are drawn with (see balls.h). `detail` 0 to 2.
+  StoredMesh& disc(int detail);
   // Sends what draws the edges as broad lines: four corners an edge, each knowing both ends.
   void need_edges(StoredMesh&);
 
@@ -54,6 +56,7 @@ class Store {
   std::unordered_map<const Picture*, StoredTexture> textures_;
   std::uint64_t frame_ = 0;
   StoredMesh* latest_ = nullptr;
+  std::shared_ptr<const Mesh> discs_[3];
 };
 
 }  // namespace betwixt

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 
+#include "render/balls.h"
+
 namespace betwixt {
 namespace {
 
-const char* const vertex = R"(
+const char* const inputs = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
@@ -21,40 +23,46 @@ layout(location = 7) in vec3 normal_y;
 layout(location = 8) in vec3 normal_z;
 layout(location = 9) in vec4 color;
 layout(location = 10) in vec2 look;
+)";
+
+const char* const vertex = R"(
 uniform mat4 clip;
-uniform mat4 shadow_clip;
-uniform vec4 shadow_texel;  // metres across, the same per metre of distance; half of the map
-out vec3 at, facing;
-#ifdef TEXTURED
+uniform vec4 toward_eye;  // a direction and 0 (orthographic), or the origin and 1
+#if defined(TEXTURED)
 out vec2 place;
+#elif defined(BALL)
+out vec3 disc;         // the same as `at` in mesh space
+flat out vec4 e;       // the eye in mesh space
+flat out vec3 move, turn;  // what e is to positions and normals
 #endif
-out vec4 in_light;
+out vec3 at, facing;
 flat out vec4 paint;
 flat out vec2 gloss;
+vec3 normal_of(vec3 n) { return normal_x * n.x + normal_y * n.y + normal_z * n.z; }
 void main() {
   vec4 p = vec4(position, 1.0);
-  at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
-  facing = normal_x * normal.x + normal_y * normal.y + normal_z * normal.z;
-#ifdef TEXTURED
+  facing = normal_of(normal);
+#if defined(TEXTURED)
   place = uv;
+#elif defined(BALL)
+  p.xyz = outline(position.xy, toward_eye, e);
+  disc = p.xyz;
+  facing = normal_of(disc);
+  turn = normal_of(e.xyz);
+  move = (1.0 - e.w) * toward_eye.xyz;
 #endif
+  at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
   paint = color;
   gloss = look;
   gl_Position = clip * vec4(at, 1.0);
-  // Looked up a little above the surface, against shadows of itself.
-  float distance_to_light = (shadow_clip * vec4(at, 1.0)).w;
-  vec3 outward = facing * inversesqrt(max(dot(facing, facing), 1e-30));
-  float lift = shadow_texel.x + shadow_texel.y * distance_to_light;
-  in_light = shadow_clip * vec4(at + lift * outward, 1.0);
 }
 )";
 
 const char* const fragment = R"(
 in vec3 at, facing;
-in vec4 in_light;
 flat in vec4 paint;
 flat in vec2 gloss;
-uniform vec4 toward_eye;  // a direction (orthographic), or nothing and 1
+uniform vec4 toward_eye;
 uniform vec3 part_color;
 uniform int lights;
 uniform vec4 light_place[16];  // a position and 1, or a direction and 0
@@ -62,31 +70,32 @@ uniform vec4 light_color[16];  // and 1 / range², 0 for suns
 uniform vec3 sky, ground;
 uniform sampler2DShadow shadow;
 uniform float shadow_step;  // between look-ups, in the map's measure
-#ifdef TEXTURED
+uniform mat4 shadow_clip;
+uniform vec2 shadow_texel;  // metres across, or the same per metre of distance
+#if defined(TEXTURED)
 in vec2 place;
 uniform sampler2D picture;
+#elif defined(BALL)
+in vec3 disc;
+flat in vec4 e;
+flat in vec3 move, turn;
+uniform vec4 depth_row, w_row;  // of the clip matrix
 #endif
 out vec4 color;
 
-float lit() {
+// How much of the first light reaches p, a point on a surface towards n. Looked up a little above it, against shadows of itself.
+float lit(vec3 spot, vec3 n) {
+  float distance_to_light = dot(vec4(shadow_clip[0].w, shadow_clip[1].w, shadow_clip[2].w, shadow_clip[3].w), vec4(spot, 1.0));
+  vec4 in_light = shadow_clip * vec4(spot + (shadow_texel.x + shadow_texel.y * distance_to_light) * n, 1.0);
   vec3 p = in_light.xyz / in_light.w * 0.5 + 0.5;
   p.z = min(p.z, 1.0);
-  // Neighbouring samples look at different places, which together make a soft edge.
-  vec2 start = (mod(floor(gl_FragCoord.xy), 2.0) - 1.5) * shadow_step;
   float sum = 0.0;
-#if SIDE == 1
-  start = vec2(-1.5) * shadow_step;
-  for (int y = 0; y < 4; ++y)
-    for (int x = 0; x < 4; ++x) sum += textureLod(shadow, vec3(p.xy + start + vec2(x, y) * shadow_step, p.z), 0.0);
-  sum *= 1.0 / 16.0;
-#else
-  float two = 2.0 * shadow_step;
-  sum += textureLod(shadow, vec3(p.xy + start, p.z), 0.0);
-  sum += textureLod(shadow, vec3(p.xy + start + vec2(two, 0.0), p.z), 0.0);
-  sum += textureLod(shadow, vec3(p.xy + start + vec2(0.0, two), p.z), 0.0);
-  sum += textureLod(shadow, vec3(p.xy + start + vec2(two, two), p.z), 0.0);
-  sum *= 0.25;
-#endif
+  for (int y = 0; y < TAPS; ++y)
+    for (int x = 0; x < TAPS; ++x) {
+      vec2 off = (vec2(x, y) - 0.5 * float(TAPS - 1)) * shadow_step;
+      sum += textureLod(shadow, vec3(p.xy + off, p.z), 0.0);
+    }
+  sum *= 1.0 / float(TAPS * TAPS);
   // Fades out towards the border of the map, and behind the light.
   vec2 border = clamp((1.0 - abs(2.0 * p.xy - 1.0)) * 16.0, 0.0, 1.0);
   return in_light.w > 0.0 ? mix(1.0, sum, border.x * border.y) : 1.0;
@@ -99,7 +108,7 @@ vec3 surroundings(float up, float blur) {
 
 void main() {
   vec4 base = paint * vec4(part_color, 1.0);
-#ifdef TEXTURED
+#if defined(TEXTURED)
   base *= texture(picture, place);
 #endif
   float metal = gloss.y == 2.0 ? 1.0 : 0.0;
@@ -109,21 +118,37 @@ void main() {
   float a = roughness * roughness, a2 = a * a;
   vec3 f0 = mix(vec3(0.045 * min(1.0, 0.25 + shine)), base.rgb, metal) * glossy;
 
-  vec3 n = facing * inversesqrt(max(dot(facing, facing), 1e-30));
+  vec3 spot = at, across = facing;
+#if defined(BALL)
+  // From the disc along the line of sight to the sphere.
+  vec3 along = disc * e.w - e.xyz;
+  float stretch = inversesqrt(max(dot(along, along), 1e-30));
+  along *= stretch;
+  float b = dot(disc, along);
+  float go = -b - sqrt(max(b * b - dot(disc, disc) + 1.0, 0.0));
+  spot += go * stretch * (at * e.w - move);
+  across += go * stretch * (facing * e.w - turn);
+  vec4 there = vec4(spot, 1.0);
+  gl_FragDepth = 0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5;
+#endif
+  vec3 n = across * inversesqrt(max(dot(across, across), 1e-30));
+#ifndef BALL
   if (!gl_FrontFacing) n = -n;
-  vec3 v = toward_eye.xyz - toward_eye.w * at;
+#endif
+  vec3 v = toward_eye.xyz - toward_eye.w * spot;
   v *= inversesqrt(max(dot(v, v), 1e-30));
   float nv = dot(n, v);
 
   vec3 diffuse = vec3(0.0), specular = vec3(0.0);
+  float unshadowed = lit(spot, n);
   for (int i = 0; i < lights; ++i) {
-    vec3 to = light_place[i].xyz - light_place[i].w * at;
+    vec3 to = light_place[i].xyz - light_place[i].w * spot;
     float d2 = max(dot(to, to), 1e-30);
     vec3 l = to * inversesqrt(d2);
     float nl = max(dot(n, l), 0.0);
     float window = max(1.0 - d2 * light_color[i].w, 0.0);
     float strength = nl * window * window;
-    if (i == 0) strength *= lit();
+    strength *= i == 0 ? unshadowed : 1.0;
     vec3 arriving = light_color[i].rgb * strength;
     diffuse += arriving;
     vec3 h = l + v;
@@ -145,11 +170,8 @@ void main() {
   // A soft shoulder for what is over-bright.
   vec3 over = max(sum - 0.9, 0.0) * 10.0;
   sum = min(sum, 0.9) + 0.1 * over / (1.0 + over);
-  float weight = 0.6;
   bool glows = gloss.y == 3.0;
   color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
-#ifdef OPAQUE_WEIGHT
-#endif
 }
 )";
 
@@ -157,16 +179,19 @@ std::array<float, 4> four(Vec3 v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
 
+// Look-ups along a side, and how many texels lie between them: each blends four texels, so no step can be seen.
+constexpr int shadow_taps = 2;
+constexpr float shadow_step = 2;
 constexpr int shadow_unit = 1, picture_unit = 0;
 
 }  // namespace
 
-Result<Surfaces> Surfaces::create(int samples_side) {
+Result<Surfaces> Surfaces::create() {
   Surfaces s;
-  for (Look* look : {&s.plain_, &s.textured_}) {
-    auto program = gl::new_program(
-        vertex, fragment,
-        fmt::format("#define SIDE {}\n{}", samples_side, look == &s.textured_ ? "#define TEXTURED" : ""));
+  const std::string source = std::string(inputs) + ball_outline + vertex;
+  for (auto& [look, variant] :
+       {std::pair{&s.plain_, ""}, {&s.textured_, "#define TEXTURED"}, {&s.balls_, "#define BALL"}}) {
+    auto program = gl::new_program(source, fragment, fmt::format("#define TAPS {}\n{}", shadow_taps, variant));
     if (!program) return program.error();
     look->program = *std::move(program);
     look->part_color = gl::uniform(look->program, "part_color");
@@ -180,6 +205,9 @@ void Surfaces::set_program(const Look& look, const View& view, const Lighting& l
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   glUseProgram(look.program.id());
   glUniformMatrix4fv(at("clip"), 1, GL_FALSE, to_float(view.clip()).data());
+  const Mat4 c = view.clip();
+  glUniform4fv(at("depth_row"), 1, four({c(2, 0), c(2, 1), c(2, 2)}, c(2, 3)).data());
+  glUniform4fv(at("w_row"), 1, four({c(3, 0), c(3, 1), c(3, 2)}, c(3, 3)).data());
   const auto eye = view.orthographic ? four(view.backward, 0) : four({}, 1);
   glUniform4fv(at("toward_eye"), 1, eye.data());
   std::array<std::array<float, 4>, Lighting::most> places{}, colors{};
@@ -196,12 +224,12 @@ void Surfaces::set_program(const Look& look, const View& view, const Lighting& l
   if (shadow == nullptr) return;
   glUniformMatrix4fv(at("shadow_clip"), 1, GL_FALSE, to_float(shadow->clip()).data());
   const auto texel = static_cast<float>(2 * shadow->texel());
-  glUniform4f(at("shadow_texel"), shadow->perspective() ? 0 : texel, shadow->perspective() ? texel : 0, 0, 0);
-  glUniform1f(at("shadow_step"), 1.25F / 1024);
+  glUniform2f(at("shadow_texel"), shadow->perspective() ? 0 : texel, shadow->perspective() ? texel : 0);
+  glUniform1f(at("shadow_step"), shadow_step / Shadow::map_size);
 }
 
 void Surfaces::set(const View& view, const Lighting& lighting, const Shadow* shadow) {
-  for (const Look* look : {&textured_, &plain_}) set_program(*look, view, lighting, shadow);
+  for (const Look* look : {&textured_, &balls_, &plain_}) set_program(*look, view, lighting, shadow);
   if (shadow != nullptr) gl::use_texture(shadow_unit, shadow->map());
 }
 
@@ -209,7 +237,7 @@ void Surfaces::draw_parts(const Batch& batch, Store& store) {
   for (const MeshPart& part : batch.mesh->parts) {
     const auto& picture = batch.texture != nullptr ? batch.texture : part.texture;
     const GLuint texture = picture != nullptr ? store.texture(picture).texture.id() : 0;
-    const Look& look = texture != 0 ? textured_ : plain_;
+    const Look& look = batch.ball ? balls_ : texture != 0 ? textured_ : plain_;
     if (texture != 0) gl::use_texture(picture_unit, texture);
     glUseProgram(look.program.id());
     glUniform3fv(look.part_color, 1, part.color.data());
@@ -228,11 +256,11 @@ void Surfaces::draw_opaque(const std::vector<const Thing*>& things, Store& store
   glDisable(GL_BLEND);
   for (const Batch& b : batches.batches) {
     if (b.mesh->parts.empty()) continue;
-    if (b.closed)
+    if (b.closed && !b.ball)
       glEnable(GL_CULL_FACE);
     else
       glDisable(GL_CULL_FACE);
-    set_facing(b.mirrored);
+    set_facing(b.mirrored, true);
     glBindVertexArray(b.mesh->triangles.id());
     bind_instances(instances_, b.first);
     draw_parts(b, store);
@@ -249,7 +277,7 @@ void Surfaces::draw_transparent(const std::vector<const Thing*>& things, Store& 
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   for (const Batch& b : batches.batches) {
     if (b.mesh->parts.empty()) continue;
-    set_facing(b.mirrored);
+    set_facing(b.mirrored, true);
     glBindVertexArray(b.mesh->triangles.id());
     bind_instances(instances_, b.first);
     if (b.closed) {

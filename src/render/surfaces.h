@@ -12,7 +12,7 @@ namespace betwixt {
 
 class Surfaces {
  public:
-  static Result<Surfaces> create(int samples_side);
+  static Result<Surfaces> create();
   // Settings of a frame, for both calls below. `shadow`: of the first light, or null.
   void set(const View&, const Lighting&, const Shadow* shadow);
   void draw_opaque(const std::vector<const Thing*>&, Store&);
@@ -25,7 +25,7 @@ class Surfaces {
   };
   void draw_parts(const Batch&, Store&);
   void set_program(const Look&, const View&, const Lighting&, const Shadow*) const;
-  Look plain_, textured_;
+  Look plain_, textured_, balls_;
   gl::Buffer instances_;
 };
 

@@ -46,9 +46,25 @@ bool has_holes(const Item& item, const StoredMesh& mesh, Store& store) {
                      [&](const MeshPart& p) { return p.texture != nullptr && store.texture(p.texture).see_through; });
 }
 
+// Whether balls.h can draw it: a plain solid sphere, not flat, well before the eye.
+bool is_ball(const Thing& t, const View& view, double determinant) {
+  const Item& item = *t.item;
+  const double size = t.bounds.radius();
+  return item.shape->kind == Kind::sphere && item.blend == 0 && item.texture == nullptr && !t.transparent &&
+         std::abs(determinant) > 1e-4 * size * size * size && (view.orthographic || t.depth > 2 * size || !t.visible);
+}
+
+void make_ball(Thing& t, const Mat4& world, double pixels, Store& store) {
+  const double r = t.item->shape->radius;
+  t.ball = true;
+  t.local = t.coarse_local = world * scaling({r, r, r});
+  t.coarse = &store.disc(0);
+  t.mesh = &store.disc(pixels < 40 ? 0 : pixels < 300 ? 1 : 2);
+}
+
 }  // namespace
 
-std::vector<Thing> gather(const Frame& frame, View& view, Store& store) {
+std::vector<Thing> gather(const Frame& frame, View& view, Store& store, bool balls) {
   std::vector<Thing> things;
   things.reserve(frame.items.size());
   double nearest = largest, farthest = 0;
@@ -66,19 +82,22 @@ std::vector<Thing> gather(const Frame& frame, View& view, Store& store) {
     if (!(t.bounds.radius() > 0 && t.bounds.radius() < largest && length(t.bounds.center) < largest)) continue;
     t.depth = view.depth(t.bounds.center);
     t.visible = view.sees(t.bounds);
-    if (t.visible) {
-      nearest = std::min(nearest, t.depth - view.reach(t.bounds));
-      farthest = std::max(farthest, t.depth + view.reach(t.bounds));
-      if (const double across = view.pixels(t.bounds); across >= coarse_below) {
-        const Geometry better = geometry_of(item, across < fine_above ? 1 : 2);
-        t.mesh = &store.mesh(better.mesh);
-        t.local = world * better.local;
-      }
-    }
     const double d = determinant(t.local);
     t.mirrored = d < 0;
     t.closed = t.mesh->mesh->closed && d != 0;
     t.transparent = item.transparency > 0 || has_holes(item, *t.mesh, store);
+    const double pixels = view.pixels(t.bounds);
+    if (balls && is_ball(t, view, determinant(world) * std::pow(item.shape->radius, 3))) {
+      make_ball(t, world, pixels, store);
+    } else if (t.visible && pixels >= coarse_below) {
+      const Geometry better = geometry_of(item, pixels < fine_above ? 1 : 2);
+      t.mesh = &store.mesh(better.mesh);
+      t.local = world * better.local;
+    }
+    if (t.visible) {
+      nearest = std::min(nearest, t.depth - view.reach(t.bounds));
+      farthest = std::max(farthest, t.depth + view.reach(t.bounds));
+    }
     things.push_back(t);
   }
   view.fit(nearest, farthest);

@@ -22,9 +22,10 @@ struct Thing {
   bool transparent = false;
   bool mirrored = false;  // the matrix turns triangles inside out
   bool closed = false;    // its back faces are never seen
+  bool ball = false;      // drawn as in balls.h; the meshes are discs
 };
 
-// Fits the view's depths to what is visible. Things come in the items' order.
-std::vector<Thing> gather(const Frame&, View&, Store&);
+// Fits the view's depths to what is visible. Things come in the items' order. `balls`: spheres may come as balls.
+std::vector<Thing> gather(const Frame&, View&, Store&, bool balls);
 
 }  // namespace betwixt

@@ -67,7 +67,7 @@ Mat4 View::clip() const {
   Mat4 turn;
   for (int c = 0; c < 3; ++c) turn(0, c) = right[c], turn(1, c) = up[c], turn(2, c) = backward[c];
   Mat4 p;
-  p(0, 0) = sx, p(1, 1) = sy;
+  p(0, 0) = sx, p(1, 1) = -sy;
   if (orthographic) {
     p(2, 2) = -2 / (far - near), p(2, 3) = -(far + near) / (far - near);
   } else {

@@ -33,7 +33,7 @@ struct View {
   bool sees(const Bounds&) const;      // perhaps: never false for what is in the picture
   double pixels(const Bounds&) const;  // across, on the picture; roughly
   void fit(double nearest, double farthest);
-  Mat4 clip() const;  // eye space to clip space
+  Mat4 clip() const;  // eye space to clip space, upside down (see Canvas)
 };
 
 // Whether the camera's numbers can be used goes to `good`.
