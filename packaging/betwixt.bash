@@ -18,11 +18,11 @@ _betwixt() {
   esac
   if [ -z "$words" ] && [[ $current == -* ]]; then
     case $command in
-      render) words='-o --output --frames --size --style --samples --jobs --stats' ;;
-      frame) words='-o --output --at --size --style --samples' ;;
-      play) words='--terminal --size --style --samples' ;;
+      render) words='-o --output --frames --size --style --samples --jobs --no-overwrite --stats' ;;
+      frame) words='-o --output --at --size --style --samples --no-overwrite' ;;
+      play) words='--terminal --frames --loop --size --style --samples' ;;
       eval) words='--at --json' ;;
-      plot) words='-o --output' ;;
+      plot) words='-o --output --frames' ;;
       tidy) words='--write' ;;
     esac
     words+=' --help'
