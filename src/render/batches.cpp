@@ -105,4 +105,16 @@ void bind_instances(const gl::Buffer& buffer, std::size_t first) {
 
 void set_facing(bool mirrored, bool upside_down) { glFrontFace(mirrored != upside_down ? GL_CW : GL_CCW); }
 
+void draw_triangles(const Batch& b, const gl::Buffer& instances, bool upside_down) {
+  if (b.mesh->parts.empty()) return;
+  (b.closed && !b.ball ? glEnable : glDisable)(GL_CULL_FACE);
+  set_facing(b.mirrored, upside_down);
+  glBindVertexArray(b.mesh->triangles.id());
+  bind_instances(instances, b.first);
+  for (const MeshPart& p : b.mesh->parts)
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(p.count), GL_UNSIGNED_INT,
+                            reinterpret_cast<const void*>(p.first * sizeof(std::uint32_t)),
+                            static_cast<GLsizei>(b.count));
+}
+
 }  // namespace betwixt

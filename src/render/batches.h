@@ -39,6 +39,8 @@ Batches sorted_singles(std::span<const Thing* const>);
 void send_instances(const gl::Buffer& buffer, const std::vector<Instance>&);
 // Points the program's inputs at the first-th instance; the mesh's vertex array is bound.
 void bind_instances(const gl::Buffer&, std::size_t first);
+// Draws all triangles of a batch with the program that is set; `closed` ones from outside only.
+void draw_triangles(const Batch&, const gl::Buffer& instances, bool upside_down);
 // Which way round triangles are seen from outside; in pictures that are drawn upside down it is the other way.
 void set_facing(bool mirrored, bool upside_down);
 

@@ -18,6 +18,8 @@ struct Entry {
 };
 constexpr Entry table[] = {
     {{"shaded", "lit surfaces with soft shadows, highlights and glass"}, make_shaded},
+    {{"wireframe", "all edges as fine lines"}, make_wireframe},
+    {{"hidden-line", "edges as fine lines, without those that surfaces hide"}, make_hidden_line},
 };
 
 class SurfacelessRenderer final : public Renderer {

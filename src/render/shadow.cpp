@@ -140,22 +140,10 @@ void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One&
   glDisable(GL_BLEND);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5F, 2.0F);
+  glCullFace(GL_FRONT);  // closed things cast by their far side: what faces the light is never in its own shadow
   for (const Batch& b : batches.batches) {
-    if (b.mesh->parts.empty()) continue;
-    // Closed things cast by their far side: what faces the light is then never in its own shadow.
     glUseProgram(b.ball ? balls_.id() : meshes_.id());
-    if (b.closed && !b.ball)
-      glEnable(GL_CULL_FACE);
-    else
-      glDisable(GL_CULL_FACE);
-    glCullFace(GL_FRONT);
-    set_facing(b.mirrored, false);
-    glBindVertexArray(b.mesh->triangles.id());
-    bind_instances(instances_, b.first);
-    for (const MeshPart& p : b.mesh->parts)
-      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(p.count), GL_UNSIGNED_INT,
-                              reinterpret_cast<const void*>(p.first * sizeof(std::uint32_t)),
-                              static_cast<GLsizei>(b.count));
+    draw_triangles(b, instances_, false);
   }
   glCullFace(GL_BACK);
   glDisable(GL_POLYGON_OFFSET_FILL);
