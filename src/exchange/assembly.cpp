@@ -161,13 +161,14 @@ Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const May
   if (!may_read(path)) return fail(Code::file, fmt::format("{} may not be read", path));
   const std::string kind = ending(path);
   if (kind == "gltf" || kind == "glb") return load_gltf(path, may_read);
+  if (kind == "ply") return load_ply(path);
   // What assimp reads without falling over broken files.
-  for (const char* known : {"obj", "ply", "stl", "dae", "fbx", "3ds", "off"})
+  for (const char* known : {"obj", "stl", "dae", "fbx", "3ds"})
     if (kind == known) return load_by_assimp(path, may_read);
   const auto bytes = read_whole(path);  // a missing file is told before an odd ending
   if (!bytes) return bytes.error();
   return fail(Code::file, fmt::format("{} is not a kind of mesh that can be read", path),
-              "glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds .off can be");
+              "glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds can be");
 }
 
 }  // namespace betwixt

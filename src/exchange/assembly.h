@@ -31,6 +31,7 @@ class Assembly {
 };
 
 Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, const MayRead&);
+Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path);
 Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, const MayRead&);
 
 }  // namespace betwixt

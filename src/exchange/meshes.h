@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Meshes from files: glTF by tinygltf; OBJ, PLY, STL, DAE, FBX and others by assimp.
+// Meshes from files: glTF by tinygltf; PLY; OBJ, STL, DAE, FBX and 3DS by assimp.
 #pragma once
 
 #include <functional>

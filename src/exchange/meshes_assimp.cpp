@@ -5,6 +5,7 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
@@ -95,6 +96,10 @@ std::vector<std::uint32_t> drawn_edges(const aiMesh& mesh) {
   return edges;
 }
 
+bool has_empty_face(const aiMesh& mesh) {
+  return std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, [](const aiFace& f) { return f.mNumIndices == 0; });
+}
+
 class Reader {
  public:
   Reader(const std::string& path, const MayRead& may_read) : path_(path), may_read_(may_read), assembly_(path) {
@@ -105,7 +110,11 @@ class Reader {
     const aiScene* scene = importer_.ReadFile(path_, 0);
     if (scene == nullptr) return assembly_.error(importer_.GetErrorString());
     if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) return assembly_.error("it holds no triangles");
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) edges_.push_back(drawn_edges(*scene->mMeshes[i]));
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+      // What follows ends the program where it meets one of these.
+      if (has_empty_face(*scene->mMeshes[i])) return assembly_.error("it has a face without corners");
+      edges_.push_back(drawn_edges(*scene->mMeshes[i]));
+    }
     // Only now: edges between the triangles of a polygon are not to be drawn.
     scene_ = importer_.ApplyPostProcessing(aiProcess_Triangulate);
     if (scene_ == nullptr) return assembly_.error(importer_.GetErrorString());
@@ -198,6 +207,9 @@ Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, cons
   const auto bytes = read_whole(path);  // for a message in our words where there is no such file
   if (!bytes) return bytes.error();
   if (bytes->empty()) return fail(Code::file, fmt::format("{} is empty", path));
+  const std::string_view close = "</COLLADA";  // without it, assimp would not come back
+  if (ending(path) == "dae" && std::search(bytes->begin(), bytes->end(), close.begin(), close.end()) == bytes->end())
+    return Assembly(path).error("it is cut off or not Collada in UTF-8");
   try {
     return Reader(path, may_read).read();
   } catch (const std::exception& e) {

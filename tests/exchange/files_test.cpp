@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "betwixt/picture.h"
+#include "exchange/meshes.h"
+#include "scene/topology.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own for each test.
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("betwixt-" + std::to_string(::getpid()) + "-" +
+                                           testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  std::string put(const std::string& name, const std::string& content) const {
+    std::ofstream(at(name), std::ios::binary) << content;
+    return at(name);
+  }
+
+ private:
+  fs::path folder_;
+};
+
+bool anything(const std::string&) { return true; }
+Result<std::shared_ptr<const Mesh>> load(const std::string& path) { return load_mesh(path, anything); }
+const std::string examples = SOURCE_DIR "/examples/meshes/", data = SOURCE_DIR "/tests/exchange/data/";
+
+void expect_error(const std::string& path, const std::string& message) {
+  const auto mesh = load(path);
+  ASSERT_FALSE(mesh) << path;
+  EXPECT_EQ(mesh.error().code, Code::file);
+  EXPECT_EQ(mesh.error().message, message);
+}
+
+const std::string cube_obj =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+TEST_F(Files, ExamplesLoad) {
+  const auto spot = load(examples + "spot.obj"), teapot = load(examples + "teapot.obj"),
+             engine = load(examples + "2CylinderEngine.glb");
+  ASSERT_TRUE(spot && teapot && engine);
+  EXPECT_EQ((*spot)->triangles.size(), 3U * 5856);
+  EXPECT_TRUE((*spot)->closed);
+  EXPECT_EQ((*spot)->uvs.size(), (*spot)->positions.size());
+  EXPECT_NEAR(signed_volume(**spot), 0.718, 0.001);
+  EXPECT_EQ((*teapot)->triangles.size(), 3U * 6320);
+  EXPECT_NEAR((*teapot)->box().high[0], 3.434, 0.001);
+  EXPECT_EQ((*engine)->triangles.size(), 3U * 121496);
+  std::uint32_t covered = 0;
+  for (const auto& part : (*engine)->parts) {
+    EXPECT_EQ(part.first, covered);
+    covered += part.count;
+  }
+  EXPECT_EQ(covered, (*engine)->triangles.size());
+  for (const auto& n : (*engine)->normals) EXPECT_NEAR(length(widen(n)), 1, 1e-5);
+}
+
+TEST_F(Files, QuadsKeepTheirEdges) {
+  const auto cube = load(put("cube.obj", cube_obj));
+  ASSERT_TRUE(cube) << cube.error().message;
+  EXPECT_EQ((*cube)->triangles.size(), 3U * 12);
+  EXPECT_EQ((*cube)->edges.size(), 2U * 12);
+  EXPECT_EQ((*cube)->positions.size(), 24U) << "its corners are sharp";
+  EXPECT_TRUE((*cube)->closed);
+  EXPECT_NEAR(signed_volume(**cube), 1, 1e-6);
+}
+
+TEST_F(Files, PlyInAllForms) {
+  const std::string head =
+      "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "double z\n"
+      "property uchar red\nelement face 1\nproperty list uchar int vertex_index\nend_header\n";
+  const auto ascii = load(put("a.ply", head + "0 0 0 255\n2 0 0 255\n2 2 0 255\n0 2 0 255\n4 0 1 2 3\n"));
+  ASSERT_TRUE(ascii) << ascii.error().message;
+  EXPECT_EQ((*ascii)->edges.size(), 2U * 4);
+  EXPECT_EQ((*ascii)->normals[0], (std::array<float, 3>{0, 0, 1}));
+  std::string big =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty short x\nproperty short y\nproperty short z\n"
+      "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
+  big += std::string("\0\0\0\0\0\0\0\2\0\0\0\0\0\0\0\3\0\0\3\0\1\2", 22);
+  const auto binary = load(put("b.ply", big));
+  ASSERT_TRUE(binary) << binary.error().message;
+  EXPECT_EQ((*binary)->box().high[1], 3);
+  expect_error(put("c.ply", big.substr(0, big.size() - 1)),
+               at("c.ply") + " cannot be read as a mesh: face 1 of 1 is cut off or makes no sense");
+  expect_error(put("d.ply", head.substr(0, 60)), at("d.ply") + " cannot be read as a mesh: its header has no end");
+  expect_error(put("e.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"),
+               at("e.ply") + " cannot be read as a mesh: vertex 1 of 99999999999 is cut off or makes no sense");
+}
+
+TEST_F(Files, EveryBrokenFileHasItsMessage) {
+  expect_error(at("none.obj"), "there is no file " + at("none.obj"));
+  fs::create_directory(at("folder.obj"));
+  expect_error(at("folder.obj"), at("folder.obj") + " is a folder, not a file");
+  expect_error(put("x.doc", "words"), at("x.doc") + " is not a kind of mesh that can be read");
+  for (const char* kind : {"obj", "ply", "stl", "dae", "fbx", "3ds", "gltf", "glb"}) {
+    const std::string name = std::string("empty.") + kind;
+    expect_error(put(name, ""), at(name) + " is empty");
+  }
+  std::string garbage;
+  for (unsigned i = 0; i < 20000; ++i) garbage += static_cast<char>(i * 2654435761U >> 13);
+  for (const char* kind : {"obj", "ply", "stl", "dae", "fbx", "3ds", "gltf", "glb"}) {
+    const auto mesh = load(put(std::string("garbage.") + kind, garbage));
+    ASSERT_FALSE(mesh) << kind;
+    EXPECT_EQ(mesh.error().code, Code::file);
+    EXPECT_EQ(mesh.error().message.find(at(std::string("garbage.") + kind) + " cannot be read as a mesh: "), 0U)
+        << mesh.error().message;
+  }
+  expect_error(put("points.obj", "v 0 0 0\nv 1 1 1\n"),
+               at("points.obj") + " cannot be read as a mesh: it holds no triangles");
+  expect_error(
+      put("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+      at("nan.obj") + " cannot be read as a mesh: it has a vertex that is infinitely far away, or not a number");
+  expect_error(put("cut.dae", "<?xml version=\"1.0\"?><COLLADA><asset>"),
+               at("cut.dae") + " cannot be read as a mesh: it is cut off or not Collada in UTF-8");
+  expect_error(put("one.gltf", "{\"asset\":{\"version\":\"1.0\"}}"),
+               at("one.gltf") + " cannot be read as a mesh: it is glTF 1.0, and only glTF 2 can be read");
+  expect_error(put("bare.gltf", "{\"asset\":{\"version\":\"2.0\"}}"),
+               at("bare.gltf") + " cannot be read as a mesh: it holds no triangles");
+  expect_error(data + "RecursiveNodes.gltf",
+               data + "RecursiveNodes.gltf cannot be read as a mesh: node 0 hangs on itself or on two others");
+  expect_error(data + "BoxWithInfinites.glb", data +
+                                                  "BoxWithInfinites.glb cannot be read as a mesh: it has a vertex that "
+                                                  "is infinitely far away, or not a number");
+  expect_error(
+      data + "IndexOutOfRange.gltf",
+      data + "IndexOutOfRange.gltf cannot be read as a mesh: a triangle wants vertex 255, but there are only 24");
+  EXPECT_FALSE(load(put("deep.gltf", std::string(200000, '['))));
+}
+
+TEST_F(Files, TexturesComeAlong) {
+  const auto box = load(data + "BoxTextured.glb");
+  ASSERT_TRUE(box) << box.error().message;
+  ASSERT_EQ((*box)->parts.size(), 1U);
+  ASSERT_TRUE((*box)->parts[0].texture);
+  EXPECT_EQ((*box)->parts[0].texture->width, 256);
+  EXPECT_TRUE((*box)->closed);
+}
+
+TEST_F(Files, EveryFileIsAskedFor) {
+  put("cube.mtl", "newmtl red\nKd 1 0 0\nmap_Kd paint.png\n");
+  Picture paint{1, 1, {1, 2, 3, 255}};
+  ASSERT_TRUE(write_png(at("paint.png"), paint));
+  const std::string path = put("cube.obj", "mtllib cube.mtl\nusemtl red\n" + cube_obj);
+  std::set<std::string> asked;
+  const auto cube = load_mesh(path, [&](const std::string& p) {
+    asked.insert(fs::path(p).filename().string());
+    return true;
+  });
+  ASSERT_TRUE(cube);
+  EXPECT_EQ(asked.count("cube.obj") + asked.count("cube.mtl") + asked.count("paint.png"), 3U);
+  ASSERT_TRUE((*cube)->parts[0].texture);
+  EXPECT_EQ((*cube)->parts[0].color, (std::array<float, 3>{1, 0, 0}));
+  const auto refused = load_mesh(path, [](const std::string&) { return false; });
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, path + " may not be read");
+  const auto bare = load_mesh(path, [&](const std::string& p) { return p == path; });
+  ASSERT_TRUE(bare) << bare.error().message;
+  EXPECT_FALSE((*bare)->parts[0].texture);
+  const auto buffer =
+      load_mesh(data + "IndexOutOfRange.gltf", [](const std::string& p) { return p.find(".bin") == p.npos; });
+  EXPECT_FALSE(buffer);
+}
+
+Picture gradient() {
+  Picture p{7, 5, {}};
+  for (int i = 0; i < 4 * 7 * 5; ++i) p.rgba.push_back(static_cast<std::uint8_t>(i * 37));
+  return p;
+}
+
+TEST_F(Files, PicturesComeBackAsTheyWent) {
+  const Picture p = gradient();
+  ASSERT_TRUE(write_png(at("p.png"), p));
+  const auto q = read_picture(at("p.png"));
+  ASSERT_TRUE(q) << q.error().message;
+  EXPECT_EQ((*q)->width, 7);
+  EXPECT_EQ((*q)->height, 5);
+  EXPECT_EQ((*q)->rgba, p.rgba);
+  std::ifstream file(at("p.png"), std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_NE(bytes.find("sRGB"), std::string::npos);
+  // A BMP of one blue pixel, written by hand.
+  const std::string bmp(
+      "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0\0\0\0\0\4\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
+      "\0\xff\0\0\0",
+      58);
+  const auto blue = read_picture(put("b.bmp", bmp));
+  ASSERT_TRUE(blue) << blue.error().message;
+  EXPECT_EQ((*blue)->rgba, (std::vector<std::uint8_t>{0, 0, 255, 255}));
+}
+
+TEST_F(Files, PicturesAreNeverHalfWritten) {
+  const auto message = [](const Status& s) { return s ? std::string() : s.error().message; };
+  ASSERT_TRUE(write_png(at("p.png"), gradient()));
+  EXPECT_EQ(message(write_png(at("p.png"), gradient(), false)), at("p.png") + " exists already");
+  EXPECT_TRUE(write_png(at("p.png"), gradient(), true));
+  EXPECT_TRUE(write_png(at("new.png"), gradient(), false));
+  EXPECT_EQ(message(write_png(at("no/p.png"), gradient())),
+            "cannot write " + at("no/p.png") + ": no such file or directory");
+  fs::create_directory(at("d.png"));
+  EXPECT_EQ(message(write_png(at("d.png"), gradient())), at("d.png") + " is a folder, not a file");
+  const auto full = write_png("/dev/full", gradient());
+  EXPECT_EQ(message(full), "cannot write /dev/full: no space left on device");
+  EXPECT_EQ(full.error().code, Code::machine);
+  EXPECT_EQ(message(write_png(at("x.png"), Picture{2, 2, {1}})), "a picture of 2 by 2 pixels cannot be written");
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(fs::path(at("p.png")).parent_path())) ++files;
+  EXPECT_EQ(files, 3U) << "p.png, new.png, d.png and nothing else";
+}
+
+TEST_F(Files, BrokenPicturesHaveAMessage) {
+  const auto message = [](const std::string& path) {
+    const auto p = read_picture(path);
+    return p ? std::string() : p.error().message;
+  };
+  EXPECT_EQ(message(at("none.png")), "there is no file " + at("none.png"));
+  EXPECT_EQ(message(put("e.png", "")), at("e.png") + " is empty");
+  EXPECT_EQ(message(put("w.png", "words")), at("w.png") + " is not a picture that can be read");
+  EXPECT_EQ(message(put("h.png", "\x89PNG\r\n\x1a\n")).find(at("h.png") + " is broken or not a picture: "), 0U);
+  EXPECT_EQ(message(put("j.jpg", "\xff\xd8\xff\xe0 words")).find(at("j.jpg") + " is broken or not a picture: "), 0U);
+  ASSERT_TRUE(write_png(at("p.png"), gradient()));
+  fs::resize_file(at("p.png"), fs::file_size(at("p.png")) / 2);
+  EXPECT_EQ(message(at("p.png")).find(at("p.png") + " is broken or not a picture: "), 0U);
+  Picture wide{16385, 1, std::vector<std::uint8_t>(4 * 16385)};
+  ASSERT_TRUE(write_png(at("wide.png"), wide));
+  EXPECT_EQ(message(at("wide.png")), at("wide.png") + " has 16385 by 1 pixels; 1 to 16384 a side can be read");
+}
+
+}  // namespace
+}  // namespace betwixt

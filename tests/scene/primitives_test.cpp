@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/primitives.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "scene/topology.h"
+
+namespace betwixt {
+namespace {
+
+double area(const Mesh& m) {
+  double sum = 0;
+  for (std::size_t i = 0; i < m.triangles.size(); i += 3) {
+    const Vec3 a = widen(m.positions[m.triangles[i]]), b = widen(m.positions[m.triangles[i + 1]]),
+               c = widen(m.positions[m.triangles[i + 2]]);
+    sum += length(cross(b - a, c - a)) / 2;
+  }
+  return sum;
+}
+
+// Every edge twice, once each way; counted without the code under test.
+bool watertight(const Mesh& m) {
+  std::map<std::array<float, 3>, int> names;
+  const auto id = [&](std::uint32_t i) {
+    auto p = m.positions[i];
+    for (auto& f : p) f += 0.0F;
+    return names.try_emplace(p, static_cast<int>(names.size())).first->second;
+  };
+  std::map<std::pair<int, int>, int> uses;
+  for (std::size_t i = 0; i < m.triangles.size(); ++i)
+    ++uses[{id(m.triangles[i]), id(m.triangles[i % 3 == 2 ? i - 2 : i + 1])}];
+  for (const auto& [edge, n] : uses)
+    if (edge.first == edge.second || uses[{edge.second, edge.first}] != n) return false;
+  return true;
+}
+
+void expect_sound(const Mesh& m, const char* what) {
+  ASSERT_EQ(m.normals.size(), m.positions.size()) << what;
+  if (!m.uvs.empty()) EXPECT_EQ(m.uvs.size(), m.positions.size()) << what;
+  for (const auto& n : m.normals) EXPECT_NEAR(length(widen(n)), 1, 1e-6) << what;
+  for (const auto& uv : m.uvs)
+    for (const float f : uv) EXPECT_TRUE(f >= 0 && f <= 1) << what << " " << f;
+  for (const auto i : m.triangles) ASSERT_LT(i, m.positions.size()) << what;
+  for (const auto i : m.edges) ASSERT_LT(i, m.positions.size()) << what;
+  for (std::size_t i = 0; i < m.triangles.size(); i += 3) {  // normals and triangles face the same way
+    const auto at = [&](std::size_t k) { return widen(m.positions[m.triangles[i + k]]); };
+    const Vec3 face = cross(at(1) - at(0), at(2) - at(0));
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_GT(dot(face, widen(m.normals[m.triangles[i + k]])), 0) << what << " " << i;
+  }
+}
+
+TEST(Primitives, AreSoundAndClosed) {
+  for (const int n : {3, 4, 12, 24, 48, 96}) {
+    const std::map<const char*, Mesh> bodies{{"sphere", sphere_mesh(n, std::max(2, n / 2))},
+                                             {"box", box_mesh()},
+                                             {"cylinder", cylinder_mesh(n)},
+                                             {"cone", cone_mesh(n)},
+                                             {"torus", torus_mesh(1, 0.3, n, n)}};
+    for (const auto& [name, mesh] : bodies) {
+      if (n > 3) expect_sound(mesh, name);
+      EXPECT_TRUE(mesh.closed) << name;
+      EXPECT_TRUE(watertight(mesh)) << name << " " << n;
+      EXPECT_TRUE(is_closed(mesh)) << name << " " << n;
+      EXPECT_GT(signed_volume(mesh), 0) << name;
+    }
+    expect_sound(disc_mesh(n), "disc");
+    EXPECT_FALSE(disc_mesh(n).closed);
+    EXPECT_FALSE(is_closed(disc_mesh(n)));
+  }
+  expect_sound(plane_mesh(), "plane");
+}
+
+TEST(Primitives, MeasureWhatTheFormulasSay) {
+  // The error of an inscribed body shrinks with the square of the detail.
+  for (const int n : {24, 48, 96, 192}) {
+    const double close = 30.0 / (n * n);
+    EXPECT_NEAR(signed_volume(sphere_mesh(n, n / 2)) / (4 * pi / 3), 1, close);
+    EXPECT_NEAR(area(sphere_mesh(n, n / 2)) / (4 * pi), 1, close);
+    EXPECT_NEAR(signed_volume(cylinder_mesh(n)) / pi, 1, close);
+    EXPECT_NEAR(area(cylinder_mesh(n)) / (4 * pi), 1, close);
+    EXPECT_NEAR(signed_volume(cone_mesh(n)) / (pi / 3), 1, close);
+    EXPECT_NEAR(area(cone_mesh(n)) / (pi + pi * std::sqrt(2)), 1, close);
+    EXPECT_NEAR(signed_volume(torus_mesh(2, 0.5, n, n)) / (2 * pi * pi * 2 * 0.25), 1, close);
+    EXPECT_NEAR(area(disc_mesh(n)) / pi, 1, close);
+  }
+  EXPECT_NEAR(signed_volume(box_mesh()), 1, 1e-6);
+  EXPECT_NEAR(area(box_mesh()), 6, 1e-6);
+}
+
+TEST(Primitives, SphereWearsAMapAsAGlobeDoes) {
+  const Mesh m = sphere_mesh(96, 48);
+  for (std::size_t i = 0; i < m.positions.size(); ++i) {
+    const Vec3 p = widen(m.positions[i]);
+    EXPECT_NEAR(m.uvs[i][1], std::acos(p.y) / pi, 1e-3);
+    if (std::hypot(p.x, p.z) < 1e-3 || std::abs(m.uvs[i][0] - 0.5F) > 0.49F) continue;
+    EXPECT_NEAR(m.uvs[i][0], 0.5 + std::atan2(p.x, p.z) / (2 * pi), 1e-5);
+  }
+}
+
+TEST(Primitives, WireframeHasNoDiagonals) {
+  EXPECT_EQ(box_mesh().edges.size(), 2U * 12);
+  EXPECT_EQ(plane_mesh().edges.size(), 2U * 4);
+  EXPECT_EQ(disc_mesh(24).edges.size(), 2U * 24);
+  EXPECT_EQ(cylinder_mesh(24).edges.size(), 2U * 3 * 24);
+  EXPECT_EQ(cone_mesh(24).edges.size(), 2U * 2 * 24);
+  EXPECT_EQ(sphere_mesh(24, 12).edges.size(), 2U * (24 * 12 + 24 * 11));  // meridians and parallels
+}
+
+TEST(Primitives, TubeIsARoundClosedLine) {
+  const double d = 0.2, r = d / 2;
+  const Mesh straight = tube_mesh({{0, 0, 0}, {3, 0, 0}}, d, 64);
+  expect_sound(straight, "tube");
+  EXPECT_TRUE(watertight(straight));
+  EXPECT_NEAR(signed_volume(straight) / (pi * r * r * 3 + 4 * pi / 3 * r * r * r), 1, 0.01);
+  const Mesh::Box box = straight.box();
+  EXPECT_NEAR(box.low[0], -r, 1e-6);
+  EXPECT_NEAR(box.high[0], 3 + r, 1e-6);
+  // Corners, a way back, the same point twice.
+  const Mesh bent = tube_mesh({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0.2, 0}, {1, 1, 1}}, d, 16);
+  EXPECT_TRUE(watertight(bent));
+  for (const auto& p : bent.positions)
+    for (const float f : p) EXPECT_TRUE(f >= -r - 1e-6 && f <= 1 + r + 1e-6);
+  for (const auto& n : bent.normals) EXPECT_NEAR(length(widen(n)), 1, 1e-6);
+  EXPECT_TRUE(tube_mesh({}, d, 8).triangles.empty());
+  EXPECT_TRUE(watertight(tube_mesh({{1, 2, 3}}, d, 8)));
+}
+
+TEST(Primitives, BallsAndLines) {
+  const Mesh balls = balls_mesh({{0, 0, 0}, {5, 0, 0}}, 2, sphere_mesh(64, 32));
+  EXPECT_NEAR(signed_volume(balls) / (2 * 4 * pi / 3), 1, 0.02);
+  EXPECT_NEAR(balls.box().high[0], 6, 0.01);
+  const Mesh line = line_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+  EXPECT_EQ(line.edges, (std::vector<std::uint32_t>{0, 1, 1, 2}));
+  EXPECT_TRUE(line.triangles.empty());
+  EXPECT_TRUE(line_mesh({}).edges.empty());
+}
+
+TEST(Topology, NormalsBreakAtCreases) {
+  Mesh box = box_mesh();
+  box.normals.clear();
+  Mesh sharp = box, round = box;
+  make_normals(sharp, 60 * pi / 180);
+  expect_sound(sharp, "sharp box");
+  EXPECT_EQ(sharp.positions.size(), 24U);
+  make_normals(round, 100 * pi / 180);
+  for (std::size_t i = 0; i < round.positions.size(); ++i)
+    EXPECT_GT(dot(normalize(widen(round.positions[i])), widen(round.normals[i])), 0.8);  // towards the corner
+}
+
+TEST(Topology, InsideOutIsNotClosed) {
+  Mesh box = box_mesh();
+  for (std::size_t i = 0; i < box.triangles.size(); i += 3) std::swap(box.triangles[i], box.triangles[i + 1]);
+  EXPECT_FALSE(is_closed(box));
+  EXPECT_LT(signed_volume(box), 0);
+  Mesh open = box_mesh();
+  open.triangles.resize(open.triangles.size() - 3);
+  EXPECT_FALSE(is_closed(open));
+}
+
+}  // namespace
+}  // namespace betwixt
