@@ -31,9 +31,15 @@ int complain(const Error& e, int otherwise) {
   return e.code == Code::machine ? static_cast<int>(machine_failed) : otherwise;
 }
 
+LoadOptions& load_options() {
+  static LoadOptions options;
+  return options;
+}
+
 std::optional<Document> open_script(const std::string& file) {
-  Loaded loaded = load_file(file);
-  for (const Diagnostic& d : loaded.diagnostics) std::fputs(to_string(d).c_str(), stderr);
+  Loaded loaded = load_file(file, load_options());
+  for (const Diagnostic& d : loaded.diagnostics)
+    if (d.severity != Severity::notice) std::fputs(to_string(d).c_str(), stderr);
   if (has_errors(loaded.diagnostics)) return std::nullopt;
   return std::move(loaded.document);
 }
@@ -96,8 +102,12 @@ Result<FrameList> read_frames(const std::string& text, const Document& document)
 
 void catch_stops() {
   struct sigaction action {};
+  struct sigaction old {};
   action.sa_handler = [](int) { stop_asked = 1; };
-  for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(s, &action, nullptr);
+  for (const int s : {SIGINT, SIGTERM, SIGHUP}) {
+    const bool unheard = s == SIGHUP && ::sigaction(s, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;  // nohup
+    if (!unheard) ::sigaction(s, &action, nullptr);
+  }
 }
 
 bool stop_requested() { return stop_asked != 0; }

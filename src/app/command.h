@@ -28,7 +28,10 @@ void add_tidy(CLI::App&, int& exit_code);
 // Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
 int complain(const Error&, int otherwise);
 
-// Loads a script, saying all there is to say about it on standard error; none where it has errors.
+// What --read-anywhere says.
+LoadOptions& load_options();
+
+// Loads a script, saying its errors and warnings on standard error; none where it has errors.
 std::optional<Document> open_script(const std::string& file);
 
 // --size, --style, --samples

@@ -52,8 +52,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   for (const auto& add : {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy})
     add(app, exit_code);
-  for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+  for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
     sub->set_help_flag("-h,--help", "this help");
+    sub->add_flag("--read-anywhere", load_options().read_anywhere, "let the script read files outside its own folder");
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

@@ -142,7 +142,7 @@ int plot(const Call& call) {
                {}};
   for (const std::string& word : call.targets) {
     const Result<std::vector<Target>> targets = find_targets(word, *document);
-    if (!targets) return complain(targets.error(), wrong_call);
+    if (!targets) return complain(targets.error(), wrong_input);
     if (targets->empty()) fmt::print(stderr, "betwixt: nothing matches \"{}\"\n", word);
     std::size_t before = drawing.curves.size();
     for (const Target& t : *targets)
@@ -151,7 +151,7 @@ int plot(const Call& call) {
       return complain(fail(Code::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word)),
                       wrong_call);
   }
-  if (drawing.curves.empty()) return complain(fail(Code::name, "there is nothing to plot"), wrong_call);
+  if (drawing.curves.empty()) return complain(fail(Code::name, "there is nothing to plot"), wrong_input);
   if (Status s = write_text(call.out, to_svg(drawing)); !s) return complain(s.error(), wrong_call);
   return all_done;
 }

@@ -99,7 +99,16 @@ class Pictures final : public Sink {
     return Nothing{};
   }
 
-  Status pack(int k, Parcel& parcel) override { return write_png(gathering_.path(number(k)), parcel.picture); }
+  Status pack(int k, Parcel& parcel) override {
+    const std::string hidden = gathering_.path(number(k));
+    Status written = write_png(hidden, parcel.picture);
+    if (written) return written;
+    Error e = written.error();  // in words that name the picture, not where it waits
+    const std::size_t at = e.message.find(hidden);
+    if (at != std::string::npos) e.message.replace(at, hidden.size(), place_.path(number(k)));
+    e.code = Code::machine;  // the folder could be written to a moment ago
+    return e;
+  }
   Status take(const Parcel&, const KeepGoing&) override { return Nothing{}; }
 
   Status finish(const KeepGoing&) override {

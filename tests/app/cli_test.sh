@@ -1,0 +1,160 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# render, frame, plot and play from outside: exit codes, messages, and what lies in the folder afterwards.
+#   cli_test.sh PROGRAM
+set -u
+program=$(realpath "${1:?which program?}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 3
+passed=0 failed=0
+
+# check NAME EXIT-CODE TEXT ARGUMENT…: runs the program; TEXT (a fixed string) must be among what it says.
+check() {
+  local name=$1 code=$2 text=$3
+  shift 3
+  said=$("$program" "$@" 2>&1 </dev/null)
+  local got=$?
+  verdict "$name" "$([ $got = "$code" ] && [[ ${said,,} == *"${text,,}"* ]] && echo yes)" "exit code $got (not $code?), said: $said"
+}
+verdict() { # NAME yes|… EXPLANATION
+  if [ "$2" = yes ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED %s: %s\n' "$1" "$3"
+  fi
+}
+is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }
+frames() { ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=nb_read_frames -of csv=p=0 "$1" | tr -d ,; }
+leftovers() { find . -name '.*partial*' | wc -l; }
+
+cat >bounce.bx <<'BX'
+rate 24
+range 1f 12f
+create ball   sphere radius=1 color=gold
+create eye    camera position=(4 5 30) look-at=(4 5 0)
+ball.position
+  1f   (0 10 0)
+  12f  (4 1 0)    linear
+  24f  (8 10 0)   ease-in=4f ease-out=4f
+at 6f note "falling"
+set ball.radius 1
+at 4f ball.radius 1 hold
+at 8f ball.radius 2
+BX
+printf 'create ball spere\nball.colour\n  1f gold\n' >wrong.bx
+: >empty.bx
+head -c 4096 /dev/urandom >binary.bx
+small="--size 64x48 --samples 1"
+
+# The call.
+check 'no command' 2 'Usage:'
+check 'help' 0 'betwixt render examples/bounce.bx -o bounce.mp4' --help
+check 'version' 0 'betwixt ' --version
+check 'unknown command' 2 "did you mean 'render'?" rendre bounce.bx
+check 'unknown option' 2 "did you mean '--size'?" render bounce.bx -o a.mp4 --siz 3x4
+check 'no output' 2 'output' render bounce.bx
+check 'no script' 2 'FILE' render -o a.mp4
+check 'one word too many' 2 "'more'" render bounce.bx more -o a.mp4
+for c in render frame plot play; do check "help of $c" 0 "betwixt $c examples/bounce.bx" $c --help; done
+for s in 0x5 5 axb 64x 64x48x 99999x5 -5x5; do check "size '$s'" 2 'is no size such as 1280x720' render bounce.bx -o a.mp4 --size="$s"; done
+check 'samples' 2 '--samples' render bounce.bx -o a.mp4 --samples 3
+check 'jobs' 2 '--jobs' render bounce.bx -o a.mp4 --jobs -1
+check 'style' 2 'cubist' render bounce.bx -o a.mp4 --style cubist
+check 'ending' 2 "did you mean '.mp4'?" render bounce.bx -o a.mp5
+check 'no ending' 2 'has no ending' render bounce.bx -o film
+check 'picture without a number' 2 'frame-%04d.png' render bounce.bx -o a.png
+check 'no such folder' 2 'there is no folder nowhere' render bounce.bx -o nowhere/a.mp4
+check 'segment' 2 'is no segment' render bounce.bx -o a.mp4 --frames 3
+check 'segment backwards' 2 'ends before it begins' render bounce.bx -o a.mp4 --frames 9..3
+check 'segment of nonsense' 2 '--frames:' render bounce.bx -o a.mp4 --frames 1q..2q
+check 'too many frames' 2 'too many' render bounce.bx -o a.mp4 --frames 1f..99999999f
+check 'time' 2 '--at:' frame bounce.bx --at soon -o a.png
+check 'picture ending' 2 'one picture is a .png' frame bounce.bx --at 1f -o a.jpg
+check 'plot ending' 2 'a plot is a .svg' plot bounce.bx ball.position -o a.png
+check 'plot of nobody' 1 'bal' plot bounce.bx bal.position -o a.svg
+check 'play without a terminal' 2 'standard output is none' play bounce.bx --terminal
+
+# The input.
+check 'no such script' 1 'none.bx' render none.bx -o a.mp4
+check 'script with errors' 1 'wrong.bx:1:' render wrong.bx -o a.mp4
+verdict 'all its errors' "$([[ $said == *wrong.bx:2:* ]] && echo yes)" "$said"
+check 'binary script' 1 'binary.bx' render binary.bx -o a.mp4
+is 'nothing was made of these' "$(ls -A | tr '\n' ' ')" 'binary.bx bounce.bx empty.bx wrong.bx '
+
+# Films.
+for e in mp4 webm gif apng; do
+  check "$e" 0 '12 frames in' render bounce.bx -o film.$e $small
+  is "frames of $e" "$(frames film.$e)" 12
+done
+check 'stats' 0 'ms a frame' render bounce.bx -o film.mp4 $small --stats --jobs 2
+check 'part by frames' 0 '5 frames in' render bounce.bx -o part.mp4 $small --frames 3f..7f
+check 'part by bare numbers' 0 '5 frames in' render bounce.bx -o part.mp4 $small --frames 3..7
+check 'part by seconds' 0 '7 frames in' render bounce.bx -o part.mp4 $small --frames 0s..0.25s
+check 'one frame' 0 '1 frame in' render bounce.bx -o part.gif $small --frames 3f..3f
+check 'pictures' 0 '3 frames in' render bounce.bx -o p-%03d.png $small --frames 9..11
+is 'pictures have the numbers of their frames' "$(ls p-*)" $'p-009.png\np-010.png\np-011.png'
+check 'frame' 0 '' frame bounce.bx --at 10f -o one.png $small
+verdict 'frame and film make the same picture' "$(cmp -s one.png p-010.png && echo yes)" 'they differ'
+check 'no overwriting' 2 'film.mp4 is there already' render bounce.bx -o film.mp4 $small --no-overwrite
+check 'no overwriting a picture' 2 'one.png is there already' frame bounce.bx --at 1f -o one.png $small --no-overwrite
+check 'an empty script is a film' 0 'frames in' render empty.bx -o empty.gif $small
+is 'no progress bar without a terminal' "$("$program" render bounce.bx -o film.gif $small 2>&1 | grep -c $'\r')" 0
+
+# Plots.
+check 'plot' 0 '' plot bounce.bx ball.position ball.radius -o plot.svg
+is 'plot is XML with four curves' "$(grep -c 'stroke-linejoin="round"' plot.svg)" 4
+is 'a cut is drawn as a gap' "$(grep -c 'stroke-dasharray' plot.svg)" 1
+is 'plot has a dot for each event' "$(grep -c '<circle' plot.svg)" 8
+check 'plot of a part' 0 '' plot bounce.bx 'ball.position.y' -o plot.svg --frames 2f..4f
+
+# The machine.
+ln -s "$(command -v true)" ./true
+said=$(PATH=$work "$program" render bounce.bx -o gone.mp4 $small 2>&1)
+is 'without ffmpeg' "$?" 3
+verdict 'without ffmpeg, what to do' "$([[ $said == *'sudo apt-get install ffmpeg'* ]] && echo yes)" "$said"
+mkdir bin && printf '#!/bin/sh\nhead -c 9000 >/dev/null\nkill -9 $$\n' >bin/ffmpeg && chmod +x bin/ffmpeg
+said=$(PATH=$work/bin:$PATH "$program" render bounce.bx -o gone.mp4 $small 2>&1)
+is 'ffmpeg is killed' "$?" 3
+verdict 'ffmpeg is killed, in words' "$([[ $said == *'signal 9'* ]] && echo yes)" "$said"
+mkdir disk
+if mount -t tmpfs -o size=4k tmpfs disk 2>/dev/null; then
+  for o in film.mp4 film.gif 'p%d.png'; do
+    check "disk full: $o" 3 'no space left' render bounce.bx -o "disk/$o" --size 640x480
+    is "disk full: $o leaves nothing" "$(ls -A disk)" ''
+  done
+  check 'disk full: a picture' 3 'disk' frame bounce.bx --at 3f -o disk/a.png --size 1280x720
+  is 'disk full: no picture' "$(ls -A disk)" ''
+  umount disk
+fi
+for signal in INT TERM; do
+  for o in stop.mp4 stop.gif stop-%d.png; do
+    "$program" render bounce.bx -o $o $small --frames 1f..1000000f 2>said &
+    pid=$!
+    for _ in $(seq 200); do [ "$(leftovers)" -gt 0 ] && break; sleep 0.05; done
+    sleep 0.2
+    kill -$signal $pid
+    wait $pid
+    is "$signal stops $o" "$?" 130
+    is "$signal says so" "$(tail -1 said)" "betwixt: stopped; $o was not made"
+  done
+done
+is 'nothing of them is left' "$(ls -A | grep -c -e stop -e gone)" 0
+is 'no partial files' "$(leftovers)" 0
+
+# In a terminal.
+if command -v script >/dev/null; then
+  script -qec "'$program' play bounce.bx --terminal --size 64x48 </dev/null" played >/dev/null </dev/null
+  is 'play ends by itself where nobody can press a key' "$?" 0
+  verdict 'play puts the screen back' "$(tail -c 200 played | grep -q $'\e\[?25h\e\[?1049l' && echo yes)" "$(tail -c 100 played | od -c | tail -8)"
+  verdict 'play tells the note' "$(grep -q '"falling"' played && echo yes)" 'no note'
+  script -qec "'$program' render bounce.bx -o bar.mp4 $small --frames 1f..600f" bar </dev/null >/dev/null
+  is 'render on a terminal' "$?" 0
+  verdict 'a progress bar' "$(grep -q 'frames/s' bar && echo yes)" "$(cat bar)"
+fi
+
+printf '%d passed, %d failed\n' $passed $failed
+[ $failed = 0 ]
