@@ -201,15 +201,30 @@ class Reader {
   Assembly assembly_;
 };
 
+// Whether the Collada text ends, and its lists of indices hold whole numbers only. Of anything else in them the
+// importer makes indices without end.
+bool has_proper_indices(std::string_view text) {
+  for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
+    const std::size_t end = text.find_first_of("> \t\r\n/", at + 1);
+    if (end == text.npos) return false;
+    const std::string_view tag = text.substr(at + 1, end - at - 1);
+    if (tag != "p" && tag != "vcount" && tag != "v" && tag != "h") continue;
+    const std::size_t content = text.find('>', end);
+    if (content == text.npos) return false;
+    const std::size_t stop = text.find_first_not_of("0123456789+- \t\r\n", content + 1);
+    if (text[content - 1] != '/' && (stop == text.npos || text[stop] != '<')) return false;
+  }
+  return text.find("</COLLADA") != text.npos;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, const MayRead& may_read) {
   const auto bytes = read_whole(path);  // for a message in our words where there is no such file
   if (!bytes) return bytes.error();
   if (bytes->empty()) return fail(Code::file, fmt::format("{} is empty", path));
-  const std::string_view close = "</COLLADA";  // without it, assimp would not come back
-  if (ending(path) == "dae" && std::search(bytes->begin(), bytes->end(), close.begin(), close.end()) == bytes->end())
-    return Assembly(path).error("it is cut off or not Collada in UTF-8");
+  if (ending(path) == "dae" && !has_proper_indices({reinterpret_cast<const char*>(bytes->data()), bytes->size()}))
+    return Assembly(path).error("it is cut off, or its lists of indices hold something else than numbers");
   try {
     return Reader(path, may_read).read();
   } catch (const std::exception& e) {
