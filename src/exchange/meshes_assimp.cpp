@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
+#include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -105,6 +106,9 @@ class Reader {
   Reader(const std::string& path, const MayRead& may_read) : path_(path), may_read_(may_read), assembly_(path) {
     importer_.SetIOHandler(new Files(may_read));  // the importer owns it
   }
+
+  // Of pictures inside an FBX of text the importer frees one twice where it is damaged: such files go without.
+  void leave_out_textures() { importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false); }
 
   Result<std::shared_ptr<const Mesh>> read() {
     const aiScene* scene = importer_.ReadFile(path_, 0);
@@ -223,10 +227,13 @@ Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, cons
   const auto bytes = read_whole(path);  // for a message in our words where there is no such file
   if (!bytes) return bytes.error();
   if (bytes->empty()) return fail(Code::file, fmt::format("{} is empty", path));
-  if (ending(path) == "dae" && !has_proper_indices({reinterpret_cast<const char*>(bytes->data()), bytes->size()}))
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  if (ending(path) == "dae" && !has_proper_indices(text))
     return Assembly(path).error("it is cut off, or its lists of indices hold something else than numbers");
   try {
-    return Reader(path, may_read).read();
+    Reader reader(path, may_read);
+    if (text.substr(0, 18) != "Kaydara FBX Binary" && text.find("Content:") != text.npos) reader.leave_out_textures();
+    return reader.read();
   } catch (const std::exception& e) {
     return Assembly(path).error(e.what());
   }
