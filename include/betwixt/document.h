@@ -33,14 +33,15 @@ class Document {
   explicit Document(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
 
   Rate rate() const;
-  // First and last frame's time. Without a `range` command: frame 1 to the last event, one second where there are no events.
+  // First and last frame's time. Without a `range` command: frame 1 to the last event, one second where there are no
+  // events.
   std::pair<Time, Time> range() const;
   int frame_count() const;  // frames in the range, ends included; at least 1
 
   std::vector<std::string> names() const;  // of all objects, in the order they were created
   ObjectId find(std::string_view name) const;
   std::string name(ObjectId) const;
-  std::string name(const Target&) const;  // "ball.position.x"
+  std::string name(const Target&) const;                                      // "ball.position.x"
   std::vector<std::pair<Time, std::string>> notes(Time from, Time to) const;  // both ends included
 
   const Scene& scene() const { return *scene_; }

@@ -22,21 +22,24 @@ struct FilmOptions {
   int first_number = 1;  // number of the first picture file
   Rate rate;
   int width = 1280, height = 720;
-  int jobs = 0;             // painters at work; 0: as many as suits this machine
+  int jobs = 0;  // painters at work; 0: as many as suits this machine
   bool overwrite = true;
 };
 
 struct FilmStats {
   int frames = 0;
-  double seconds = 0;          // wall clock, all of it
-  double painting = 0;         // seconds inside painters, summed over jobs
-  double encoding = 0;         // seconds in which the encoder or the disk was what was waited for
+  double seconds = 0;   // wall clock, all of it
+  double painting = 0;  // seconds inside painters, summed over jobs
+  double encoding = 0;  // seconds in which the encoder or the disk was what was waited for
 };
 
 // Called now and then from one thread; returning false stops the film (nothing is left under its final name).
 using Progress = std::function<bool(int done, int frames, double seconds)>;
 
-// Errors: range (an ending nobody knows, bad sizes), file (cannot be written), machine (no ffmpeg, disk full), or the painter's own.
+// new_painter is called once by each job, from the job's own thread, one job at a time. At most twice as many pictures
+// as jobs are held. The film (all its pictures, where it is made of these) gathers under a hidden name beside its own
+// and is put in place when it is whole. Errors: range (an ending nobody knows, bad sizes), file (no such folder, there
+// already), machine (no ffmpeg, not writable, disk full, stopped), or the painter's own, unchanged.
 Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
                             const Progress& = {});
 

@@ -16,7 +16,21 @@
 namespace betwixt {
 
 enum class Kind : std::uint8_t {
-  group, sphere, box, cylinder, cone, torus, plane, disc, polygon, polyline, points, text, mesh, light, camera
+  group,
+  sphere,
+  box,
+  cylinder,
+  cone,
+  torus,
+  plane,
+  disc,
+  polygon,
+  polyline,
+  points,
+  text,
+  mesh,
+  light,
+  camera
 };
 
 // What an object looks like in its own space, as a description; src/render turns it into triangles.
@@ -26,8 +40,8 @@ enum class Kind : std::uint8_t {
 //   torus    radius of the ring, tube: radius of the tube; the ring lies in the plane y = 0
 //   polygon  points, filled, one contour           polyline  points, width (0: a hairline)
 //   points   points, each drawn as a ball of diameter `width`
-//   text     text, font, size.y = height of one line (em) in metres, depth along z; centred on the origin, baseline at y = 0
-//   mesh     mesh
+//   text     text, font, size.y = height of one line (em) in metres, depth along z; centred on the origin, baseline at
+//   y = 0 mesh     mesh
 struct Shape {
   Kind kind = Kind::group;
   Vec3 size{1, 1, 1};
@@ -38,7 +52,8 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-// plastic: a highlight from shininess; matte: none; metal: highlights and reflections in its own colour; glow: shines by itself, unlit.
+// plastic: a highlight from shininess; matte: none; metal: highlights and reflections in its own colour; glow: shines
+// by itself, unlit.
 enum class Material : std::uint8_t { plastic, matte, metal, glow };
 
 // One object that is drawn.
@@ -65,10 +80,10 @@ struct Light {
 };
 
 struct Camera {
-  Mat4 world;               // camera space (looks along -z, y up) to world space; a rigid motion
+  Mat4 world;  // camera space (looks along -z, y up) to world space; a rigid motion
   bool orthographic = false;
-  double fov = 0.9;         // horizontal, radians (perspective)
-  double height = 10;       // metres seen from bottom to top (orthographic)
+  double fov = 0.9;    // horizontal, radians (perspective)
+  double height = 10;  // metres seen from bottom to top (orthographic)
 };
 
 struct Frame {

@@ -26,9 +26,7 @@ constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b
 constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
 constexpr Vec3 operator*(Vec3 a, double s) { return s * a; }
 constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
 // The direction of `a`; `otherwise` where `a` has none.
 inline Vec3 normalize(Vec3 a, Vec3 otherwise = {0, 0, 1}) {
@@ -67,17 +65,14 @@ inline Quat from_angles(Vec3 a) {
 struct Mat4 {
   std::array<double, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   constexpr double& operator()(int row, int column) { return m[static_cast<std::size_t>(column * 4 + row)]; }
-  constexpr double operator()(int row, int column) const {
-    return m[static_cast<std::size_t>(column * 4 + row)];
-  }
+  constexpr double operator()(int row, int column) const { return m[static_cast<std::size_t>(column * 4 + row)]; }
   friend constexpr bool operator==(const Mat4&, const Mat4&) = default;
 };
 
 constexpr Mat4 operator*(const Mat4& a, const Mat4& b) {
   Mat4 r;
   for (int c = 0; c < 4; ++c)
-    for (int i = 0; i < 4; ++i)
-      r(i, c) = a(i, 0) * b(0, c) + a(i, 1) * b(1, c) + a(i, 2) * b(2, c) + a(i, 3) * b(3, c);
+    for (int i = 0; i < 4; ++i) r(i, c) = a(i, 0) * b(0, c) + a(i, 1) * b(1, c) + a(i, 2) * b(2, c) + a(i, 3) * b(3, c);
   return r;
 }
 constexpr Vec3 transform_point(const Mat4& a, Vec3 p) {

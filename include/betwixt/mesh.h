@@ -20,9 +20,9 @@ struct Picture {
 
 // A run of triangles that share a look. The object's own colour multiplies `color`.
 struct MeshPart {
-  std::uint32_t first = 0, count = 0;       // in indices, into Mesh::triangles
-  std::array<float, 3> color{1, 1, 1};      // linear light
-  std::shared_ptr<const Picture> texture;   // may be null
+  std::uint32_t first = 0, count = 0;      // in indices, into Mesh::triangles
+  std::array<float, 3> color{1, 1, 1};     // linear light
+  std::shared_ptr<const Picture> texture;  // may be null
 };
 
 struct Mesh {

@@ -26,12 +26,14 @@ class Program {
   const Document& document() const;
 
   struct Compiled;  // src/program/code.h
+  const Compiled& compiled() const { return *code_; }
 
  private:
   std::shared_ptr<const Compiled> code_;
 };
 
-// The numbers of a reading, for plots: a scalar gives one, a vector three, true 1; empty for what is not made of numbers.
+// The numbers of a reading, for plots: a scalar gives one, a vector three, true 1; empty for what is not made of
+// numbers.
 std::vector<double> numbers(const Reading&);
 
 }  // namespace betwixt

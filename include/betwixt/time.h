@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Time is an exact whole number of flicks: 1/705,600,000 s, whole for every common frame rate and for 30 ticks a second.
+// Time is an exact whole number of flicks: 1/705,600,000 s, whole for every common frame rate and for 30 ticks a
+// second.
 #pragma once
 
 #include <cmath>
@@ -17,9 +18,7 @@ inline constexpr std::int64_t flicks_per_second = 705'600'000;
 struct Time {
   std::int64_t flicks = 0;
   friend constexpr auto operator<=>(Time, Time) = default;
-  constexpr double seconds() const {
-    return static_cast<double>(flicks) / static_cast<double>(flicks_per_second);
-  }
+  constexpr double seconds() const { return static_cast<double>(flicks) / static_cast<double>(flicks_per_second); }
 };
 constexpr Time operator+(Time a, Time b) { return {a.flicks + b.flicks}; }
 constexpr Time operator-(Time a, Time b) { return {a.flicks - b.flicks}; }
@@ -41,16 +40,17 @@ struct Rate {
     const std::int64_t whole = flicks_per_second * den;
     if (n == std::floor(n) && whole % num == 0 && std::abs(n) < 1e9)
       return {static_cast<std::int64_t>(n) * (whole / num)};
-    return {static_cast<std::int64_t>(std::llroundl(static_cast<long double>(n) * static_cast<long double>(whole) /
-                                                    static_cast<long double>(num)))};
+    return {static_cast<std::int64_t>(
+        std::llroundl(static_cast<long double>(n) * static_cast<long double>(whole) / static_cast<long double>(num)))};
   }
   // Frame n; frame 1 is time 0.
   Time frame(double n) const { return span(n - 1); }
   // The frame number at t; whole at frames.
   double frame_number(Time t) const {
-    const double n = static_cast<double>(static_cast<long double>(t.flicks) * static_cast<long double>(num) /
-                                         (static_cast<long double>(flicks_per_second) * static_cast<long double>(den))) +
-                     1;
+    const double n =
+        static_cast<double>(static_cast<long double>(t.flicks) * static_cast<long double>(num) /
+                            (static_cast<long double>(flicks_per_second) * static_cast<long double>(den))) +
+        1;
     const double near = std::round(n);
     return frame(near) == t ? near : n;
   }

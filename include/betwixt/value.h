@@ -15,8 +15,8 @@
 
 namespace betwixt {
 
-// An object of a document, numbered in the order of creation. A number is never given out twice, so an id that outlives its object
-// finds nothing.
+// An object of a document, numbered in the order of creation. A number is never given out twice, so an id that outlives
+// its object finds nothing.
 struct ObjectId {
   static constexpr std::uint32_t nothing = 0xffffffff;
   std::uint32_t index = nothing;

@@ -25,7 +25,8 @@ std::string to_string(const Diagnostic& d) {
       lead += d.line[i] == '\t' ? '\t' : ' ';
       ++characters;
     }
-    out += "  " + d.line + "\n  " + lead + "^" + std::string(static_cast<std::size_t>(std::clamp(at.length, 1, 60) - 1), '~') + "\n";
+    out += "  " + d.line + "\n  " + lead + "^" +
+           std::string(static_cast<std::size_t>(std::clamp(at.length, 1, 60) - 1), '~') + "\n";
   }
   if (!d.what.hint.empty()) out += "  " + d.what.hint + "\n";
   return out;
@@ -37,19 +38,32 @@ bool has_errors(const Diagnostics& all) {
 
 std::string_view to_string(Type type) {
   switch (type) {
-    case Type::scalar: return "a number";
-    case Type::angle: return "an angle";
-    case Type::pair: return "a pair of numbers";
-    case Type::vector: return "a vector";
-    case Type::color: return "a colour";
-    case Type::boolean: return "on or off";
-    case Type::rotation: return "a rotation";
-    case Type::orientation: return "an orientation";
-    case Type::shape: return "a shape";
-    case Type::aim: return "a point or an object";
-    case Type::text: return "a text";
-    case Type::points: return "a list of points";
-    case Type::names: return "a list of names";
+    case Type::scalar:
+      return "a number";
+    case Type::angle:
+      return "an angle";
+    case Type::pair:
+      return "a pair of numbers";
+    case Type::vector:
+      return "a vector";
+    case Type::color:
+      return "a colour";
+    case Type::boolean:
+      return "on or off";
+    case Type::rotation:
+      return "a rotation";
+    case Type::orientation:
+      return "an orientation";
+    case Type::shape:
+      return "a shape";
+    case Type::aim:
+      return "a point or an object";
+    case Type::text:
+      return "a text";
+    case Type::points:
+      return "a list of points";
+    case Type::names:
+      return "a list of names";
   }
   return "a value";
 }

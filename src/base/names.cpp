@@ -50,7 +50,8 @@ Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t
   std::vector<std::string> out;
   const auto dots = body.find("..");
   long a = 0, b = 0;
-  if (dots != std::string_view::npos && whole_number(body.substr(0, dots), a) && whole_number(body.substr(dots + 2), b)) {
+  if (dots != std::string_view::npos && whole_number(body.substr(0, dots), a) &&
+      whole_number(body.substr(dots + 2), b)) {
     const auto count = static_cast<std::size_t>(std::labs(b / 2 - a / 2)) * 2;  // halved first: no overflow
     if (count > most) return fail(Code::range, fmt::format("'{{{}}}' makes more than {} names", body, most));
     // {01..10} keeps its zeros, as the shell does.
@@ -97,7 +98,8 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
       any = true;
       auto parts = alternatives(std::string_view(s).substr(open + 1, close - open - 1), most);
       if (!parts) return parts.error();
-      if (next.size() + parts->size() > most) return fail(Code::range, fmt::format("the braces make more than {} names", most));
+      if (next.size() + parts->size() > most)
+        return fail(Code::range, fmt::format("the braces make more than {} names", most));
       for (const auto& part : *parts) next.push_back(s.substr(0, open) + part + s.substr(close + 1));
     }
     done = std::move(next);
@@ -191,7 +193,8 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
       next[0] = i;
       for (std::size_t j = 1; j <= c.size(); ++j) {
         next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (word[i - 1] == c[j - 1] ? 0u : 1u)});
-        if (i > 1 && j > 1 && word[i - 1] == c[j - 2] && word[i - 2] == c[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+        if (i > 1 && j > 1 && word[i - 1] == c[j - 2] && word[i - 2] == c[j - 1])
+          next[j] = std::min(next[j], before[j - 2] + 1);
       }
       std::swap(before, row);
       std::swap(row, next);

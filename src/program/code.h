@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a document is compiled to. Every display function in use has a place in one array of numbers; the constants are there already, curves write theirs
-// for the time asked. What is not numbers (texts, shapes, names) is looked up when wanted.
+// What a document is compiled to. Every display function in use has a place in one array of numbers; the constants are
+// there already, curves write theirs for the time asked. What is not numbers (texts, shapes, names) is looked up when
+// wanted.
 #pragma once
 
 #include <mutex>
@@ -16,12 +17,12 @@ namespace betwixt {
 // Where the value of one display function of one object comes from.
 struct Binding {
   FunctionId function = 0;
-  std::uint8_t channels = 0;     // numbers; 0: a value that is not made of numbers
-  bool orientation = false;      // a rotation held as a quaternion
-  std::uint32_t offset = 0;      // of its numbers
+  std::uint8_t channels = 0;  // numbers; 0: a value that is not made of numbers
+  bool orientation = false;   // a rotation held as a quaternion
+  std::uint32_t offset = 0;   // of its numbers
   std::uint32_t first_curve = 0, curves = 0;
-  std::int32_t steps = -1;       // events of a value that is not numbers …
-  Value constant;                // … or the value for good
+  std::int32_t steps = -1;  // events of a value that is not numbers …
+  Value constant;           // … or the value for good
   bool varies() const { return curves > 0 || steps >= 0; }
 };
 
@@ -45,12 +46,12 @@ struct Program::Compiled {
 
   Document document;
   CurveSet set;
-  std::vector<double> rest;        // the array of numbers, constants filled in
+  std::vector<double> rest;  // the array of numbers, constants filled in
   std::vector<CurveUse> curves;
   std::vector<Steps> steps;
-  std::vector<Binding> bindings;   // by object, then function
+  std::vector<Binding> bindings;             // by object, then function
   std::vector<std::uint32_t> first_binding;  // per object, and one more
-  std::vector<Binding> defaults;   // per function: where no object says otherwise
+  std::vector<Binding> defaults;             // per function: where no object says otherwise
   std::vector<Node> nodes;
   std::vector<std::uint32_t> node_of;  // per object; its order is that of the objects
 

@@ -60,7 +60,8 @@ struct Compiler {
       code.steps.emplace_back(*slot.track, spec.type);
       return b;
     }
-    if (b.channels == 0) b = place(slot.function, Vec3{}, spec.type), b.first_curve = static_cast<std::uint32_t>(code.curves.size());
+    if (b.channels == 0)
+      b = place(slot.function, Vec3{}, spec.type), b.first_curve = static_cast<std::uint32_t>(code.curves.size());
     // Events that are all points of the world are a vector's; the same twerpers suit them.
     add(*slot.track, spec.type == Type::aim ? Type::vector : spec.type, b.offset);
     b.channels = code.curves.back().curve.channels;
@@ -98,9 +99,11 @@ struct Compiler {
     n.kind = o.kind;
     const auto offset = [&](FunctionId f) { return code.find(object, f).offset; };
     n.position = offset(fn::position), n.rotation = offset(fn::rotation), n.scale = offset(fn::scale);
-    n.pivot = offset(fn::pivot), n.attach = offset(fn::attach_position), n.display = offset(fn::display), n.color = offset(fn::color);
+    n.pivot = offset(fn::pivot), n.attach = offset(fn::attach_position), n.display = offset(fn::display),
+    n.color = offset(fn::color);
     n.orientation = code.find(object, fn::rotation).orientation;
-    if (drawn(o.kind) && !shape_varies(object)) n.shape = std::make_shared<const Shape>(code.shape(object, {}, code.rest.data()));
+    if (drawn(o.kind) && !shape_varies(object))
+      n.shape = std::make_shared<const Shape>(code.shape(object, {}, code.rest.data()));
     code.node_of[object] = static_cast<std::uint32_t>(code.nodes.size());
     code.nodes.push_back(std::move(n));
   }

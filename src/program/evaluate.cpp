@@ -34,7 +34,8 @@ const Value& Program::Compiled::value(const Binding& b, Time t) const {
   return steps[static_cast<std::size_t>(b.steps)].values()[w.s >= 1 ? w.b : w.a];
 }
 
-// Scale and rotation about the pivot, then the move; what is attached is moved by its place on the parent too (R-H1, R-H7).
+// Scale and rotation about the pivot, then the move; what is attached is moved by its place on the parent too (R-H1,
+// R-H7).
 Mat4 Program::Compiled::local(const Node& n, const double* numbers) const {
   const double* r = numbers + n.rotation;
   const Quat turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
@@ -58,8 +59,8 @@ Mat4 look_at(Vec3 eye, Vec3 target) {
   return m;
 }
 
-// Worlds of all nodes. A camera that looks at something turns with it, and so does what is coupled to the camera: cameras take their turn in
-// object order, each seeing the ones before it already turned.
+// Worlds of all nodes. A camera that looks at something turns with it, and so does what is coupled to the camera:
+// cameras take their turn in object order, each seeing the ones before it already turned.
 std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers) const {
   std::vector<Mat4> w(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -88,7 +89,8 @@ Mat4 Program::Compiled::world(std::uint32_t object, Time t) const {
   return worlds(t, numbers.data())[node_of[object]];
 }
 
-std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers, const std::vector<Mat4>* worlds) const {
+std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
+                                           const std::vector<Mat4>* worlds) const {
   const Binding& b = find(camera, fn::look_at);
   if (b.channels == 3) return vec3(numbers + b.offset);
   const auto point = [&](const Value& v) -> std::optional<Vec3> {
@@ -113,16 +115,24 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
   const auto text = [&](FunctionId f) { return std::get<Text>(value(find(object, f), t)); };
   switch (s.kind) {
     case Kind::sphere:
-    case Kind::disc: s.radius = number(fn::radius); break;
-    case Kind::box: s.size = vec3(numbers + find(object, fn::box_size).offset); break;
+    case Kind::disc:
+      s.radius = number(fn::radius);
+      break;
+    case Kind::box:
+      s.size = vec3(numbers + find(object, fn::box_size).offset);
+      break;
     case Kind::plane: {
       const double* n = numbers + find(object, fn::plane_size).offset;
       s.size = {n[0], n[1], 1};
       break;
     }
     case Kind::cylinder:
-    case Kind::cone: s.radius = number(fn::radius), s.height = number(fn::height); break;
-    case Kind::torus: s.radius = number(fn::radius), s.tube = number(fn::tube); break;
+    case Kind::cone:
+      s.radius = number(fn::radius), s.height = number(fn::height);
+      break;
+    case Kind::torus:
+      s.radius = number(fn::radius), s.tube = number(fn::tube);
+      break;
     case Kind::polygon:
     case Kind::polyline:
     case Kind::points: {
@@ -151,7 +161,8 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
       if (found != scene.meshes->end()) s.mesh = found->second;
       break;
     }
-    default: break;
+    default:
+      break;
   }
   return s;
 }
@@ -159,7 +170,10 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
 namespace {
 
 Material material_of(const std::string& word) {
-  return word == "matte" ? Material::matte : word == "metal" ? Material::metal : word == "glow" ? Material::glow : Material::plastic;
+  return word == "matte"   ? Material::matte
+         : word == "metal" ? Material::metal
+         : word == "glow"  ? Material::glow
+                           : Material::plastic;
 }
 
 }  // namespace
@@ -217,7 +231,8 @@ void Program::Compiled::add_lights(Frame& frame, const double* numbers, const st
     l.direction = normalize(-l.position, {0, -1, 0});
     l.color = numbers[find(object, fn::intensity).offset] * vec3(numbers + n.color);
     const Vec3 own = vec3(numbers + n.scale);
-    l.range = numbers[find(object, fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});  // R-H9
+    l.range = numbers[find(object, fn::range).offset] *
+              std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});  // R-H9
     frame.lights.push_back(l);
   }
 }
@@ -264,11 +279,12 @@ const Camera& Program::Compiled::own_camera() const {
         const Extent e = extent(*item.shape);
         if (e.empty()) continue;
         for (int corner = 0; corner < 8; ++corner) {
-          const Vec3 p = transform_point(
-              item.world, {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y, corner & 4 ? e.high.z : e.low.z});
+          const Vec3 p = transform_point(item.world, {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y,
+                                                      corner & 4 ? e.high.z : e.low.z});
           if (!std::isfinite(p.x + p.y + p.z)) continue;
           if (all.empty()) all = {p, p};
-          for (int i = 0; i < 3; ++i) all.low[i] = std::min(all.low[i], p[i]), all.high[i] = std::max(all.high[i], p[i]);
+          for (int i = 0; i < 3; ++i)
+            all.low[i] = std::min(all.low[i], p[i]), all.high[i] = std::max(all.high[i], p[i]);
         }
       }
     }
@@ -323,15 +339,20 @@ Reading Program::read(const Target& target, Time t) const {
   const auto whole = [&]() -> Reading {
     switch (type) {
       case Type::scalar:
-      case Type::angle: return n[0];
-      case Type::boolean: return n[0] != 0;
-      case Type::pair: return Vec3{n[0], n[1], 0};
-      case Type::color: return to_srgb(vec3(n));
+      case Type::angle:
+        return n[0];
+      case Type::boolean:
+        return n[0] != 0;
+      case Type::pair:
+        return Vec3{n[0], n[1], 0};
+      case Type::color:
+        return to_srgb(vec3(n));
       case Type::rotation:
       case Type::orientation:
         if (b.orientation) return Quat{n[0], n[1], n[2], n[3]};
         return Angles{vec3(n)};
-      default: return vec3(n);
+      default:
+        return vec3(n);
     }
   }();
   if (target.component < 0) return whole;

@@ -38,12 +38,14 @@ void split(Slot& slot, Type type) {
 }  // namespace
 
 const Slot* Object::find(FunctionId f) const {
-  const auto at = std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
+  const auto at =
+      std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
   return at != slots.end() && at->function == f ? &*at : nullptr;
 }
 
 Slot& Object::slot(FunctionId f) {
-  const auto at = std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
+  const auto at =
+      std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
   if (at != slots.end() && at->function == f) return *at;
   Slot fresh;
   fresh.function = f;
@@ -139,15 +141,19 @@ ObjectId add_object(Scene& s, Object object) {
   return id;
 }
 
-void remove_object(Scene& s, ObjectId id) {
-  s.names.erase(s.objects[id.index].name);
-  Object& gone = s.objects.edit(id.index);
-  gone.removed = true;
-  gone.slots.clear();
+void remove_objects(Scene& s, const std::vector<ObjectId>& ids) {
+  for (ObjectId id : ids) {
+    s.names.erase(s.objects[id.index].name);
+    Object& gone = s.objects.edit(id.index);
+    gone.removed = true;
+    gone.parent = {};
+    gone.slots.clear();
+  }
+  const auto is_gone = [&](ObjectId id) { return id && s.objects[id.index].removed; };
   for (std::size_t i = 0; i < s.objects.size(); ++i)
-    if (s.objects[i].parent == id) s.objects.edit(i).parent = {};
-  const bool looked_through = std::any_of(s.cuts->begin(), s.cuts->end(), [&](const auto& cut) { return cut.second == id; });
-  if (looked_through) std::erase_if(s.cuts.edit(), [&](const auto& cut) { return cut.second == id; });
+    if (is_gone(s.objects[i].parent)) s.objects.edit(i).parent = {};
+  const auto gone_cut = [&](const auto& cut) { return is_gone(cut.second); };
+  if (std::any_of(s.cuts->begin(), s.cuts->end(), gone_cut)) std::erase_if(s.cuts.edit(), gone_cut);
 }
 
 Track* edit_track(Scene& s, const Target& t) {
@@ -234,11 +240,13 @@ struct Compare {
            maybe(x.detail->tangent_in, y.detail->tangent_in) && maybe(x.detail->tangent_out, y.detail->tangent_out);
   }
   bool tracks(const Track& x, const Track& y) const {
-    if (x.global != y.global || x.before != y.before || x.after != y.after || x.srgb != y.srgb || x.events.size() != y.events.size())
+    if (x.global != y.global || x.before != y.before || x.after != y.after || x.srgb != y.srgb ||
+        x.events.size() != y.events.size())
       return false;
     if (x.global == Twerper::bezier && x.bezier != y.bezier) return false;
     const auto p = x.events.between({INT64_MIN}, {INT64_MAX}), q = y.events.between({INT64_MIN}, {INT64_MAX});
-    return std::equal(p.begin(), p.end(), q.begin(), q.end(), [&](const Event& e, const Event& f) { return events(e, f); });
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                      [&](const Event& e, const Event& f) { return events(e, f); });
   }
   bool objects(const Object& x, const Object& y) const {
     if (x.name != y.name || x.kind != y.kind || ra(x.parent) != rb(y.parent)) return false;
@@ -247,7 +255,8 @@ struct Compare {
       const Slot *p = x.find(f), *q = y.find(f);
       if (!p && !q) continue;
       const Slot &s = p ? *p : nothing, &t = q ? *q : nothing;
-      if (!maybe(s.set, t.set) || !tracks(*s.track, *t.track) || s.components.size() != t.components.size()) return false;
+      if (!maybe(s.set, t.set) || !tracks(*s.track, *t.track) || s.components.size() != t.components.size())
+        return false;
       for (std::size_t i = 0; i < s.components.size(); ++i)
         if (!tracks(*s.components[i], *t.components[i])) return false;
     }
@@ -255,9 +264,12 @@ struct Compare {
   }
   bool all() const {
     if (!(a.rate == b.rate && a.ticks == b.ticks && a.range == b.range && a.background == b.background &&
-          a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases && a.notes == b.notes))
+          a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases &&
+          a.notes == b.notes))
       return false;
-    const auto same_cut = [&](const auto& x, const auto& y) { return x.first == y.first && ra(x.second) == rb(y.second); };
+    const auto same_cut = [&](const auto& x, const auto& y) {
+      return x.first == y.first && ra(x.second) == rb(y.second);
+    };
     if (!std::equal(a.cuts->begin(), a.cuts->end(), b.cuts->begin(), b.cuts->end(), same_cut)) return false;
     return std::equal(ra.living.begin(), ra.living.end(), rb.living.begin(), rb.living.end(),
                       [&](const Object* x, const Object* y) { return objects(*x, *y); });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a document holds. A Scene is a value: copying it shares all its parts, editing a copy leaves the original as it was, and costs what the edit
-// touches, not what the document holds.
+// What a document holds. A Scene is a value: copying it shares all its parts, editing a copy leaves the original as it
+// was, and costs what the edit touches, not what the document holds.
 #pragma once
 
 #include <array>
@@ -16,12 +16,13 @@
 
 namespace betwixt {
 
-// What is known of one display function of one object: the value while there are no events, and the track or the tracks of its components.
+// What is known of one display function of one object: the value while there are no events, and the track or the tracks
+// of its components.
 struct Slot {
   FunctionId function = 0;
   std::optional<Value> set;
-  Cow<Track> track;                       // events of the whole value …
-  std::vector<Cow<Track>> components;     // … or of each component (as many as the type has); never both
+  Cow<Track> track;                    // events of the whole value …
+  std::vector<Cow<Track>> components;  // … or of each component (as many as the type has); never both
 };
 
 struct Object {
@@ -78,7 +79,7 @@ struct Scene {
 
   Objects objects;
   NameIndex names;
-  Cow<std::vector<FunctionSpec>> defined;                        // the user's own functions; ids follow the built-in ones
+  Cow<std::vector<FunctionSpec>> defined;  // the user's own functions; ids follow the built-in ones
   Cow<std::map<std::string, std::vector<std::string>>> aliases;  // patterns inside are read at each use
   Cow<std::vector<std::pair<Time, std::string>>> notes;          // sorted by time
   Cow<std::map<Time, ObjectId>> cuts;                            // which camera is looked through from when on
@@ -96,13 +97,15 @@ inline const Object* find_object(const Scene& s, ObjectId id) {
   return id.index < s.objects.size() && !s.objects[id.index].removed ? &s.objects[id.index] : nullptr;
 }
 
-// Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left out.
+// Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left
+// out.
 std::vector<ObjectId> select(const Scene&, std::string_view word);
 // Is `below` the same as `above` or attached, directly or not, to it?
 bool attached_below(const Scene&, ObjectId below, ObjectId above);
 
 ObjectId add_object(Scene&, Object object);
-void remove_object(Scene&, ObjectId);  // what was coupled to it stands free; tracks that speak of it hold nothing there
+void remove_objects(Scene&, const std::vector<ObjectId>&);  // what was coupled to them stands free; tracks that speak
+                                                            // of them hold nothing there
 
 // The track to write events of a target to; writing a component splits the track (rules, section 6).
 // For a whole value of a split track there is none: write its components.

@@ -29,7 +29,8 @@ Extent estimate(const Shape& s) {
   }
   if (widest == 0) return {};
   const double em = s.size.y;
-  return {{-0.3 * widest * em, (-0.25 - 1.2 * (lines - 1)) * em, -s.depth / 2}, {0.3 * widest * em, 0.8 * em, s.depth / 2}};
+  return {{-0.3 * widest * em, (-0.25 - 1.2 * (lines - 1)) * em, -s.depth / 2},
+          {0.3 * widest * em, 0.8 * em, s.depth / 2}};
 }
 
 }  // namespace
@@ -37,23 +38,33 @@ Extent estimate(const Shape& s) {
 Extent extent(const Shape& s) {
   const double r = s.radius;
   switch (s.kind) {
-    case Kind::sphere: return about({r, r, r});
-    case Kind::disc: return about({r, r, 0});
-    case Kind::box: return about(0.5 * s.size);
-    case Kind::plane: return about({s.size.x / 2, s.size.y / 2, 0});
+    case Kind::sphere:
+      return about({r, r, r});
+    case Kind::disc:
+      return about({r, r, 0});
+    case Kind::box:
+      return about(0.5 * s.size);
+    case Kind::plane:
+      return about({s.size.x / 2, s.size.y / 2, 0});
     case Kind::cylinder:
-    case Kind::cone: return about({r, s.height / 2, r});
-    case Kind::torus: return about({r + s.tube, s.tube, r + s.tube});
-    case Kind::polygon: return around(*s.points, 0);
+    case Kind::cone:
+      return about({r, s.height / 2, r});
+    case Kind::torus:
+      return about({r + s.tube, s.tube, r + s.tube});
+    case Kind::polygon:
+      return around(*s.points, 0);
     case Kind::polyline:
-    case Kind::points: return around(*s.points, s.width / 2);
-    case Kind::text: return estimate(s);
+    case Kind::points:
+      return around(*s.points, s.width / 2);
+    case Kind::text:
+      return estimate(s);
     case Kind::mesh: {
       if (!s.mesh || s.mesh->positions.empty()) return {};
       const auto box = s.mesh->box();
       return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
     }
-    default: return {};
+    default:
+      return {};
   }
 }
 

@@ -26,17 +26,29 @@ std::vector<FunctionSpec> make() {
   set(fn::transparency, {"transparency", Type::scalar, 0.0, all, Unit::none, {}, 0, 1});
   set(fn::geometry, {"geometry", Type::shape, ObjectId{}, all, Unit::none, {}});
   set(fn::display, {"display", Type::boolean, true, all, Unit::none, {}});
-  set(fn::material, {"material", Type::text, Text(std::string("plastic")), all, Unit::none, "plastic|matte|metal|glow"});
+  set(fn::material,
+      {"material", Type::text, Text(std::string("plastic")), all, Unit::none, "plastic|matte|metal|glow"});
   set(fn::texture, {"texture", Type::text, Text(), all, Unit::none, {}});
-  set(fn::radius, {"radius", Type::scalar, 1.0,
-                   bit(Kind::sphere) | bit(Kind::disc) | bit(Kind::cylinder) | bit(Kind::cone) | bit(Kind::torus), Unit::metres, {}, least, most});
+  set(fn::radius, {"radius",
+                   Type::scalar,
+                   1.0,
+                   bit(Kind::sphere) | bit(Kind::disc) | bit(Kind::cylinder) | bit(Kind::cone) | bit(Kind::torus),
+                   Unit::metres,
+                   {},
+                   least,
+                   most});
   set(fn::box_size, {"size", Type::vector, Vec3{1, 1, 1}, bit(Kind::box), Unit::metres, {}, least, most});
   set(fn::plane_size, {"size", Type::pair, Vec3{1, 1, 0}, bit(Kind::plane), Unit::metres, {}, least, most});
   set(fn::text_size, {"size", Type::scalar, 1.0, bit(Kind::text), Unit::metres, {}, least, most});
   set(fn::point_size, {"size", Type::scalar, 0.05, bit(Kind::points), Unit::metres, {}, least, most});
   set(fn::height, {"height", Type::scalar, 1.0, bit(Kind::cylinder) | bit(Kind::cone), Unit::metres, {}, least, most});
   set(fn::tube, {"tube", Type::scalar, 0.3, bit(Kind::torus), Unit::metres, {}, least, most});
-  set(fn::points, {"points", Type::points, Points(), bit(Kind::polygon) | bit(Kind::polyline) | bit(Kind::points), Unit::metres, {}});
+  set(fn::points, {"points",
+                   Type::points,
+                   Points(),
+                   bit(Kind::polygon) | bit(Kind::polyline) | bit(Kind::points),
+                   Unit::metres,
+                   {}});
   set(fn::width, {"width", Type::scalar, 0.05, bit(Kind::polyline), Unit::metres, {}, least, most});
   set(fn::text, {"text", Type::text, Text(), bit(Kind::text), Unit::none, {}});
   set(fn::font, {"font", Type::text, Text(std::string("DejaVu Sans")), bit(Kind::text), Unit::none, {}});
@@ -76,11 +88,14 @@ std::optional<Kind> find_kind(std::string_view name) {
 
 int component_count(Type type) {
   switch (type) {
-    case Type::pair: return 2;
+    case Type::pair:
+      return 2;
     case Type::vector:
     case Type::color:
-    case Type::rotation: return 3;
-    default: return 0;
+    case Type::rotation:
+      return 3;
+    default:
+      return 0;
   }
 }
 

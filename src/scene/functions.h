@@ -21,10 +21,10 @@ enum class Unit : std::uint8_t { none, metres, millimetres };
 struct FunctionSpec {
   std::string name;
   Type type = Type::scalar;
-  Value rest;              // the value where nobody says otherwise
+  Value rest;               // the value where nobody says otherwise
   std::uint32_t kinds = 0;  // bit per Kind
   Unit unit = Unit::none;
-  std::string words;       // for texts that are one of a few words: "point|sun"
+  std::string words;                  // for texts that are one of a few words: "point|sun"
   double low = -1e300, high = 1e300;  // numbers outside mean nothing
   friend bool operator==(const FunctionSpec&, const FunctionSpec&) = default;
 };
@@ -36,22 +36,53 @@ std::optional<FunctionId> find_built_in(Kind kind, std::string_view name);
 // Ids of those that the program needs by name.
 namespace fn {
 enum : FunctionId {
-  position, rotation, scale, pivot, attach_position, color, shininess, transparency, geometry, display, material, texture,
-  radius, box_size, plane_size, text_size, point_size, height, tube, points, width, text, font, depth, file, range,
-  intensity, shines, lens, fov, camera_height, look_at, count
+  position,
+  rotation,
+  scale,
+  pivot,
+  attach_position,
+  color,
+  shininess,
+  transparency,
+  geometry,
+  display,
+  material,
+  texture,
+  radius,
+  box_size,
+  plane_size,
+  text_size,
+  point_size,
+  height,
+  tube,
+  points,
+  width,
+  text,
+  font,
+  depth,
+  file,
+  range,
+  intensity,
+  shines,
+  lens,
+  fov,
+  camera_height,
+  look_at,
+  count
 };
 }
 
-inline constexpr std::array<std::string_view, 15> kind_names{"group", "sphere",  "box",      "cylinder", "cone",
-                                                             "torus", "plane",   "disc",     "polygon",  "polyline",
-                                                             "points", "text",   "mesh",     "light",    "camera"};
+inline constexpr std::array<std::string_view, 15> kind_names{"group",  "sphere", "box",  "cylinder", "cone",
+                                                             "torus",  "plane",  "disc", "polygon",  "polyline",
+                                                             "points", "text",   "mesh", "light",    "camera"};
 std::optional<Kind> find_kind(std::string_view name);
 inline bool drawn(Kind k) { return k != Kind::group && k != Kind::light && k != Kind::camera; }
 
 // Names of components: x y z, or r g b for colours. -1: no such component of this type.
 int find_component(Type type, std::string_view name);
 std::string_view component_name(Type type, int component);
-// How many components the type can be written by: 3 for vectors, colours and rotations (their angles), 2 for pairs, else 0.
+// How many components the type can be written by: 3 for vectors, colours and rotations (their angles), 2 for pairs,
+// else 0.
 int component_count(Type type);
 Type component_type(Type type);
 

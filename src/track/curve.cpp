@@ -39,15 +39,19 @@ std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bo
 // What a twerper means for orientations, which have ways of their own.
 Twerper for_orientation(Twerper t) {
   switch (t) {
-    case Twerper::linear: return Twerper::slerp;
-    case Twerper::smooth: return Twerper::squad;
-    default: return t;
+    case Twerper::linear:
+      return Twerper::slerp;
+    case Twerper::smooth:
+      return Twerper::squad;
+    default:
+      return t;
   }
 }
 
 Twerper resolve(const Track& track, const Event& e, Type type, bool orientation) {
   Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
-  if (t == Twerper::unset) t = orientation ? Twerper::slerp : type == Type::rotation ? Twerper::smooth : default_twerper(type);
+  if (t == Twerper::unset)
+    t = orientation ? Twerper::slerp : type == Type::rotation ? Twerper::smooth : default_twerper(type);
   if (type == Type::boolean) t = Twerper::hold;
   if (orientation) return for_orientation(t);
   return t == Twerper::slerp ? Twerper::linear : t == Twerper::squad ? Twerper::smooth : t;
@@ -89,13 +93,17 @@ double segment_factor(Twerper t, double u, const CurveDetail* from, const CurveD
 
 int channels(Type type) {
   switch (type) {
-    case Type::pair: return 2;
+    case Type::pair:
+      return 2;
     case Type::vector:
     case Type::color:
-    case Type::aim: return 3;
+    case Type::aim:
+      return 3;
     case Type::rotation:
-    case Type::orientation: return 4;
-    default: return 1;
+    case Type::orientation:
+      return 4;
+    default:
+      return 1;
   }
 }
 
@@ -127,7 +135,9 @@ double ease(double u, double a, double b) {
 
 double bezier_factor(double u, const std::array<double, 4>& xy) {
   if (u <= 0 || u >= 1) return u;
-  const auto at = [](double p, double q, double s) { return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s; };
+  const auto at = [](double p, double q, double s) {
+    return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s;
+  };
   // x rises over [0, 1] because the language keeps x1 and x2 there: halving always ends.
   double low = 0, high = 1, s = u;
   for (int i = 0; i < 60; ++i) {
@@ -277,15 +287,17 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double t, double* out) c
     if (twerper == Twerper::bspline) {  // cumulative form: every step's turn, weighted
       const double s2 = s * s, s3 = s2 * s;
       const double b1 = (5 + 3 * s - 3 * s2 + s3) / 6, b2 = (1 + 3 * s + 3 * s2 - 2 * s3) / 6, b3 = s3 / 6;
-      return store(normalize(q0 * power(conjugate(q0) * q1, b1) * power(conjugate(q1) * q2, b2) * power(conjugate(q2) * q3, b3)),
-                   out);
+      return store(
+          normalize(q0 * power(conjugate(q0) * q1, b1) * power(conjugate(q1) * q2, b2) * power(conjugate(q2) * q3, b3)),
+          out);
     }
     if (twerper == Twerper::squad) {
       const auto control = [](Quat a, Quat b, Quat d) {
         const Quat f = log(conjugate(b) * d), g = log(conjugate(b) * a);
         return b * exp({0, -(f.x + g.x) / 4, -(f.y + g.y) / 4, -(f.z + g.z) / 4});
       };
-      return store(normalize(slerp(slerp(q1, q2, s), slerp(control(q0, q1, q2), control(q1, q2, q3), s), 2 * s * (1 - s))), out);
+      return store(
+          normalize(slerp(slerp(q1, q2, s), slerp(control(q0, q1, q2), control(q1, q2, q3), s), 2 * s * (1 - s))), out);
     }
     return store(slerp(q1, q2, s * s * (3 - 2 * s)), out);  // hermite: at rest at both ends
   }
@@ -332,7 +344,7 @@ void CurveSet::beyond(const Curve& c, bool after, double t, double* out) const {
 void CurveSet::evaluate(const Curve& c, Time time, double* out) const {
   const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
   std::int64_t t = time.flicks;
-  const bool before = t < *first, after = t > *last;
+  const bool before = t<*first, after = t> * last;
   if (before || after) {
     const Extend how = before ? c.before : c.after;
     if (how == Extend::linear && c.count > 1) {
@@ -354,7 +366,8 @@ void CurveSet::evaluate(const Curve& c, Time time, double* out) const {
 }
 
 std::size_t CurveSet::bytes() const {
-  return times_.size() * sizeof(times_[0]) + values_.size() * sizeof(double) + twerpers_.size() + details_.size() * sizeof(CurveDetail);
+  return times_.size() * sizeof(times_[0]) + values_.size() * sizeof(double) + twerpers_.size() +
+         details_.size() * sizeof(CurveDetail);
 }
 
 Steps::Steps(const Track& track, Type type) : before_(track.before), after_(track.after) {
@@ -371,7 +384,8 @@ Steps::Steps(const Track& track, Type type) : before_(track.before), after_(trac
 Between Steps::at(Time time) const {
   Time t = time;
   if ((t < times_.front() && before_ >= Extend::cycle) || (t > times_.back() && after_ >= Extend::cycle))
-    t = {fold(t.flicks, times_.front().flicks, times_.back().flicks, (t < times_.front() ? before_ : after_) == Extend::bounce)};
+    t = {fold(t.flicks, times_.front().flicks, times_.back().flicks,
+              (t < times_.front() ? before_ : after_) == Extend::bounce)};
   const auto next = static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
   if (next == 0) return {0, 0, 0};
   const std::size_t k = next - 1;

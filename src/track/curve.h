@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tracks compiled for evaluation: columns of times and numbers, many tracks in one set of arrays. Colours are linear light here, angles radians,
-// orientations four numbers with signs chosen so that neighbours take the short way (R-T8).
+// Tracks compiled for evaluation: columns of times and numbers, many tracks in one set of arrays. Colours are linear
+// light here, angles radians, orientations four numbers with signs chosen so that neighbours take the short way (R-T8).
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 namespace betwixt {
 
 struct CurveDetail {
-  std::uint32_t event = 0;  // index into the set's columns
+  std::uint32_t event = 0;           // index into the set's columns
   double ease_in = 0, ease_out = 0;  // flicks
   std::array<double, 4> bezier{};
   bool cut = false, has_in = false, has_out = false;
@@ -31,8 +31,9 @@ struct Curve {
 
 class CurveSet {
  public:
-  // A track of numbers (not text, names, shapes, points, nor aims at objects) with at least one event that has a value. `angles`: a rotation
-  // track whose values are all Angles is three numbers; otherwise orientations. `rest`: what a component falls back to.
+  // A track of numbers (not text, names, shapes, points, nor aims at objects) with at least one event that has a value.
+  // `angles`: a rotation track whose values are all Angles is three numbers; otherwise orientations. `rest`: what a
+  // component falls back to.
   Curve add(const Track& track, Type type);
   // out[0 … channels): the value at t.
   void evaluate(const Curve& curve, Time t, double* out) const;
@@ -55,7 +56,8 @@ bool numeric(const Value& value);
 // The numbers of a value: scalar 1, vector 3, colour 3 as written, orientation 4 (w x y z), angles 3.
 int to_numbers(const Value& value, double* out);
 
-// A twerper's blending factor: where along [0, 1] the motion is at u, given the eases as fractions of the segment. (R-T7)
+// A twerper's blending factor: where along [0, 1] the motion is at u, given the eases as fractions of the segment.
+// (R-T7)
 double ease(double u, double ease_out, double ease_in);
 double bezier_factor(double u, const std::array<double, 4>& xy);
 Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen

@@ -13,7 +13,8 @@
 
 namespace betwixt {
 
-// Interpolators. `unset` leaves the choice to the type: numbers smooth, colours linear, orientations slerp, all else hold.
+// Interpolators. `unset` leaves the choice to the type: numbers smooth, colours linear, orientations slerp, all else
+// hold.
 enum class Twerper : std::uint8_t { unset, hold, linear, smooth, bspline, hermite, bezier, slerp, squad };
 inline constexpr std::array<std::string_view, 9> twerper_names{"unset",   "hold",   "linear", "smooth", "bspline",
                                                                "hermite", "bezier", "slerp",  "squad"};
@@ -21,9 +22,9 @@ inline constexpr std::array<std::string_view, 9> twerper_names{"unset",   "hold"
 // What few events have.
 struct EventDetail {
   Time ease_in, ease_out;
-  std::optional<Value> before;                     // a cut: what the track comes to; the event's value is what it goes on from
+  std::optional<Value> before;  // a cut: what the track comes to; the event's value is what it goes on from
   std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};  // x1 y1 x2 y2, as CSS counts them
-  std::optional<Value> tangent_in, tangent_out;    // hermite: per second
+  std::optional<Value> tangent_in, tangent_out;      // hermite: per second
   friend bool operator==(const EventDetail&, const EventDetail&) = default;
 };
 

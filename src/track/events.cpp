@@ -52,7 +52,8 @@ const Event* Events::find(Time t) const {
   const std::size_t c = chunk_of(t);
   if (c == chunks_.size()) return nullptr;
   const Chunk& chunk = *chunks_[c];
-  const auto at = std::lower_bound(chunk.begin(), chunk.end(), t, [](const Event& e, Time time) { return e.time < time; });
+  const auto at =
+      std::lower_bound(chunk.begin(), chunk.end(), t, [](const Event& e, Time time) { return e.time < time; });
   return at != chunk.end() && at->time == t ? &*at : nullptr;
 }
 

@@ -24,7 +24,8 @@ std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
   };
   const auto as = [](std::optional<Vec3> v, auto make) { return v ? std::optional<Value>(make(*v)) : std::nullopt; };
   if (const auto* v = std::get_if<Vec3>(&a)) return as(three(*v), [](Vec3 r) { return r; });
-  if (const auto* c = std::get_if<Color>(&a)) return as(three({c->r, c->g, c->b}), [](Vec3 r) { return Color{r.x, r.y, r.z}; });
+  if (const auto* c = std::get_if<Color>(&a))
+    return as(three({c->r, c->g, c->b}), [](Vec3 r) { return Color{r.x, r.y, r.z}; });
   if (const auto* g = std::get_if<Angles>(&a)) return as(three(g->xyz), [](Vec3 r) { return Angles{r}; });
   return std::nullopt;
 }
@@ -82,12 +83,12 @@ std::optional<Value> add_scaled(const Value& a, const Value& b, double k) {
   return combine(a, b, [k](double x, double y) { return x + k * y; });
 }
 
-Result<Changed> copy_segment(const Track& from_track, Segment s, Track& into, Time start, const std::optional<Value>& shift,
-                             int times) {
+Result<Changed> copy_segment(const Track& from_track, Segment s, Track& into, Time start,
+                             const std::optional<Value>& shift, int times) {
   const std::vector<Event> source = from_track.events.between(s.from, s.to);
   const Time span = s.to - s.from;
-  if (!in_reach(start) || !in_reach({static_cast<std::int64_t>(std::min(9e18, static_cast<double>(start.flicks) +
-                                                                                  static_cast<double>(span.flicks) * times))}))
+  if (!in_reach(start) || !in_reach({static_cast<std::int64_t>(std::min(
+                              9e18, static_cast<double>(start.flicks) + static_cast<double>(span.flicks) * times))}))
     return out_of_reach();
   Track out = into;
   Changed done;
@@ -155,7 +156,8 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
       std::swap(d.ease_in, d.ease_out);
       if (d.before) std::swap(*d.before, e.value);
       d.bezier = leader.detail->bezier;
-      if (i > 0) d.bezier = {1 - d.bezier[2], 1 - d.bezier[3], 1 - d.bezier[0], 1 - d.bezier[1]};
+      if (i > 0 && e.twerper == Twerper::bezier)
+        d.bezier = {1 - d.bezier[2], 1 - d.bezier[3], 1 - d.bezier[0], 1 - d.bezier[1]};
       std::swap(d.tangent_in, d.tangent_out);
       for (auto* tangent : {&d.tangent_in, &d.tangent_out})
         if (*tangent) *tangent = combine(**tangent, Value(-1.0), [](double x, double y) { return x * y; });
@@ -166,9 +168,8 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
 }
 
 Result<Changed> scale_segment(Track& track, Segment s, const Value& by) {
-  return change_values(track, s, true, "scaled by that", [&](const Value& v) {
-    return combine(v, by, [](double x, double y) { return x * y; });
-  });
+  return change_values(track, s, true, "scaled by that",
+                       [&](const Value& v) { return combine(v, by, [](double x, double y) { return x * y; }); });
 }
 
 Result<Changed> translate_segment(Track& track, Segment s, const Value& by) {

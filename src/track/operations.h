@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Operations on segments of tracks: the first four change times, the others values. (twixt notes, 4.5; R-T10)
-// A segment from..to is closed: it holds the events with from <= time <= to. Every operation works on a copy of what it reads first, so
-// overlapping ranges mean what they say. A track is left as it was when an operation fails.
+// A segment from..to is closed: it holds the events with from <= time <= to. Every operation works on a copy of what it
+// reads first, so overlapping ranges mean what they say. A track is left as it was when an operation fails.
 #pragma once
 
 #include "betwixt/result.h"
@@ -20,9 +20,10 @@ struct Changed {
   std::size_t replaced = 0;  // other events that had to give way
 };
 
-// The k-th copy (k = 1 … times) starts at `start` + (k - 1)(to - from), has k shifts added, and replaces what stood in its range;
-// on an occupied start it keeps the ease-in that it finds. `into` may be `from_track` itself.
-Result<Changed> copy_segment(const Track& from_track, Segment, Track& into, Time start, const std::optional<Value>& shift, int times);
+// The k-th copy (k = 1 … times) starts at `start` + (k - 1)(to - from), has k shifts added, and replaces what stood in
+// its range; on an occupied start it keeps the ease-in that it finds. `into` may be `from_track` itself.
+Result<Changed> copy_segment(const Track& from_track, Segment, Track& into, Time start,
+                             const std::optional<Value>& shift, int times);
 Result<Changed> move_segment(Track&, Segment, Time by);
 // About `from`; eases grow along, hermite tangents shrink. factor > 0.
 Result<Changed> stretch_segment(Track&, Segment, double factor);

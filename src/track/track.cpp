@@ -15,7 +15,8 @@ bool fits(Twerper twerper, Type type, std::string* why) {
   };
   const std::string name(twerper_names[static_cast<std::size_t>(twerper)]);
   if (twerper == Twerper::unset || twerper == Twerper::hold) return true;
-  if (steps) return no("'" + name + "' cannot blend " + std::string(to_string(type)) + ": it changes at its events only");
+  if (steps)
+    return no("'" + name + "' cannot blend " + std::string(to_string(type)) + ": it changes at its events only");
   if ((twerper == Twerper::slerp || twerper == Twerper::squad) && !orientation)
     return no("'" + name + "' turns orientations; this is " + std::string(to_string(type)));
   return true;
@@ -26,11 +27,15 @@ Twerper default_twerper(Type type) {
     case Type::scalar:
     case Type::angle:
     case Type::pair:
-    case Type::vector: return Twerper::smooth;
-    case Type::color: return Twerper::linear;
+    case Type::vector:
+      return Twerper::smooth;
+    case Type::color:
+      return Twerper::linear;
     case Type::rotation:  // orientations; angles are vectors
-    case Type::orientation: return Twerper::slerp;
-    default: return Twerper::hold;
+    case Type::orientation:
+      return Twerper::slerp;
+    default:
+      return Twerper::hold;
   }
 }
 
@@ -42,8 +47,13 @@ double to_linear(double s) {
 double to_srgb(double l) {
   const double a = std::abs(l);
   const double s = a <= 0.0031308 ? a * 12.92 : 1.055 * std::pow(a, 1 / 2.4) - 0.055;
-  // Twelve decimals: far below what anyone sees, and 0.8 comes back as 0.8.
-  return std::copysign(s < 1e3 ? std::round(s * 1e12) / 1e12 : s, l);
+  // What was written as eight bits or in up to twelve decimals comes back as it was written; the rest is off by a
+  // rounding or two.
+  for (const double grid : {255.0, 1e12}) {
+    const double near = std::round(s * grid) / grid;
+    if (std::abs(near - s) < 1e-14) return std::copysign(near, l);
+  }
+  return std::copysign(s, l);
 }
 
 Vec3 to_linear(Color c) { return {to_linear(c.r), to_linear(c.g), to_linear(c.b)}; }

@@ -25,7 +25,8 @@ bool fits(Twerper twerper, Type type, std::string* why = nullptr);
 // The twerper that `unset` stands for.
 Twerper default_twerper(Type type);
 
-// sRGB (as written) to linear light and back, per channel, mirrored at 0. Going there and back gives the number written.
+// sRGB (as written) to linear light and back, per channel, mirrored at 0. Going there and back gives the number
+// written.
 double to_linear(double srgb);
 double to_srgb(double linear);
 Vec3 to_linear(Color c);

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt eval: what values are at what times.
+#include <fmt/format.h>
+
+#include "app/command.h"
+#include "betwixt/program.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+struct Asked {
+  std::string file;
+  std::vector<std::string> times, targets;
+  bool json = false;
+};
+
+std::string json_text(const std::string& s) {
+  std::string out = "\"";
+  for (char c : s) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (c == '\n')
+      out += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+std::string list(const std::vector<double>& numbers) {
+  std::string out = "[";
+  for (double n : numbers) out += (out.size() > 1 ? "," : "") + write_number(n);
+  return out + "]";
+}
+
+std::string json(const Reading& r, Type type, const Document& d) {
+  if (const auto* n = std::get_if<double>(&r)) return write_number(*n);
+  if (const auto* b = std::get_if<bool>(&r)) return *b ? "true" : "false";
+  if (const auto* id = std::get_if<ObjectId>(&r)) return *id ? json_text(d.name(*id)) : "null";
+  if (const auto* t = std::get_if<Text>(&r)) return json_text(**t);
+  if (const auto* points = std::get_if<Points>(&r)) {
+    std::string out = "[";
+    for (Vec3 p : **points) out += (out.size() > 1 ? "," : "") + list({p.x, p.y, p.z});
+    return out + "]";
+  }
+  if (const auto* names = std::get_if<Names>(&r)) {
+    std::string out = "[";
+    for (const auto& n : **names) out += (out.size() > 1 ? "," : "") + json_text(n);
+    return out + "]";
+  }
+  auto n = numbers(r);
+  if (type == Type::pair) n.resize(2);
+  return list(n);
+}
+
+// As it would be written in a script; matrices row by row.
+std::string plain(const Reading& r, const Target& t, const Document& d) {
+  if (std::holds_alternative<Mat4>(r)) {
+    std::string out = "matrix(";
+    for (double n : numbers(r)) out += (out.back() == '(' ? "" : " ") + write_number(n);
+    return out + ")";
+  }
+  Value v;
+  std::visit(
+      [&](const auto& x) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(x)>, Mat4>) v = x;
+      },
+      r);
+  return write_value(v, spec_of(d.scene(), t.function), t.component,
+                     [&](ObjectId id) { return id ? d.name(id) : std::string(); });
+}
+
+int eval(const Asked& asked) {
+  const auto document = open_script(asked.file);
+  if (!document) return wrong_input;
+  std::vector<std::pair<std::string, Time>> times;
+  for (const auto& text : asked.times) {
+    const auto t = parse_time(text, *document);
+    if (!t) return complain(t.error(), wrong_call);
+    times.emplace_back(text, *t);
+  }
+  std::vector<Target> targets;
+  std::vector<std::string> patterns = asked.targets;
+  if (patterns.empty()) patterns = document->names();
+  for (const auto& pattern : patterns) {
+    const auto found = find_targets(pattern, *document);
+    if (!found) return complain(found.error(), wrong_input);
+    if (found->empty()) fmt::print(stderr, "betwixt: notice: '{}' names nothing\n", pattern);
+    for (const Target& t : *found)
+      if (std::find(targets.begin(), targets.end(), t) == targets.end()) targets.push_back(t);
+  }
+  const Program program = Program::compile(*document);
+  const auto type_of = [&](const Target& t) {
+    if (t.function == world_function) return Type::vector;
+    const Type whole = spec_of(document->scene(), t.function).type;
+    return t.component < 0 ? whole : component_type(whole);
+  };
+  if (asked.json) {
+    std::string out = "{\"times\":[";
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      out += fmt::format("{}{{\"at\":{},\"seconds\":{},\"values\":{{", i ? "," : "", json_text(times[i].first),
+                         write_number(times[i].second.seconds()));
+      for (std::size_t k = 0; k < targets.size(); ++k)
+        out += fmt::format("{}{}:{}", k ? "," : "", json_text(document->name(targets[k])),
+                           json(program.read(targets[k], times[i].second), type_of(targets[k]), *document));
+      out += "}}";
+    }
+    fmt::print("{}]}}\n", out);
+    return all_done;
+  }
+  std::size_t width = 0;
+  for (const Target& t : targets) width = std::max(width, document->name(t).size());
+  for (const auto& [text, t] : times) {
+    if (times.size() > 1) fmt::print("{} ({} s)\n", text, write_number(t.seconds()));
+    for (const Target& target : targets)
+      fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(target), width,
+                 plain(program.read(target, t), target, *document));
+  }
+  return all_done;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, int& exit_code) {
+  auto* sub = app.add_subcommand("eval", "Values at times");
+  auto asked = std::make_shared<Asked>();
+  sub->add_option("file", asked->file, "the script")->required()->type_name("FILE");
+  sub->add_option("targets", asked->targets, "ball.position, wheel*.color, ball; all if none is named")
+      ->type_name("TARGET");
+  sub->add_option("--at", asked->times, "the times: 24f, 2.5s, …")
+      ->required()
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("T[,T…]");
+  sub->add_flag("--json", asked->json, "one JSON object");
+  sub->footer("Example:\n  betwixt eval examples/bounce.bx --at 12f,24f ball.position --json");
+  sub->callback([asked, &exit_code] { exit_code = eval(*asked); });
+}
+
+}  // namespace betwixt

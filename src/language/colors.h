@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Colours that have names.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace betwixt {
+
+std::optional<std::uint32_t> named_color(std::string_view name);  // 0xrrggbb
+std::string_view name_of_color(std::uint32_t rgb);                // empty: it has none
+std::vector<std::string_view> color_names();
+
+}  // namespace betwixt

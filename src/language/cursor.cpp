@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/cursor.h"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "betwixt/math.h"
+
+namespace betwixt {
+namespace {
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool ends_word(char c) {
+  return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == '(' || c == ')' || c == '=' || c == '"' ||
+         c == '@';
+}
+// What the author sees of a token in a message.
+std::string quoted(std::string_view s) {
+  return s.size() > 40 ? fmt::format("'{}…'", s.substr(0, 36)) : fmt::format("'{}'", s);
+}
+
+}  // namespace
+
+bool Cursor::fail(Code code, std::string message, std::string_view about, std::string hint) {
+  if (error) return false;
+  error = betwixt::fail(code, std::move(message), std::move(hint));
+  where = about;
+  return false;
+}
+
+bool Cursor::fail_here(Code code, std::string message, std::string hint) {
+  const char* start = at;
+  const std::string_view w = peek_word();
+  return fail(code, std::move(message), w.empty() ? std::string_view(start, at < end ? 1 : 0) : w, std::move(hint));
+}
+
+void Cursor::space() {
+  for (; at < end; ++at) {
+    const char c = *at;
+    if (c == ' ' || c == '\t' || c == '\r' || c == ',') continue;
+    if (c == '\n' && depth > 0) continue;
+    if (c == '#' && (at + 1 == end || at[1] == ' ' || at[1] == '\t' || at[1] == '\n' || at[1] == '\r')) {
+      at = line_end(at, end);
+      if (at == end || depth == 0) return;
+      continue;
+    }
+    return;
+  }
+}
+
+bool Cursor::at_line_end() {
+  space();
+  return at == end || *at == '\n';
+}
+
+std::string_view Cursor::word() {
+  const char* start = at;
+  int braces = 0;
+  for (; at < end; ++at) {
+    if (*at == '\n') break;
+    if (*at == '{') ++braces;
+    if (*at == '}') --braces;
+    if (braces <= 0 && ends_word(*at)) break;
+  }
+  return since(start);
+}
+
+std::string_view Cursor::peek_word() {
+  const char* start = at;
+  const std::string_view w = word();
+  at = start;
+  return w;
+}
+
+bool Cursor::accept_word(std::string_view w) {
+  space();
+  if (peek_word() != w) return false;
+  at += w.size();
+  return true;
+}
+
+bool Cursor::accept(char c) {
+  space();
+  if (at == end || *at != c) return false;
+  ++at;
+  return true;
+}
+
+bool Cursor::open() {
+  if (!accept('(')) return fail_here(Code::syntax, "an opening bracket '(' is missing here");
+  ++depth;
+  return true;
+}
+
+bool Cursor::close() {
+  space();
+  if (at == end) return fail(Code::syntax, "a bracket is not closed before the text ends", {end, 0});
+  if (*at != ')')
+    return fail_here(Code::syntax, fmt::format("a closing bracket ')' is missing before {}",
+                                               quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
+  ++at;
+  --depth;
+  return true;
+}
+
+bool Cursor::number(double& out) {
+  space();
+  const char* start = at;
+  const char* p = at;
+  const bool plus = p < end && *p == '+';
+  if (p < end && (*p == '-' || *p == '+')) ++p;
+  if (!(p < end && (digit(*p) || (*p == '.' && p + 1 < end && digit(p[1])))))
+    return fail_here(Code::syntax,
+                     at_line_end() ? "a number is missing here"
+                                   : fmt::format("{} is not a number",
+                                                 quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
+  const auto r = fast_float::from_chars(plus ? p : at, end, out);
+  at = r.ptr;
+  // "1..24": the second dot is not the number's, nor is the first.
+  if (at < end && at[-1] == '.' && *at == '.') --at;
+  if (r.ec != std::errc{} && r.ec != std::errc::result_out_of_range)
+    return fail_here(Code::syntax, "this is not a number");
+  if (!std::isfinite(out))
+    return fail(Code::range, fmt::format("{} is too large for a number", quoted(since(start))), since(start));
+  return true;
+}
+
+bool Cursor::whole_number(long low, long high, const char* what, long& out) {
+  space();
+  const char* start = at;
+  double d = 0;
+  if (!number(d)) return false;
+  if (d != std::floor(d) || d < static_cast<double>(low) || d > static_cast<double>(high))
+    return fail(Code::range, fmt::format("{} is a whole number from {} to {}", what, low, high), since(start));
+  out = static_cast<long>(d);
+  return true;
+}
+
+std::string_view Cursor::unit() {
+  const char* start = at;
+  while (at < end && letter(*at)) ++at;
+  return since(start);
+}
+
+bool Cursor::text(std::string& out) {
+  space();
+  const char* start = at;
+  if (peek() != '"') return fail_here(Code::syntax, "a text in double quotes is missing here");
+  out.clear();
+  if (end - at >= 3 && at[1] == '"' && at[2] == '"') {
+    const std::string_view rest(at + 3, static_cast<std::size_t>(end - at - 3));
+    const auto close = rest.find("\"\"\"");
+    if (close == std::string_view::npos) return fail(Code::syntax, "this text is never closed by \"\"\"", {start, 3});
+    out = rest.substr(0, close);
+    at += 3 + close + 3;
+    return true;
+  }
+  for (++at; at < end && *at != '\n'; ++at) {
+    if (*at == '"') {
+      ++at;
+      return true;
+    }
+    if (*at != '\\') {
+      out += *at;
+      continue;
+    }
+    if (++at == end) break;
+    switch (*at) {
+      case 'n':
+        out += '\n';
+        break;
+      case 't':
+        out += '\t';
+        break;
+      case '"':
+        out += '"';
+        break;
+      case '\\':
+        out += '\\';
+        break;
+      default:
+        return fail(Code::syntax, fmt::format("'\\{}' means nothing in a text", *at), {at - 1, 2},
+                    "known: \\n \\t \\\" \\\\");
+    }
+  }
+  return fail(Code::syntax, "this text is not closed on its line", {start, 1},
+              "end it with \", or begin and end it with \"\"\" if it has several lines");
+}
+
+bool Cursor::store(Time& out, long double seconds, const char* start) {
+  if (!(std::abs(seconds) <= static_cast<long double>(longest_seconds)))
+    return fail(Code::range, "times reach 146 years (4.6e9 s) and no further", since(start));
+  out = {static_cast<std::int64_t>(std::llroundl(seconds * flicks_per_second))};
+  return true;
+}
+
+// hours:minutes:seconds or minutes:seconds
+bool Cursor::clock(Time& out, const char* start, bool negative) {
+  long double seconds = 0;
+  for (int part = 0;; ++part) {
+    double d = 0;
+    if (!number(d)) return false;
+    seconds = seconds * 60 + static_cast<long double>(d);
+    if (peek() != ':') break;
+    if (part == 2 || d != std::floor(d))
+      return fail(Code::syntax, "a clock time is hours:minutes:seconds", since(start));
+    ++at;
+  }
+  return store(out, negative ? -seconds : seconds, start);
+}
+
+bool Cursor::time_or_length(Time& out, bool length) {
+  space();
+  const char* start = at;
+  const char* p = at;
+  if (p < end && (*p == '-' || *p == '+')) ++p;
+  const char* digits = p;
+  std::int64_t whole = 0;
+  while (p < end && digit(*p) && p - digits < 9) whole = whole * 10 + (*p++ - '0');
+  if (p > digits && p < end && *p == ':') {
+    const bool negative = *start == '-';
+    at = digits;
+    return clock(out, start, negative);
+  }
+  // Whole frames, by far the most usual, without going through a double.
+  const auto over = [&](const char* q) { return q == end || ends_word(*q) || *q == '.' || *q == '#'; };
+  if (p > digits && p < end && *p == 'f' && over(p + 1)) {
+    at = p + 1;
+    frames_read = true;
+    const double n = static_cast<double>(*start == '-' ? -whole : whole);
+    if (std::abs(n) > longest_seconds * rate.per_second()) return store(out, 1e18L, start);
+    out = length ? rate.span(n) : rate.frame(n);
+    return true;
+  }
+  double n = 0;
+  if (!number(n)) {
+    if (error->code == Code::syntax)
+      error->message = at_line_end() ? "a time is missing here"
+                                     : fmt::format("{} is not a time",
+                                                   quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word()));
+    error->hint = error->code == Code::syntax ? "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5" : "";
+    return false;
+  }
+  const std::string_view u = unit();
+  if (!over(at))
+    return fail(Code::syntax,
+                fmt::format("{} is not a time",
+                            quoted(std::string_view(start, static_cast<std::size_t>(at - start) + peek_word().size()))),
+                since(start));
+  const auto in_rate = [&](Rate r, double units) {
+    if (std::abs(units) > longest_seconds * r.per_second()) return store(out, 1e18L, start);
+    out = r.span(units);
+    return true;
+  };
+  if (u == "f") {
+    frames_read = true;
+    return in_rate(rate, length ? n : n - 1);
+  }
+  if (u == "s") return store(out, static_cast<long double>(n), start);
+  if (u == "ms") return store(out, static_cast<long double>(n) / 1000, start);
+  if (u == "t") {
+    ticks_read = true;
+    return in_rate(ticks, n);
+  }
+  if (u.empty())
+    return fail(
+        Code::syntax, fmt::format("a {} needs a unit", length ? "length of time" : "time"), since(start),
+        fmt::format("write {0}f for {1}, or {0}s for seconds", since(start), length ? "frames" : "a frame number"));
+  return fail(Code::syntax, fmt::format("'{}' is not a unit of time", u), u,
+              "units are f (frames), s, ms and t (ticks)");
+}
+
+bool Cursor::segment(Time& from, Time& to) {
+  space();
+  const char* start = at;
+  if (!time(from)) return false;
+  if (end - at < 2 || at[0] != '.' || at[1] != '.')
+    return fail(Code::syntax, "a segment needs its end", since(start),
+                fmt::format("write {}..END, as in 1f..24f", since(start)));
+  at += 2;
+  if (!time(to)) return false;
+  if (to < from) return fail(Code::range, "this segment ends before it begins", since(start));
+  return true;
+}
+
+bool Cursor::angle(double& radians) {
+  space();
+  const char* start = at;
+  double n = 0;
+  if (!number(n)) return false;
+  const std::string_view u = unit();
+  if (u == "deg")
+    radians = n * (pi / 180);
+  else if (u == "turn")
+    radians = n * (2 * pi);
+  else if (u == "rad" || (u.empty() && n == 0))
+    radians = n;
+  else if (u.empty())
+    return fail(Code::type, "an angle needs a unit", since(start),
+                fmt::format("write {0}deg, {0}rad or {0}turn", since(start)));
+  else
+    return fail(Code::type, fmt::format("'{}' is not a unit of angles", u), u, "units are deg, rad and turn");
+  if (!std::isfinite(radians)) return fail(Code::range, "this angle is too large", since(start));
+  return true;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reading the small things of the language: white space, words, numbers, times, texts. A reading function that fails
+// says why (once, at the place where it failed) and returns false; its caller returns false in turn.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "betwixt/result.h"
+#include "betwixt/time.h"
+
+namespace betwixt {
+
+// The next new line at or behind `from`, or `end`.
+inline const char* line_end(const char* from, const char* end) { return std::find(from, end, '\n'); }
+
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : at(text.data()), end(text.data() + text.size()) {}
+
+  const char* at;
+  const char* end;
+  int depth = 0;             // brackets open: a new line is white space inside them
+  Rate rate, ticks{30, 1};   // what f and t mean
+  bool frames_read = false;  // a time has been given in frames
+  bool ticks_read = false;
+
+  // The first failure since the last clear; `where` is the text it is about.
+  std::optional<Error> error;
+  std::string_view where;
+  bool fail(Code code, std::string message, std::string_view about, std::string hint = {});
+  bool fail_here(Code code, std::string message, std::string hint = {});
+
+  void space();        // blanks, commas, comments; inside brackets new lines too
+  bool at_line_end();  // after space(): the logical line is over
+  char peek() const { return at < end ? *at : '\n'; }
+  // A run of characters that belong together: names, patterns, targets, verbs. Braces hold commas together.
+  std::string_view word();
+  std::string_view peek_word();
+  bool accept_word(std::string_view w);  // takes the word if it is next
+  bool accept(char c);                   // takes the character if it is next
+  bool open();                           // (
+  bool close();                          // )
+
+  bool number(double& out);
+  bool whole_number(long low, long high, const char* what, long& out);
+  // Letters that stand directly behind a number.
+  std::string_view unit();
+  bool text(std::string& out);  // "…" or """…"""
+  bool time(Time& out) { return time_or_length(out, false); }
+  bool length(Time& out) { return time_or_length(out, true); }
+  bool segment(Time& from, Time& to);  // A..B
+  bool angle(double& radians);
+
+ private:
+  bool time_or_length(Time& out, bool length);
+  bool store(Time& out, long double seconds, const char* start);
+  bool clock(Time& out, const char* start, bool negative);
+  std::string_view since(const char* start) const { return {start, static_cast<std::size_t>(at - start)}; }
+};
+
+}  // namespace betwixt

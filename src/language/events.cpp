@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that write values and events.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "language/reader.h"
+#include "track/curve.h"
+
+namespace betwixt {
+namespace {
+
+std::vector<std::string_view> twerper_words() { return {twerper_names.begin() + 1, twerper_names.end()}; }
+
+}  // namespace
+
+// A twerper's word and what stands in brackets behind it.
+bool Reader::twerper(Cursor& c, const Selected& to, Twerper& out, std::array<double, 4>& bezier) {
+  c.space();
+  const std::string_view w = c.word();
+  const auto at = std::find(twerper_names.begin() + 1, twerper_names.end(), w);
+  if (at == twerper_names.end())
+    return c.fail(Code::name,
+                  w.empty() ? "a twerper is missing here" : fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
+                  did_you_mean(w, twerper_words()));
+  out = static_cast<Twerper>(at - twerper_names.begin());
+  std::string why;
+  if (!fits(out, to.type(), &why)) return c.fail(Code::type, why, w);
+  c.space();
+  const bool bracket = c.peek() == '(';
+  if (out == Twerper::bezier) {
+    const char* start = c.at;
+    if (!bracket)
+      return c.fail(Code::syntax, "bezier needs its two control points", w, "as in bezier(0.25 0.1 0.25 1)");
+    if (!c.open()) return false;
+    for (double& v : bezier)
+      if (!c.number(v)) return false;
+    if (!c.close()) return false;
+    if (bezier[0] < 0 || bezier[0] > 1 || bezier[2] < 0 || bezier[2] > 1)
+      return c.fail(Code::range, "the x of a bezier's control points is from 0 to 1",
+                    {start, static_cast<std::size_t>(c.at - start)});
+  } else if (bracket) {
+    return c.fail_here(Code::syntax, fmt::format("'{}' takes nothing in brackets", w));
+  }
+  return true;
+}
+
+// tangent=V, tangent-in=V, tangent-out=V: where hermite comes from and goes, per second.
+bool Reader::tangent(Cursor& c, const Selected& to, std::string_view key, Event& e) {
+  if (!c.accept('=')) return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", key));
+  const Type type = to.type();
+  if (type != Type::scalar && type != Type::angle && type != Type::pair && type != Type::vector &&
+      type != Type::rotation)
+    return c.fail(Code::type, fmt::format("{} has no tangents", to_string(type)), key);
+  FunctionSpec free = *to.spec;  // a speed may be of any size
+  free.low = -1e300, free.high = 1e300;
+  Value v;
+  c.space();
+  const char* start = c.at;
+  if (!values(c).value(free, to.component, v)) return false;
+  if (std::holds_alternative<Quat>(v))
+    return c.fail(Code::type, "tangents of orientations mean nothing", {start, static_cast<std::size_t>(c.at - start)});
+  if (key != "tangent-out") e.detail.edit().tangent_in = v;
+  if (key != "tangent-in") e.detail.edit().tangent_out = v;
+  return true;
+}
+
+// What stands behind a row's time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep TWERPER.
+bool Reader::event(Cursor& c, const Selected& to, Time time) {
+  Event e;
+  e.time = time;
+  c.space();
+  if (c.peek() == '=') return c.fail_here(Code::name, "procedures are not in this version of Betwixt");
+  if (c.peek() == 'k' && c.peek_word() == "keep") {
+    c.word();
+    e.keep = true;
+    e.value = 0.0;
+  } else {
+    if (!values(c).value(*to.spec, to.component, e.value, to.targets.empty() ? 0xffff : to.targets[0].function))
+      return false;
+    c.space();
+    if (c.peek() == 'c' && c.accept_word("cut")) {
+      Value after;
+      if (!values(c).value(*to.spec, to.component, after, to.targets.empty() ? 0xffff : to.targets[0].function))
+        return false;
+      if (to.type() != Type::text && to.type() != Type::boolean) e.detail.edit().before = std::move(e.value);
+      e.value = std::move(after);
+    }
+  }
+  bool chosen = false;
+  while (!c.at_line_end()) {
+    const char* start = c.at;
+    const std::string_view w = c.peek_word();
+    if (w == "ease-in" || w == "ease-out") {
+      c.word();
+      if (!c.accept('='))
+        return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", w), fmt::format("as in {}=4f", w));
+      Time length;
+      if (!c.length(length)) return false;
+      if (length < Time{})
+        return c.fail(Code::range, "an ease cannot be shorter than nothing",
+                      {start, static_cast<std::size_t>(c.at - start)});
+      (w == "ease-in" ? e.detail.edit().ease_in : e.detail.edit().ease_out) = length;
+      continue;
+    }
+    if (w == "tangent" || w == "tangent-in" || w == "tangent-out") {
+      c.word();
+      if (!tangent(c, to, w, e)) return false;
+      continue;
+    }
+    if (chosen)
+      return c.fail_here(Code::syntax,
+                         fmt::format("'{}' is not expected here: this event has its twerper", w.substr(0, 40)));
+    std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
+    if (!twerper(c, to, e.twerper, bezier)) return false;
+    if (e.twerper == Twerper::bezier) e.detail.edit().bezier = bezier;
+    chosen = true;
+  }
+  if (e.keep && !chosen) return c.fail_here(Code::syntax, "keep needs a twerper, as in keep linear");
+  return put(to, std::move(e), c);
+}
+
+bool Reader::put(const Selected& to, Event event, Cursor& c) {
+  const bool rotation = to.type() == Type::rotation && !event.keep;
+  for (const Target& t : to.targets) {
+    if (!rotation && to.component < 0) break;
+    const auto tracks = tracks_of(s, t);
+    if (tracks.empty()) continue;
+    const Slot* slot = s.objects[t.object.index].find(t.function);
+    const bool orientation =
+        !tracks[0]->events.empty() && std::holds_alternative<Quat>(tracks[0]->events.front().value);
+    // Components of an orientation are nothing an animator would know.
+    if ((to.component >= 0 && slot->components.empty() && orientation) ||
+        (rotation && to.component < 0 && !slot->components.empty() && std::holds_alternative<Quat>(event.value)))
+      return c.fail_here(Code::type,
+                         fmt::format("'{}' cannot hold both orientations and separate angles",
+                                     Document(std::make_shared<const Scene>(s)).name(t)),
+                         "write all of it as euler(x y z), or all as axis(…) or quat(…)");
+    Sheet& sheet = source_.sheet;
+    if (rotation && to.component < 0 && !tracks[0]->events.empty() &&
+        orientation != std::holds_alternative<Quat>(event.value) && !sheet.warned) {
+      note(Severity::warning,
+           "this track mixes angles and orientations: all are read as orientations, and whole turns are lost",
+           to.text.data() ? std::string_view(c.at, 0) : to.text,
+           "write euler(x y z) for all of them, or axis(…) or quat(…)");
+      sheet.warned = true;
+    }
+  }
+  const auto& direct = source_.sheet.tracks;
+  if (&to == &source_.sheet.on && !direct.empty()) {
+    for (std::size_t i = 1; i < direct.size(); ++i) direct[i]->events.put(event);
+    direct[0]->events.put(std::move(event));
+    return true;
+  }
+  for (const Target& t : to.targets) put_event(s, t, event);
+  return true;
+}
+
+bool Reader::at(Cursor& c) {
+  if (timed_) return c.fail_here(Code::syntax, "one 'at' is enough");
+  if (!c.time(time_)) return false;
+  timed_ = true;
+  c.space();
+  const char* start = c.at;
+  const std::string_view w = c.word();
+  static constexpr std::string_view timed_verbs[] = {"note", "look", "show", "hide"};
+  static constexpr std::string_view later[] = {"couple", "detach", "hang", "attach", "letgo", "set"};
+  if (w.empty()) return c.fail_here(Code::syntax, "a target or a command is missing here");
+  if (w.find('.') != std::string_view::npos) {
+    Selected to;
+    if (!targets(c, w, to)) return false;
+    if (!to.spec) {
+      c.at = after_line(start);
+      if (c.at > start && c.at[-1] == '\n') --c.at;
+      return true;
+    }
+    return event(c, to, time_);
+  }
+  c.at = start;
+  if (w == "set")
+    return c.fail(Code::syntax, "'set' has no time; with 'at', write the target and its value", w,
+                  "as in at 24f ball.color red");
+  if (std::find(std::begin(later), std::end(later), w) != std::end(later))
+    return c.fail(Code::name, fmt::format("'{}' at a time is not in this version of Betwixt", w), w,
+                  w == "couple" || w == "detach" ? "without 'at' it holds from the beginning" : "");
+  if (std::find(std::begin(timed_verbs), std::end(timed_verbs), w) == std::end(timed_verbs)) {
+    for (const Verb& v : verbs())
+      if (v.word == w) return c.fail(Code::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
+    if (const auto why = not_yet(w); !why.empty()) return c.fail(Code::name, fmt::format("'{}' {}", w, why), w);
+    return c.fail(Code::syntax, fmt::format("a target or a command is wanted here, not '{}'", w.substr(0, 40)), w,
+                  "as in at 24f ball.position (1 2 3)");
+  }
+  return command(c);
+}
+
+bool Reader::set(Cursor& c) {
+  c.space();
+  const std::string_view w = c.word();
+  Selected to;
+  if (!targets(c, w, to)) return false;
+  if (!to.spec) {
+    c.at = after_line(w.data());
+    if (c.at > w.data() && c.at[-1] == '\n') --c.at;
+    return true;
+  }
+  Value v;
+  c.space();
+  if (c.peek() == '=')
+    return c.fail_here(Code::name, "procedures are not in this version of Betwixt",
+                       "a value needs no '=': set ball.color red");
+  if (!values(c).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
+  for (const Target& t : to.targets) {
+    const Slot* slot = s.objects[t.object.index].find(t.function);
+    if (t.component >= 0 && slot && slot->set && std::holds_alternative<Quat>(*slot->set))
+      return c.fail(Code::type, "an orientation has no separate angles", w,
+                    "set the whole of it as euler(x y z) first");
+  }
+  for (const Target& t : to.targets) set_value(s, t, v);
+  return true;
+}
+
+bool Reader::global_twerper(Cursor& c) {
+  c.space();
+  const std::string_view w = c.word();
+  Selected to;
+  if (!targets(c, w, to)) return false;
+  if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
+  Twerper chosen = Twerper::unset;
+  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
+  if (!c.accept_word("none") && !twerper(c, to, chosen, bezier)) return false;
+  std::optional<bool> srgb;
+  if (!c.at_line_end()) {
+    const std::string_view key = c.peek_word();
+    if (key != "in") return finish(c);
+    c.word();
+    if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing behind in");
+    c.space();
+    const std::string_view how = c.word();
+    if (how != "light" && how != "srgb") return c.fail(Code::syntax, "colours blend in=light or in=srgb", how);
+    if (to.type() != Type::color)
+      return c.fail(Code::type, fmt::format("only colours blend in light or srgb; this is {}", to_string(to.type())),
+                    key);
+    srgb = how == "srgb";
+  }
+  if (!finish(c)) return false;
+  for (const Target& t : to.targets)
+    for (Track* track : edit_tracks(s, t)) {
+      track->global = chosen;
+      track->bezier = bezier;
+      if (srgb) track->srgb = *srgb;
+    }
+  return true;
+}
+
+bool Reader::extend(Cursor& c) {
+  c.space();
+  const std::string_view w = c.word();
+  Selected to;
+  if (!targets(c, w, to)) return false;
+  c.space();
+  const std::string_view how = c.word();
+  const auto at = std::find(extend_names.begin(), extend_names.end(), how);
+  if (at == extend_names.end())
+    return c.fail(Code::syntax,
+                  how.empty() ? "hold, linear, cycle or bounce is missing here"
+                              : fmt::format("'{}' is no way to extend a track", how.substr(0, 40)),
+                  how, did_you_mean(how, {extend_names.begin(), extend_names.end()}));
+  bool before = true, after = true;
+  if (c.accept_word("before"))
+    after = false;
+  else if (c.accept_word("after"))
+    before = false;
+  if (!finish(c)) return false;
+  const auto extend = static_cast<Extend>(at - extend_names.begin());
+  for (const Target& t : to.targets)
+    for (Track* track : edit_tracks(s, t)) {
+      if (before) track->before = extend;
+      if (after) track->after = extend;
+    }
+  return true;
+}
+
+bool Reader::note_command(Cursor& c) {
+  if (!timed_) return c.fail_here(Code::syntax, "a note needs a time", "as in at 24f note \"…\"");
+  std::string text;
+  if (!c.text(text) || !finish(c)) return false;
+  auto& notes = s.notes.edit();
+  const auto at =
+      std::upper_bound(notes.begin(), notes.end(), time_, [](Time t, const auto& n) { return t < n.first; });
+  notes.insert(at, {time_, std::move(text)});
+  return true;
+}
+
+bool Reader::notes(Cursor& c) {
+  c.space();
+  const std::string_view w = c.word();
+  if (w != "on" && w != "off") return c.fail(Code::syntax, "notes are on or off", w);
+  if (!finish(c)) return false;
+  s.notes_shown = w == "on";
+  return true;
+}
+
+bool Reader::look(Cursor& c) {
+  if (!c.accept_word("through")) return c.fail_here(Code::syntax, "'through' is missing here");
+  ObjectId id;
+  c.space();
+  const std::string_view w = c.peek_word();
+  if (!values(c).object(id)) return false;
+  const Kind kind = s.objects[id.index].kind;
+  if (kind != Kind::camera)
+    return c.fail(Code::type, fmt::format("'{}' is a {}, not a camera", w, kind_names[static_cast<std::size_t>(kind)]),
+                  w);
+  if (!finish(c)) return false;
+  s.cuts.edit()[timed_ ? time_ : Time{INT64_MIN}] = id;
+  return true;
+}
+
+bool Reader::display(Cursor& c, bool on) {
+  std::string_view word;
+  std::vector<ObjectId> found;
+  if (!objects(c, word, found) || !finish(c)) return false;
+  for (ObjectId id : found) {
+    const Target t{id, fn::display, -1};
+    if (!timed_) {
+      set_value(s, t, on);
+      continue;
+    }
+    Event e;
+    e.time = time_;
+    e.value = on;
+    put_event(s, t, std::move(e));
+  }
+  return true;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scripts, and the files that scripts name. A script reads only below its own folder, unless its caller allows more.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "betwixt/picture.h"
+#include "exchange/fonts.h"
+#include "exchange/meshes.h"
+#include "language/reader.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_script = std::uintmax_t{1} << 30;
+
+Result<std::string> contents(const fs::path& path) {
+  std::error_code why;
+  const auto status = fs::status(path, why);
+  if (!fs::exists(status)) return fail(Code::file, fmt::format("there is no file '{}'", path.string()));
+  if (fs::is_directory(status)) return fail(Code::file, fmt::format("'{}' is a folder, not a script", path.string()));
+  const bool regular = fs::is_regular_file(status);
+  const auto size = regular ? fs::file_size(path, why) : 0;
+  const auto too_large = [&](double bytes) {
+    return fail(Code::file, fmt::format("'{}' is too large for a script: {:.1f} GB, where 1 GiB is the most",
+                                        path.string(), bytes / 1e9));
+  };
+  if (size > largest_script) return too_large(static_cast<double>(size));
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return fail(Code::file, fmt::format("'{}' cannot be read: {}", path.string(), std::strerror(errno)));
+  std::string text;
+  if (regular) {
+    text.resize(size);
+    in.read(text.data(), static_cast<std::streamsize>(size));
+    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
+    if (in.bad()) return fail(Code::file, fmt::format("'{}' cannot be read", path.string()));
+    return text;
+  }
+  char block[1 << 16];  // a pipe: its size is known at its end
+  while (in.read(block, sizeof block) || in.gcount() > 0) {
+    text.append(block, static_cast<std::size_t>(in.gcount()));
+    if (text.size() > largest_script) return too_large(static_cast<double>(text.size()));
+  }
+  return text;
+}
+
+}  // namespace
+
+bool Reader::may_read(const fs::path& path) const {
+  if (options_.read_anywhere) return true;
+  std::error_code why;
+  const fs::path real = fs::weakly_canonical(path, why);
+  if (why) return false;
+  const auto [end, _] = std::mismatch(root_.begin(), root_.end(), real.begin(), real.end());
+  return end == root_.end();
+}
+
+// The path as people know it: relative to the first script's folder.
+std::string Reader::shown(const fs::path& path) const {
+  std::error_code why;
+  const fs::path real = fs::weakly_canonical(path, why);
+  const fs::path below = real.lexically_relative(root_);
+  return below.empty() || why ? path.string() : below.string();
+}
+
+void Reader::read_file(const std::string& path) {
+  auto text = contents(path);
+  if (!text) {
+    diagnostics_.push_back({Severity::error, text.error(), {}, 0});
+    return;
+  }
+  std::error_code ignored;
+  open_files_.push_back(fs::weakly_canonical(path, ignored));
+  read_text(*text, path);
+  open_files_.pop_back();
+}
+
+bool Reader::use(Cursor& c) {
+  c.space();
+  const char* start = c.at;
+  std::string name;
+  if (c.peek() == '"') {
+    if (!c.text(name)) return false;
+  } else {
+    name = c.word();
+  }
+  const std::string_view about(start, static_cast<std::size_t>(c.at - start));
+  if (name.empty()) return c.fail_here(Code::syntax, "the name of a file is missing here");
+  if (!finish(c)) return false;
+  const fs::path path = source_.folder / name;
+  if (!may_read(path))
+    return c.fail(Code::file, fmt::format("'{}' lies outside the script's folder", name), about,
+                  "--read-anywhere allows it");
+  std::error_code ignored;
+  const fs::path real = fs::weakly_canonical(path, ignored);
+  if (std::find(open_files_.begin(), open_files_.end(), real) != open_files_.end())
+    return c.fail(Code::file, fmt::format("'{}' comes to include itself", name), about);
+  if (open_files_.size() >= 64) return c.fail(Code::file, "files are included more than 64 deep", about);
+  auto text = contents(path);
+  if (!text) return c.fail(text.error().code, text.error().message, about);
+  open_files_.push_back(real);
+  read_text(*text, path.string());
+  open_files_.pop_back();
+  // What the file may have changed holds for the rest of this line's text.
+  c.rate = s.rate, c.ticks = s.ticks;
+  return true;
+}
+
+// Reads what a `file` or `texture` names, and keeps it in the scene; `path` becomes its place below the first script's
+// folder.
+bool Reader::asset(Cursor& c, FunctionId f, std::string& path, std::string_view about) {
+  if (f == fn::font) {
+    const Status known = find_font(path);
+    if (!known) note(Severity::warning, known.error().message, about, known.error().hint);
+    return true;
+  }
+  if ((f != fn::file && f != fn::texture) || path.empty()) return true;
+  const fs::path where = source_.folder / path;
+  if (!may_read(where))
+    return c.fail(Code::file, fmt::format("'{}' lies outside the script's folder", path), about,
+                  "--read-anywhere allows it");
+  path = shown(where);
+  const auto failed = [&](const Error& e) { return c.fail(e.code, e.message, about, e.hint); };
+  if (f == fn::file) {
+    if (s.meshes->contains(path)) return true;
+    auto mesh = load_mesh(where.string(), [this](const std::string& p) { return may_read(p); });
+    if (!mesh) return failed(mesh.error());
+    s.meshes.edit()[path] = *mesh;
+  } else {
+    if (s.pictures->contains(path)) return true;
+    auto picture = read_picture(where.string());
+    if (!picture) return failed(picture.error());
+    s.pictures.edit()[path] = *picture;
+  }
+  return true;
+}
+
+}  // namespace betwixt

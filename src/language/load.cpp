@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "exchange/geometry.h"
+#include "language/reader.h"
+#include "program/code.h"
+
+namespace betwixt {
+namespace {
+
+// Shapes that are asked to blend but can only step: said once for each track.
+void look_at_blends(const Scene& s, Diagnostics& out) {
+  Program program;
+  bool compiled = false;
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    const Slot* slot = o.removed ? nullptr : o.find(fn::geometry);
+    if (!slot || slot->track->events.size() < 2) continue;
+    const Event* last = nullptr;
+    bool said = false;
+    slot->track->events.each([&](const Event& e) {
+      const Event* from = last;
+      last = &e;
+      if (!from || said || e.keep || from->keep) return;
+      const Twerper t = slot->track->global != Twerper::unset ? slot->track->global : from->twerper;
+      if (t == Twerper::unset || t == Twerper::hold) return;
+      if (!compiled) program = Program::compile(Document(std::make_shared<const Scene>(s))), compiled = true;
+      const auto& code = program.compiled();
+      const auto shape = [&](const Value& v, Time time) {
+        const ObjectId id = std::get<ObjectId>(v);
+        return code.shape(find_object(s, id) ? id.index : static_cast<std::uint32_t>(i), time, code.at(time).data());
+      };
+      std::string why;
+      if (can_blend(shape(from->value, from->time), shape(e.value, e.time), &why)) return;
+      said = true;
+      const Document d(std::make_shared<const Scene>(s));
+      out.push_back({Severity::warning,
+                     fail(Code::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead",
+                                                  o.name, format_time(from->time, d), format_time(e.time, d), why)),
+                     {},
+                     0});
+    });
+  }
+}
+
+template <class Read>
+Loaded load(const LoadOptions& options, Read&& read) {
+  Scene scene;
+  Diagnostics diagnostics;
+  Reader reader(scene, diagnostics, options);
+  read(reader);
+  if (!has_errors(diagnostics)) look_at_blends(scene, diagnostics);
+  return {Document(std::make_shared<const Scene>(std::move(scene))), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Loaded load_file(const std::string& path, const LoadOptions& options) {
+  return load(options, [&](Reader& r) { r.read_file(path); });
+}
+
+Loaded load_text(std::string_view text, const std::string& name, const LoadOptions& options) {
+  return load(options, [&](Reader& r) { r.read_text(text, name); });
+}
+
+Result<Time> parse_time(std::string_view text, const Document& d) {
+  Cursor c(text);
+  c.rate = d.rate();
+  c.ticks = d.scene().ticks;
+  Time t;
+  if (c.time(t) && c.at_line_end() && c.at == c.end) return t;
+  if (c.error) return *c.error;
+  return fail(Code::syntax, fmt::format("'{}' is not a time", text.substr(0, 60)),
+              "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5");
+}
+
+std::string format_time(Time t, const Document& d) {
+  const double n = d.rate().frame_number(t);
+  const Rate r = d.rate();
+  if (n == std::round(n) && r.frame(n) == t) return write_number(n) + "f";
+  return write_number(t.seconds()) + "s";
+}
+
+Result<std::vector<Target>> find_targets(std::string_view pattern, const Document& d) {
+  Scene scene = d.scene();
+  Diagnostics notices;
+  Reader reader(scene, notices, {});
+  Cursor c(pattern);
+  const std::string_view word = c.word();
+  if (c.at != c.end || word.empty())
+    return fail(Code::syntax, fmt::format("'{}' is not a target", pattern.substr(0, 60)),
+                "a target is an object and a function, as in ball.position");
+  Selected found;
+  std::vector<Target> out;
+  if (const auto objects = select(scene, word);
+      !objects.empty()) {  // an object: all that has been said of it, and where it is
+    for (ObjectId id : objects) {
+      for (const Slot& slot : scene.objects[id.index].slots) out.push_back({id, slot.function, -1});
+      out.push_back({id, world_function, -1});
+    }
+    return out;
+  }
+  if (!reader.targets(c, word, found, true)) return c.error.value_or(fail(Code::name, "this names nothing"));
+  return found.targets;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that make, name and join objects.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "language/reader.h"
+
+namespace betwixt {
+
+bool Reader::free_name(Cursor& c, const std::string& name, std::string_view about) {
+  if (!is_name(name))
+    return c.fail(Code::syntax, fmt::format("'{}' cannot be a name", name.substr(0, 60)), about,
+                  "a name starts with a letter; letters, digits, '-', '_' and '/' follow");
+  if (name == "none") return c.fail(Code::name, "'none' means no object; it cannot be a name", about);
+  if (s.names.find(name)) return c.fail(Code::name, fmt::format("there is a '{}' already", name), about);
+  return true;
+}
+
+// `car/wheel` is coupled to `car` from the beginning.
+bool Reader::parent_by_name(Cursor& c, const std::string& name, std::string_view about, ObjectId& parent) {
+  const auto slash = name.rfind('/');
+  if (slash == std::string::npos) return true;
+  const std::string above = name.substr(0, slash);
+  parent = s.names.find(above);
+  return parent ? true
+                : c.fail(Code::name, fmt::format("there is no '{}' that '{}' could belong to", above, name), about,
+                         fmt::format("create {} first", above));
+}
+
+bool Reader::parameters(Cursor& c, Object& object) {
+  while (!c.at_line_end()) {
+    const std::string_view key = c.word();
+    if (key.empty()) return c.fail_here(Code::syntax, "key=value is wanted here");
+    if (!c.accept('='))
+      return c.fail(Code::syntax, fmt::format("'{}' needs a value", key.substr(0, 40)), key,
+                    fmt::format("as in {}=…", key.substr(0, 40)));
+    const auto dot = key.find('.');
+    const std::string_view name = key.substr(0, dot);
+    const auto f = find_function(s, object.kind, name);
+    if (!f) {
+      const auto kind = kind_names[static_cast<std::size_t>(object.kind)];
+      return c.fail(Code::name, fmt::format("a {} has no '{}'", kind, name.substr(0, 40)), name,
+                    did_you_mean(name, function_names(s, object.kind)));
+    }
+    const FunctionSpec& spec = spec_of(s, *f);
+    const int component = dot == std::string_view::npos ? -1 : find_component(spec.type, key.substr(dot + 1));
+    if (dot != std::string_view::npos && component < 0)
+      return c.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, key.substr(dot + 1, 40)),
+                    key.substr(dot + 1));
+    c.space();
+    if (c.peek() == '"' && spec.type != Type::text && c.end - c.at > 1) {
+      // A formula in quotes would be a procedure.
+      return c.fail_here(Code::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
+    }
+    Value v;
+    if (!values(c).value(spec, component, v, *f)) return false;
+    Slot& slot = object.slot(*f);
+    if (component >= 0 && slot.set && std::holds_alternative<Quat>(*slot.set))
+      return c.fail(Code::type, "an orientation has no separate angles", key);
+    slot.set = component < 0 ? v : with_component(slot.set.value_or(spec.rest), component, std::get<double>(v));
+  }
+  return true;
+}
+
+bool Reader::create(Cursor& c) {
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "a name is missing here");
+  auto names = expand_braces(word);
+  if (!names) return c.fail(names.error().code, names.error().message, word);
+  for (const auto& name : *names)
+    if (!free_name(c, name, word)) return false;
+  c.space();
+  const std::string_view kind_word = c.word();
+  Object object;
+  ObjectId original;
+  if (kind_word == "like") {
+    if (!values(c).object(original)) return false;
+    object = s.objects[original.index];
+  } else {
+    const auto kind = find_kind(kind_word);
+    if (!kind) {
+      std::string hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
+      if (hint.empty()) {
+        hint = "kinds are";
+        for (auto k : kind_names) hint += " " + std::string(k);
+      }
+      return c.fail(
+          Code::name,
+          kind_word.empty() ? "a kind is missing here" : fmt::format("there is no kind '{}'", kind_word.substr(0, 40)),
+          kind_word.empty() ? std::string_view(c.at, 0) : kind_word, hint);
+    }
+    object.kind = *kind;
+  }
+  if (!parameters(c, object)) return false;
+  if (object.kind == Kind::mesh && !object.find(fn::file))
+    return c.fail(Code::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
+  std::vector<ObjectId> parents(names->size(), object.parent);
+  std::vector<std::string> sorted = *names;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    return c.fail(Code::name, fmt::format("'{}' would be made twice", *twice), word);
+  for (std::size_t i = 0; i < names->size(); ++i)
+    if (!parent_by_name(c, (*names)[i], word, parents[i])) return false;
+  for (std::size_t i = 0; i < names->size(); ++i) {
+    Object each = object;
+    each.name = (*names)[i];
+    each.parent = parents[i];
+    add_object(s, std::move(each));
+  }
+  return true;
+}
+
+// One or more objects: a name that exists, an alias, or a pattern (which may name none).
+bool Reader::objects(Cursor& c, std::string_view& word, std::vector<ObjectId>& out) {
+  c.space();
+  word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the name of an object is missing here");
+  out = select(s, word);
+  if (!out.empty()) return true;
+  if (is_pattern(word) || s.aliases->contains(std::string(word))) {
+    if (const auto braces = expand_braces(word); !braces)
+      return c.fail(braces.error().code, braces.error().message, word);
+    note(Severity::notice, fmt::format("'{}' names nothing", word), word);
+    return true;
+  }
+  c.at = word.data();
+  ObjectId id;
+  return values(c).object(id);  // says what is wrong
+}
+
+bool Reader::remove(Cursor& c) {
+  std::string_view word;
+  std::vector<ObjectId> found;
+  if (!objects(c, word, found) || !finish(c)) return false;
+  remove_objects(s, found);
+  return true;
+}
+
+bool Reader::rename(Cursor& c) {
+  ObjectId id;
+  if (!values(c).object(id)) return false;
+  c.space();
+  const std::string_view word = c.word();
+  const std::string name(word);
+  if (word.empty()) return c.fail_here(Code::syntax, "the new name is missing here");
+  if (!free_name(c, name, word) || !finish(c)) return false;
+  const std::string old = s.objects[id.index].name;
+  s.names.erase(old);
+  s.names.put(name, id);
+  s.objects.edit(id.index).name = name;
+  for (const auto& alias : *s.aliases) {  // aliases speak of objects by name
+    if (std::find(alias.second.begin(), alias.second.end(), old) == alias.second.end()) continue;
+    for (auto& a : s.aliases.edit()) std::replace(a.second.begin(), a.second.end(), old, name);
+    break;
+  }
+  return true;
+}
+
+bool Reader::couple(Cursor& c) {
+  std::string_view word;
+  std::vector<ObjectId> children;
+  if (!objects(c, word, children)) return false;
+  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' is missing here");
+  ObjectId parent;
+  c.space();
+  const std::string_view above = c.peek_word();
+  if (!values(c).object(parent)) return false;
+  if (c.accept_word("keep-world")) return c.fail(Code::name, "keep-world is not in this version of Betwixt", above);
+  if (!finish(c)) return false;
+  for (ObjectId child : children) {
+    if (!attached_below(s, parent, child)) continue;
+    std::string path;
+    for (ObjectId at = parent; at && at != child; at = s.objects[at.index].parent)
+      path = s.objects[at.index].name + (path.empty() ? "" : " → ") + path;
+    const std::string& name = s.objects[child.index].name;
+    return c.fail(Code::name,
+                  child == parent ? fmt::format("'{}' cannot be coupled to itself", name)
+                                  : fmt::format("this would go round in a circle: {} → {} → {}", name, path, name),
+                  word);
+  }
+  for (ObjectId child : children) s.objects.edit(child.index).parent = parent;
+  return true;
+}
+
+bool Reader::detach(Cursor& c) {
+  std::string_view word;
+  std::vector<ObjectId> children;
+  if (!objects(c, word, children) || !finish(c)) return false;
+  for (ObjectId child : children) s.objects.edit(child.index).parent = {};
+  return true;
+}
+
+bool Reader::alias(Cursor& c) {
+  c.space();
+  const std::string_view name = c.word();
+  if (!is_name(name))
+    return c.fail(Code::syntax,
+                  name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", name.substr(0, 60)),
+                  name.empty() ? std::string_view(c.at, 0) : name);
+  if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing here");
+  std::vector<std::string> elements;
+  while (!c.at_line_end()) {
+    const std::string_view e = c.word();
+    if (e.empty() || (!is_pattern(e) && !is_name(e)))
+      return c.fail_here(Code::syntax, "names and patterns are wanted here");
+    if (const auto braces = expand_braces(e); !braces) return c.fail(braces.error().code, braces.error().message, e);
+    elements.emplace_back(e);
+  }
+  s.aliases.edit()[std::string(name)] = std::move(elements);
+  return true;
+}
+
+bool Reader::define(Cursor& c) {
+  c.space();
+  const std::string_view name = c.word();
+  if (!is_name(name) || name.find('/') != std::string_view::npos)
+    return c.fail(
+        Code::syntax,
+        name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a function's name", name.substr(0, 60)),
+        name.empty() ? std::string_view(c.at, 0) : name);
+  for (std::size_t k = 0; k < kind_names.size(); ++k)
+    if (find_function(s, static_cast<Kind>(k), name))
+      return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
+  if (name == "world" || name == "velocity")
+    return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
+  static constexpr std::pair<std::string_view, Type> types[] = {
+      {"number", Type::scalar},           {"angle", Type::angle},
+      {"vector", Type::vector},           {"color", Type::color},
+      {"boolean", Type::boolean},         {"rotation", Type::rotation},
+      {"orientation", Type::orientation}, {"text", Type::text}};
+  c.space();
+  const std::string_view type = c.word();
+  const auto at = std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == type; });
+  if (at == std::end(types)) {
+    std::vector<std::string_view> words;
+    for (const auto& t : types) words.push_back(t.first);
+    const std::string hint = did_you_mean(type, words);
+    return c.fail(Code::name,
+                  type.empty() ? "a type is missing here" : fmt::format("there is no type '{}'", type.substr(0, 40)),
+                  type.empty() ? std::string_view(c.at, 0) : type,
+                  hint.empty() ? "types are number angle vector color boolean rotation orientation text" : hint);
+  }
+  static const Value rests[] = {0.0, 0.0, Vec3{}, Color{}, false, Angles{}, Quat{}, Text()};
+  FunctionSpec spec{std::string(name), at->second, rests[at - std::begin(types)], 0xffffffff, Unit::none, {}};
+  if (!c.at_line_end() && !values(c).value(spec, -1, spec.rest)) return false;
+  if (!finish(c)) return false;
+  if (s.defined->size() >= 10000) return c.fail(Code::range, "no more than 10000 functions can be defined", name);
+  s.defined.edit().push_back(std::move(spec));
+  return true;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that work on segments of tracks, and on many objects at once.
+#include "track/operations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "language/reader.h"
+#include "track/curve.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t most_copied = 10'000'000;  // events one command may make
+
+std::string plural(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+}  // namespace
+
+// Does f(track, component) for all tracks of all targets, or for none: an error on the way puts everything back.
+template <class F>
+bool Reader::operate(Cursor& c, const Selected& on, std::string_view about, bool moves_times, F&& f) {
+  if (!finish(c)) return false;
+  const Scene before = s;
+  std::size_t events = 0, replaced = 0;
+  for (const Target& t : on.targets) {
+    const Slot* slot = s.objects[t.object.index].find(t.function);
+    if (!slot) continue;
+    const bool parts = t.component < 0 && !slot->components.empty();
+    const auto tracks = edit_tracks(s, t);
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      const Result<Changed> done = f(*tracks[i], parts ? static_cast<int>(i) : -1);
+      if (!done) {
+        s = before;
+        return c.fail(done.error().code, done.error().message, about, done.error().hint);
+      }
+      events += done->events;
+      replaced += done->replaced;
+    }
+  }
+  if (events == 0) note(Severity::notice, fmt::format("there are no events of '{}' there", on.text), about);
+  if (moves_times && replaced > 0) note(Severity::notice, fmt::format("{} gave way", plural(replaced, "event")), about);
+  return true;
+}
+
+// A number for all components, or one for each.
+bool Reader::operand(Cursor& c, const Selected& on, Value& out) {
+  c.space();
+  if (c.peek() != '(') {
+    double d = 0;
+    if (!values(c).scalar(d, on.spec->unit)) return false;
+    out = d;
+    return true;
+  }
+  if (on.type() == Type::scalar || on.type() == Type::angle)
+    return c.fail_here(Code::type, fmt::format("one number is wanted here: this is {}", to_string(on.type())));
+  Vec3 v;
+  if (!values(c).vector(on.type() == Type::pair ? 2 : 3, v, on.spec->unit)) return false;
+  out = v;
+  return true;
+}
+
+namespace {
+
+Value part(const Value& v, int component) {
+  return component < 0 || std::holds_alternative<double>(v) ? v : Value(component_of(v, component));
+}
+
+}  // namespace
+
+bool Reader::copy(Cursor& c) {
+  Selected from, into;
+  Segment segment;
+  Time start;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, from) || !c.segment(segment.from, segment.to)) return false;
+  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a time are missing here");
+  if (!c.time(start)) return false;
+  std::string_view onto = word;
+  if (c.accept_word("on")) {
+    c.space();
+    onto = c.word();
+    if (!targets(c, onto, into)) return false;
+  } else {
+    into = from;
+  }
+  std::optional<Value> shift;
+  long times = 1;
+  while (!c.at_line_end()) {
+    if (c.accept_word("times")) {
+      if (!c.whole_number(1, 1'000'000, "times", times)) return false;
+    } else if (c.accept_word("shift")) {
+      if (!from.spec) from.spec = &built_in_functions()[fn::position];
+      Value v;
+      FunctionSpec free = *from.spec;  // a shift may be of any size
+      free.low = -1e300, free.high = 1e300;
+      c.space();
+      const char* at = c.at;
+      if (!values(c).value(free, from.component, v)) return false;
+      if (!add_scaled(v, v, 1))
+        return c.fail(Code::type, fmt::format("{} cannot be shifted", to_string(from.type())),
+                      {at, static_cast<std::size_t>(c.at - at)});
+      shift = std::move(v);
+    } else {
+      return c.fail_here(Code::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
+                         "copies take: on TARGET, shift VALUE, times N");
+    }
+  }
+  if (!from.spec || !into.spec) return true;
+  if (from.type() != into.type())
+    return c.fail(Code::type,
+                  fmt::format("{} cannot be copied onto {}", to_string(from.type()), to_string(into.type())), onto);
+  if (from.targets.size() != into.targets.size() && from.targets.size() != 1)
+    return c.fail(Code::type,
+                  fmt::format("{} cannot be copied onto {}", plural(from.targets.size(), "track"),
+                              plural(into.targets.size(), "track")),
+                  onto);
+  if (!finish(c)) return false;
+  const Scene before = s;
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < into.targets.size(); ++i) {
+    const Target& source = from.targets[from.targets.size() == 1 ? 0 : i];
+    const Slot* slot = before.objects[source.object.index].find(source.function);
+    const bool split = slot && source.component < 0 && !slot->components.empty();
+    std::vector<Track> originals;
+    if (split) {
+      for (const auto& t : slot->components) originals.push_back(*t);
+    } else {
+      for (const Track* t : tracks_of(before, source)) originals.push_back(*t);
+    }
+    if (originals.empty()) continue;
+    const auto put = [&](const Track& track, const Target& t, const std::optional<Value>& by) {
+      if (track.events.between(segment.from, segment.to).size() * static_cast<std::size_t>(times) > most_copied) {
+        s = before;
+        return c.fail(Code::range, fmt::format("that would make more than {} events", most_copied), word);
+      }
+      const auto tracks = edit_tracks(s, t);
+      for (std::size_t k = 0; k < tracks.size(); ++k) {
+        Track source_part = track;
+        if (tracks.size() > 1) {  // onto tracks of components: each takes its own
+          const int component = static_cast<int>(k);
+          source_part.events = {};
+          track.events.each([&](const Event& e) {
+            Event p = e;
+            if (!e.keep) p.value = component_of(e.value, component);
+            if (e.detail && e.detail->before) p.detail.edit().before = component_of(*e.detail->before, component);
+            source_part.events.put(std::move(p));
+          });
+        }
+        const auto part_shift = by && tracks.size() > 1 ? std::optional<Value>(part(*by, static_cast<int>(k))) : by;
+        const auto done = copy_segment(source_part, segment, *tracks[k], start, part_shift, static_cast<int>(times));
+        if (!done) {
+          s = before;
+          return c.fail(done.error().code, done.error().message, word);
+        }
+        made += done->events;
+      }
+      return true;
+    };
+    if (!split) {
+      if (!put(originals[0], into.targets[i], shift)) return false;
+      continue;
+    }
+    for (std::size_t k = 0; k < originals.size(); ++k) {
+      Target t = into.targets[i];
+      t.component = static_cast<int>(k);
+      if (!put(originals[k], t, shift ? std::optional<Value>(part(*shift, t.component)) : std::nullopt)) return false;
+    }
+  }
+  if (made == 0) note(Severity::notice, fmt::format("there are no events of '{}' there", from.text), word);
+  return true;
+}
+
+bool Reader::move(Cursor& c) {
+  Selected on;
+  Segment segment;
+  Time by;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
+  if (!c.length(by)) return false;
+  return operate(c, on, word, true, [&](Track& t, int) { return move_segment(t, segment, by); });
+}
+
+bool Reader::stretch(Cursor& c) {
+  Selected on;
+  Segment segment;
+  double factor = 1;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a factor are missing here");
+  c.space();
+  const char* at = c.at;
+  if (!c.number(factor)) return false;
+  if (!(factor > 0))
+    return c.fail(Code::range, "time is stretched by more than 0; 'reverse' turns it round",
+                  {at, static_cast<std::size_t>(c.at - at)});
+  return operate(c, on, word, true, [&](Track& t, int) { return stretch_segment(t, segment, factor); });
+}
+
+bool Reader::reverse(Cursor& c) {
+  Selected on;
+  Segment segment;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  return operate(c, on, word, true, [&](Track& t, int) { return reverse_segment(t, segment); });
+}
+
+bool Reader::scale(Cursor& c) {
+  Selected on;
+  Segment segment;
+  Value by;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!on.spec) on.spec = &built_in_functions()[fn::position];
+  Selected factors = on;  // factors have no unit
+  FunctionSpec plain = *on.spec;
+  plain.unit = Unit::none;
+  factors.spec = &plain;
+  if (!operand(c, factors, by)) return false;
+  return operate(c, on, word, false,
+                 [&](Track& t, int component) { return scale_segment(t, segment, part(by, component)); });
+}
+
+bool Reader::translate(Cursor& c) {
+  Selected on;
+  Segment segment;
+  Value by;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!on.spec) on.spec = &built_in_functions()[fn::position];
+  FunctionSpec free = *on.spec;
+  free.low = -1e300, free.high = 1e300;
+  if (!values(c).value(free, on.component, by)) return false;
+  return operate(c, on, word, false,
+                 [&](Track& t, int component) { return translate_segment(t, segment, part(by, component)); });
+}
+
+bool Reader::rotate(Cursor& c) {
+  Selected on;
+  Segment segment;
+  double angle = 0;
+  Vec3 axis, centre;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on) || !c.segment(segment.from, segment.to) || !c.angle(angle) || !values(c).axis(axis))
+    return false;
+  if (c.accept('@') && !values(c).vector(3, centre, Unit::metres)) return false;
+  const Type type = on.spec ? on.type() : Type::vector;
+  if (type != Type::vector && type != Type::orientation && type != Type::rotation && type != Type::aim)
+    return c.fail(Code::type, fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)),
+                  word);
+  return operate(c, on, word, false, [&](Track& t, int component) -> Result<Changed> {
+    if (component >= 0)
+      return fail(Code::type, "the components of this track have tracks of their own: it cannot be rotated as a whole");
+    auto done = rotate_segment(t, segment, axis_angle(axis, angle), centre);
+    if (!done && type == Type::rotation)
+      return fail(Code::type, "angles cannot be rotated, orientations can", "write the track with axis(…) or quat(…)");
+    return done;
+  });
+}
+
+bool Reader::clear(Cursor& c) {
+  Selected on;
+  Segment segment;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on) || !c.time(segment.from)) return false;
+  segment.to = segment.from;
+  if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
+    const char* at = c.at;
+    c.at += 2;
+    if (!c.time(segment.to)) return false;
+    if (segment.to < segment.from) return c.fail(Code::range, "this segment ends before it begins", {at, 2});
+  }
+  return operate(c, on, word, false, [&](Track& t, int) -> Result<Changed> {
+    return Changed{t.events.erase(segment.from, segment.to), 0};
+  });
+}
+
+bool Reader::stagger(Cursor& c) {
+  Selected on;
+  Time by;
+  long seed = -1;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on)) return false;
+  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
+  if (!c.length(by)) return false;
+  if (c.accept_word("random") && !c.whole_number(0, 1'000'000'000, "the seed of random", seed)) return false;
+  if (on.targets.size() > 1 && std::abs(by.seconds()) * static_cast<double>(on.targets.size()) > longest_seconds)
+    return c.fail(Code::range, "the events would end up more than 146 years away", word);
+  std::vector<std::int64_t> turn(on.targets.size());
+  for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = static_cast<std::int64_t>(i);
+  if (seed >= 0) {  // Fisher and Yates, by a generator that is the same everywhere
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    for (std::size_t i = turn.size(); i > 1; --i) std::swap(turn[i - 1], turn[random() % i]);
+  }
+  const Segment all{{INT64_MIN}, {INT64_MAX}};
+  if (!finish(c)) return false;
+  const Scene before = s;
+  for (std::size_t i = 0; i < on.targets.size(); ++i) {
+    if (!before.objects[on.targets[i].object.index].find(on.targets[i].function)) continue;
+    for (Track* t : edit_tracks(s, on.targets[i])) {
+      const auto done = move_segment(*t, all, {by.flicks * turn[i]});
+      if (done) continue;
+      s = before;
+      return c.fail(done.error().code, done.error().message, word);
+    }
+  }
+  return true;
+}
+
+bool Reader::spread(Cursor& c) {
+  Selected on;
+  Value from, to;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(c, word, on)) return false;
+  if (!on.spec) on.spec = &built_in_functions()[fn::position];
+  if (!c.accept_word("from")) return c.fail_here(Code::syntax, "'from' and a value are missing here");
+  if (!values(c).value(*on.spec, on.component, from)) return false;
+  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a value are missing here");
+  if (!values(c).value(*on.spec, on.component, to) || !finish(c)) return false;
+  const auto way = add_scaled(to, from, -1);
+  const bool turn = std::holds_alternative<Quat>(from) && std::holds_alternative<Quat>(to);
+  if (!way && !turn) return c.fail(Code::type, fmt::format("{} cannot be spread", to_string(on.type())), word);
+  const double last = static_cast<double>(std::max<std::size_t>(on.targets.size(), 2) - 1);
+  for (std::size_t i = 0; i < on.targets.size(); ++i) {
+    const double k = static_cast<double>(i) / last;
+    if (turn) {
+      const Quat a = std::get<Quat>(from), b = std::get<Quat>(to);
+      set_value(s, on.targets[i], slerp(a, dot(a, b) < 0 ? -b : b, k));
+    } else {
+      set_value(s, on.targets[i], i + 1 == on.targets.size() && i > 0 ? to : *add_scaled(from, *way, k));
+    }
+  }
+  return true;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,436 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+
+namespace betwixt {
+namespace {
+
+constexpr int most_errors = 1000;  // said; the rest is noise
+constexpr std::ptrdiff_t longest_logical_line = 1
+                                                << 24;  // how far a bracket may reach before it counts as never closed
+
+bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
+
+// Where the dot between an object's name and its function is; dots inside braces ({1..100}) are not.
+std::size_t first_dot(std::string_view w) {
+  int braces = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (w[i] == '{') ++braces;
+    if (w[i] == '}') --braces;
+    if (w[i] == '.' && braces <= 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+bool starts_like_time(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
+
+}  // namespace
+
+const std::vector<Reader::Verb>& Reader::verbs() {
+  static const std::vector<Verb> table{
+      {"rate", "rate N, as in rate 24 or rate 30000/1001", &Reader::rate},
+      {"range", "range FROM TO, as in range 1f 72f", &Reader::range},
+      {"ticks", "ticks N, environment ticks per second", &Reader::ticks},
+      {"background", "background COLOR", &Reader::background},
+      {"create", "create NAME KIND [key=value …] or create NAME like OTHER", &Reader::create},
+      {"remove", "remove NAME", &Reader::remove},
+      {"rename", "rename OLD NEW", &Reader::rename},
+      {"set", "set TARGET VALUE, as in set ball.color red", &Reader::set},
+      {"at", "at TIME TARGET VALUE or at TIME COMMAND", &Reader::at},
+      {"couple", "couple A to B", &Reader::couple},
+      {"detach", "detach A", &Reader::detach},
+      {"look", "at TIME look through CAMERA", &Reader::look},
+      {"note", "at TIME note \"…\"", &Reader::note_command},
+      {"notes", "notes on or notes off", &Reader::notes},
+      {"show", "show A or at TIME show A", &Reader::show},
+      {"hide", "hide A or at TIME hide A", &Reader::hide},
+      {"twerper", "twerper TARGET NAME [in=light|srgb]; none gives every event its own again", &Reader::global_twerper},
+      {"extend", "extend TARGET hold|linear|cycle|bounce [before|after]", &Reader::extend},
+      {"copy", "copy TARGET A..B to T [on TARGET] [shift V] [times N]", &Reader::copy},
+      {"move", "move TARGET A..B by LENGTH", &Reader::move},
+      {"stretch", "stretch TARGET A..B by FACTOR", &Reader::stretch},
+      {"reverse", "reverse TARGET A..B", &Reader::reverse},
+      {"scale", "scale TARGET A..B (X Y Z)", &Reader::scale},
+      {"translate", "translate TARGET A..B (X Y Z)", &Reader::translate},
+      {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", &Reader::rotate},
+      {"clear", "clear TARGET A..B or clear TARGET TIME", &Reader::clear},
+      {"stagger", "stagger TARGETS by LENGTH [random N]", &Reader::stagger},
+      {"spread", "spread TARGETS from VALUE to VALUE", &Reader::spread},
+      {"alias", "alias NAME = ELEMENT …", &Reader::alias},
+      {"define", "define NAME TYPE [default]", &Reader::define},
+      {"policy", "policy translate|ignore|ask", &Reader::policy},
+      {"use", "use FILE", &Reader::use},
+  };
+  return table;
+}
+
+std::string_view Reader::not_yet(std::string_view verb) {
+  static constexpr std::string_view later[] = {"hang",    "attach", "letgo", "filter", "layer", "on",    "procedure",
+                                               "animate", "halt",   "kill",  "cancel", "dial",  "record"};
+  static constexpr std::string_view shell[] = {"help", "list", "describe", "undo", "redo", "plot",
+                                               "play", "stop", "save",     "open", "load", "quit"};
+  if (std::find(std::begin(later), std::end(later), verb) != std::end(later))
+    return "is not in this version of Betwixt";
+  if (std::find(std::begin(shell), std::end(shell), verb) != std::end(shell))
+    return "is a word of the shell; a script does not need it";
+  return {};
+}
+
+void Reader::report(Severity severity, Error error, std::string_view about) {
+  if (severity == Severity::error && ++errors_ > most_errors) {
+    if (!given_up_)
+      diagnostics_.push_back({Severity::error,
+                              fail(Code::syntax, fmt::format("more than {} errors; the rest is not said", most_errors)),
+                              {},
+                              0});
+    given_up_ = true;
+    return;
+  }
+  Diagnostic d{severity, std::move(error), {}, 0};
+  const std::string_view text = source_.text;
+  const char* begin = text.data();
+  const char* spot = about.data() ? std::clamp(about.data(), begin, begin + text.size()) : begin;
+  if (!source_.counted || spot < source_.counted) source_.counted = begin, source_.lines = 1;
+  source_.lines += static_cast<int>(std::count(source_.counted, spot, '\n'));
+  source_.counted = spot;
+
+  const char* start = spot;
+  while (start > begin && start[-1] != '\n') --start;
+  const char* stop = line_end(spot, begin + text.size());
+  if (stop > start && stop[-1] == '\r') --stop;
+  const auto characters = [](const char* a, const char* b) {
+    return static_cast<int>(
+        std::count_if(a, b, [](char ch) { return (static_cast<unsigned char>(ch) & 0xC0) != 0x80; }));
+  };
+  const auto whole = [](const char* p) { return (static_cast<unsigned char>(*p) & 0xC0) != 0x80; };
+  Place& at = d.what.place;
+  at.file = source_.name;
+  at.line = source_.lines;
+  at.column = characters(start, spot) + 1;
+  at.length = std::max(1, characters(spot, std::min(spot + about.size(), std::max(spot, stop))));
+  const char *from = start, *to = stop;
+  if (spot - from > 100) {  // long lines are shown around the place
+    from = spot - 60;
+    while (from < spot && !whole(from)) ++from;
+  }
+  if (to - from > 160) {
+    to = from + 160;
+    while (to > spot && to < stop && !whole(to)) --to;
+  }
+  d.line = std::string(from, std::max(from, to));
+  d.caret = characters(from, spot);
+  diagnostics_.push_back(std::move(d));
+}
+
+void Reader::note(Severity severity, std::string message, std::string_view about, std::string hint) {
+  report(severity, fail(Code::syntax, std::move(message), std::move(hint)), about);
+}
+
+ValueReader Reader::values(Cursor& c) {
+  return {c, s,
+          [this, &c](FunctionId f, std::string& path, std::string_view about) { return asset(c, f, path, about); },
+          [this](std::string message, std::string_view about, std::string hint) {
+            note(Severity::warning, std::move(message), about, std::move(hint));
+          }};
+}
+
+// The start of the line after the logical line that begins here: brackets and texts in """ hold lines together, unless
+// they are never closed.
+const char* Reader::after_line(const char* line_start) const {
+  Cursor c(source_.text);
+  c.at = line_start;
+  while (c.at < c.end && c.at - line_start < longest_logical_line) {
+    c.space();
+    if (c.at == c.end) break;
+    const char ch = *c.at;
+    if (ch == '\n') return c.at + 1;  // never seen inside brackets
+    if (ch == '"') {
+      std::string ignored;
+      if (!c.text(ignored)) break;
+      continue;
+    }
+    if (ch == '(') ++c.depth;
+    if (ch == ')' && c.depth > 0) --c.depth;
+    if (c.depth > 200) break;
+    if (c.word().empty()) ++c.at;
+  }
+  if (c.at == c.end && c.depth == 0) return c.end;
+  const char* nl = line_end(line_start, c.end);
+  return nl == c.end ? nl : nl + 1;
+}
+
+bool Reader::sound_text(std::string_view text) {
+  const auto* p = reinterpret_cast<const unsigned char*>(text.data());
+  const std::size_t n = text.size();
+  const auto bad = [&](std::size_t i, const char* what) {
+    report(Severity::error, fail(Code::file, fmt::format("this is not a text: {} (byte 0x{:02x})", what, p[i])),
+           {text.data() + i, 0});
+    diagnostics_.back().line.clear();
+    return false;
+  };
+  for (std::size_t i = 0; i < n;) {
+    const unsigned char ch = p[i];
+    if (ch < 0x80) {
+      if (ch < 0x20 && ch != '\n' && ch != '\t' && ch != '\r') return bad(i, "it holds a control character");
+      ++i;
+      continue;
+    }
+    const std::size_t more = ch >= 0xF0 && ch < 0xF5 ? 3 : ch >= 0xE0 ? 2 : ch >= 0xC2 ? 1 : 0;
+    if (more == 0 || ch >= 0xF5 || i + more >= n) return bad(i, "it is not UTF-8");
+    for (std::size_t k = 1; k <= more; ++k)
+      if ((p[i + k] & 0xC0) != 0x80) return bad(i, "it is not UTF-8");
+    if ((ch == 0xE0 && p[i + 1] < 0xA0) || (ch == 0xED && p[i + 1] > 0x9F) || (ch == 0xF0 && p[i + 1] < 0x90) ||
+        (ch == 0xF4 && p[i + 1] > 0x8F))
+      return bad(i, "it is not UTF-8");
+    i += more + 1;
+  }
+  return true;
+}
+
+void Reader::read_text(std::string_view text, const std::string& name) {
+  Source outer = std::move(source_);
+  source_ = {};
+  source_.name = name;
+  source_.folder = std::filesystem::path(name).parent_path();
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+  source_.text = text;
+  std::error_code ignored;
+  if (root_.empty()) root_ = std::filesystem::weakly_canonical(source_.folder.empty() ? "." : source_.folder, ignored);
+  if (sound_text(text)) run(text);
+  source_ = std::move(outer);
+}
+
+void Reader::run(std::string_view text) {
+  Cursor c(text);
+  if (text.starts_with("#!")) {  // a script that the system can start
+    const auto nl = text.find('\n');
+    c.at = nl == std::string_view::npos ? c.end : text.data() + nl;
+  }
+  while (c.at < c.end && !given_up_) {
+    const char* line_start = c.at;
+    const char* p = c.at;
+    while (p < c.end && blank(*p)) ++p;
+    if (p < c.end && *p == '\n') {
+      c.at = p + 1;
+      continue;
+    }
+    line(c, line_start);
+  }
+}
+
+void Reader::line(Cursor& c, const char* line_start) {
+  c.rate = s.rate;
+  c.ticks = s.ticks;
+  c.frames_read = rows_read_frames_;
+  c.ticks_read = rows_read_ticks_;
+  c.depth = 0;
+  timed_ = false;
+  bool ok = true;
+  if (!c.at_line_end()) {
+    const bool indented = c.at > line_start;
+    Sheet& sheet = source_.sheet;
+    if (indented && sheet.open) {
+      ok = sheet.broken || row(c);
+      if (sheet.broken) c.at = after_line(line_start);
+    } else {
+      sheet.open = false;
+      ok = command(c);
+    }
+  }
+  rows_read_frames_ = c.frames_read;
+  rows_read_ticks_ = c.ticks_read;
+  if (ok) {
+    if (c.at < c.end && *c.at == '\n') ++c.at;
+    return;
+  }
+  Error e = c.error.value_or(fail(Code::syntax, "this cannot be carried out"));
+  const bool ignored = e.code == Code::type && s.policy == Policy::ignore;
+  if (ignored) e.message = "ignored: " + e.message;
+  report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
+  c.error.reset();
+  c.where = {};
+  c.at = after_line(line_start);
+}
+
+bool Reader::finish(Cursor& c) {
+  if (c.at_line_end()) return true;
+  const std::string_view w = c.peek_word();
+  return c.fail_here(Code::syntax, w.empty() ? "nothing more is expected here"
+                                             : fmt::format("'{}' is not expected here", w.substr(0, 40)));
+}
+
+bool Reader::command(Cursor& c) {
+  c.space();
+  const char* start = c.at;
+  const std::string_view w = c.word();
+  if (w.empty()) return c.fail_here(Code::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
+  for (const Verb& v : verbs()) {
+    if (v.word != w) continue;
+    if (!(this->*v.run)(c) || !finish(c)) {
+      if (c.error && c.error->hint.empty() && c.error->code == Code::syntax)
+        c.error->hint = fmt::format("usage: {}", v.usage);
+      return false;
+    }
+    return true;
+  }
+  if (w[0] == '#') return c.fail(Code::syntax, "a comment starts with '#' and a space", w);
+  if (first_dot(w) != std::string_view::npos && !starts_like_time(w[0])) {
+    if (timed_) return c.fail(Code::syntax, "a verb is missing here", w);
+    if (open_sheet(c, w)) return true;
+    // Its rows have nowhere to go; they are passed over rather than complained about one by one.
+    source_.sheet = {};
+    source_.sheet.open = source_.sheet.broken = true;
+    return false;
+  }
+  if (starts_like_time(w[0]))
+    return c.fail(Code::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
+                  "rows are indented under a line that is only a target, as in ball.position");
+  if (const auto why = not_yet(w); !why.empty()) return c.fail(Code::name, fmt::format("'{}' {}", w, why), w);
+  std::vector<std::string_view> words;
+  for (const Verb& v : verbs()) words.push_back(v.word);
+  return c.fail(Code::name, fmt::format("there is no command '{}'", w.substr(0, 40)), w, did_you_mean(w, words));
+}
+
+bool Reader::open_sheet(Cursor& c, std::string_view word) {
+  Selected on;
+  if (!targets(c, word, on)) return false;
+  if (!c.at_line_end())
+    return c.fail_here(Code::syntax, "nothing follows the target that opens a sheet",
+                       fmt::format("its rows go below, indented; a single event is written: at TIME {} VALUE", word));
+  Sheet& sheet = source_.sheet;
+  sheet = {};
+  sheet.open = true;
+  sheet.on = std::move(on);
+  if (!sheet.on.spec) return true;  // a pattern that names nothing: rows are read by nobody
+  for (const Target& t : sheet.on.targets)
+    if (Track* track = edit_track(s, t)) sheet.tracks.push_back(track);
+  if (sheet.tracks.size() != sheet.on.targets.size()) sheet.tracks.clear();
+  return true;
+}
+
+bool Reader::row(Cursor& c) {
+  Sheet& sheet = source_.sheet;
+  if (!sheet.on.spec) {
+    c.at = after_line(c.at);
+    if (c.at > source_.text.data() && c.at[-1] == '\n') --c.at;
+    return true;
+  }
+  Time time;
+  const char first = c.peek();
+  if (!starts_like_time(first))
+    return c.fail_here(Code::syntax,
+                       fmt::format("a row begins with a time, not with '{}'",
+                                   c.peek_word().empty() ? std::string_view(c.at, 1) : c.peek_word()),
+                       "a command that follows a sheet is not indented");
+  return c.time(time) && event(c, sheet.on, time) && finish(c);
+}
+
+bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world_too) {
+  out = {};
+  out.text = word;
+  const auto dot = first_dot(word);
+  if (dot == std::string_view::npos)
+    return c.fail(Code::syntax,
+                  word.empty() ? "a target is missing here" : fmt::format("'{}' is not a target", word.substr(0, 60)),
+                  word, "a target is an object and a function, as in ball.position");
+  const std::string_view object = word.substr(0, dot);
+  std::string_view function = word.substr(dot + 1), component;
+  if (const auto second = first_dot(function); second != std::string_view::npos) {
+    component = function.substr(second + 1);
+    function = function.substr(0, second);
+  }
+  const std::string_view function_text = function;
+  const std::vector<ObjectId> objects = select(s, object);
+  if (objects.empty()) {
+    const bool alias = s.aliases->contains(std::string(object));
+    if (is_pattern(object) || alias) {
+      if (is_pattern(object))
+        if (const auto braces = expand_braces(object); !braces)
+          return c.fail(braces.error().code, braces.error().message, object);
+      note(Severity::notice, fmt::format("'{}' names nothing", object), object);
+      return true;
+    }
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < s.objects.size() && i < 10000; ++i)
+      if (!s.objects[i].removed) names.push_back(s.objects[i].name);
+    for (const auto& a : *s.aliases) names.push_back(a.first);
+    return c.fail(Code::name, fmt::format("there is no object '{}'", object.substr(0, 60)), object,
+                  did_you_mean(object, names));
+  }
+  const bool many_functions = is_pattern(function);
+  std::vector<std::string> wanted{std::string(function)};
+  if (many_functions) {
+    auto braces = expand_braces(function);
+    if (!braces) return c.fail(braces.error().code, braces.error().message, function);
+    wanted = std::move(*braces);
+  }
+  if (function == "world" && component.empty()) {
+    if (!world_too) return c.fail(Code::type, "'world' can be asked for, not set", function);
+    for (ObjectId id : objects) out.targets.push_back({id, world_function, -1});
+    return true;
+  }
+  for (ObjectId id : objects) {
+    const Kind kind = s.objects[id.index].kind;
+    for (const auto& want : wanted) {
+      std::vector<FunctionId> found;
+      if (is_pattern(want)) {
+        for (const auto name : function_names(s, kind))
+          if (matches(want, name)) found.push_back(*find_function(s, kind, name));
+      } else if (const auto f = find_function(s, kind, want)) {
+        found.push_back(*f);
+      }
+      for (FunctionId f : found) {
+        const FunctionSpec& spec = spec_of(s, f);
+        int part = -1;
+        if (!component.empty()) {
+          if (component == "velocity")
+            return c.fail(Code::name, "velocities are not in this version of Betwixt", component);
+          part = find_component(spec.type, component);
+          if (part < 0) {
+            if (component_count(spec.type) == 0)
+              return c.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
+                            component);
+            return c.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, component.substr(0, 40)),
+                          component,
+                          spec.type == Type::color  ? "components are r, g and b"
+                          : spec.type == Type::pair ? "components are x and y"
+                                                    : "components are x, y and z");
+          }
+        }
+        if (!out.spec) out.spec = &spec, out.component = part;
+        if (!world_too && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {
+          if (many_functions)
+            return c.fail(Code::type,
+                          fmt::format("these functions have values of different types: {} is {}, {} is {}",
+                                      out.spec->name, to_string(out.spec->type), spec.name, to_string(spec.type)),
+                          function_text);
+          continue;
+        }
+        out.targets.push_back({id, f, part});
+      }
+    }
+  }
+  if (!out.targets.empty()) return true;
+  if (many_functions) {
+    note(Severity::notice, fmt::format("'{}' names nothing", word), word);
+    return true;
+  }
+  static constexpr std::string_view later[] = {"attachment", "environments", "motion"};
+  if (std::find(std::begin(later), std::end(later), function) != std::end(later))
+    return c.fail(Code::name, fmt::format("'{}' is not in this version of Betwixt", function), function);
+  const Object& o = s.objects[objects[0].index];
+  auto names = function_names(s, o.kind);
+  names.push_back("world");
+  return c.fail(Code::name,
+                fmt::format("'{}', a {}, has no function '{}'", o.name, kind_names[static_cast<std::size_t>(o.kind)],
+                            function.substr(0, 40)),
+                function, did_you_mean(function, names));
+}
+
+}  // namespace betwixt

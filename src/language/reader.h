@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Carries out a text, command by command, on a scene. A command that cannot be carried out changes nothing and says
+// why.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "betwixt/language.h"
+#include "language/values.h"
+
+namespace betwixt {
+
+// A pattern that was read: which targets it names, and what their values are.
+struct Selected {
+  std::vector<Target> targets;
+  const FunctionSpec* spec = nullptr;  // of the first; all have its type
+  int component = -1;
+  std::string_view text;
+  Type type() const { return component < 0 ? spec->type : component_type(spec->type); }
+};
+
+class Reader {
+ public:
+  Reader(Scene& scene, Diagnostics& out, const LoadOptions& options) : s(scene), diagnostics_(out), options_(options) {}
+
+  // Reads a file or a text as if it stood where the author's script does. `root`: the folder that files are read below.
+  void read_file(const std::string& path);
+  void read_text(std::string_view text, const std::string& name);
+
+  // One target pattern: for the command line too.
+  bool targets(Cursor& c, std::string_view word, Selected& out, bool world_too = false);
+  ValueReader values(Cursor& c);
+
+  Scene& s;
+
+ private:
+  struct Verb {
+    std::string_view word, usage;
+    bool (Reader::*run)(Cursor&);
+  };
+  static const std::vector<Verb>& verbs();
+  static std::string_view not_yet(std::string_view verb);
+
+  // reader.cpp: lines, places, sheets
+  void run(std::string_view text);
+  void line(Cursor& c, const char* line_start);
+  bool command(Cursor& c);
+  bool finish(Cursor& c);  // nothing may follow
+  bool open_sheet(Cursor& c, std::string_view word);
+  bool row(Cursor& c);
+  void report(Severity severity, Error error, std::string_view about);
+  void note(Severity severity, std::string message, std::string_view about, std::string hint = {});
+  const char* after_line(const char* line_start) const;
+  bool sound_text(std::string_view text);
+
+  // events.cpp
+  bool event(Cursor& c, const Selected& to, Time time);
+  bool twerper(Cursor& c, const Selected& to, Twerper& out, std::array<double, 4>& bezier);
+  bool tangent(Cursor& c, const Selected& to, std::string_view key, Event& event);
+  bool put(const Selected& to, Event event, Cursor& c);
+  bool at(Cursor& c);
+  bool set(Cursor& c);
+  bool global_twerper(Cursor& c);
+  bool extend(Cursor& c);
+  bool note_command(Cursor& c);
+  bool notes(Cursor& c);
+  bool look(Cursor& c);
+  bool show(Cursor& c) { return display(c, true); }
+  bool hide(Cursor& c) { return display(c, false); }
+  bool display(Cursor& c, bool on);
+
+  // objects.cpp
+  bool create(Cursor& c);
+  bool parameters(Cursor& c, Object& object);
+  bool parent_by_name(Cursor& c, const std::string& name, std::string_view about, ObjectId& parent);
+  bool free_name(Cursor& c, const std::string& name, std::string_view about);
+  bool objects(Cursor& c, std::string_view& word, std::vector<ObjectId>& out);
+  bool remove(Cursor& c);
+  bool rename(Cursor& c);
+  bool couple(Cursor& c);
+  bool detach(Cursor& c);
+  bool alias(Cursor& c);
+  bool define(Cursor& c);
+
+  // document.cpp
+  bool rate(Cursor& c) { return rate_of(c, s.rate, c.frames_read, "frames"); }
+  bool ticks(Cursor& c) { return rate_of(c, s.ticks, c.ticks_read, "ticks"); }
+  bool rate_of(Cursor& c, Rate& rate, bool used, const char* what);
+  bool range(Cursor& c);
+  bool background(Cursor& c);
+  bool policy(Cursor& c);
+  bool use(Cursor& c);
+
+  // operations.cpp
+  bool copy(Cursor& c);
+  bool move(Cursor& c);
+  bool stretch(Cursor& c);
+  bool reverse(Cursor& c);
+  bool scale(Cursor& c);
+  bool translate(Cursor& c);
+  bool rotate(Cursor& c);
+  bool clear(Cursor& c);
+  bool stagger(Cursor& c);
+  bool spread(Cursor& c);
+  template <class F>
+  bool operate(Cursor& c, const Selected& on, std::string_view about, bool moves_times, F&& f);
+  bool operand(Cursor& c, const Selected& on, Value& out);
+
+  // files.cpp
+  bool asset(Cursor& c, FunctionId f, std::string& path, std::string_view about);
+  bool may_read(const std::filesystem::path& path) const;
+  std::string shown(const std::filesystem::path& path) const;
+
+  struct Sheet {
+    bool open = false, broken = false;
+    Selected on;
+    std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
+    bool warned = false;
+  };
+  struct Source {  // the text being read now
+    std::string_view text;
+    std::string name;
+    std::filesystem::path folder;
+    const char* counted = nullptr;  // lines are counted up to here
+    int lines = 1;
+    Sheet sheet;
+  };
+
+  Diagnostics& diagnostics_;
+  LoadOptions options_;
+  std::filesystem::path root_;  // real path of the first script's folder
+  std::vector<std::filesystem::path> open_files_;
+  Source source_;
+  bool timed_ = false;  // the command has an `at`
+  Time time_;
+  bool rows_read_frames_ = false, rows_read_ticks_ = false;
+  int errors_ = 0;
+  bool given_up_ = false;
+};
+
+}  // namespace betwixt

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The canonical form of a script: one space between words, numbers in their shortest form, rows of a sheet sorted by
+// time and in columns. Comments and commands stay what and where they are; a comment above a row goes with it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "language/reader.h"
+
+namespace betwixt {
+namespace {
+
+// One word, bracket, text or comment.
+struct Token {
+  std::string text;
+  bool comment = false, fresh_line = false;  // fresh_line: inside brackets, the author began a new line before it
+};
+
+struct Line {
+  std::vector<std::string> lead;  // blank lines and comments above it
+  std::vector<Token> tokens;      // none: only a comment
+  std::string comment;            // behind it
+  bool indented = false;
+  Time time;  // of a row
+};
+
+bool looks_like_number(std::string_view w) {
+  const std::size_t i = w.starts_with('-') || w.starts_with('+') ? 1 : 0;
+  return i < w.size() &&
+         ((w[i] >= '0' && w[i] <= '9') || (w[i] == '.' && i + 1 < w.size() && w[i + 1] >= '0' && w[i + 1] <= '9'));
+}
+
+// "4.0" is 4, "24.50f" is 24.5f, each half of "1.0f..24f" too; anything else stays.
+std::string shortest(std::string_view w) {
+  if (!looks_like_number(w) || w.find(':') != std::string_view::npos || w.find('/') != std::string_view::npos)
+    return std::string(w);
+  if (const auto dots = w.find(".."); dots != std::string_view::npos && dots > 0 && dots + 2 < w.size())
+    return shortest(w.substr(0, dots)) + ".." + shortest(w.substr(dots + 2));
+  Cursor c(w);
+  double d = 0;
+  if (!c.number(d)) return std::string(w);
+  const std::string_view unit = c.unit();
+  return c.at == c.end ? write_number(d) + std::string(unit) : std::string(w);
+}
+
+class Tidier {
+ public:
+  explicit Tidier(std::string_view text) : c_(text), text_(text) {}
+
+  bool run(std::string& out) {
+    if (text_.starts_with("#!")) {
+      const auto nl = text_.find('\n');
+      out_ = std::string(text_.substr(0, nl)) + "\n";
+      c_.at = nl == std::string_view::npos ? c_.end : text_.data() + nl + 1;
+    }
+    Line line;
+    std::vector<std::string> lead;
+    while (c_.at < c_.end) {
+      if (!next(line)) return false;
+      if (line.tokens.empty()) {
+        lead.push_back(line.comment);
+        continue;
+      }
+      line.lead = std::move(lead);
+      lead.clear();
+      if (line.indented && in_sheet_) {
+        Cursor time(line.tokens[0].text);
+        time.rate = rate_, time.ticks = ticks_;
+        if (!time.time(line.time)) return false;
+        rows_.push_back(std::move(line));
+        continue;
+      }
+      flush_rows();
+      settings(line);
+      in_sheet_ = line.tokens.size() == 1 && line.tokens[0].text.find('.') != std::string::npos &&
+                  !looks_like_number(line.tokens[0].text);
+      put_lead(line.lead, "");
+      out_ += joined(line.tokens, 0) + (line.comment.empty() ? "" : "  " + line.comment) + "\n";
+    }
+    flush_rows();
+    put_lead(lead, "");
+    while (out_.ends_with("\n\n")) out_.pop_back();
+    out = std::move(out_);
+    return true;
+  }
+
+ private:
+  // One logical line; its comment is kept apart. An empty line has neither tokens nor comment.
+  bool next(Line& line) {
+    line = {};
+    const char* start = c_.at;
+    c_.depth = 0;
+    bool fresh = false;
+    for (;;) {
+      while (c_.at < c_.end &&
+             (*c_.at == ' ' || *c_.at == '\t' || *c_.at == '\r' || *c_.at == ',' || (*c_.at == '\n' && c_.depth > 0))) {
+        fresh = fresh || *c_.at == '\n';
+        ++c_.at;
+      }
+      if (c_.at == c_.end) return c_.depth == 0;
+      if (line.tokens.empty()) line.indented = c_.at > start;
+      const char ch = *c_.at;
+      if (ch == '\n') {
+        ++c_.at;
+        return true;
+      }
+      const char* from = c_.at;
+      if (ch == '#' &&
+          (c_.at + 1 == c_.end || c_.at[1] == ' ' || c_.at[1] == '\t' || c_.at[1] == '\n' || c_.at[1] == '\r')) {
+        while (c_.at < c_.end && *c_.at != '\n') ++c_.at;
+        std::string comment(from, c_.at);
+        while (!comment.empty() && (comment.back() == ' ' || comment.back() == '\t' || comment.back() == '\r'))
+          comment.pop_back();
+        if (c_.depth > 0)
+          line.tokens.push_back({comment, true, fresh});
+        else
+          line.comment = comment;
+        continue;
+      }
+      if (ch == '"') {
+        std::string ignored;
+        if (!c_.text(ignored)) return false;
+      } else if (ch == '(' || ch == ')') {
+        c_.depth += ch == '(' ? 1 : -1;
+        if (c_.depth < 0) return false;
+        ++c_.at;
+      } else if (c_.word().empty()) {
+        ++c_.at;
+      }
+      line.tokens.push_back({shortest({from, static_cast<std::size_t>(c_.at - from)}), false, fresh && c_.depth > 0});
+      fresh = false;
+    }
+  }
+
+  // f and t mean what the last `rate` and `ticks` said; rows are sorted by it.
+  void settings(const Line& line) {
+    if (line.tokens.size() != 2 || (line.tokens[0].text != "rate" && line.tokens[0].text != "ticks")) return;
+    Scene scene;
+    Diagnostics ignored;
+    Reader reader(scene, ignored, {});
+    reader.read_text(line.tokens[0].text + " " + line.tokens[1].text, "");
+    (line.tokens[0].text == "rate" ? rate_ : ticks_) = line.tokens[0].text == "rate" ? scene.rate : scene.ticks;
+  }
+
+  static std::string joined(const std::vector<Token>& tokens, std::size_t first) {
+    std::string out;
+    for (std::size_t i = first; i < tokens.size(); ++i) {
+      const std::string& t = tokens[i].text;
+      const std::string_view last = i > first ? std::string_view(tokens[i - 1].text) : "";
+      const bool after_comment = i > first && tokens[i - 1].comment;
+      if (i > first && (tokens[i].fresh_line || after_comment))
+        out += "\n    ";
+      else if (tokens[i].comment)
+        out += "  ";
+      else if (i > first && t != ")" && t != "=" && last != "(" && last != "=" && !(t == "(" && function(tokens, i)))
+        out += " ";
+      else if (i > first && (t == "=" || last == "=") && spaced_equals(tokens))
+        out += " ";
+      out += t;
+    }
+    return out;
+  }
+  // alias NAME = …, procedures: there the sign stands by itself.
+  static bool spaced_equals(const std::vector<Token>& tokens) { return tokens[0].text == "alias"; }
+  // rgb(…), euler(…), shape(…): no space before the bracket. Verbs and keys are words too, so the names are listed.
+  static bool function(const std::vector<Token>& tokens, std::size_t i) {
+    static constexpr std::string_view names[] = {"rgb",       "hsv",    "euler", "axis",   "quat", "shape", "bezier",
+                                                 "translate", "rotate", "scale", "matrix", "T",    "R",     "S"};
+    return i > 0 && !(i == 1) && std::find(std::begin(names), std::end(names), tokens[i - 1].text) != std::end(names);
+  }
+
+  void put_lead(const std::vector<std::string>& lead, const char* indent) {
+    for (const auto& l : lead) {
+      if (!l.empty()) {
+        out_ += indent + l + "\n";
+      } else if (!out_.empty() && !out_.ends_with("\n\n")) {
+        out_ += "\n";
+      }
+    }
+  }
+
+  // A row's value ends where its options begin.
+  static std::size_t end_of_value(const std::vector<Token>& tokens) {
+    int depth = 0;
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+      if (tokens[i].text == "(") ++depth;
+      if (tokens[i].text == ")") --depth;
+      if (depth == 0 && !(i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1))) return i + 1;
+    }
+    return tokens.size();
+  }
+
+  void flush_rows() {
+    std::stable_sort(rows_.begin(), rows_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
+    std::size_t time_width = 0, value_width = 0;
+    std::vector<std::array<std::string, 3>> cells;
+    const auto width = [](const std::string& s) {
+      return static_cast<std::size_t>(
+          std::count_if(s.begin(), s.end(), [](char ch) { return (static_cast<unsigned char>(ch) & 0xC0) != 0x80; }));
+    };
+    for (const Line& row : rows_) {
+      const std::size_t end = end_of_value(row.tokens);
+      const std::vector<Token> value(row.tokens.begin(), row.tokens.begin() + static_cast<std::ptrdiff_t>(end));
+      cells.push_back({row.tokens[0].text, joined(value, 1), end < row.tokens.size() ? joined(row.tokens, end) : ""});
+      time_width = std::max(time_width, width(cells.back()[0]));
+      if (width(cells.back()[1]) <= 60)
+        value_width = std::max(value_width, width(cells.back()[1]));  // one long value does not push all options away
+    }
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      put_lead(rows_[i].lead, "  ");
+      std::string text = "  " + cells[i][0] + std::string(time_width + 2 - width(cells[i][0]), ' ') + cells[i][1];
+      const std::size_t value = width(cells[i][1]);
+      if (!cells[i][2].empty())
+        text += std::string(value < value_width ? value_width + 2 - value : 2, ' ') + cells[i][2];
+      while (text.back() == ' ') text.pop_back();
+      if (!rows_[i].comment.empty()) text += "  " + rows_[i].comment;
+      out_ += text + "\n";
+    }
+    rows_.clear();
+  }
+
+  Cursor c_;
+  std::string_view text_;
+  std::string out_;
+  std::vector<Line> rows_;
+  bool in_sheet_ = false;
+  Rate rate_, ticks_{30, 1};
+};
+
+}  // namespace
+
+std::string tidy(std::string_view text) {
+  std::string out;
+  return Tidier(text).run(out) ? out : std::string(text);
+}
+
+}  // namespace betwixt

@@ -1,0 +1,476 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/values.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/names.h"
+#include "language/colors.h"
+#include "track/curve.h"
+
+namespace betwixt {
+namespace {
+
+std::string_view since(const char* start, const Cursor& c) { return {start, static_cast<std::size_t>(c.at - start)}; }
+
+int hex(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+Color from_bytes(std::uint32_t rgb) {
+  return {static_cast<double>(rgb >> 16 & 255) / 255, static_cast<double>(rgb >> 8 & 255) / 255,
+          static_cast<double>(rgb & 255) / 255};
+}
+
+Color from_hsv(double turns, double s, double v) {
+  const double h = (turns - std::floor(turns)) * 6;
+  const auto channel = [&](double n) {
+    const double k = std::fmod(n + h, 6);
+    return v - v * s * std::max(0.0, std::min({k, 4 - k, 1.0}));
+  };
+  return {channel(5), channel(3), channel(1)};
+}
+
+std::string missing(Type type) { return fmt::format("{} is wanted here", to_string(type)); }
+
+}  // namespace
+
+bool ValueReader::scalar(double& out, Unit unit) {
+  c.space();
+  const char* start = c.at;
+  if (c.peek() == '(' && scene.policy == Policy::translate) {  // a vector for a number: its length
+    Vec3 v;
+    if (!vector(3, v)) return false;
+    out = length(v);
+    return true;
+  }
+  if (c.peek() == '(') return c.fail(Code::type, "a number is wanted here, not a vector", {c.at, 1});
+  if (!c.number(out)) return false;
+  const std::string_view u = c.unit();
+  if (u.empty()) return true;
+  const double metres = u == "m" ? 1 : u == "cm" ? 0.01 : u == "mm" ? 0.001 : 0;
+  if (unit == Unit::none || metres == 0)
+    return c.fail(Code::type,
+                  unit == Unit::none ? fmt::format("a plain number is wanted here, without '{}'", u)
+                                     : fmt::format("'{}' is not a unit of length", u),
+                  since(start, c), unit == Unit::none ? "" : "units are m, cm and mm");
+  // 35 mm are 35/1000 m: dividing keeps the number that is written.
+  if (unit == Unit::metres) out = u == "mm" ? out / 1000 : u == "cm" ? out / 100 : out;
+  if (unit == Unit::millimetres) out = u == "m" ? out * 1000 : u == "cm" ? out * 10 : out;
+  return true;
+}
+
+bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
+  c.space();
+  const char* start = c.at;
+  if (c.peek() != '(') {
+    if (c.at_line_end())
+      return c.fail_here(Code::syntax,
+                         numbers == 3 ? "a vector (x y z) is missing here" : "a pair (x y) is missing here");
+    double d = 0;
+    const std::string_view w = c.peek_word();
+    const bool plain = !w.empty() && (w[0] == '-' || w[0] == '+' || w[0] == '.' || (w[0] >= '0' && w[0] <= '9'));
+    if (!plain)
+      return c.fail_here(Code::type, fmt::format("a vector (x y{}) is wanted here", numbers == 3 ? " z" : ""));
+    if (!scalar(d, unit)) return false;
+    if (scene.policy != Policy::translate)
+      return c.fail(Code::type, "a vector is wanted here, not one number", since(start, c),
+                    fmt::format("write {}", write_vector({d, d, d}, numbers)));
+    out = {d, d, numbers == 3 ? d : 0};
+    return true;
+  }
+  if (!c.open()) return false;
+  for (int i = 0; i < numbers; ++i) {
+    c.space();
+    if (c.peek() == ')')
+      return c.fail(Code::syntax, fmt::format("{} numbers are wanted here, not {}", numbers, i),
+                    {start, static_cast<std::size_t>(c.at + 1 - start)});
+    double d = 0;
+    if (!c.number(d)) return false;
+    const std::string_view u = c.unit();
+    if (!u.empty()) {
+      if (unit != Unit::metres || (u != "m" && u != "cm" && u != "mm"))
+        return c.fail(Code::type, fmt::format("'{}' is not a unit that fits here", u), u);
+      d = u == "mm" ? d / 1000 : u == "cm" ? d / 100 : d;
+    }
+    out[i] = d;
+  }
+  c.space();
+  if (c.at < c.end && c.peek() != ')')
+    return c.fail_here(Code::syntax, fmt::format("only {} numbers are wanted here", numbers));
+  return c.close();
+}
+
+bool ValueReader::color(Color& out) {
+  c.space();
+  const char* start = c.at;
+  if (c.peek() == '#') {
+    ++c.at;
+    std::uint32_t v = 0;
+    int n = 0;
+    for (; c.at < c.end && hex(*c.at) >= 0 && n < 9; ++c.at, ++n) v = v * 16 + static_cast<std::uint32_t>(hex(*c.at));
+    if (n == 3) v = (v >> 8 & 15) * 0x110000 + (v >> 4 & 15) * 0x1100 + (v & 15) * 0x11;
+    if ((n != 3 && n != 6) || !c.peek_word().empty())
+      return c.fail(Code::syntax, "a colour in hexadecimal has 3 or 6 digits, as in #ffcc00", since(start, c),
+                    "a comment starts with # and a space");
+    out = from_bytes(v);
+    return true;
+  }
+  if (c.peek() == '(') {
+    Vec3 v;
+    if (!vector(3, v)) return false;
+    out = {v.x, v.y, v.z};
+    return true;
+  }
+  const std::string_view w = c.word();
+  if (w == "rgb") {
+    Vec3 v;
+    if (!vector(3, v)) return false;
+    out = {v.x, v.y, v.z};
+    return true;
+  }
+  if (w == "hsv") {  // hue: an angle, or turns as a plain number
+    double h = 0, s = 0, v = 0;
+    if (!c.open()) return false;
+    c.space();
+    const char* at = c.at;
+    if (!c.number(h)) return false;
+    if (c.unit().empty()) {
+    } else {
+      c.at = at;
+      if (!c.angle(h)) return false;
+      h /= 2 * pi;
+    }
+    if (!c.number(s) || !c.number(v) || !c.close()) return false;
+    out = from_hsv(h, s, v);
+    return true;
+  }
+  if (const auto named = named_color(w)) {
+    out = from_bytes(*named);
+    return true;
+  }
+  if (w.empty())
+    return c.fail_here(Code::syntax, c.at_line_end() ? "a colour is missing here" : "this is not a colour");
+  std::string hint = did_you_mean(w, color_names());
+  return c.fail(Code::name, fmt::format("there is no colour '{}'", w), w,
+                hint.empty() ? "colours look like gold, #ffcc00, rgb(1 0.8 0) or hsv(48deg 1 1)" : hint);
+}
+
+bool ValueReader::axis(Vec3& out) {
+  c.space();
+  const char* start = c.at;
+  if (c.peek() == '(') {
+    if (!vector(3, out)) return false;
+    if (out == Vec3{}) return c.fail(Code::range, "an axis needs a direction; (0 0 0) has none", since(start, c));
+    return true;
+  }
+  const std::string_view w = c.word();
+  if (w == "x") return out = {1, 0, 0}, true;
+  if (w == "y") return out = {0, 1, 0}, true;
+  if (w == "z") return out = {0, 0, 1}, true;
+  return c.fail(Code::syntax, "an axis is missing here", w.empty() ? std::string_view(start, 0) : w,
+                "axes are x, y, z or a direction (x y z)");
+}
+
+bool ValueReader::orientation(Value& out, bool angles) {
+  c.space();
+  const char* start = c.at;
+  const std::string_view w = c.peek() == '(' ? std::string_view("euler") : c.word();
+  if (w == "euler" || w == "axis" || w == "quat") {
+    c.space();
+    if (c.peek() != '(') return c.fail(Code::syntax, fmt::format("'{}' needs its numbers in brackets", w), w);
+  }
+  if (w == "euler") {
+    Vec3 a;
+    if (!c.open()) return false;
+    for (int i = 0; i < 3; ++i)
+      if (!c.angle(a[i])) return false;
+    if (!c.close()) return false;
+    if (angles)
+      out = Angles{a};
+    else
+      out = from_angles(a);
+    return true;
+  }
+  if (w == "axis") {
+    Vec3 a;
+    double turn = 0;
+    if (!c.open()) return false;
+    c.space();
+    const char* axis_at = c.at;
+    if (c.peek() == '(' || c.peek() == 'x' || c.peek() == 'y' || c.peek() == 'z') {
+      if (!axis(a)) return false;
+    } else {
+      for (int i = 0; i < 3; ++i)
+        if (!c.number(a[i])) return false;
+      if (a == Vec3{}) return c.fail(Code::range, "an axis needs a direction; 0 0 0 has none", since(axis_at, c));
+    }
+    if (!c.angle(turn) || !c.close()) return false;
+    if (std::abs(turn) > pi * (1 + 1e-9) && warn)
+      warn("an orientation knows no more than half a turn; the shorter way round is taken", since(start, c),
+           "euler(x y z) counts whole turns");
+    out = axis_angle(a, turn);
+    return true;
+  }
+  if (w == "quat") {
+    Quat q;
+    if (!c.open() || !c.number(q.w) || !c.number(q.x) || !c.number(q.y) || !c.number(q.z) || !c.close()) return false;
+    const double l = std::sqrt(dot(q, q));
+    if (!(l > 1e-9) || !std::isfinite(l))
+      return c.fail(Code::range, "this quaternion has no direction", since(start, c));
+    // A unit quaternion stays as written: reading back what was printed must change nothing.
+    out = std::abs(l - 1) < 1e-12 ? q : Quat{q.w / l, q.x / l, q.y / l, q.z / l};
+    return true;
+  }
+  return c.fail(Code::syntax, w.empty() ? "a rotation is missing here" : fmt::format("'{}' is not a rotation", w),
+                w.empty() ? std::string_view(start, 0) : w,
+                "rotations look like euler(0 90deg 0), axis(0 1 0, 90deg) or quat(1 0 0 0)");
+}
+
+bool ValueReader::points(Points& out) {
+  std::vector<Vec3> list;
+  if (!c.open()) return false;
+  for (;;) {
+    c.space();
+    if (c.peek() == ')') break;
+    if (c.at == c.end) return c.close();
+    Vec3 p;
+    const char* start = c.at;
+    if (c.peek() != '(')
+      return c.fail_here(Code::syntax, "a point (x y) or (x y z) is wanted here",
+                         "points look like ((0 0) (1 0) (1 1))");
+    if (!c.open() || !c.number(p.x) || !c.number(p.y)) return false;
+    c.space();
+    if (c.peek() != ')' && !c.number(p.z)) return false;
+    c.space();
+    if (c.at < c.end && c.peek() != ')')
+      return c.fail(Code::syntax, "a point has two or three numbers", since(start, c));
+    if (!c.close()) return false;
+    list.push_back(p);
+  }
+  if (!c.close()) return false;
+  out = Points(std::move(list));
+  return true;
+}
+
+bool ValueReader::object(ObjectId& out) {
+  c.space();
+  const std::string_view w = c.word();
+  if (w.empty()) return c.fail_here(Code::syntax, "the name of an object is missing here");
+  out = scene.names.find(w);
+  if (out) return true;
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < scene.objects.size() && i < 10000; ++i)
+    if (!scene.objects[i].removed) names.push_back(scene.objects[i].name);
+  return c.fail(Code::name, fmt::format("there is no object '{}'", w), w, did_you_mean(w, names));
+}
+
+bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, FunctionId f) {
+  c.space();
+  const char* start = c.at;
+  const Type type = component < 0 ? spec.type : component_type(spec.type);
+  const auto in_range = [&](double d) {
+    if (d >= spec.low && d <= spec.high) return true;
+    return c.fail(Code::range,
+                  d < spec.low ? fmt::format("{} is at least {}", spec.name, write_number(spec.low))
+                               : fmt::format("{} is at most {}", spec.name, write_number(spec.high)),
+                  since(start, c));
+  };
+  switch (type) {
+    case Type::scalar: {
+      double d = 0;
+      if (!scalar(d, spec.unit) || !in_range(d)) return false;
+      out = d;
+      return true;
+    }
+    case Type::angle: {
+      double d = 0;
+      if (!c.angle(d) || (component < 0 && !in_range(d))) return false;
+      out = d;
+      return true;
+    }
+    case Type::pair:
+    case Type::vector: {
+      Vec3 v;
+      const int n = type == Type::pair ? 2 : 3;
+      if (!vector(n, v, spec.unit)) return false;
+      for (int i = 0; i < n; ++i)
+        if (!in_range(v[i])) return false;
+      out = v;
+      return true;
+    }
+    case Type::color: {
+      Color v;
+      if (!color(v)) return false;
+      out = v;
+      return true;
+    }
+    case Type::boolean: {
+      const std::string_view w = c.word();
+      if (w != "on" && w != "off")
+        return c.fail(Code::type, "on or off is wanted here", w.empty() ? std::string_view(start, 0) : w);
+      out = w == "on";
+      return true;
+    }
+    case Type::rotation:
+      return orientation(out, true);
+    case Type::orientation:
+      return orientation(out, false);
+    case Type::shape: {
+      const std::string_view w = c.word();
+      if (w == "none") return out = ObjectId{}, true;
+      if (w != "shape")
+        return c.fail(Code::type, missing(type), w.empty() ? std::string_view(start, 0) : w,
+                      "write shape(NAME), the geometry of another object, or none");
+      ObjectId id;
+      const auto reads = [&] {
+        const char* name = (c.space(), c.at);
+        if (!object(id)) return false;
+        if (!drawn(scene.objects[id.index].kind))
+          return c.fail(
+              Code::type,
+              fmt::format("a {} has no geometry", kind_names[static_cast<std::size_t>(scene.objects[id.index].kind)]),
+              since(name, c));
+        return true;
+      };
+      if (!c.open() || !reads() || !c.close()) return false;
+      out = id;
+      return true;
+    }
+    case Type::aim: {
+      if (c.peek() == '(') {
+        Vec3 v;
+        if (!vector(3, v, spec.unit)) return false;
+        out = v;
+        return true;
+      }
+      if (c.accept_word("none")) return out = ObjectId{}, true;
+      if (c.at_line_end()) return c.fail_here(Code::syntax, "a point (x y z) or the name of an object is missing here");
+      ObjectId id;
+      if (!object(id)) return false;
+      out = id;
+      return true;
+    }
+    case Type::text: {
+      std::string s;
+      if (!spec.words.empty()) {  // one of a few words; quotes are welcome
+        if (c.peek() == '"') {
+          if (!c.text(s)) return false;
+        } else {
+          s = c.word();
+        }
+        std::vector<std::string_view> words;
+        for (std::string_view rest = spec.words; !rest.empty();) {
+          const auto bar = rest.find('|');
+          words.push_back(rest.substr(0, bar));
+          rest = bar == std::string_view::npos ? std::string_view() : rest.substr(bar + 1);
+        }
+        if (std::find(words.begin(), words.end(), s) == words.end()) {
+          std::string all;
+          for (auto w : words) all += (all.empty() ? "" : w == words.back() ? " or " : ", ") + std::string(w);
+          std::string hint = did_you_mean(s, words);
+          return c.fail(Code::type, fmt::format("{} is {}", spec.name, all),
+                        s.empty() ? std::string_view(start, 0) : since(start, c), hint);
+        }
+      } else if (!c.text(s)) {
+        return false;
+      }
+      if (file && !file(f, s, since(start, c))) return false;
+      out = Text(std::move(s));
+      return true;
+    }
+    case Type::points: {
+      Points p;
+      if (!points(p)) return false;
+      out = std::move(p);
+      return true;
+    }
+    case Type::names:
+      break;
+  }
+  return c.fail_here(Code::type, missing(type));
+}
+
+std::string write_number(double v) { return v == 0 ? "0" : fmt::format("{}", v); }
+
+std::string write_text(const std::string& s) {
+  std::string out = "\"";
+  for (char ch : s) {
+    if (ch == '"' || ch == '\\') out += '\\';
+    if (ch == '\n')
+      out += "\\n";
+    else if (ch == '\t')
+      out += "\\t";
+    else
+      out += ch;
+  }
+  return out + "\"";
+}
+
+std::string write_vector(Vec3 v, int numbers) {
+  std::string out = "(";
+  for (int i = 0; i < numbers; ++i) out += (i ? " " : "") + write_number(v[i]);
+  return out + ")";
+}
+
+std::string write_color(Color c) {
+  std::uint32_t rgb = 0;
+  for (double v : {c.r, c.g, c.b})
+    rgb = rgb << 8 | static_cast<std::uint32_t>(std::lround(std::min(1.0, std::max(0.0, v)) * 255));
+  if (from_bytes(rgb) == c) {
+    const auto name = name_of_color(rgb);
+    return name.empty() ? fmt::format("#{:06x}", rgb) : std::string(name);
+  }
+  return "rgb" + write_vector({c.r, c.g, c.b});
+}
+
+namespace {
+
+// An angle in degrees, if that reads back to the same radians; else in radians.
+std::string write_angle(double radians) {
+  if (radians == 0) return "0";
+  const double degrees = std::round(radians / (pi / 180) * 1e9) / 1e9;
+  if (degrees * (pi / 180) == radians) return write_number(degrees) + "deg";
+  return write_number(radians) + "rad";
+}
+
+}  // namespace
+
+std::string write_value(const Value& v, const FunctionSpec& spec, int component,
+                        const std::function<std::string(ObjectId)>& name_of) {
+  const Type type = component < 0 ? spec.type : component_type(spec.type);
+  if (const auto* d = std::get_if<double>(&v)) {
+    if (type == Type::angle) return write_angle(*d);
+    return write_number(*d) + (spec.unit == Unit::millimetres ? "mm" : "");
+  }
+  if (const auto* p = std::get_if<Vec3>(&v)) return write_vector(*p, type == Type::pair ? 2 : 3);
+  if (const auto* c = std::get_if<Color>(&v)) return write_color(*c);
+  if (const auto* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
+  if (const auto* a = std::get_if<Angles>(&v))
+    return fmt::format("euler({} {} {})", write_angle(a->xyz.x), write_angle(a->xyz.y), write_angle(a->xyz.z));
+  if (const auto* q = std::get_if<Quat>(&v))
+    return fmt::format("quat({} {} {} {})", write_number(q->w), write_number(q->x), write_number(q->y),
+                       write_number(q->z));
+  if (const auto* id = std::get_if<ObjectId>(&v)) {
+    const std::string name = name_of(*id);
+    return name.empty() ? "none" : type == Type::shape ? "shape(" + name + ")" : name;
+  }
+  if (const auto* t = std::get_if<Text>(&v)) return spec.words.empty() ? write_text(**t) : **t;
+  if (const auto* list = std::get_if<Points>(&v)) {
+    bool flat = true;
+    for (Vec3 p : **list) flat = flat && p.z == 0;
+    std::string out = "(";
+    for (Vec3 p : **list) out += (out.size() > 1 ? " " : "") + write_vector(p, flat ? 2 : 3);
+    return out + ")";
+  }
+  std::string out = "(";
+  for (const auto& n : *std::get<Names>(v)) out += (out.size() > 1 ? " " : "") + n;
+  return out + ")";
+}
+
+}  // namespace betwixt

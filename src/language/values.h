@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Values in text: reading them by the type that is wanted, and writing them so that they read back the same.
+#pragma once
+
+#include <functional>
+
+#include "language/cursor.h"
+#include "scene/document.h"
+
+namespace betwixt {
+
+struct ValueReader {
+  Cursor& c;
+  const Scene& scene;
+  // Reads the file that a value names; gives the path to keep. Null: files are not read.
+  std::function<bool(FunctionId, std::string& path, std::string_view about)> file;
+  std::function<void(std::string message, std::string_view about, std::string hint)> warn;
+
+  // A value for a function, or for one component of it.
+  bool value(const FunctionSpec& spec, int component, Value& out, FunctionId f = 0xffff);
+  bool color(Color& out);
+  bool vector(int numbers, Vec3& out, Unit unit = Unit::none);
+  bool scalar(double& out, Unit unit = Unit::none);
+  bool orientation(Value& out, bool angles);
+  bool points(Points& out);
+  bool object(ObjectId& out);  // a name that exists
+  bool axis(Vec3& out);        // x, y, z or (x y z)
+};
+
+// The reverse. `name_of` gives names to objects.
+std::string write_number(double v);          // shortest form that reads back to the same double
+std::string write_text(const std::string&);  // quoted
+std::string write_color(Color);
+std::string write_vector(Vec3, int numbers = 3);
+std::string write_value(const Value&, const FunctionSpec& spec, int component,
+                        const std::function<std::string(ObjectId)>& name_of);
+
+}  // namespace betwixt

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A document as a script that makes it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "language/reader.h"
+
+namespace betwixt {
+namespace {
+
+struct Writer {
+  const Scene& s;
+  Document document;
+  std::string out;
+
+  std::string name_of(ObjectId id) const {
+    const Object* o = find_object(s, id);
+    return o ? o->name : "";
+  }
+  std::string value(const Value& v, const FunctionSpec& spec, int component) const {
+    return write_value(v, spec, component, [this](ObjectId id) { return name_of(id); });
+  }
+  // A length of time that reads back to the same flicks.
+  std::string length(Time t) const {
+    const double frames = document.rate().frame_number(t) - 1;
+    if (frames == std::round(frames) && document.rate().span(frames) == t) return write_number(frames) + "f";
+    return seconds(t);
+  }
+  std::string point(Time t) const {
+    const std::string f = format_time(t, document);
+    return f.back() == 'f' ? f : seconds(t);
+  }
+  // Ten decimals are finer than a flick; long times are written as a clock's, or the double that reads the seconds
+  // would lose flicks.
+  static std::string seconds(Time t) {
+    const auto trim = [](std::string text) {
+      while (text.back() == '0') text.pop_back();
+      if (text.back() == '.') text.pop_back();
+      return text;
+    };
+    const std::int64_t flicks = std::abs(t.flicks);
+    const char* sign = t.flicks < 0 ? "-" : "";
+    if (flicks < 10'000 * flicks_per_second) return sign + trim(fmt::format("{:.10f}", Time{flicks}.seconds())) + "s";
+    const std::int64_t minutes = flicks / (60 * flicks_per_second);
+    return fmt::format("{}{}:{:02}:{}", sign, minutes / 60, minutes % 60,
+                       trim(fmt::format("{:013.10f}", Time{flicks % (60 * flicks_per_second)}.seconds())));
+  }
+
+  static std::string bezier(const std::array<double, 4>& b) {
+    return fmt::format("bezier({} {} {} {})", write_number(b[0]), write_number(b[1]), write_number(b[2]),
+                       write_number(b[3]));
+  }
+  static std::string twerper(Twerper t) { return std::string(twerper_names[static_cast<std::size_t>(t)]); }
+
+  void row(const Event& e, const FunctionSpec& spec, int component) {
+    out += "  " + point(e.time) + " ";
+    if (e.keep) {
+      out += "keep";
+    } else {
+      if (e.detail->before) out += value(*e.detail->before, spec, component) + " cut ";
+      out += value(e.value, spec, component);
+    }
+    if (e.twerper == Twerper::bezier)
+      out += " " + bezier(e.detail->bezier);
+    else if (e.twerper != Twerper::unset)
+      out += " " + twerper(e.twerper);
+    if (e.detail->tangent_in) out += " tangent-in=" + value(*e.detail->tangent_in, spec, component);
+    if (e.detail->tangent_out) out += " tangent-out=" + value(*e.detail->tangent_out, spec, component);
+    if (e.detail->ease_in != Time{}) out += " ease-in=" + length(e.detail->ease_in);
+    if (e.detail->ease_out != Time{}) out += " ease-out=" + length(e.detail->ease_out);
+    out += "\n";
+  }
+
+  void track(const Track& t, const Target& target) {
+    const FunctionSpec& spec = spec_of(s, target.function);
+    const std::string name = document.name(target);
+    // A bezier whose event left it for another twerper is of no effect and is not written.
+    if (!t.events.empty() || target.component >= 0) {
+      out += name + "\n";
+      t.events.each([&](const Event& e) { row(e, spec, target.component); });
+    }
+    if (t.global != Twerper::unset || t.srgb) {
+      out += "twerper " + name + " " +
+             (t.global == Twerper::unset    ? "none"
+              : t.global == Twerper::bezier ? bezier(t.bezier)
+                                            : twerper(t.global));
+      out += t.srgb ? " in=srgb\n" : "\n";
+    }
+    if (t.before == t.after && t.before != Extend::hold)
+      out += fmt::format("extend {} {}\n", name, extend_names[static_cast<std::size_t>(t.before)]);
+    if (t.before == t.after) return;
+    out += fmt::format("extend {} {} before\n", name, extend_names[static_cast<std::size_t>(t.before)]);
+    out += fmt::format("extend {} {} after\n", name, extend_names[static_cast<std::size_t>(t.after)]);
+  }
+
+  void settings() {
+    const auto rate = [](Rate r) { return r.den == 1 ? std::to_string(r.num) : fmt::format("{}/{}", r.num, r.den); };
+    if (!(s.rate == Rate{})) out += "rate " + rate(s.rate) + "\n";
+    if (!(s.ticks == Rate{30, 1})) out += "ticks " + rate(s.ticks) + "\n";
+    if (s.range) out += "range " + point(s.range->first) + " " + point(s.range->second) + "\n";
+    if (s.background) out += "background " + write_color(*s.background) + "\n";
+    if (!s.notes_shown) out += "notes off\n";
+    static constexpr std::pair<Type, std::string_view> types[] = {
+        {Type::scalar, "number"},           {Type::angle, "angle"},
+        {Type::vector, "vector"},           {Type::color, "color"},
+        {Type::boolean, "boolean"},         {Type::rotation, "rotation"},
+        {Type::orientation, "orientation"}, {Type::text, "text"}};
+    for (const FunctionSpec& f : *s.defined)
+      for (const auto& [type, word] : types)
+        if (type == f.type) out += fmt::format("define {} {} {}\n", f.name, word, value(f.rest, f, -1));
+    for (const auto& [name, elements] : *s.aliases) {
+      out += "alias " + name + " =";
+      for (const auto& e : elements) out += " " + e;
+      out += "\n";
+    }
+  }
+
+  bool refers(const Slot& slot) const {
+    const auto* id = slot.set ? std::get_if<ObjectId>(&*slot.set) : nullptr;
+    return id && *id;
+  }
+
+  void objects() {
+    std::vector<std::uint32_t> living;
+    for (std::uint32_t i = 0; i < s.objects.size(); ++i)
+      if (!s.objects[i].removed) living.push_back(i);
+    for (std::uint32_t i : living) {
+      const Object& o = s.objects[i];
+      out += "create " + placeholder(o.name) + " " + std::string(kind_names[static_cast<std::size_t>(o.kind)]);
+      for (const Slot& slot : o.slots) {
+        if (!slot.set || refers(slot)) continue;
+        const FunctionSpec& spec = spec_of(s, slot.function);
+        out += " " + spec.name + "=" + value(*slot.set, spec, -1);
+      }
+      out += "\n";
+    }
+    // A name with a slash may belong to anything by now, and its namesake above may be gone: such objects get their
+    // names last.
+    for (std::uint32_t i : living)
+      if (placeholder(s.objects[i].name) != s.objects[i].name)
+        out += "rename " + placeholder(s.objects[i].name) + " " + s.objects[i].name + "\n";
+    for (std::uint32_t i : living)
+      if (s.objects[i].parent)
+        out += "couple " + s.objects[i].name + " to " + s.objects[s.objects[i].parent.index].name + "\n";
+    // What speaks of other objects waits until all are there.
+    for (std::uint32_t i : living)
+      for (const Slot& slot : s.objects[i].slots)
+        if (refers(slot) && find_object(s, std::get<ObjectId>(*slot.set)))
+          out += "set " + document.name(Target{{i}, slot.function, -1}) + " " +
+                 value(*slot.set, spec_of(s, slot.function), -1) + "\n";
+    for (std::uint32_t i : living)
+      for (const Slot& slot : s.objects[i].slots) {
+        track(*slot.track, {{i}, slot.function, -1});
+        for (std::size_t k = 0; k < slot.components.size(); ++k)
+          track(*slot.components[k], {{i}, slot.function, static_cast<int>(k)});
+      }
+  }
+
+  // A name without slashes that no object has.
+  std::string placeholder(const std::string& name) const {
+    if (name.find('/') == std::string::npos) return name;
+    std::string flat = name;
+    std::replace(flat.begin(), flat.end(), '/', '-');
+    flat += "-" + std::to_string(s.names.find(name).index);  // "a/b-c" and "a-b/c" stay apart
+    while (s.names.find(flat)) flat += "-";
+    return flat;
+  }
+
+  void rest() {
+    for (const auto& [time, camera] : *s.cuts) {
+      if (time != Time{INT64_MIN}) out += "at " + point(time) + " ";
+      out += "look through " + name_of(camera) + "\n";
+    }
+    for (const auto& [time, text] : *s.notes) out += "at " + point(time) + " note " + write_text(text) + "\n";
+    if (s.policy != Policy::ask) out += fmt::format("policy {}\n", policy_names[static_cast<std::size_t>(s.policy)]);
+  }
+};
+
+}  // namespace
+
+std::string write(const Document& document) {
+  Writer w{document.scene(), document, {}};
+  w.settings();
+  w.objects();
+  w.rest();
+  return std::move(w.out);
+}
+
+}  // namespace betwixt
