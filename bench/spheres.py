@@ -9,7 +9,7 @@ import math
 COLUMNS, ROWS, RATE, FRAMES, STEP = 20, 10, 24, 49, 6
 RADIUS = 0.45
 EYE, LOOK_AT, LENS = (0, 12, 19.5), (0, 0.6, 1), 28
-LIGHTS = [((6, 10, 8), 60), ((-9, 8, 2), 50), ((0, 12, -12), 60)]
+LIGHTS = [((6, 10, 8), 60, 0.5), ((-9, 8, 2), 50, 0.3), ((0, 12, -12), 60, 0.3)]  # place, range, intensity
 PLANE = 40
 
 
@@ -34,7 +34,7 @@ def script():
     lines = ["# spheres.bx — 200 lit spheres move; written by spheres.py", f"rate {RATE}", f"range 1f {FRAMES - 1}f", "",
              f"create floor plane size=({PLANE} {PLANE}) rotation=(-90deg 0 0) color=#b0b4ba",
              f"create eye camera position={vector(EYE)} look-at={vector(LOOK_AT)} lens={LENS}mm"]
-    lines += [f"create lamp{i} light position={vector(p)} range={r}" for i, (p, r) in enumerate(LIGHTS, 1)]
+    lines += [f"create lamp{i} light position={vector(p)} range={r} intensity={b}" for i, (p, r, b) in enumerate(LIGHTS, 1)]
     for name, color, events in spheres():
         lines += ["", f"create {name} sphere radius={RADIUS} color={color} shininess=0.4", f"{name}.position"]
         lines += [f"  {frame}f {vector(at)} linear" for frame, at in events]

@@ -65,9 +65,9 @@ for name, color, events in spheres.spheres():
 
 bpy.ops.mesh.primitive_plane_add(size=spheres.PLANE)
 bpy.context.object.data.materials.append(material("floor", "#b0b4ba"))
-for i, (at, reach) in enumerate(spheres.LIGHTS):
+for i, (at, reach, intensity) in enumerate(spheres.LIGHTS):
     lamp = bpy.data.lights.new(f"lamp{i}", "POINT")
-    lamp.energy = 1000
+    lamp.energy = 1000 * intensity  # Workbench does not look
     put(lamp.name, lamp, at)
 eye = put("eye", bpy.data.cameras.new("eye"), spheres.EYE)
 eye.data.lens, eye.data.sensor_width = spheres.LENS, 36

@@ -25,7 +25,7 @@ _betwixt() {
       plot) words='-o --output --frames' ;;
       tidy) words='--write' ;;
     esac
-    words+=' --help'
+    words+=' --read-anywhere --help'
   fi
   if [ -n "$words" ]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")

@@ -30,5 +30,17 @@ verdict "the installed program" \
   "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
     sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"
 verdict "the manual page" "$(groff -man -ww -z "$folder/prefix/share/man/man1/betwixt.1" 2>&1)" ""
+# What --help names, the manual page and the completions know.
+prefix=$folder/prefix
+for command in render play frame eval plot check tidy; do
+  for option in $("$prefix/bin/betwixt" "$command" --help | grep -oE -- '--[a-z-]+' | sort -u); do
+    for file in man/man1/betwixt.1 bash-completion/completions/betwixt zsh/site-functions/_betwixt \
+      fish/vendor_completions.d/betwixt.fish; do
+      [ "$option" != --help ] || continue
+      verdict "$command $option is in $file" \
+        "$(sed 's/\\-/-/g; s/-l \([a-z]\)/--\1/g' "$prefix/share/$file" | grep -oF -m 1 -e "$option" | head -n 1)" "$option"
+    done
+  done
+done
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]
