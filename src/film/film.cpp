@@ -33,9 +33,13 @@ Status check(const FilmOptions& o) {
   return Nothing{};
 }
 
-// Software graphics use all cores for one picture already, and the encoder wants some; a second painter fills the gaps.
-int jobs_of(const FilmOptions& o) {
-  return std::min(o.frames, o.jobs > 0 ? o.jobs : std::thread::hardware_concurrency() >= 2 ? 2 : 1);
+// Software graphics use all of a few cores for one picture already, so that a second painter would only be in the way
+// of the first and of the encoder. The painters of single pictures compress them too, on one core; a second one fills
+// that time.
+int jobs_of(const FilmOptions& o, bool pictures) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const int suitable = std::clamp(pictures ? cores : cores / 4, 1, pictures ? 8 : 4);
+  return std::min(o.frames, o.jobs > 0 ? o.jobs : suitable);
 }
 
 Status check(const Picture& p, const FilmOptions& o) {
@@ -50,10 +54,10 @@ Status check(const Picture& p, const FilmOptions& o) {
 // and is taken out in the order of the film.
 class Crew {
  public:
-  Crew(const FilmOptions& o, const std::function<Result<Painter>()>& new_painter, Sink& sink)
-      : options_(o), new_painter_(new_painter), sink_(sink), slots_(2 * static_cast<std::size_t>(jobs_of(o))) {
+  Crew(const FilmOptions& o, int jobs, const std::function<Result<Painter>()>& new_painter, Sink& sink)
+      : options_(o), new_painter_(new_painter), sink_(sink), slots_(2 * static_cast<std::size_t>(jobs)) {
     try {
-      for (int j = 0; j < jobs_of(o); ++j) threads_.emplace_back([this] { work(); });
+      for (int j = 0; j < jobs; ++j) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error& e) {  // fewer than asked for will do
       if (threads_.empty()) failed_early_ = fail(Code::machine, fmt::format("cannot start a thread: {}", e.what()));
     }
@@ -173,7 +177,7 @@ Result<FilmStats> make_film(const FilmOptions& options, const std::function<Resu
     return s;
   };
 
-  Crew crew(options, new_painter, **sink);
+  Crew crew(options, jobs_of(options, (*sink)->single_pictures()), new_painter, **sink);
   for (int k = 0; k < options.frames; ++k) {
     std::optional<Status> ready;
     while (!(ready = crew.wait(k)))

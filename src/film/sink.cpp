@@ -110,6 +110,7 @@ class Pictures final : public Sink {
     return e;
   }
   Status take(const Parcel&, const KeepGoing&) override { return Nothing{}; }
+  bool single_pictures() const override { return true; }
 
   Status finish(const KeepGoing&) override {
     for (int k = 0; k < count_; ++k)
