@@ -58,7 +58,7 @@ void make_ball(Thing& t, const Mat4& world, double pixels, Store& store) {
   const double r = t.item->shape->radius;
   t.ball = true;
   t.local = t.coarse_local = world * scaling({r, r, r});
-  t.coarse = &store.disc(0);
+  t.coarse = &store.disc(1);  // round enough for shadows
   t.mesh = &store.disc(pixels < 40 ? 0 : pixels < 300 ? 1 : 2);
 }
 
