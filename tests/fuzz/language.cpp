@@ -25,13 +25,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Diagnostic& d : loaded.diagnostics) insist(!to_string(d).empty(), "a diagnostic has words");
 
   const std::string tidied = tidy(text);
-  if (has_errors(loaded.diagnostics)) {
-    insist(tidied == text, "a text with errors comes back as it was");
-  } else {
+  if (!has_errors(loaded.diagnostics)) {
+    insist(tidy(tidied) == tidied, "a tidy text is tidy");
     const Loaded again = load_text(tidied, "fuzz.bx");
     insist(!has_errors(again.diagnostics), "a tidy text has no errors");
     insist(again.document == loaded.document, "tidying keeps the document");
-    insist(tidy(tidied) == tidied, "a tidy text is tidy");
+    const Loaded written = load_text(write(loaded.document), "fuzz.bx");
+    insist(!has_errors(written.diagnostics), "a written document has no errors");
+    insist(written.document == loaded.document, "writing keeps the document");
   }
 
   const Program program = Program::compile(loaded.document);
