@@ -56,7 +56,7 @@ void add_picture_options(CLI::App& app, RenderOptions& to) {
       ->type_name("WxH");
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);
-  app.add_option("--style", to.style, fmt::format("{}; {} if not said", fmt::join(names, " or "), to.style))
+  app.add_option("--style", to.style, fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.style))
       ->type_name("STYLE");
   app.add_option("--samples", to.samples, fmt::format("samples a pixel: 1, 4, 9 or 16; {} if not said", to.samples))
       ->type_name("N")

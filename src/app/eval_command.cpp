@@ -4,6 +4,9 @@
 // betwixt eval: what values are at what times.
 #include <fmt/format.h>
 
+#include <set>
+#include <tuple>
+
 #include "app/command.h"
 #include "betwixt/program.h"
 #include "language/values.h"
@@ -84,6 +87,7 @@ int eval(const Asked& asked) {
     times.emplace_back(text, *t);
   }
   std::vector<Target> targets;
+  std::set<std::tuple<std::uint32_t, std::uint16_t, int>> named;  // a target asked for twice is answered once
   std::vector<std::string> patterns = asked.targets;
   if (patterns.empty()) patterns = document->names();
   for (const auto& pattern : patterns) {
@@ -91,7 +95,7 @@ int eval(const Asked& asked) {
     if (!found) return complain(found.error(), wrong_input);
     if (found->empty()) fmt::print(stderr, "betwixt: notice: '{}' names nothing\n", pattern);
     for (const Target& t : *found)
-      if (std::find(targets.begin(), targets.end(), t) == targets.end()) targets.push_back(t);
+      if (named.insert({t.object.index, t.function, t.component}).second) targets.push_back(t);
   }
   const Program program = Program::compile(*document);
   const auto type_of = [&](const Target& t) {
@@ -104,9 +108,10 @@ int eval(const Asked& asked) {
     for (std::size_t i = 0; i < times.size(); ++i) {
       out += fmt::format("{}{{\"at\":{},\"seconds\":{},\"values\":{{", i ? "," : "", json_text(times[i].first),
                          write_number(times[i].second.seconds()));
+      const auto values = program.read(targets, times[i].second);
       for (std::size_t k = 0; k < targets.size(); ++k)
         out += fmt::format("{}{}:{}", k ? "," : "", json_text(document->name(targets[k])),
-                           json(program.read(targets[k], times[i].second), type_of(targets[k]), *document));
+                           json(values[k], type_of(targets[k]), *document));
       out += "}}";
     }
     fmt::print("{}]}}\n", out);
@@ -116,9 +121,10 @@ int eval(const Asked& asked) {
   for (const Target& t : targets) width = std::max(width, document->name(t).size());
   for (const auto& [text, t] : times) {
     if (times.size() > 1) fmt::print("{} ({} s)\n", text, write_number(t.seconds()));
-    for (const Target& target : targets)
-      fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(target), width,
-                 plain(program.read(target, t), target, *document));
+    const auto values = program.read(targets, t);
+    for (std::size_t k = 0; k < targets.size(); ++k)
+      fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(targets[k]), width,
+                 plain(values[k], targets[k], *document));
   }
   return all_done;
 }
@@ -126,11 +132,10 @@ int eval(const Asked& asked) {
 }  // namespace
 
 void add_eval(CLI::App& app, int& exit_code) {
-  auto* sub = app.add_subcommand("eval", "Values at times");
+  auto* sub = app.add_subcommand("eval", "prints values at times");
   auto asked = std::make_shared<Asked>();
-  sub->add_option("file", asked->file, "the script")->required()->type_name("FILE");
-  sub->add_option("targets", asked->targets, "ball.position, wheel*.color, ball; all if none is named")
-      ->type_name("TARGET");
+  sub->add_option("FILE", asked->file, "the script")->required()->type_name("");
+  sub->add_option("TARGET", asked->targets, "ball.position, wheel*.color, ball; all if none is named")->type_name("");
   sub->add_option("--at", asked->times, "the times: 24f, 2.5s, …")
       ->required()
       ->delimiter(',')

@@ -39,7 +39,7 @@ int frame(const Call& call) {
 void add_frame(CLI::App& app, int& exit_code) {
   const auto call = std::make_shared<Call>();
   CLI::App* sub = app.add_subcommand("frame", "makes one picture, a PNG");
-  sub->add_option("FILE", call->file, "the script")->required();
+  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
   sub->add_option("--at", call->at, "when: 24f, 2.5s, 00:01:02.5")->required()->type_name("TIME");
   sub->add_option("-o,--output", call->out, "the picture")->required()->type_name("PICTURE");
   add_picture_options(*sub, call->picture);

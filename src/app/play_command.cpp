@@ -227,7 +227,7 @@ int play(const Call& call) {
 void add_play(CLI::App& app, int& exit_code) {
   const auto call = std::make_shared<Call>();
   CLI::App* sub = app.add_subcommand("play", "plays in the terminal, in real time");
-  sub->add_option("FILE", call->file, "the script")->required();
+  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
   sub->add_flag("--terminal", call->terminal, "in the terminal; in this version that is always so");
   sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
   add_picture_options(*sub, call->picture);

@@ -161,8 +161,10 @@ int plot(const Call& call) {
 void add_plot(CLI::App& app, int& exit_code) {
   const auto call = std::make_shared<Call>();
   CLI::App* sub = app.add_subcommand("plot", "draws values against time, an SVG");
-  sub->add_option("FILE", call->file, "the script")->required();
-  sub->add_option("TARGET", call->targets, "what to draw: ball.position.y, 'wheel*.rotation'")->required();
+  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
+  sub->add_option("TARGET", call->targets, "what to draw: ball.position.y, 'wheel*.rotation'")
+      ->required()
+      ->type_name("");
   sub->add_option("-o,--output", call->out, "the drawing")->required()->type_name("PLOT.svg");
   sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
   sub->footer("Example:\n  betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg");

@@ -118,7 +118,7 @@ int render(const Call& call) {
 void add_render(CLI::App& app, int& exit_code) {
   const auto call = std::make_shared<Call>();
   CLI::App* sub = app.add_subcommand("render", "makes a film: .mp4 .webm .gif .apng or numbered pictures");
-  sub->add_option("FILE", call->file, "the script")->required();
+  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
   sub->add_option("-o,--output", call->out, "the film; its ending says what is made, frame-%04d.png: numbered pictures")
       ->required()
       ->type_name("OUT");

@@ -44,10 +44,10 @@ int replace(const std::string& file, const std::string& text) {
 }  // namespace
 
 void add_tidy(CLI::App& app, int& exit_code) {
-  auto* sub = app.add_subcommand("tidy", "A script in its canonical form");
+  auto* sub = app.add_subcommand("tidy", "prints a script in its canonical form");
   auto file = std::make_shared<std::string>();
   auto write = std::make_shared<bool>(false);
-  sub->add_option("file", *file, "the script")->required()->type_name("FILE");
+  sub->add_option("FILE", *file, "the script")->required()->type_name("");
   sub->add_flag("--write", *write, "put it in place of the script instead of printing it");
   sub->footer("Example:\n  betwixt tidy examples/bounce.bx --write");
   sub->callback([file, write, &exit_code] {
