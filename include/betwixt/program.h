@@ -22,6 +22,8 @@ class Program {
   Frame frame(Time) const;
   // The value of one display function (or component) at a time; colours as the author writes them.
   Reading read(const Target&, Time) const;
+  // Many at once: what they share is evaluated once.
+  std::vector<Reading> read(const std::vector<Target>&, Time) const;
 
   const Document& document() const;
 

@@ -62,7 +62,6 @@ struct Program::Compiled {
   void evaluate(const Binding& b, Time t, double* out) const;  // one binding alone: its numbers only
   Mat4 local(const Node& n, const double* numbers) const;
   std::vector<Mat4> worlds(Time t, const double* numbers) const;
-  Mat4 world(std::uint32_t object, Time t) const;
   Shape shape(std::uint32_t object, Time t, const double* numbers) const;
   std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers, const std::vector<Mat4>* worlds) const;
   Between between(const Binding& b, Time t) const { return steps[static_cast<std::size_t>(b.steps)].at(t); }

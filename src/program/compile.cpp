@@ -45,13 +45,15 @@ struct Compiler {
     const FunctionSpec& spec = spec_of(scene, slot.function);
     Binding b = place(slot.function, slot.set.value_or(spec.rest), spec.type);
     b.first_curve = static_cast<std::uint32_t>(code.curves.size());
-    const auto add = [&](const Track& track, Type type, std::uint32_t offset) {
-      code.curves.push_back({code.set.add(track, type), offset});
+    const auto add = [&](const Track& track, Type type, std::uint32_t offset, bool component = false) {
+      code.curves.push_back({code.set.add(track, type, component), offset});
       ++b.curves;
     };
     for (std::size_t i = 0; i < slot.components.size(); ++i) {
       const Track& t = *slot.components[i];
-      if (has_values(t)) add(t, component_type(spec.type), b.offset + static_cast<std::uint32_t>(i));
+      // Components of colours blend as colours do, in light.
+      const Type type = spec.type == Type::color ? Type::color : component_type(spec.type);
+      if (has_values(t)) add(t, type, b.offset + static_cast<std::uint32_t>(i), true);
     }
     if (!has_values(*slot.track)) return b;
     if (!all_numeric(*slot.track) || (b.channels == 0 && spec.type != Type::aim)) {

@@ -84,11 +84,6 @@ std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers) const
   return w;
 }
 
-Mat4 Program::Compiled::world(std::uint32_t object, Time t) const {
-  const auto numbers = at(t);
-  return worlds(t, numbers.data())[node_of[object]];
-}
-
 std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
                                            const std::vector<Mat4>* worlds) const {
   const Binding& b = find(camera, fn::look_at);
@@ -314,28 +309,44 @@ Frame Program::frame(Time t) const {
   return f;
 }
 
-Reading Program::read(const Target& target, Time t) const {
-  const Compiled& c = *code_;
-  if (target.function == world_function) return c.world(target.object.index, t);
+namespace {
+
+// All numbers and worlds of one time, made when first wanted.
+struct Moment {
+  const Program::Compiled& c;
+  Time t;
+  std::vector<double> all_numbers;
+  std::vector<Mat4> all_worlds;
+
+  const double* numbers() {
+    if (all_numbers.empty()) all_numbers = c.at(t);
+    return all_numbers.data();
+  }
+  const std::vector<Mat4>& worlds() {
+    if (all_worlds.empty()) all_worlds = c.worlds(t, numbers());
+    return all_worlds;
+  }
+};
+
+Reading read_value(const Target& target, const Binding& b, Type type, Moment& m) {
+  const Program::Compiled& c = m.c;
+  if (type == Type::aim && b.steps >= 0) {
+    const Between w = c.between(b, m.t);
+    if (w.a != w.b)
+      if (const auto p = c.aim(target.object.index, m.t, m.numbers(), &m.worlds())) return *p;
+  }
+  if (type == Type::points && b.steps >= 0) return c.shape(target.object.index, m.t, m.numbers()).points;
+  return std::visit([](const auto& x) -> Reading { return x; }, c.value(b, m.t));
+}
+
+Reading read_one(const Target& target, Moment& m) {
+  const Program::Compiled& c = m.c;
+  if (target.function == world_function) return m.worlds()[c.node_of[target.object.index]];
   const Binding& b = c.find(target.object.index, target.function);
   const Type type = spec_of(c.document.scene(), target.function).type;
-  if (b.channels == 0) {
-    const Value& v = c.value(b, t);
-    if (type == Type::aim && b.steps >= 0) {
-      const auto numbers = c.at(t);
-      const auto worlds = c.worlds(t, numbers.data());
-      const Between w = c.between(b, t);
-      if (w.a != w.b)
-        if (const auto p = c.aim(target.object.index, t, numbers.data(), &worlds)) return *p;
-    }
-    if (type == Type::points && b.steps >= 0) {
-      const auto numbers = c.at(t);
-      return c.shape(target.object.index, t, numbers.data()).points;
-    }
-    return std::visit([](const auto& x) -> Reading { return x; }, v);
-  }
+  if (b.channels == 0) return read_value(target, b, type, m);
   double n[4];
-  c.evaluate(b, t, n);
+  c.evaluate(b, m.t, n);
   const auto whole = [&]() -> Reading {
     switch (type) {
       case Type::scalar:
@@ -358,6 +369,21 @@ Reading Program::read(const Target& target, Time t) const {
   if (target.component < 0) return whole;
   if (const auto* color = std::get_if<Color>(&whole)) return component_of(*color, target.component);
   return n[target.component];
+}
+
+}  // namespace
+
+Reading Program::read(const Target& target, Time t) const {
+  Moment m{*code_, t, {}, {}};
+  return read_one(target, m);
+}
+
+std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t) const {
+  Moment m{*code_, t, {}, {}};
+  std::vector<Reading> out;
+  out.reserve(targets.size());
+  for (const Target& target : targets) out.push_back(read_one(target, m));
+  return out;
 }
 
 std::vector<double> numbers(const Reading& r) {
