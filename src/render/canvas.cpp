@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "render/view.h"
 
 namespace betwixt {
@@ -13,8 +17,19 @@ const char* const gradient_fragment = R"(
 in vec2 at;
 uniform vec3 top, bottom;
 out vec4 color;
-void main() { color = vec4(mix(top, bottom, smoothstep(0.0, 1.0, at.y)), 1.0); }
+void main() {
+  vec3 c = mix(top, bottom, smoothstep(0.0, 1.0, at.y));
+#ifdef ENCODED
+  c = encoded(c);
+#endif
+  color = vec4(c, 1.0);
+}
 )";
+
+double encoded(double c) {
+  c = std::clamp(c, 0.0, 1.0);
+  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+}
 
 const char* const average_fragment = R"(
 uniform sampler2D samples;
@@ -34,9 +49,19 @@ void set_color(GLint where, Vec3 c) {
 
 }  // namespace
 
+const char* const encoded_function = R"(
+vec3 encoded(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  vec3 r2 = sqrt(c), r4 = sqrt(r2), r8 = sqrt(r4);
+  vec3 curve = 0.662002687 * r2 + 0.684122060 * r4 - 0.323583601 * r8 - 0.0225411470 * c;
+  return mix(12.92 * c, curve, step(0.0031308, c));
+}
+)";
+
 Result<Canvas> Canvas::create(const RenderOptions& options) {
   Canvas c;
   c.width_ = options.width, c.height_ = options.height;
+  c.can_write_encoded_ = epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
   const bool multisampled = options.samples == 4 || options.samples == 16;
   c.side_ = options.samples == 9 ? 3 : options.samples == 16 ? 2 : 1;
   const int width = c.width_ * c.side_, height = c.height_ * c.side_;
@@ -48,7 +73,8 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   auto large = gl::new_target(GL_SRGB8_ALPHA8, multisampled ? 0 : GL_DEPTH_COMPONENT24, width, height);
   if (!large) return large.error();
   c.large_ = *std::move(large);
-  auto gradient = gl::new_program(gl::fill_vertex, gradient_fragment);
+  auto gradient = gl::new_program(gl::fill_vertex, std::string(encoded_function) + gradient_fragment,
+                                  c.can_write_encoded_ ? "#define ENCODED" : "");
   if (!gradient) return gradient.error();
   c.gradient_ = *std::move(gradient);
   c.gradient_top_ = gl::uniform(c.gradient_, "top"), c.gradient_bottom_ = gl::uniform(c.gradient_, "bottom");
@@ -66,7 +92,9 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
 void Canvas::begin(const std::optional<Vec3>& background) const {
   large_.bind();
   if (corners_.framebuffer.id() != 0) glBindFramebuffer(GL_FRAMEBUFFER, corners_.framebuffer.id());
-  const Vec3 c = background && finite(*background) ? *background : Vec3{};
+  write_encoded();
+  Vec3 c = background && finite(*background) ? *background : Vec3{};
+  if (can_write_encoded_) c = {encoded(c.x), encoded(c.y), encoded(c.z)};
   glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -86,7 +114,16 @@ void Canvas::draw_behind(const std::optional<Vec3>& background, const Gradient& 
   glDepthMask(GL_TRUE);
 }
 
+void Canvas::write_encoded() const {
+  if (can_write_encoded_) glDisable(GL_FRAMEBUFFER_SRGB_EXT);
+}
+
+void Canvas::write_linear() const {
+  if (can_write_encoded_) glEnable(GL_FRAMEBUFFER_SRGB_EXT);
+}
+
 void Canvas::finish(Picture& out) const {
+  write_linear();
   const gl::Target* last = &large_;
   if (corners_.framebuffer.id() != 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, corners_.framebuffer.id());

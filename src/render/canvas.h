@@ -16,6 +16,9 @@ struct Gradient {
   Vec3 top, bottom;  // linear light
 };
 
+// GLSL: vec3 encoded(vec3 linear), the sRGB curve within a quarter of a byte (0.1 above 0.02), without a power.
+extern const char* const encoded_function;
+
 class Canvas {
  public:
   static Result<Canvas> create(const RenderOptions&);
@@ -25,13 +28,20 @@ class Canvas {
 
   // Clears colour and depth; a plain background is there from now on.
   void begin(const std::optional<Vec3>& background) const;
+  // Where can_write_encoded(), programs write encoded colours after begin(), which saves encoding each sample, and
+  // after write_linear() linear light, which can be blended. Elsewhere always linear light.
+  void write_linear() const;
+  bool can_write_encoded() const { return can_write_encoded_; }
   // Fills what is still empty with the gradient, where the frame has no background of its own.
   void draw_behind(const std::optional<Vec3>& background, const Gradient&) const;
   // Averages the samples in linear light and reads the picture.
   void finish(Picture& out) const;
 
  private:
+  void write_encoded() const;
+
   int width_ = 0, height_ = 0, side_ = 0;
+  bool can_write_encoded_ = false;
   gl::Multisampled corners_;  // four samples a pixel of `large_`; not there for plain supersampling
   gl::Target large_;          // `side_` times the picture's size
   gl::Target pixels_;         // the picture's size; not there where `large_` is that

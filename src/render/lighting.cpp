@@ -21,6 +21,9 @@ std::vector<Lighting::One> rig(const View& view) {
           sun(0.35, 0.6, -0.9, {0.3, 0.32, 0.36})};
 }
 
+// With this share of a light and the sky's, a white surface that faces one lamp of intensity 1 is just white.
+constexpr double gain = 0.8;
+
 double importance(const Lighting::One& l, Vec3 center) {
   const double strength = l.color.x + l.color.y + l.color.z;
   if (l.sun) return strength;
@@ -40,7 +43,7 @@ Lighting lighting_of(const Frame& frame, const View& view, Vec3 center) {
   for (const Light& l : frame.lights) {
     if (!finite(l.color) || !finite(l.position) || !finite(l.direction) || std::isnan(l.range)) continue;
     if (!l.sun && !(l.range > 0)) continue;
-    const Vec3 color{std::max(l.color.x, 0.0), std::max(l.color.y, 0.0), std::max(l.color.z, 0.0)};
+    const Vec3 color = gain * Vec3{std::max(l.color.x, 0.0), std::max(l.color.y, 0.0), std::max(l.color.z, 0.0)};
     r.lights.push_back({l.sun, l.sun ? normalize(-l.direction, {0, 1, 0}) : l.position - view.eye, color,
                         std::clamp(l.range, 1e-9, 1e15)});
   }

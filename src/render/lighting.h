@@ -5,7 +5,8 @@
 //
 // A light of colour c (intensity included) at distance d sends c·w² where w = 1 - (d / range)², and nothing beyond its
 // range; a surface of colour a that faces it shows a·c·w². So intensity 1 lights well from close by up to about two
-// thirds of the range (w² = 0.31), wherever the range ends, and nothing is ever cut off. A sun sends c.
+// thirds of the range (w² = 0.31), wherever the range ends, and nothing is ever cut off. A sun sends 0.8·c. A fifth of
+// a white surface's brightness is left to the sky.
 #pragma once
 
 #include <array>

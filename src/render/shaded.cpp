@@ -26,7 +26,7 @@ class Shaded final : public Module {
     bool good = false;
     View view = make_view(frame.camera, canvas_.width(), canvas_.height(), good);
     std::vector<Thing> things;
-    if (good) things = gather(frame, view, store_, true);
+    if (good) things = gather(frame, view, store_, Purpose::surfaces);
     std::vector<const Thing*> solid, glass, casters, hairlines;
     for (const Thing& t : things) {
       const bool surface = !t.mesh->parts.empty();
@@ -38,10 +38,15 @@ class Shaded final : public Module {
     if (shadows) shadow_.draw(casters, lighting.lights.front());
     canvas_.begin(frame.background);
     surfaces_.set(view, lighting, &shadow_);
+    surfaces_.write_encoded(canvas_.can_write_encoded());
     surfaces_.draw_opaque(solid, store_);
     canvas_.draw_behind(frame.background, gradient);
-    draw_hairlines(view, hairlines);
-    surfaces_.draw_transparent(glass, store_);
+    if (!hairlines.empty() || !glass.empty()) {
+      canvas_.write_linear();
+      draw_hairlines(view, hairlines);
+      surfaces_.write_encoded(false);
+      surfaces_.draw_transparent(glass, store_);
+    }
     canvas_.finish(out);
     return Nothing{};
   }

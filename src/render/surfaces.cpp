@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "render/balls.h"
+#include "render/canvas.h"
 
 namespace betwixt {
 namespace {
@@ -69,6 +70,7 @@ uniform vec4 light_place[16];  // a position and 1, or a direction and 0
 uniform vec4 light_color[16];  // and 1 / range², 0 for suns
 uniform vec3 sky, ground;
 uniform sampler2DShadow shadow;
+uniform float encodes;      // 1: colours are written encoded, 0: as linear light
 uniform float shadow_step;  // between look-ups, in the map's measure
 uniform mat4 shadow_clip;
 uniform vec2 shadow_texel;  // metres across, or the same per metre of distance
@@ -145,18 +147,18 @@ void main() {
     vec3 to = light_place[i].xyz - light_place[i].w * spot;
     float d2 = max(dot(to, to), 1e-30);
     vec3 l = to * inversesqrt(d2);
-    float nl = max(dot(n, l), 0.0);
+    float nl = dot(n, l);
     float window = max(1.0 - d2 * light_color[i].w, 0.0);
-    float strength = nl * window * window;
+    float strength = max(nl, 0.0) * window * window;
     strength *= i == 0 ? unshadowed : 1.0;
     vec3 arriving = light_color[i].rgb * strength;
     diffuse += arriving;
-    vec3 h = l + v;
-    float hh = max(dot(h, h), 1e-6), nh = dot(n, h), lh = dot(l, h);
-    nh = nh * nh / hh, lh = lh * lh / hh;
-    float d = nh * (a2 - 1.0) + 1.0;
-    specular += arriving * (a2 / (4.0 * d * d * max(lh, 0.1) * (roughness + 0.5)));
+    // GGX about the half vector h = l + v, of which only n·h and h·h are needed.
+    float nh = nl + nv, hh = 2.0 + 2.0 * dot(l, v);
+    float peak = hh / max(nh * nh * (a2 - 1.0) + hh, 1e-6);
+    specular += arriving * (peak * peak);
   }
+  specular *= a2 / (1.0 + 2.0 * roughness);
   vec3 r = 2.0 * nv * n - v;
   float rim = 1.0 - clamp(nv, 0.0, 1.0), rim2 = rim * rim;
   vec3 fresnel = f0 + (max(vec3(shine * shine * glossy), f0) - f0) * (rim2 * rim2 * rim);
@@ -172,6 +174,7 @@ void main() {
   sum = min(sum, 0.9) + 0.1 * over / (1.0 + over);
   bool glows = gloss.y == 3.0;
   color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
+  color.rgb = mix(color.rgb, encoded(color.rgb), encodes);
 }
 )";
 
@@ -191,9 +194,11 @@ Result<Surfaces> Surfaces::create() {
   const std::string source = std::string(inputs) + ball_outline + vertex;
   for (auto& [look, variant] :
        {std::pair{&s.plain_, ""}, {&s.textured_, "#define TEXTURED"}, {&s.balls_, "#define BALL"}}) {
-    auto program = gl::new_program(source, fragment, fmt::format("#define TAPS {}\n{}", shadow_taps, variant));
+    auto program = gl::new_program(source, std::string(encoded_function) + fragment,
+                                   fmt::format("#define TAPS {}\n{}", shadow_taps, variant));
     if (!program) return program.error();
     look->program = *std::move(program);
+    look->encodes = gl::uniform(look->program, "encodes");
     look->part_color = gl::uniform(look->program, "part_color");
     gl::set_samplers(look->program, {{"shadow", shadow_unit}, {"picture", picture_unit}});
   }
@@ -244,6 +249,13 @@ void Surfaces::draw_parts(const Batch& batch, Store& store) {
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                             reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)),
                             static_cast<GLsizei>(batch.count));
+  }
+}
+
+void Surfaces::write_encoded(bool encoded) const {
+  for (const Look* look : {&textured_, &balls_, &plain_}) {
+    glUseProgram(look->program.id());
+    glUniform1f(look->encodes, encoded ? 1 : 0);
   }
 }
 

@@ -9,8 +9,9 @@
 namespace betwixt {
 namespace {
 
-constexpr double largest = 1e15;                       // metres; squares of f32 stay finite
-constexpr double coarse_below = 28, fine_above = 220;  // pixels across
+constexpr double largest = 1e15;  // metres; squares of f32 stay finite
+// Pixels across, for surfaces and for lines.
+constexpr double coarse_below[] = {28, 150}, fine_above[] = {220, 800};
 
 bool usable(const Item& item) {
   return item.shape != nullptr && finite(item.world) && finite(item.color) && std::isfinite(item.transparency) &&
@@ -64,7 +65,8 @@ void make_ball(Thing& t, const Mat4& world, double pixels, Store& store) {
 
 }  // namespace
 
-std::vector<Thing> gather(const Frame& frame, View& view, Store& store, bool balls) {
+std::vector<Thing> gather(const Frame& frame, View& view, Store& store, Purpose purpose) {
+  const auto fewer = static_cast<std::size_t>(purpose);
   std::vector<Thing> things;
   things.reserve(frame.items.size());
   double nearest = largest, farthest = 0;
@@ -87,10 +89,10 @@ std::vector<Thing> gather(const Frame& frame, View& view, Store& store, bool bal
     t.closed = t.mesh->mesh->closed && d != 0;
     t.transparent = item.transparency > 0 || has_holes(item, *t.mesh, store);
     const double pixels = view.pixels(t.bounds);
-    if (balls && is_ball(t, view, determinant(world) * std::pow(item.shape->radius, 3))) {
+    if (purpose == Purpose::surfaces && is_ball(t, view, determinant(world) * std::pow(item.shape->radius, 3))) {
       make_ball(t, world, pixels, store);
-    } else if (t.visible && pixels >= coarse_below) {
-      const Geometry better = geometry_of(item, pixels < fine_above ? 1 : 2);
+    } else if (t.visible && pixels >= coarse_below[fewer]) {
+      const Geometry better = geometry_of(item, pixels < fine_above[fewer] ? 1 : 2);
       t.mesh = &store.mesh(better.mesh);
       t.local = world * better.local;
     }

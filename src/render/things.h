@@ -25,7 +25,10 @@ struct Thing {
   bool ball = false;      // drawn as in balls.h; the meshes are discs
 };
 
-// Fits the view's depths to what is visible. Things come in the items' order. `balls`: spheres may come as balls.
-std::vector<Thing> gather(const Frame&, View&, Store&, bool balls);
+enum class Purpose : std::uint8_t { surfaces, lines };
+
+// Fits the view's depths to what is visible. Things come in the items' order. For `surfaces` spheres may come as
+// balls; for `lines` meshes are coarser, since lines close together make only a grey.
+std::vector<Thing> gather(const Frame&, View&, Store&, Purpose);
 
 }  // namespace betwixt

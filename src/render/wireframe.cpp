@@ -35,12 +35,13 @@ class Wireframe final : public Module {
     bool good = false;
     View view = make_view(frame.camera, canvas_.width(), canvas_.height(), good);
     std::vector<Thing> things;
-    if (good) things = gather(frame, view, store_, false);
+    if (good) things = gather(frame, view, store_, Purpose::lines);
     std::vector<const Thing*> seen;
     for (const Thing& t : things)
       if (t.visible) seen.push_back(&t);
     canvas_.begin(frame.background);
     canvas_.draw_behind(frame.background, gradient);
+    canvas_.write_linear();
     const Batches batches = batches_of(seen, false);
     send_instances(instances_, batches.instances);
     if (hide_.id() != 0) hide(view, batches);

@@ -61,8 +61,11 @@ TEST(RenderColor, TexturesMultiplyAndStandUpright) {
   f.items.push_back(item(square(), scaling({8, 8, 1}), {1, 1, 1}));
   f.items[0].texture = picture;
   const Picture p = draw(f);
-  EXPECT_EQ(pixel(p, 50, 12), (Pixel{255, 0, 0, 255}));
-  EXPECT_EQ(pixel(p, 50, 87), (Pixel{0, 0, 255, 255}));
+  const Pixel upper = pixel(p, 50, 29), lower = pixel(p, 50, 70);
+  EXPECT_GT(upper.r, 250);
+  EXPECT_LT(upper.b, 40);
+  EXPECT_LT(lower.r, 40);
+  EXPECT_GT(lower.b, 250);
 }
 
 Light lamp(Vec3 position, double range) {
@@ -85,8 +88,8 @@ TEST(RenderLight, ARangeEndsTheLight) {
 }
 
 TEST(RenderLight, BrightnessFollowsTheFormula) {
-  // Straight above the middle of the wall at d: color · (1 - (d / range)²)², plus the ambient light that an unlit wall
-  // shows.
+  // Straight above the middle of the wall at d: 0.8 · color · (1 - (d / range)²)², plus the ambient light that an unlit
+  // wall shows.
   Frame f = frame();
   f.items.push_back(item(square(), scaling({50, 50, 1}), {0.5, 0.5, 0.5}, Material::matte));
   f.lights = {lamp({0, 0, -3}, 50)};  // behind the wall
@@ -94,7 +97,7 @@ TEST(RenderLight, BrightnessFollowsTheFormula) {
   for (const double d : {1.0, 4.0, 6.0}) {
     f.lights = {lamp({0.05, -0.05, d}, 8)};  // above the middle of pixel (50, 50)
     const double w = 1 - d * d / 64;
-    EXPECT_NEAR(decoded(pixel(draw(f), 50, 50).g / 255.0), ambient + 0.5 * w * w, 0.006) << d;
+    EXPECT_NEAR(decoded(pixel(draw(f), 50, 50).g / 255.0), ambient + 0.8 * 0.5 * w * w, 0.006) << d;
   }
 }
 
@@ -145,8 +148,8 @@ Frame busy() {
   f.items.push_back(item(square(), rotation(axis_angle({1, 0, 0}, -pi / 2)) * scaling({20, 20, 1}), {0.6, 0.6, 0.6},
                          Material::plastic));
   for (int i = 0; i < 12; ++i) {
-    f.items.push_back(
-        item(sphere(0.7), translation({i - 6.0, 1.0 + i % 3, -1.0 * (i % 4)}), {0.1 * (i % 10), 0.5, 0.7}, Material::plastic));
+    f.items.push_back(item(sphere(0.7), translation({i - 6.0, 1.0 + i % 3, -1.0 * (i % 4)}), {0.1 * (i % 10), 0.5, 0.7},
+                           Material::plastic));
     f.items.back().shininess = 0.5, f.items.back().transparency = i % 5 == 0 ? 0.5 : 0;
   }
   f.lights = {lamp({5, 9, 5}, 40), lamp({-5, 4, 5}, 20)};
