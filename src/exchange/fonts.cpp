@@ -197,6 +197,16 @@ const Glyph& glyph_of(Face& face, FT_UInt index) {
   return i->second;
 }
 
+// The part of `text` that each glyph stands for, by where it begins.
+std::map<std::size_t, std::string> clusters(std::string_view text, const hb_glyph_info_t* infos, unsigned count) {
+  std::map<std::size_t, std::string> parts;
+  for (unsigned i = 0; i < count; ++i) parts[infos[i].cluster];
+  std::size_t end = text.size();
+  for (auto part = parts.rbegin(); part != parts.rend(); end = (part++)->first)
+    part->second = text.substr(part->first, end - part->first);
+  return parts;
+}
+
 // Adds one line of text, centred about x = 0 with its baseline at y.
 void set_line(Face& face, std::string_view text, double y, Outline& out) {
   const Owned<hb_buffer_t> buffer(hb_buffer_create());
@@ -209,14 +219,19 @@ void set_line(Face& face, std::string_view text, double y, Outline& out) {
   const double unit = 1 / (64.0 * face.face->units_per_EM);
   double width = 0;
   for (unsigned i = 0; i < count; ++i) width += unit * places[i].x_advance;
+  const auto parts = clusters(text, infos, count);
   Vec3 pen{-width / 2, y, 0};
+  std::size_t first = out.contours.size();  // of the letter that the glyph belongs to
   for (unsigned i = 0; i < count; ++i) {
+    if (i > 0 && infos[i].cluster != infos[i - 1].cluster) first = out.contours.size();
+    const bool begun = out.contours.size() > first;
     const Vec3 at =
         pen + unit * Vec3{static_cast<double>(places[i].x_offset), static_cast<double>(places[i].y_offset), 0};
     for (Contour contour : glyph_of(face, infos[i].codepoint)) {
       for (Vec3& p : contour) p = p + at;
       out.contours.push_back(std::move(contour));
     }
+    if (!begun && out.contours.size() > first) out.letters.push_back({first, parts.at(infos[i].cluster)});
     pen.x += unit * places[i].x_advance;
   }
 }

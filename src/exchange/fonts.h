@@ -14,8 +14,14 @@ namespace betwixt {
 
 // One closed line in the plane; filled by the non-zero rule together with the others of its outline.
 using Contour = std::vector<Vec3>;
+// What belongs together: a character with its accents, a ligature.
+struct Letter {
+  std::size_t first = 0;  // of its contours; they end where the next letter's begin
+  std::string text;       // as written (UTF-8)
+};
 struct Outline {
   std::vector<Contour> contours;
+  std::vector<Letter> letters;  // from left to right, line by line; blanks are left out
 };
 
 // Whether the machine has a font of this family name; a near miss goes into the error's hint.

@@ -159,7 +159,7 @@ Outline outline_of(const Shape& s) {
   if (s.kind == Kind::polygon) {
     if (s.points->size() < 3 || !std::all_of(s.points->begin(), s.points->end(), [](Vec3 p) { return sane(p); }))
       return {};
-    return {{*s.points}};
+    return {{*s.points}, {Letter{}}};
   }
   if (s.kind != Kind::text || !sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
   Outline outline = text_outline(*s.text, *s.font);

@@ -155,6 +155,16 @@ TEST(Fonts, MissingOnesHaveANearMiss) {
   EXPECT_FALSE(text_outline("x", "No Such Font At All").contours.empty()) << "another one stands in";
 }
 
+TEST(Fonts, ContoursBelongToLetters) {
+  const Outline outline = text_outline("ai b\ne\u0301:", "DejaVu Sans");
+  std::vector<std::pair<std::string, std::size_t>> got;
+  for (const auto& letter : outline.letters) got.emplace_back(letter.text, letter.first);
+  // An a, a b and an e have a hole each, an i has a dot, and an accent goes with its letter.
+  EXPECT_EQ(got, (decltype(got){{"a", 0}, {"i", 2}, {"b", 4}, {"e\u0301", 6}, {":", 9}}));
+  EXPECT_EQ(outline.contours.size(), 11U);
+  EXPECT_TRUE(text_outline(" \n ", "DejaVu Sans").letters.empty());
+}
+
 TEST(Blend, EndsAreExact) {
   Shape far = shape(Kind::sphere);
   far.radius = 3;
@@ -198,6 +208,80 @@ TEST(Blend, OutlinesPassThroughWhatLiesBetween) {
   const Shape small = polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}),
               large = polygon({{3, 3, 0}, {0, 3, 0}, {0, 0, 0}, {3, 0, 0}});
   EXPECT_NEAR(front(*realise_blend(small, large, 0.5).mesh), 4, 1e-5);
+}
+
+// The contours of one letter of a text.
+std::vector<Contour> letter(const std::string& words, std::size_t i) {
+  const Outline o = text_outline(words, "DejaVu Sans");
+  const auto at = [&](std::size_t n) { return o.contours.begin() + static_cast<std::ptrdiff_t>(n); };
+  return {at(o.letters[i].first), i + 1 < o.letters.size() ? at(o.letters[i + 1].first) : o.contours.end()};
+}
+bool has_point(const Mesh& m, Vec3 p) {
+  return std::any_of(m.positions.begin(), m.positions.end(),
+                     [&](const auto& q) { return length(widen(q) - p) < 1e-6; });
+}
+struct Span {
+  double low = INFINITY, high = -INFINITY;
+};
+Span across(const std::vector<Contour>& contours) {
+  Span x;
+  for (const auto& c : contours)
+    for (const Vec3 p : c) x = {std::min(x.low, p.x), std::max(x.high, p.x)};
+  return x;
+}
+
+TEST(Blend, EqualLettersKeepTheirShape) {
+  const struct {
+    std::string from, to;
+    Corners stay;  // the letters that are in both: at x in the one, at y in the other
+  } cases[] = {{"ab", "axb", {{0, 0, 0}, {1, 2, 0}}},
+               {"axb", "ab", {{0, 0, 0}, {2, 1, 0}}},
+               {"between", "betwixt", {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}}},
+               {"cat", "the cat", {{0, 3, 0}, {1, 4, 0}, {2, 5, 0}}},
+               {"i\nwe", "we", {{1, 0, 0}, {2, 1, 0}}}};
+  for (const auto& [from, to, stay] : cases)
+    for (const double s : {0.25, 0.5, 0.9}) {
+      const auto m = realise_blend(text(from), text(to), s).mesh;
+      for (const Vec3 pair : stay) {
+        const auto a = letter(from, static_cast<std::size_t>(pair.x)), b = letter(to, static_cast<std::size_t>(pair.y));
+        for (std::size_t c = 0; c < a.size(); ++c)
+          for (std::size_t i = 0; i < a[c].size(); ++i)
+            EXPECT_TRUE(has_point(*m, (1 - s) * a[c][i] + s * b[c][i])) << from << " " << to << " " << s;
+      }
+    }
+}
+
+TEST(Blend, ALetterComesBetweenItsNeighbours) {
+  const auto m = realise_blend(text("ab"), text("axb"), 0.5).mesh;
+  EXPECT_NEAR(front(*m), front(*realise(text("ab")).mesh) + front(*realise(text("x")).mesh) / 4, 1e-5);
+  const auto half = [](Span p, Span q) { return Span{(p.low + q.low) / 2, (p.high + q.high) / 2}; };
+  const Span a = across(letter("ab", 0)), b = across(letter("ab", 1)), x = across(letter("axb", 1));
+  const double gap = (a.high + b.low) / 2;
+  const Span places[] = {half(a, across(letter("axb", 0))), half({gap, gap}, x), half(b, across(letter("axb", 2)))};
+  EXPECT_LT(places[0].high, places[1].low);
+  EXPECT_LT(places[1].high, places[2].low);
+  for (const auto& p : m->positions)
+    EXPECT_TRUE(std::any_of(std::begin(places), std::end(places), [&](Span place) {
+      return p[0] > place.low - 1e-6 && p[0] < place.high + 1e-6;
+    })) << p[0];
+}
+
+TEST(Blend, ADotComesOutOfItsOwnLetter) {
+  for (const double s : {0.1, 0.5, 0.9}) {
+    const auto m = realise_blend(text("between"), text("betwixt"), s).mesh;
+    for (std::size_t k = 4; k < 7; ++k) {  // nothing between the letters that change either
+      const Span a = across(letter("between", k - 1)), b = across(letter("betwixt", k - 1)),
+                 c = across(letter("between", k)), d = across(letter("betwixt", k));
+      const double low = (1 - s) * a.high + s * b.high, high = (1 - s) * c.low + s * d.low;
+      for (const auto& p : m->positions) EXPECT_FALSE(p[0] > low + 1e-6 && p[0] < high - 1e-6) << k << " " << s;
+    }
+  }
+}
+
+TEST(Blend, LongTextsGoInOrder) {
+  const std::string many(1200, 'l');
+  const auto m = realise_blend(text(many), text(many + "l"), 0.5).mesh;
+  EXPECT_NEAR(front(*m) / front(*realise(text("l")).mesh), 1200.25, 0.05);
 }
 
 TEST(Blend, MeasuresGoOnBeyondTheEnds) {
