@@ -58,8 +58,8 @@ double View::pixels(const Bounds& b) const {
 
 void View::fit(double nearest, double farthest) {
   far = std::max(farthest, 1e-6) * 1.001;
-  // Five decades is what the depth buffer can tell apart.
-  near = orthographic ? std::max(nearest * 0.999, 0.0) : std::max(nearest * 0.999, far * 1e-5);
+  // Four decades leave the depth buffer a millimetre at ten metres where the scene is forty deep.
+  near = orthographic ? std::max(nearest * 0.999, 0.0) : std::max(nearest * 0.999, far * 1e-4);
   if (near >= far) near = far * 0.5;
 }
 
