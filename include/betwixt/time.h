@@ -38,7 +38,7 @@ struct Rate {
   // The length of n frames: exact for a whole n wherever the frame is a whole number of flicks, else the nearest flick.
   Time span(double n) const {
     const std::int64_t whole = flicks_per_second * den;
-    if (n == std::floor(n) && whole % num == 0 && std::abs(n) < 1e9)
+    if (n == std::floor(n) && whole % num == 0 && std::abs(n) < 9e18 / static_cast<double>(whole / num))
       return {static_cast<std::int64_t>(n) * (whole / num)};
     return {static_cast<std::int64_t>(
         std::llroundl(static_cast<long double>(n) * static_cast<long double>(whole) / static_cast<long double>(num)))};

@@ -56,6 +56,7 @@ Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t
     if (count > most) return fail(Code::range, fmt::format("'{{{}}}' makes more than {} names", body, most));
     // {01..10} keeps its zeros, as the shell does.
     const auto width = body[0] == '0' && dots > 1 ? dots : 1;
+    if (width > 1000) return fail(Code::range, "the braces make names that are too long");
     for (long i = a;; i += a <= b ? 1 : -1) {
       out.push_back(fmt::format("{:0{}}", i, width));
       if (i == b) break;
@@ -78,13 +79,17 @@ bool is_name(std::string_view s) {
   return true;
 }
 
-bool is_pattern(std::string_view s) { return s.find_first_of("*?[{") != std::string_view::npos; }
+bool is_pattern(std::string_view s) {
+  return std::any_of(s.begin(), s.end(), [](char c) { return c == '*' || c == '?' || c == '[' || c == '{'; });
+}
 
 Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::size_t most) {
   std::vector<std::string> done{std::string(pattern)};
   // The leftmost group of every string is replaced until none is left; each round keeps the order written.
+  constexpr std::size_t most_characters = 64'000'000;
   for (int round = 0;; ++round) {
     bool any = false;
+    std::size_t characters = 0;
     std::vector<std::string> next;
     for (const auto& s : done) {
       const auto open = s.find('{');
@@ -93,14 +98,19 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
         continue;
       }
       const auto close = closing(s, open);
-      if (close == std::string_view::npos || round > 100)
+      if (close == std::string_view::npos)
         return fail(Code::syntax, fmt::format("the brace in '{}' is not closed", s.substr(0, 60)));
+      if (round == 100) return fail(Code::range, "a name with more than 100 braces");
       any = true;
       auto parts = alternatives(std::string_view(s).substr(open + 1, close - open - 1), most);
       if (!parts) return parts.error();
       if (next.size() + parts->size() > most)
         return fail(Code::range, fmt::format("the braces make more than {} names", most));
-      for (const auto& part : *parts) next.push_back(s.substr(0, open) + part + s.substr(close + 1));
+      for (const auto& part : *parts) {
+        next.push_back(s.substr(0, open) + part + s.substr(close + 1));
+        characters += next.back().size();
+        if (characters > most_characters) return fail(Code::range, "the braces make names that are too long");
+      }
     }
     done = std::move(next);
     if (!any) return done;

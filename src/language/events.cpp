@@ -86,7 +86,7 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
       Value after;
       if (!values(c).value(*to.spec, to.component, after, to.targets.empty() ? 0xffff : to.targets[0].function))
         return false;
-      if (to.type() != Type::text && to.type() != Type::boolean) e.detail.edit().before = std::move(e.value);
+      e.detail.edit().before = std::move(e.value);
       e.value = std::move(after);
     }
   }

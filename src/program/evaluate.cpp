@@ -60,7 +60,7 @@ Mat4 look_at(Vec3 eye, Vec3 target) {
 }
 
 // Worlds of all nodes. A camera that looks at something turns with it, and so does what is coupled to the camera:
-// cameras take their turn in object order, each seeing the ones before it already turned.
+// cameras take their turn in the order of nodes, each seeing the ones before it already turned.
 std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers) const {
   std::vector<Mat4> w(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -248,7 +248,8 @@ Camera Program::Compiled::camera(Time t, const double* numbers, const std::vecto
   const Vec3 at = translation_of(m);
   // A rigid motion, whatever scales the camera has been put through.
   const Vec3 back = normalize(transform_vector(m, {0, 0, 1})), up = transform_vector(m, {0, 1, 0});
-  const Vec3 right = normalize(cross(up, back), {1, 0, 0}), over = cross(back, right);
+  const Mat4 upright = look_at({}, -back);  // for a camera whose own up is scaled to nothing
+  const Vec3 right = normalize(cross(up, back), transform_vector(upright, {1, 0, 0})), over = cross(back, right);
   c.world = translation(at);
   for (int i = 0; i < 3; ++i) c.world(i, 0) = right[i], c.world(i, 1) = over[i], c.world(i, 2) = back[i];
   constexpr double gate = 36;  // mm
@@ -289,7 +290,15 @@ const Camera& Program::Compiled::own_camera() const {
     // The widest picture people make is 16:9; what fits its height and width fits taller ones better.
     const Vec3 middle = 0.5 * (all.low + all.high), half = 0.5 * (all.high - all.low);
     const double across = std::tan(c.fov / 2), up = across * 9 / 16;
-    const double distance = 1.1 * std::max({half.x / across, half.y / up, 1e-3}) + half.z * 1.2;
+    const Mat4 turned = look_at(normalize(Vec3{0, 0.12, 1}), {});
+    double distance = 1e-3;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = half * Vec3{corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0};
+      const auto along = [&](int axis) {
+        return p.x * turned(0, axis) + p.y * turned(1, axis) + p.z * turned(2, axis);
+      };
+      distance = std::max(distance, along(2) + 1.1 * std::max(std::abs(along(0)) / across, std::abs(along(1)) / up));
+    }
     c.world = look_at(middle + distance * normalize(Vec3{0, 0.12, 1}), middle);
   });
   return own_camera_made;

@@ -86,18 +86,8 @@ std::vector<std::string_view> function_names(const Scene& s, Kind kind) {
 
 namespace {
 
-void select_one(const Scene& s, std::string_view word, std::vector<std::string>& open, std::vector<ObjectId>& out) {
-  const auto alias = s.aliases->find(std::string(word));
-  if (alias != s.aliases->end()) {  // an alias beats an object of the same name; a cycle expands once (R-T12)
-    if (std::find(open.begin(), open.end(), word) != open.end()) {
-      if (const auto id = s.names.find(word)) out.push_back(id);
-      return;
-    }
-    open.emplace_back(word);
-    for (const auto& element : alias->second) select_one(s, element, open, out);
-    open.pop_back();
-    return;
-  }
+// What a word that is no alias names.
+void select_plain(const Scene& s, std::string_view word, std::vector<ObjectId>& out) {
   const auto words = expand_braces(word);
   if (!words) return;
   for (const auto& w : *words) {
@@ -118,8 +108,31 @@ void select_one(const Scene& s, std::string_view word, std::vector<std::string>&
 
 std::vector<ObjectId> select(const Scene& s, std::string_view word) {
   std::vector<ObjectId> out;
-  std::vector<std::string> open;
-  select_one(s, word, open, out);
+  // An alias beats an object of the same name and is expanded once, which ends cycles (R-T12): inside itself its name
+  // is the object's. A list, not recursion: aliases of aliases may go as deep as the author likes.
+  struct Step {
+    std::string_view word;
+    bool end = false;  // of the alias
+  };
+  std::vector<Step> todo{{word}};
+  std::map<std::string_view, bool> open;  // aliases seen, and whether we are inside
+  while (!todo.empty()) {
+    const Step step = todo.back();
+    todo.pop_back();
+    if (step.end) {
+      open[step.word] = false;
+      continue;
+    }
+    const auto alias = s.aliases->find(step.word);
+    if (alias == s.aliases->end()) {
+      select_plain(s, step.word, out);
+    } else if (const auto [seen, fresh] = open.try_emplace(step.word, true); fresh) {
+      todo.push_back({step.word, true});
+      for (auto e = alias->second.rbegin(); e != alias->second.rend(); ++e) todo.push_back({*e});
+    } else if (seen->second) {
+      if (const auto id = s.names.find(step.word)) out.push_back(id);
+    }
+  }
   // Named twice, meant once.
   std::vector<ObjectId> once;
   std::vector<bool> seen(s.objects.size());
@@ -143,6 +156,7 @@ ObjectId add_object(Scene& s, Object object) {
 
 void remove_objects(Scene& s, const std::vector<ObjectId>& ids) {
   for (ObjectId id : ids) {
+    if (s.objects[id.index].removed) continue;  // named twice
     s.names.erase(s.objects[id.index].name);
     Object& gone = s.objects.edit(id.index);
     gone.removed = true;

@@ -80,9 +80,9 @@ struct Scene {
   Objects objects;
   NameIndex names;
   Cow<std::vector<FunctionSpec>> defined;  // the user's own functions; ids follow the built-in ones
-  Cow<std::map<std::string, std::vector<std::string>>> aliases;  // patterns inside are read at each use
-  Cow<std::vector<std::pair<Time, std::string>>> notes;          // sorted by time
-  Cow<std::map<Time, ObjectId>> cuts;                            // which camera is looked through from when on
+  Cow<std::map<std::string, std::vector<std::string>, std::less<>>> aliases;  // patterns inside are read at each use
+  Cow<std::vector<std::pair<Time, std::string>>> notes;                       // sorted by time
+  Cow<std::map<Time, ObjectId>> cuts;  // which camera is looked through from when on
   // What files held when they were named, by the path as the author wrote it.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;

@@ -67,7 +67,7 @@ bool all_angles(const Track& track) {
 }
 
 // The numbers of a value as a curve holds them.
-Numbers compiled(const Value& v, const Curve& c) {
+Numbers compiled(const Value& v, const Curve& c, Type type) {
   Numbers n{};
   if (c.orientation) {
     if (const auto* a = std::get_if<Angles>(&v)) {
@@ -76,8 +76,8 @@ Numbers compiled(const Value& v, const Curve& c) {
     }
   }
   to_numbers(v, n.data());
-  if (std::holds_alternative<Color>(v) && !c.srgb)
-    for (int i = 0; i < 3; ++i) n[static_cast<std::size_t>(i)] = to_linear(n[static_cast<std::size_t>(i)]);
+  if (type == Type::color && !c.srgb)
+    for (double& x : n) x = to_linear(x);
   return n;
 }
 
@@ -161,12 +161,13 @@ Quat slerp(Quat a, Quat b, double s) {
   return {p * a.w + q * b.w, p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
 }
 
-Curve CurveSet::add(const Track& track, Type type) {
+Curve CurveSet::add(const Track& track, Type type, bool component) {
   Curve c;
   c.first = static_cast<std::uint32_t>(times_.size());
   c.values = static_cast<std::uint32_t>(values_.size());
   c.orientation = type == Type::orientation || (type == Type::rotation && !all_angles(track));
-  c.channels = static_cast<std::uint8_t>(type == Type::rotation && !c.orientation ? 3 : channels(type));
+  const int all = type == Type::rotation && !c.orientation ? 3 : channels(type);
+  c.channels = static_cast<std::uint8_t>(component ? 1 : all);
   c.srgb = track.srgb && type == Type::color;
   c.before = track.before, c.after = track.after;
   const auto first_detail = details_.size();
@@ -184,9 +185,9 @@ Curve CurveSet::add(const Track& track, Type type) {
     d.ease_in = static_cast<double>(e.detail->ease_in.flicks);
     d.ease_out = static_cast<double>(e.detail->ease_out.flicks);
     d.bezier = track.global == Twerper::bezier ? track.bezier : e.detail->bezier;
-    if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c);
-    if (e.detail->tangent_in) d.has_in = true, d.tangent_in = compiled(*e.detail->tangent_in, c);
-    if (e.detail->tangent_out) d.has_out = true, d.tangent_out = compiled(*e.detail->tangent_out, c);
+    if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
+    if (e.detail->tangent_in) d.has_in = true, d.tangent_in = compiled(*e.detail->tangent_in, c, type);
+    if (e.detail->tangent_out) d.has_out = true, d.tangent_out = compiled(*e.detail->tangent_out, c, type);
     details_.push_back(d);
   };
 
@@ -201,16 +202,17 @@ Curve CurveSet::add(const Track& track, Type type) {
     });
     for (Time t : without) valued.events.erase(t, t);
     CurveSet set;
-    const Curve through = valued.events.empty() ? Curve{} : set.add(valued, type);
+    Curve through = valued.events.empty() ? Curve{} : set.add(valued, type, component);
+    through.srgb = false;  // columns hold the numbers as written
     track.events.each([&](const Event& e) {
-      if (!e.keep) return push(e, compiled(e.value, c));
+      if (!e.keep) return push(e, compiled(e.value, c, type));
       if (through.count == 0) return;
       Numbers n{};
       set.evaluate(through, e.time, n.data());
       push(e, n);
     });
   } else {
-    track.events.each([&](const Event& e) { push(e, compiled(e.value, c)); });
+    track.events.each([&](const Event& e) { push(e, compiled(e.value, c, type)); });
   }
   c.count = static_cast<std::uint32_t>(times_.size()) - c.first;
 
@@ -240,8 +242,8 @@ const CurveDetail* CurveSet::detail(std::uint32_t event) const {
   return at != details_.end() && at->event == event ? &*at : nullptr;
 }
 
-// The segment from event k to event k + 1 (R-T4). `t` in flicks; outside the segment its formula goes on.
-void CurveSet::segment(const Curve& c, std::uint32_t k, double t, double* out) const {
+// The segment from event k to event k + 1 (R-T4), `since` flicks after event k.
+void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* out) const {
   const std::uint32_t n = c.channels;
   const std::int64_t* time = &times_[c.first];
   const double* value = &values_[c.values];
@@ -251,7 +253,7 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double t, double* out) c
   const double* p1 = value + n * k;
   const double* p2 = next && next->cut ? next->before.data() : p1 + n;
   const double h = static_cast<double>(time[k + 1] - time[k]);
-  const double u = (t - static_cast<double>(time[k])) / h;
+  const double u = since / h;
   const double s = segment_factor(twerper, u, here, next, h);
 
   if (twerper == Twerper::hold) {
@@ -324,45 +326,63 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double t, double* out) c
   }
 }
 
-// Beyond the first or last event in a straight line: the end segment's slope goes on.
-void CurveSet::beyond(const Curve& c, bool after, double t, double* out) const {
-  const std::uint32_t k = after ? c.count - 2 : 0;
-  const double end = static_cast<double>(times_[c.first + (after ? c.count - 1 : 0)]);
-  if (c.orientation) return segment(c, k, t, out);  // keeps turning
+// Beyond the first or last event, `past` flicks from it: the speed that the end segment has there goes on. An
+// orientation keeps turning.
+void CurveSet::beyond(const Curve& c, bool after, double past, double* out) const {
+  const std::uint32_t end = after ? c.count - 1 : 0, k = after ? end - 1 : 0, n = c.channels;
+  const double* value = &values_[c.values + end * n];
   const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
-  const double step = (after ? -1 : 1) * h / 4096;
-  Numbers at_end{}, inside{}, further{};
-  segment(c, k, end, at_end.data());
-  segment(c, k, end + step, inside.data());
-  segment(c, k, end + 2 * step, further.data());
-  for (std::uint32_t i = 0; i < c.channels; ++i) {
-    const double slope = (-3 * at_end[i] + 4 * inside[i] - further[i]) / (2 * step);  // exact for parabolas
-    out[i] = at_end[i] + slope * (t - end);
+  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  std::copy_n(value, n, out);
+  if (twerper == Twerper::hold) return;
+  const CurveDetail *from = detail(c.first + k), *to = detail(c.first + k + 1);
+  const bool plain = (twerper == Twerper::linear || twerper == Twerper::slerp) && !(from && from->ease_out > 0) &&
+                     !(to && to->ease_in > 0);
+  if (plain) return segment(c, k, after ? h + past : past, out);  // exact
+
+  // The slope by a formula that is exact for parabolas, eases among them.
+  const double step = (after ? -1 : 1) * h / 4096, origin = after ? h : 0;
+  Numbers one{}, two{};
+  segment(c, k, origin + step, one.data());
+  segment(c, k, origin + 2 * step, two.data());
+  if (c.orientation) {
+    const Quat a = log(conjugate(quat(value)) * quat(one.data())), b = log(conjugate(quat(value)) * quat(two.data()));
+    const double f = past / (2 * step);
+    return store(quat(value) * exp({0, f * (4 * a.x - b.x), f * (4 * a.y - b.y), f * (4 * a.z - b.z)}), out);
   }
+  for (std::uint32_t i = 0; i < n; ++i) out[i] += (-3 * value[i] + 4 * one[i] - two[i]) / (2 * step) * past;
+}
+
+// The numbers as the columns hold them.
+void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
+  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  if (t < *first || t > *last) {
+    const bool after = t > *last;
+    const Extend how = after ? c.after : c.before;
+    if (how == Extend::cycle || how == Extend::bounce) {
+      t = fold(t, *first, *last, how == Extend::bounce);
+    } else {
+      // A cut at an end leaves one value outside it, and no slope.
+      const CurveDetail* end = detail(c.first + (after ? c.count - 1 : 0));
+      const bool cut = end && end->cut;
+      if (how == Extend::linear && c.count > 1 && !cut)
+        return beyond(c, after, static_cast<double>(t - (after ? *last : *first)), out);
+      const double* value = &values_[c.values + (after ? c.count - 1 : 0) * c.channels];
+      std::copy_n(cut && !after ? end->before.data() : value, c.channels, out);
+      return;
+    }
+  }
+  const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first) - 1;
+  if (k + 1 == c.count)
+    std::copy_n(&values_[c.values + k * c.channels], c.channels, out);
+  else
+    segment(c, k, static_cast<double>(t - first[k]), out);
 }
 
 void CurveSet::evaluate(const Curve& c, Time time, double* out) const {
-  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
-  std::int64_t t = time.flicks;
-  const bool before = t<*first, after = t> * last;
-  if (before || after) {
-    const Extend how = before ? c.before : c.after;
-    if (how == Extend::linear && c.count > 1) {
-      beyond(c, after, static_cast<double>(t), out);
-      if (c.srgb)
-        for (int i = 0; i < 3; ++i) out[i] = to_linear(out[i]);
-      return;
-    }
-    if (how == Extend::cycle || how == Extend::bounce) t = fold(t, *first, *last, how == Extend::bounce);
-  }
-  const auto next = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first);
-  if (next == 0 || next == c.count) {
-    std::copy_n(&values_[c.values + (next == 0 ? 0 : (c.count - 1) * c.channels)], c.channels, out);
-  } else {
-    segment(c, next - 1, static_cast<double>(t), out);
-  }
+  find(c, time.flicks, out);
   if (c.srgb)
-    for (int i = 0; i < 3; ++i) out[i] = to_linear(out[i]);
+    for (int i = 0; i < c.channels; ++i) out[i] = to_linear(out[i]);
 }
 
 std::size_t CurveSet::bytes() const {
@@ -373,31 +393,33 @@ std::size_t CurveSet::bytes() const {
 Steps::Steps(const Track& track, Type type) : before_(track.before), after_(track.after) {
   track.events.each([&](const Event& e) {
     if (e.keep && values_.empty()) return;
-    times_.push_back(e.time);
-    values_.push_back(e.keep ? values_.back() : e.value);
-    twerpers_.push_back(static_cast<std::uint8_t>(resolve(track, e, type, false)));
-    details_.push_back(e.detail);
-    if (track.global == Twerper::bezier) details_.back().edit().bezier = track.bezier;
+    const auto twerper = static_cast<std::uint8_t>(resolve(track, e, type, false));
+    if (e.detail && e.detail->before) values_.push_back(*e.detail->before);
+    const std::size_t comes_to = values_.size() - (e.keep || (e.detail && e.detail->before) ? 1 : 0);
+    if (!e.keep) values_.push_back(e.value);
+    keys_.push_back({e.time, comes_to, values_.size() - 1, twerper, e.detail});
+    if (track.global == Twerper::bezier) keys_.back().detail.edit().bezier = track.bezier;
   });
 }
 
 Between Steps::at(Time time) const {
-  Time t = time;
-  if ((t < times_.front() && before_ >= Extend::cycle) || (t > times_.back() && after_ >= Extend::cycle))
-    t = {fold(t.flicks, times_.front().flicks, times_.back().flicks,
-              (t < times_.front() ? before_ : after_) == Extend::bounce)};
-  const auto next = static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
-  if (next == 0) return {0, 0, 0};
-  const std::size_t k = next - 1;
-  const auto twerper = static_cast<Twerper>(twerpers_[k]);
-  if (next == times_.size() || twerper == Twerper::hold) return {k, k, 0};
-  const double h = static_cast<double>((times_[next] - times_[k]).flicks);
+  std::int64_t t = time.flicks;
+  const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
+  const Extend how = t < first ? before_ : after_;
+  if ((t < first || t > last) && how >= Extend::cycle) t = fold(t, first, last, how == Extend::bounce);
+  const auto next =
+      std::upper_bound(keys_.begin(), keys_.end(), t, [](std::int64_t at, const Key& k) { return at < k.time.flicks; });
+  if (next == keys_.begin()) return {next->comes_to, next->comes_to, 0};
+  const Key& key = next[-1];
+  const auto twerper = static_cast<Twerper>(key.twerper);
+  if (next == keys_.end() || twerper == Twerper::hold) return {key.goes_on, key.goes_on, 0};
+  const double h = static_cast<double>((next->time - key.time).flicks);
   CurveDetail from, to;
-  from.ease_out = static_cast<double>(details_[k]->ease_out.flicks), from.bezier = details_[k]->bezier;
-  to.ease_in = static_cast<double>(details_[next]->ease_in.flicks);
-  double s = segment_factor(twerper, static_cast<double>((t - times_[k]).flicks) / h, &from, &to, h);
+  from.ease_out = static_cast<double>(key.detail->ease_out.flicks), from.bezier = key.detail->bezier;
+  to.ease_in = static_cast<double>(next->detail->ease_in.flicks);
+  double s = segment_factor(twerper, static_cast<double>(t - key.time.flicks) / h, &from, &to, h);
   if (twerper == Twerper::hermite || twerper == Twerper::bspline) s = s * s * (3 - 2 * s);
-  return {k, next, s};
+  return {key.goes_on, next->comes_to, s};
 }
 
 }  // namespace betwixt

@@ -32,17 +32,18 @@ struct Curve {
 class CurveSet {
  public:
   // A track of numbers (not text, names, shapes, points, nor aims at objects) with at least one event that has a value.
-  // `angles`: a rotation track whose values are all Angles is three numbers; otherwise orientations. `rest`: what a
-  // component falls back to.
-  Curve add(const Track& track, Type type);
+  // A rotation track whose values are all Angles is three numbers; otherwise orientations. `component`: the track of
+  // one component of the type, numbers as the author writes them.
+  Curve add(const Track& track, Type type, bool component = false);
   // out[0 … channels): the value at t.
   void evaluate(const Curve& curve, Time t, double* out) const;
   std::size_t bytes() const;
 
  private:
   const CurveDetail* detail(std::uint32_t event) const;
-  void segment(const Curve& c, std::uint32_t k, double t, double* out) const;
-  void beyond(const Curve& c, bool after, double t, double* out) const;
+  void segment(const Curve& c, std::uint32_t k, double since, double* out) const;
+  void beyond(const Curve& c, bool after, double past, double* out) const;
+  void find(const Curve& c, std::int64_t t, double* out) const;
 
   std::vector<std::int64_t> times_;
   std::vector<double> values_;
@@ -62,9 +63,9 @@ double ease(double u, double ease_out, double ease_in);
 double bezier_factor(double u, const std::array<double, 4>& xy);
 Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen
 
-// For values that are not numbers: between which two events of a track a time falls, and how far the blend is.
+// For values that are not numbers: between which two values of a track a time falls, and how far the blend is.
 struct Between {
-  std::size_t a = 0, b = 0;
+  std::size_t a = 0, b = 0;  // into Steps::values()
   double s = 0;
 };
 class Steps {
@@ -74,10 +75,14 @@ class Steps {
   std::span<const Value> values() const { return values_; }
 
  private:
-  std::vector<Time> times_;
+  struct Key {
+    Time time;
+    std::size_t comes_to = 0, goes_on = 0;  // values: the same, but at a cut
+    std::uint8_t twerper = 0;
+    DetailBox detail;
+  };
+  std::vector<Key> keys_;
   std::vector<Value> values_;
-  std::vector<std::uint8_t> twerpers_;
-  std::vector<DetailBox> details_;
   Extend before_ = Extend::hold, after_ = Extend::hold;
 };
 

@@ -57,6 +57,13 @@ const Event* Events::find(Time t) const {
   return at != chunk.end() && at->time == t ? &*at : nullptr;
 }
 
+std::size_t Events::count(Time from, Time to) const {
+  std::size_t n = 0;
+  for (std::size_t c = chunk_of(from); c < chunks_.size() && chunks_[c]->front().time <= to; ++c)
+    for (const Event& e : *chunks_[c]) n += e.time >= from && e.time <= to;
+  return n;
+}
+
 std::vector<Event> Events::between(Time from, Time to) const {
   std::vector<Event> out;
   for (std::size_t c = chunk_of(from); c < chunks_.size() && chunks_[c]->front().time <= to; ++c)

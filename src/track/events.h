@@ -25,7 +25,8 @@ class Events {
   std::size_t erase(Time from, Time to);
   // The event exactly at t, or null.
   const Event* find(Time t) const;
-  // Copies of the events with from <= time <= to.
+  std::size_t count(Time from, Time to) const;  // with from <= time <= to
+  // Copies of them.
   std::vector<Event> between(Time from, Time to) const;
 
   template <class F>

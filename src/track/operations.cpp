@@ -135,13 +135,20 @@ Result<Changed> stretch_segment(Track& track, Segment s, double factor) {
     if (std::max(d.ease_in, d.ease_out).seconds() * factor > longest_seconds) return out_of_reach();
     d.ease_in = stretched(d.ease_in), d.ease_out = stretched(d.ease_out);
     for (auto* tangent : {&d.tangent_in, &d.tangent_out})
-      if (*tangent) *tangent = combine(**tangent, Value(1 / factor), [](double x, double y) { return x * y; });
+      if (*tangent) {
+        *tangent = combine(**tangent, Value(factor), [](double x, double y) { return x / y; });
+        if (*tangent && !finite(**tangent)) return fail(Code::range, "a tangent grows beyond all numbers");
+      }
   }
   return put_back(track, s, std::move(events));
 }
 
 Result<Changed> reverse_segment(Track& track, Segment s) {
   auto events = track.events.between(s.from, s.to);
+  const auto holds = [&](const Event& e) {
+    const Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
+    return t == Twerper::hold || std::holds_alternative<bool>(e.value) || (t == Twerper::unset && !numeric(e.value));
+  };
   std::vector<Event> out;
   out.reserve(events.size());
   for (std::size_t i = events.size(); i-- > 0;) {
@@ -150,11 +157,18 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
     // The in-between that led to this event now leads away from it.
     const Event& leader = events[i > 0 ? i - 1 : events.size() - 1];
     e.twerper = leader.twerper;
-    const bool shaped = e.detail || leader.detail;
-    if (shaped) {
+    std::optional<Value> before;
+    if (!e.keep) {  // what the track came from it now goes on to; a value that was held up to here is held from here on
+      const bool held = i > 0 && holds(leader) && !leader.keep;
+      Value after = held ? leader.value : e.detail->before.value_or(e.value);
+      const bool seen = i + 1 == events.size() || !holds(events[i]);
+      if (seen && after != e.value) before = e.value;
+      e.value = std::move(after);
+    }
+    if (e.detail || leader.detail || before || e.twerper == Twerper::bezier) {
       EventDetail& d = e.detail.edit();
       std::swap(d.ease_in, d.ease_out);
-      if (d.before) std::swap(*d.before, e.value);
+      d.before = std::move(before);
       d.bezier = leader.detail->bezier;
       if (i > 0 && e.twerper == Twerper::bezier)
         d.bezier = {1 - d.bezier[2], 1 - d.bezier[3], 1 - d.bezier[0], 1 - d.bezier[1]};

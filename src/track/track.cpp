@@ -51,7 +51,7 @@ double to_srgb(double l) {
   // rounding or two.
   for (const double grid : {255.0, 1e12}) {
     const double near = std::round(s * grid) / grid;
-    if (std::abs(near - s) < 1e-14) return std::copysign(near, l);
+    if (std::abs(near - s) < 1e-14 * std::max(1.0, s)) return std::copysign(near, l);
   }
   return std::copysign(s, l);
 }

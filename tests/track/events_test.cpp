@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "track/events.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <map>
+#include <numeric>
+#include <random>
+
+namespace betwixt {
+namespace {
+
+Event event(std::int64_t t, double v) {
+  Event e;
+  e.time = {t};
+  e.value = v;
+  return e;
+}
+
+using Model = std::map<std::int64_t, double>;
+
+Model content(const Events& events) {
+  Model m;
+  std::int64_t last = INT64_MIN;
+  events.each([&](const Event& e) {
+    EXPECT_LT(last, e.time.flicks);
+    last = e.time.flicks;
+    m[e.time.flicks] = std::get<double>(e.value);
+  });
+  EXPECT_EQ(m.size(), events.size());
+  return m;
+}
+
+TEST(Events, AnyOrderMakesTheSameTrack) {
+  Events in_order;
+  for (int i = 0; i < 700; ++i) in_order.put(event(i, i * 0.5));
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::vector<int> order(700);
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), std::mt19937(seed));
+    if (seed == 19) std::sort(order.rbegin(), order.rend());
+    Events events;
+    for (int i : order) events.put(event(i, i * 0.5));
+    EXPECT_EQ(events, in_order);
+    EXPECT_EQ(content(events), content(in_order));
+    EXPECT_EQ(events.front().time.flicks, 0);
+    EXPECT_EQ(events.back().time.flicks, 699);
+  }
+}
+
+TEST(Events, BehaveAsASortedMap) {
+  EXPECT_TRUE(rc::check("events == map", [] {
+    Events events;
+    Model model;
+    std::vector<std::pair<Events, Model>> kept;
+    const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+    std::mt19937 random(seed);
+    const auto pick = [&](int n) { return static_cast<std::int64_t>(random() % static_cast<unsigned>(n)) - n / 4; };
+    for (int step = 0; step < 900; ++step) {
+      if (step % 100 == 0) kept.emplace_back(events, model);
+      if (random() % 50 == 0) {
+        const auto from = pick(1500), to = from + pick(200);
+        const auto low = model.lower_bound(from), high = to < from ? low : model.upper_bound(to);
+        RC_ASSERT(events.erase({from}, {to}) == static_cast<std::size_t>(std::distance(low, high)));
+        model.erase(low, high);
+      } else if (random() % 50 == 0) {
+        const auto from = pick(1500), to = from + 100;
+        std::size_t n = 0;
+        for (auto& [t, v] : model)
+          if (t >= from && t <= to) v += 1, ++n;
+        RC_ASSERT(events.edit_between({from}, {to}, [](Event& e) { e.value = std::get<double>(e.value) + 1; }) == n);
+      } else {
+        const auto t = pick(1500);
+        events.put(event(t, step));
+        model[t] = step;
+      }
+    }
+    kept.emplace_back(events, model);
+    for (const auto& [e, m] : kept) RC_ASSERT(content(e) == m);  // copies never saw what came later
+    for (int i = 0; i < 100; ++i) {
+      const auto t = pick(1500), to = t + pick(300);
+      const auto found = model.find(t);
+      const Event* e = events.find({t});
+      RC_ASSERT((e != nullptr) == (found != model.end()));
+      if (e) RC_ASSERT(std::get<double>(e->value) == found->second);
+      Model part;
+      for (const Event& x : events.between({t}, {to})) part[x.time.flicks] = std::get<double>(x.value);
+      RC_ASSERT(part == (to < t ? Model{} : Model(model.lower_bound(t), model.upper_bound(to))));
+    }
+  }));
+}
+
+TEST(Events, AnEmptyDetailIsNoDetail) {
+  Event a = event(1, 2), b = a;
+  b.detail.edit();
+  EXPECT_EQ(a, b);
+  b.detail.edit().ease_in = {5};
+  EXPECT_NE(a, b);
+  const Event c = b;
+  b.detail.edit().ease_in = {6};
+  EXPECT_EQ(c.detail->ease_in, Time{5});
+}
+
+}  // namespace
+}  // namespace betwixt
