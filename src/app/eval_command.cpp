@@ -4,6 +4,7 @@
 // betwixt eval: what values are at what times.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -34,14 +35,17 @@ std::string json_text(const std::string& s) {
   return out + "\"";
 }
 
+// JSON knows no numbers beyond all numbers.
+std::string json_number(double n) { return std::isfinite(n) ? write_number(n) : "null"; }
+
 std::string list(const std::vector<double>& numbers) {
   std::string out = "[";
-  for (double n : numbers) out += (out.size() > 1 ? "," : "") + write_number(n);
+  for (double n : numbers) out += (out.size() > 1 ? "," : "") + json_number(n);
   return out + "]";
 }
 
 std::string json(const Reading& r, Type type, const Document& d) {
-  if (const auto* n = std::get_if<double>(&r)) return write_number(*n);
+  if (const auto* n = std::get_if<double>(&r)) return json_number(*n);
   if (const auto* b = std::get_if<bool>(&r)) return *b ? "true" : "false";
   if (const auto* id = std::get_if<ObjectId>(&r)) return *id ? json_text(d.name(*id)) : "null";
   if (const auto* t = std::get_if<Text>(&r)) return json_text(**t);

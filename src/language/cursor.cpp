@@ -92,6 +92,7 @@ bool Cursor::accept(char c) {
 
 bool Cursor::open() {
   if (!accept('(')) return fail_here(Code::syntax, "an opening bracket '(' is missing here");
+  if (static_cast<std::size_t>(depth) < brackets.size()) brackets[static_cast<std::size_t>(depth)] = at - 1;
   ++depth;
   return true;
 }
@@ -156,6 +157,8 @@ bool Cursor::text(std::string& out) {
     const auto close = rest.find("\"\"\"");
     if (close == std::string_view::npos) return fail(Code::syntax, "this text is never closed by \"\"\"", {start, 3});
     out = rest.substr(0, close);
+    for (std::size_t cr; (cr = out.find("\r\n")) != std::string::npos;)
+      out.erase(cr, 1);  // a line ends alike everywhere
     at += 3 + close + 3;
     return true;
   }

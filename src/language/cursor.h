@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,9 +25,10 @@ class Cursor {
 
   const char* at;
   const char* end;
-  int depth = 0;             // brackets open: a new line is white space inside them
-  Rate rate, ticks{30, 1};   // what f and t mean
-  bool frames_read = false;  // a time has been given in frames
+  int depth = 0;                          // brackets open: a new line is white space inside them
+  std::array<const char*, 8> brackets{};  // where they were opened
+  Rate rate, ticks{30, 1};                // what f and t mean
+  bool frames_read = false;               // a time has been given in frames
   bool ticks_read = false;
 
   // The first failure since the last clear; `where` is the text it is about.

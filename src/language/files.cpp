@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int most_included = 10'000;  // files that use files that use files: their number can grow without end
 constexpr std::uintmax_t largest_script = std::uintmax_t{1} << 30;
 
 Result<std::string> contents(const fs::path& path) {
@@ -103,6 +104,9 @@ bool Reader::use(Cursor& c) {
   if (std::find(open_files_.begin(), open_files_.end(), real) != open_files_.end())
     return c.fail(Code::file, fmt::format("'{}' comes to include itself", name), about);
   if (open_files_.size() >= 64) return c.fail(Code::file, "files are included more than 64 deep", about);
+  if (included_ >= most_included)
+    return c.fail(Code::file, fmt::format("more than {} files are included", most_included), about);
+  ++included_;
   auto text = contents(path);
   if (!text) return c.fail(text.error().code, text.error().message, about);
   open_files_.push_back(real);

@@ -10,6 +10,11 @@
 #include "language/reader.h"
 
 namespace betwixt {
+namespace {
+
+constexpr std::size_t most_objects = 1'000'000;  // braces make many of them in a few words
+
+}  // namespace
 
 bool Reader::free_name(Cursor& c, const std::string& name, std::string_view about) {
   if (!is_name(name))
@@ -104,6 +109,8 @@ bool Reader::create(Cursor& c) {
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
     return c.fail(Code::name, fmt::format("'{}' would be made twice", *twice), word);
+  if (s.objects.size() + names->size() > most_objects)
+    return c.fail(Code::range, fmt::format("a film has at most {} objects", most_objects), word);
   for (std::size_t i = 0; i < names->size(); ++i)
     if (!parent_by_name(c, (*names)[i], word, parents[i])) return false;
   for (std::size_t i = 0; i < names->size(); ++i) {
@@ -168,9 +175,9 @@ bool Reader::couple(Cursor& c) {
   if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' is missing here");
   ObjectId parent;
   c.space();
-  const std::string_view above = c.peek_word();
   if (!values(c).object(parent)) return false;
-  if (c.accept_word("keep-world")) return c.fail(Code::name, "keep-world is not in this version of Betwixt", above);
+  c.space();
+  if (c.peek_word() == "keep-world") return c.fail_here(Code::name, "keep-world is not in this version of Betwixt");
   if (!finish(c)) return false;
   for (ObjectId child : children) {
     if (!attached_below(s, parent, child)) continue;
@@ -228,11 +235,16 @@ bool Reader::define(Cursor& c) {
       return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
   if (name == "world" || name == "velocity")
     return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
-  static constexpr std::pair<std::string_view, Type> types[] = {
-      {"number", Type::scalar},           {"angle", Type::angle},
-      {"vector", Type::vector},           {"color", Type::color},
-      {"boolean", Type::boolean},         {"rotation", Type::rotation},
-      {"orientation", Type::orientation}, {"text", Type::text}};
+  static constexpr std::pair<std::string_view, Type> types[] = {{"number", Type::scalar},
+                                                                {"angle", Type::angle},
+                                                                {"vector", Type::vector},
+                                                                {"color", Type::color},
+                                                                {"boolean", Type::boolean},
+                                                                {"rotation", Type::rotation},
+                                                                {"orientation", Type::orientation},
+                                                                {"text", Type::text},
+                                                                {"shape", Type::shape},
+                                                                {"scalar", Type::scalar}};
   c.space();
   const std::string_view type = c.word();
   const auto at = std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == type; });
@@ -243,11 +255,14 @@ bool Reader::define(Cursor& c) {
     return c.fail(Code::name,
                   type.empty() ? "a type is missing here" : fmt::format("there is no type '{}'", type.substr(0, 40)),
                   type.empty() ? std::string_view(c.at, 0) : type,
-                  hint.empty() ? "types are number angle vector color boolean rotation orientation text" : hint);
+                  hint.empty() ? "types are number angle vector color boolean rotation orientation text shape" : hint);
   }
-  static const Value rests[] = {0.0, 0.0, Vec3{}, Color{}, false, Angles{}, Quat{}, Text()};
+  static const Value rests[] = {0.0, 0.0, Vec3{}, Color{}, false, Angles{}, Quat{}, Text(), ObjectId{}, 0.0};
   FunctionSpec spec{std::string(name), at->second, rests[at - std::begin(types)], 0xffffffff, Unit::none, {}};
   if (!c.at_line_end() && !values(c).value(spec, -1, spec.rest)) return false;
+  if (spec.type == Type::shape && !(spec.rest == Value(ObjectId{})))
+    return c.fail(Code::type, "what every object has cannot begin as one object's shape", type,
+                  "leave it out, and set it");
   if (!finish(c)) return false;
   if (s.defined->size() >= 10000) return c.fail(Code::range, "no more than 10000 functions can be defined", name);
   s.defined.edit().push_back(std::move(spec));

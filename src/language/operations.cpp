@@ -15,7 +15,8 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_copied = 10'000'000;  // events one command may make
+constexpr std::size_t most_copied =
+    10'000'000;  // events a script may make by copying: a few words must not fill the machine
 
 std::string plural(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
@@ -121,10 +122,18 @@ bool Reader::copy(Cursor& c) {
                               plural(into.targets.size(), "track")),
                   onto);
   if (!finish(c)) return false;
+  const auto source_of = [&](std::size_t i) { return from.targets[from.targets.size() == 1 ? 0 : i]; };
+  std::size_t wanted = copied_;
+  for (std::size_t i = 0; i < into.targets.size(); ++i)
+    for (const Track* t : tracks_of(s, source_of(i)))
+      wanted += t->events.count(segment.from, segment.to) * static_cast<std::size_t>(times);
+  if (wanted > most_copied)
+    return c.fail(Code::range, fmt::format("copying would make more than {} events", most_copied), word);
+  copied_ = wanted;
   const Scene before = s;
   std::size_t made = 0;
   for (std::size_t i = 0; i < into.targets.size(); ++i) {
-    const Target& source = from.targets[from.targets.size() == 1 ? 0 : i];
+    const Target source = source_of(i);
     const Slot* slot = before.objects[source.object.index].find(source.function);
     const bool split = slot && source.component < 0 && !slot->components.empty();
     std::vector<Track> originals;
@@ -135,10 +144,6 @@ bool Reader::copy(Cursor& c) {
     }
     if (originals.empty()) continue;
     const auto put = [&](const Track& track, const Target& t, const std::optional<Value>& by) {
-      if (track.events.between(segment.from, segment.to).size() * static_cast<std::size_t>(times) > most_copied) {
-        s = before;
-        return c.fail(Code::range, fmt::format("that would make more than {} events", most_copied), word);
-      }
       const auto tracks = edit_tracks(s, t);
       for (std::size_t k = 0; k < tracks.size(); ++k) {
         Track source_part = track;

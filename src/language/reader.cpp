@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/names.h"
 
@@ -96,8 +97,10 @@ void Reader::report(Severity severity, Error error, std::string_view about) {
   const std::string_view text = source_.text;
   const char* begin = text.data();
   const char* spot = about.data() ? std::clamp(about.data(), begin, begin + text.size()) : begin;
-  if (!source_.counted || spot < source_.counted) source_.counted = begin, source_.lines = 1;
-  source_.lines += static_cast<int>(std::count(source_.counted, spot, '\n'));
+  if (!source_.counted) source_.counted = begin;
+  const auto [before, after] = std::minmax(source_.counted, spot);
+  const auto passed = static_cast<int>(std::count(before, after, '\n'));
+  source_.lines += spot < source_.counted ? -passed : passed;
   source_.counted = spot;
 
   const char* start = spot;
@@ -142,7 +145,8 @@ ValueReader Reader::values(Cursor& c) {
 
 // The start of the line after the logical line that begins here: brackets and texts in """ hold lines together, unless
 // they are never closed.
-const char* Reader::after_line(const char* line_start) const {
+const char* Reader::after_line(const char* line_start, bool* closed) const {
+  if (closed) *closed = true;
   Cursor c(source_.text);
   c.at = line_start;
   while (c.at < c.end && c.at - line_start < longest_logical_line) {
@@ -161,6 +165,7 @@ const char* Reader::after_line(const char* line_start) const {
     if (c.word().empty()) ++c.at;
   }
   if (c.at == c.end && c.depth == 0) return c.end;
+  if (closed) *closed = c.depth == 0;
   const char* nl = line_end(line_start, c.end);
   return nl == c.end ? nl : nl + 1;
 }
@@ -174,7 +179,15 @@ bool Reader::sound_text(std::string_view text) {
     diagnostics_.back().line.clear();
     return false;
   };
+  // Eight plain characters at once: none above 0x7f, and none below 0x20 (a subtraction borrows into its top bit).
+  const auto plain = [&](std::size_t i) {
+    std::uint64_t w;
+    std::memcpy(&w, p + i, 8);
+    return ((w | (w - 0x2020202020202020)) & 0x8080808080808080) == 0;
+  };
   for (std::size_t i = 0; i < n;) {
+    while (i + 8 <= n && plain(i)) i += 8;
+    if (i == n) break;
     const unsigned char ch = p[i];
     if (ch < 0x80) {
       if (ch < 0x20 && ch != '\n' && ch != '\t' && ch != '\r') return bad(i, "it holds a control character");
@@ -250,12 +263,19 @@ void Reader::line(Cursor& c, const char* line_start) {
     return;
   }
   Error e = c.error.value_or(fail(Code::syntax, "this cannot be carried out"));
+  bool closed = true;
+  const char* next = after_line(line_start, &closed);
+  // Where a bracket is never closed, what the lines below seem to lack is not the trouble.
+  if (!closed && c.depth > 0 && c.where.data() >= next) {
+    e = fail(Code::syntax, "this bracket is never closed");
+    c.where = {c.brackets[std::min(static_cast<std::size_t>(c.depth), c.brackets.size()) - 1], 1};
+  }
   const bool ignored = e.code == Code::type && s.policy == Policy::ignore;
   if (ignored) e.message = "ignored: " + e.message;
   report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
   c.error.reset();
   c.where = {};
-  c.at = after_line(line_start);
+  c.at = next;
 }
 
 bool Reader::finish(Cursor& c) {
@@ -292,6 +312,7 @@ bool Reader::command(Cursor& c) {
     return c.fail(Code::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
                   "rows are indented under a line that is only a target, as in ball.position");
   if (const auto why = not_yet(w); !why.empty()) return c.fail(Code::name, fmt::format("'{}' {}", w, why), w);
+  if (c.at_line_end() && !timed_) source_.sheet.open = source_.sheet.broken = true;  // meant as a target, it seems
   std::vector<std::string_view> words;
   for (const Verb& v : verbs()) words.push_back(v.word);
   return c.fail(Code::name, fmt::format("there is no command '{}'", w.substr(0, 40)), w, did_you_mean(w, words));
@@ -346,6 +367,14 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
     function = function.substr(0, second);
   }
   const std::string_view function_text = function;
+  if (component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say
+    const ObjectId id = s.aliases->contains(object) ? ObjectId{} : s.names.find(object);
+    if (const auto f = id ? find_function(s, s.objects[id.index].kind, function) : std::nullopt) {
+      out.spec = &spec_of(s, *f);
+      out.targets.push_back({id, *f, -1});
+      return true;
+    }
+  }
   const std::vector<ObjectId> objects = select(s, object);
   if (objects.empty()) {
     const bool alias = s.aliases->contains(std::string(object));
@@ -389,8 +418,9 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
         const FunctionSpec& spec = spec_of(s, f);
         int part = -1;
         if (!component.empty()) {
-          if (component == "velocity")
-            return c.fail(Code::name, "velocities are not in this version of Betwixt", component);
+          if (component == "velocity" || component.ends_with(".velocity"))
+            return c.fail(Code::name, "velocities are not in this version of Betwixt",
+                          component.substr(component.size() - 8));
           part = find_component(spec.type, component);
           if (part < 0) {
             if (component_count(spec.type) == 0)

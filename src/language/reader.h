@@ -54,7 +54,7 @@ class Reader {
   bool row(Cursor& c);
   void report(Severity severity, Error error, std::string_view about);
   void note(Severity severity, std::string message, std::string_view about, std::string hint = {});
-  const char* after_line(const char* line_start) const;
+  const char* after_line(const char* line_start, bool* closed = nullptr) const;
   bool sound_text(std::string_view text);
 
   // events.cpp
@@ -134,6 +134,8 @@ class Reader {
   LoadOptions options_;
   std::filesystem::path root_;  // real path of the first script's folder
   std::vector<std::filesystem::path> open_files_;
+  int included_ = 0;
+  std::size_t copied_ = 0;  // events made by copying
   Source source_;
   bool timed_ = false;  // the command has an `at`
   Time time_;

@@ -50,6 +50,7 @@ class Tidier {
   explicit Tidier(std::string_view text) : c_(text), text_(text) {}
 
   bool run(std::string& out) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3), c_ = Cursor(text_);  // a byte order mark
     if (text_.starts_with("#!")) {
       const auto nl = text_.find('\n');
       out_ = std::string(text_.substr(0, nl)) + "\n";
@@ -136,6 +137,7 @@ class Tidier {
 
   // f and t mean what the last `rate` and `ticks` said; rows are sorted by it.
   void settings(const Line& line) {
+    if (line.tokens[0].text == "use") rates_known_ = false;  // that file may have changed them
     if (line.tokens.size() != 2 || (line.tokens[0].text != "rate" && line.tokens[0].text != "ticks")) return;
     Scene scene;
     Diagnostics ignored;
@@ -193,7 +195,11 @@ class Tidier {
   }
 
   void flush_rows() {
-    std::stable_sort(rows_.begin(), rows_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
+    // Frames and seconds side by side can only be sorted where the rates are known.
+    const auto unit = [](const Line& row) { return row.tokens[0].text.back(); };
+    if (rates_known_ ||
+        std::all_of(rows_.begin(), rows_.end(), [&](const Line& r) { return unit(r) == unit(rows_[0]); }))
+      std::stable_sort(rows_.begin(), rows_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
     std::size_t time_width = 0, value_width = 0;
     std::vector<std::array<std::string, 3>> cells;
     const auto width = [](const std::string& s) {
@@ -226,6 +232,7 @@ class Tidier {
   std::string out_;
   std::vector<Line> rows_;
   bool in_sheet_ = false;
+  bool rates_known_ = true;
   Rate rate_, ticks_{30, 1};
 };
 

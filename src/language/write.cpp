@@ -103,11 +103,15 @@ struct Writer {
     if (s.range) out += "range " + point(s.range->first) + " " + point(s.range->second) + "\n";
     if (s.background) out += "background " + write_color(*s.background) + "\n";
     if (!s.notes_shown) out += "notes off\n";
-    static constexpr std::pair<Type, std::string_view> types[] = {
-        {Type::scalar, "number"},           {Type::angle, "angle"},
-        {Type::vector, "vector"},           {Type::color, "color"},
-        {Type::boolean, "boolean"},         {Type::rotation, "rotation"},
-        {Type::orientation, "orientation"}, {Type::text, "text"}};
+    static constexpr std::pair<Type, std::string_view> types[] = {{Type::scalar, "number"},
+                                                                  {Type::angle, "angle"},
+                                                                  {Type::vector, "vector"},
+                                                                  {Type::color, "color"},
+                                                                  {Type::boolean, "boolean"},
+                                                                  {Type::rotation, "rotation"},
+                                                                  {Type::orientation, "orientation"},
+                                                                  {Type::text, "text"},
+                                                                  {Type::shape, "shape"}};
     for (const FunctionSpec& f : *s.defined)
       for (const auto& [type, word] : types)
         if (type == f.type) out += fmt::format("define {} {} {}\n", f.name, word, value(f.rest, f, -1));
