@@ -269,10 +269,14 @@ struct Compare {
       const Slot *p = x.find(f), *q = y.find(f);
       if (!p && !q) continue;
       const Slot &s = p ? *p : nothing, &t = q ? *q : nothing;
-      if (!maybe(s.set, t.set) || !tracks(*s.track, *t.track) || s.components.size() != t.components.size())
-        return false;
-      for (std::size_t i = 0; i < s.components.size(); ++i)
-        if (!tracks(*s.components[i], *t.components[i])) return false;
+      if (!maybe(s.set, t.set) || !tracks(*s.track, *t.track)) return false;
+      for (std::size_t i = 0; i < std::max(s.components.size(), t.components.size());
+           ++i) {  // none is as good as empty
+        static const Track empty;
+        const Track &u = s.components.empty() ? empty : *s.components[i],
+                    &v = t.components.empty() ? empty : *t.components[i];
+        if (!tracks(u, v)) return false;
+      }
     }
     return true;
   }
