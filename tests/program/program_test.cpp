@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "betwixt/program.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <thread>
+
+#include "program/code.h"
+#include "scene/extent.h"
+
+namespace betwixt {
+namespace {
+
+ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere, ObjectId parent = {}) {
+  Object o;
+  o.name = name;
+  o.kind = kind;
+  o.parent = parent;
+  return add_object(s, std::move(o));
+}
+Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
+  Event e;
+  e.time = from_seconds(seconds);
+  e.value = std::move(v);
+  e.twerper = twerper;
+  return e;
+}
+Program compile(const Scene& s) { return Program::compile(Document(std::make_shared<const Scene>(s))); }
+Mat4 world(const Program& p, ObjectId id, double seconds = 0) {
+  return std::get<Mat4>(p.read({id, world_function}, from_seconds(seconds)));
+}
+void expect_near(const Mat4& a, const Mat4& b, double by = 1e-12) {
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(a.m[i], b.m[i], by) << i;
+}
+void expect_near(Vec3 a, Vec3 b, double by = 1e-12) {
+  EXPECT_NEAR(length(a - b), 0, by) << a.x << " " << a.y << " " << a.z;
+}
+void expect_same(const Frame& a, const Frame& b) {  // bit for bit
+  ASSERT_EQ(a.items.size(), b.items.size());
+  for (std::size_t i = 0; i < a.items.size(); ++i) {
+    EXPECT_EQ(a.items[i].world, b.items[i].world);
+    EXPECT_EQ(a.items[i].color, b.items[i].color);
+    EXPECT_EQ(*a.items[i].shape, *b.items[i].shape);
+    EXPECT_EQ(a.items[i].blend, b.items[i].blend);
+  }
+  EXPECT_EQ(a.camera.world, b.camera.world);
+  EXPECT_EQ(a.camera.fov, b.camera.fov);
+}
+
+TEST(World, IsTheProductDownTheChain) {
+  Scene s;
+  const ObjectId car = add(s, "car", Kind::group), wheel = add(s, "car/wheel", Kind::cylinder, car);
+  put_event(s, {car, fn::position}, event(0, Vec3{0, 0, 0}, Twerper::linear));
+  put_event(s, {car, fn::position}, event(2, Vec3{4, 0, 0}));
+  set_value(s, {car, fn::rotation}, Angles{{0, pi / 2, 0}});
+  set_value(s, {car, fn::scale}, Vec3{2, 3, 4});
+  set_value(s, {wheel, fn::position}, Vec3{1, 2, 3});
+  set_value(s, {wheel, fn::attach_position}, Vec3{0.5, 0, 0});
+  set_value(s, {wheel, fn::rotation}, axis_angle({1, 0, 0}, 0.7));
+  set_value(s, {wheel, fn::pivot}, Vec3{0, 1, 0});
+  set_value(s, {wheel, fn::scale}, Vec3{1, 2, 1});
+  const Program p = compile(s);
+  const Mat4 parent = translation({2, 0, 0}) * rotation(axis_angle({0, 1, 0}, pi / 2)) * scaling({2, 3, 4});
+  const Mat4 own = translation({1.5, 2, 3}) * translation({0, 1, 0}) * rotation(axis_angle({1, 0, 0}, 0.7)) *
+                   scaling({1, 2, 1}) * translation({0, -1, 0});
+  expect_near(world(p, car, 1), parent);
+  expect_near(world(p, wheel, 1), parent * own);
+  // By hand: the car's y axis stays up, three times as long; the pivot does not turn: (1.5, 3, 3) in the car.
+  expect_near(transform_point(world(p, wheel, 1), {0, 1, 0}), {2 + 4 * 3, 9, -2 * 1.5});
+  // Free: the place on the parent does not count.
+  Scene free = s;
+  remove_objects(free, {car});
+  expect_near(world(compile(free), wheel, 1), translation({-0.5, 0, 0}) * own);
+}
+
+TEST(World, AnglesTurnAboutXThenYThenZOfTheObject) {
+  Scene s;
+  const ObjectId id = add(s, "ball");
+  set_value(s, {id, fn::rotation}, Angles{{0.3, 0.5, 0.7}});
+  const auto about = [](int i, double a) {
+    Mat4 m;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    m(j, j) = m(k, k) = std::cos(a), m(k, j) = std::sin(a), m(j, k) = -std::sin(a);
+    return m;
+  };
+  expect_near(world(compile(s), id), about(0, 0.3) * about(1, 0.5) * about(2, 0.7));
+}
+
+TEST(World, ChainsMayBeDeepAndParentsYoungerThanChildren) {
+  Scene s;
+  constexpr std::uint32_t n = 100'000;
+  for (std::uint32_t i = 0; i < n; ++i)  // each on the one made after it
+    set_value(s,
+              {add(s, "b" + std::to_string(i), Kind::sphere, i + 1 < n ? ObjectId{i + 1} : ObjectId{}), fn::position},
+              Vec3{0, 1, 0});
+  const Program p = compile(s);
+  const Frame f = p.frame({});
+  ASSERT_EQ(f.items.size(), n);
+  EXPECT_EQ(f.items[0].id, ObjectId{0});
+  EXPECT_EQ(translation_of(f.items[0].world).y, n);
+  EXPECT_EQ(translation_of(f.items[n - 1].world).y, 1);
+}
+
+TEST(Frame, IsTheSameInAnyOrderAndOnAnyThread) {
+  Scene s;
+  std::mt19937 random(3);
+  const auto pick = [&] { return static_cast<double>(random() % 1000) / 100 - 5; };
+  ObjectId last;
+  for (int i = 0; i < 40; ++i) {
+    const ObjectId id = add(s, "b" + std::to_string(i), i % 5 ? Kind::sphere : Kind::box, i % 3 ? last : ObjectId{});
+    last = id;
+    for (int k = 0; k < 6; ++k) {
+      put_event(s, {id, fn::position}, event(k, Vec3{pick(), pick(), pick()}));
+      put_event(s, {id, fn::rotation}, event(k, axis_angle({pick(), pick(), 1}, pick())));
+      put_event(s, {id, fn::color}, event(k, Color{0.1 * k, 0.5, 1}));
+      if (i % 5) put_event(s, {id, fn::radius}, event(k, 6 + pick()));
+    }
+  }
+  const Program p = compile(s);
+  std::vector<Frame> in_order;
+  for (int k = 0; k < 120; ++k) in_order.push_back(p.frame(s.rate.frame(k + 1)));
+  const auto shuffled = [&](unsigned seed) {
+    std::vector<int> order;
+    for (int k = 0; k < 120; ++k) order.push_back(k);
+    std::shuffle(order.begin(), order.end(), std::mt19937(seed));
+    for (int k : order) expect_same(p.frame(s.rate.frame(k + 1)), in_order[static_cast<std::size_t>(k)]);
+  };
+  std::thread other([&] { shuffled(1); });
+  shuffled(2);
+  other.join();
+  const Program fresh = compile(s);  // nobody has asked it for its camera yet: both threads do
+  Frame a, b;
+  std::thread one([&] { a = fresh.frame({}); });
+  b = fresh.frame({});
+  one.join();
+  expect_same(a, b);
+  expect_same(a, in_order[0]);
+}
+
+TEST(Frame, HiddenObjectsStillCarryOthers) {
+  Scene s;
+  const ObjectId car = add(s, "car", Kind::box), wheel = add(s, "wheel", Kind::sphere, car);
+  put_event(s, {car, fn::display}, event(0, true));
+  put_event(s, {car, fn::display}, event(1, false));
+  set_value(s, {car, fn::position}, Vec3{5, 0, 0});
+  const Program p = compile(s);
+  EXPECT_EQ(p.frame({}).items.size(), 2U);
+  const Frame f = p.frame(from_seconds(1));
+  ASSERT_EQ(f.items.size(), 1U);
+  EXPECT_EQ(f.items[0].id, wheel);
+  EXPECT_EQ(translation_of(f.items[0].world).x, 5);
+  EXPECT_EQ(std::get<bool>(p.read({car, fn::display}, from_seconds(0.99))), true);
+}
+
+TEST(Frame, LooksComeFromTheTracks) {
+  Scene s;
+  const ObjectId ball = add(s, "ball"), box = add(s, "box", Kind::box);
+  set_value(s, {box, fn::box_size}, Vec3{1, 2, 3});
+  set_value(s, {ball, fn::transparency}, 7.0);
+  set_value(s, {ball, fn::material}, Text(std::string("metal")));
+  put_event(s, {ball, fn::radius}, event(0, 1.0, Twerper::linear));
+  put_event(s, {ball, fn::radius}, event(2, 3.0));
+  put_event(s, {ball, fn::color}, event(0, Color{0, 0, 0}));
+  put_event(s, {ball, fn::color}, event(2, Color{1, 1, 1}));
+  put_event(s, {ball, fn::geometry}, event(1, box, Twerper::linear));
+  put_event(s, {ball, fn::geometry}, event(2, ObjectId{}));
+  s.background = Color{1, 0, 0.5};
+  s.notes.edit() = {{from_seconds(1), "half way"}};
+  const Program p = compile(s);
+  const Frame f = p.frame(from_seconds(1));
+  const Item& item = f.items[0];
+  EXPECT_EQ(item.shape->kind, Kind::box);
+  EXPECT_EQ(item.shape->size, (Vec3{1, 2, 3}));
+  EXPECT_EQ(item.toward, nullptr);
+  EXPECT_EQ(item.transparency, 1);
+  EXPECT_EQ(item.material, Material::metal);
+  expect_near(item.color, {0.5, 0.5, 0.5});
+  EXPECT_NEAR(std::get<Color>(p.read({ball, fn::color}, from_seconds(1))).g, 0.735356983052449, 1e-12);
+  expect_near(*f.background, {1, 0, 0.21404114048223255});
+  EXPECT_EQ(f.notes, std::vector<std::string>{"half way"});
+  const Frame later = p.frame(from_seconds(1.5));
+  EXPECT_EQ(later.items[0].shape->kind, Kind::box);
+  ASSERT_TRUE(later.items[0].toward);
+  EXPECT_EQ(later.items[0].toward->kind, Kind::sphere);
+  EXPECT_EQ(later.items[0].toward->radius, 2.5);
+  EXPECT_EQ(later.items[0].blend, 0.5);
+  EXPECT_EQ(later.notes.size(), 0U);
+}
+
+TEST(Lights, ReachTimesTheirOwnScale) {
+  Scene s;
+  const ObjectId arm = add(s, "arm", Kind::group), lamp = add(s, "lamp", Kind::light, arm);
+  set_value(s, {arm, fn::scale}, Vec3{10, 10, 10});
+  set_value(s, {lamp, fn::scale}, Vec3{2, 2, 2});
+  set_value(s, {lamp, fn::position}, Vec3{0, 1, 0});
+  set_value(s, {lamp, fn::range}, 7.0);
+  set_value(s, {lamp, fn::intensity}, 3.0);
+  set_value(s, {lamp, fn::color}, Color{1, 0.5, 0});
+  set_value(s, {lamp, fn::shines}, Text(std::string("sun")));
+  const Frame f = compile(s).frame({});
+  ASSERT_EQ(f.lights.size(), 1U);
+  EXPECT_EQ(f.lights[0].range, 14);
+  expect_near(f.lights[0].position, {0, 10, 0});  // scale is inherited by what is coupled
+  expect_near(f.lights[0].color, {3, 3 * 0.21404114048223255, 0});
+  EXPECT_TRUE(f.lights[0].sun);
+  expect_near(f.lights[0].direction, {0, -1, 0});
+}
+
+TEST(Cameras, LookAtPointsAndObjects) {
+  Scene s;
+  const ObjectId eye = add(s, "eye", Kind::camera), ball = add(s, "ball"), lamp = add(s, "lamp", Kind::light, eye);
+  set_value(s, {eye, fn::position}, Vec3{1, 2, 3});
+  set_value(s, {eye, fn::look_at}, ball);
+  set_value(s, {lamp, fn::position}, Vec3{0, 0, -2});
+  put_event(s, {ball, fn::position}, event(0, Vec3{4, 2, 7}, Twerper::linear));
+  put_event(s, {ball, fn::position}, event(1, Vec3{1, 9, 3}));  // straight above the camera
+  const Program p = compile(s);
+  for (double t : {0.0, 0.5, 0.9, 1.0}) {
+    const Camera c = p.frame(from_seconds(t)).camera;
+    const Vec3 target = translation_of(world(p, ball, t)), way = normalize(target - Vec3{1, 2, 3});
+    expect_near(translation_of(c.world), {1, 2, 3});
+    expect_near(transform_vector(c.world, {0, 0, -1}), way);
+    Mat4 transposed;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) transposed(i, k) = c.world(k, i);
+    Mat4 turn = c.world;
+    turn(0, 3) = turn(1, 3) = turn(2, 3) = 0;
+    expect_near(turn * transposed, Mat4{});
+    EXPECT_GT(transform_vector(c.world, {0, 1, 0}).y, t < 1 ? 0 : -1e-9);     // y up as far as may be
+    expect_near(translation_of(world(p, lamp, t)), Vec3{1, 2, 3} + 2 * way);  // turns with the camera
+  }
+  expect_near(look_at({0, 0, 5}, {0, 0, 0}), translation({0, 0, 5}));
+}
+
+TEST(Cameras, LensesAndCuts) {
+  Scene s;
+  const ObjectId a = add(s, "a", Kind::camera), b = add(s, "b", Kind::camera), c = add(s, "c", Kind::camera);
+  set_value(s, {a, fn::lens}, 18.0);
+  set_value(s, {b, fn::fov}, 1.25);
+  set_value(s, {c, fn::camera_height}, 6.0);
+  set_value(s, {c, fn::scale}, Vec3{2, 0, 5});
+  s.cuts.edit() = {{from_seconds(1), b}, {from_seconds(2), c}};
+  const Program p = compile(s);
+  EXPECT_NEAR(p.frame({}).camera.fov, pi / 2, 1e-15);  // 18 mm to each side of an 18 mm lens
+  EXPECT_EQ(p.frame(from_seconds(1)).camera.fov, 1.25);
+  EXPECT_FALSE(p.frame(from_seconds(1.99)).camera.orthographic);
+  const Camera last = p.frame(from_seconds(2)).camera;
+  EXPECT_TRUE(last.orthographic);
+  EXPECT_EQ(last.height, 6);
+  expect_near(last.world, Mat4{});  // rigid, whatever the scale
+}
+
+TEST(Cameras, TheDefaultOneSeesAll) {
+  std::mt19937 random(11);
+  const auto pick = [&](double most) { return most * (static_cast<double>(random() % 1000) / 500 - 1); };
+  for (int round = 0; round < 60; ++round) {
+    Scene s;
+    const Vec3 spread{std::pow(10, pick(2)), std::pow(10, pick(2)), std::pow(10, pick(2))};
+    for (int i = 0; i < 6; ++i) {
+      const ObjectId id = add(s, "b" + std::to_string(i), Kind::box);
+      set_value(s, {id, fn::box_size}, Vec3{0.01, 0.01, 0.01});
+      set_value(s, {id, fn::position}, spread * Vec3{pick(1), pick(1), pick(1)} + Vec3{5, -7, 100});
+    }
+    const Frame f = compile(s).frame({});
+    const double across = std::tan(f.camera.fov / 2), up = across * 9 / 16;
+    for (const Item& item : f.items) {
+      const Vec3 from = translation_of(item.world) - translation_of(f.camera.world);
+      const auto along = [&](Vec3 axis) { return dot(from, transform_vector(f.camera.world, axis)); };
+      const double depth = -along({0, 0, 1});
+      ASSERT_GT(depth, 0);
+      EXPECT_LT(std::abs(along({1, 0, 0})), across * depth);
+      EXPECT_LT(std::abs(along({0, 1, 0})), up * depth);
+    }
+  }
+  EXPECT_NEAR(compile(Scene{}).frame({}).camera.fov, 2 * std::atan(36.0 / 70), 1e-15);
+}
+
+TEST(Components, SplittingATrackKeepsEveryValue) {
+  const auto check = [](FunctionId f, std::vector<Event> events, bool srgb, int component) {
+    Scene a;
+    const ObjectId id = add(a, "ball");
+    for (Event& e : events) put_event(a, {id, f}, std::move(e));
+    Track* t = edit_track(a, {id, f});
+    t->srgb = srgb;
+    t->before = Extend::bounce, t->after = Extend::linear;
+    Scene b = a;
+    ASSERT_TRUE(edit_track(b, {id, f, component}));
+    EXPECT_EQ(edit_track(b, {id, f}), nullptr);
+    EXPECT_EQ(tracks_of(b, {id, f}).size(), 3U);
+    const Document whole(std::make_shared<const Scene>(a)), parts(std::make_shared<const Scene>(b));
+    const Program p = Program::compile(whole), q = Program::compile(parts);
+    for (double s = -3; s < 6; s += 0.05) {
+      const auto x = numbers(p.read({id, f}, from_seconds(s))), y = numbers(q.read({id, f}, from_seconds(s)));
+      ASSERT_EQ(x.size(), y.size());
+      for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], y[i], 1e-12) << s;
+    }
+  };
+  Event cut = event(2, Vec3{3, 1, 4});
+  cut.detail.edit().before = Value(Vec3{0, 0, 9});
+  Event eased = event(1, Vec3{2, 5, -1}, Twerper::hermite);
+  eased.detail.edit().ease_in = from_seconds(0.3);
+  eased.detail.edit().tangent_out = Value(Vec3{1, 2, 3});
+  check(fn::position, {event(0, Vec3{1, 2, 3}), eased, cut, event(4, Vec3{})}, false, 1);
+  check(fn::rotation, {event(0, Angles{{0, 1, 9}}), event(1, Angles{{2, 2, 2}}), event(3, Angles{})}, false, 2);
+  for (const bool srgb : {false, true})
+    check(fn::color,
+          {event(0, Color{0, 0.5, 1}), event(1, Color{1, 0.2, 0}, Twerper::smooth), event(3, Color{0, 1, 0})}, srgb, 0);
+}
+
+TEST(Read, GivesEveryTypeBack) {
+  Scene s;
+  s.defined.edit().push_back({"mood", Type::scalar, 3.5, 0xffffffff, Unit::none, {}});
+  const auto mood = static_cast<FunctionId>(built_in_functions().size());
+  const ObjectId id = add(s, "words", Kind::text), line = add(s, "line", Kind::polyline);
+  set_value(s, {id, fn::text}, Text(std::string("hello")));
+  using V = std::vector<Vec3>;
+  put_event(s, {line, fn::points}, event(0, Points(V{{0, 0, 0}, {1, 0, 0}}), Twerper::linear));
+  put_event(s, {line, fn::points}, event(1, Points(V{{0, 2, 0}, {3, 0, 0}})));
+  const Program p = compile(s);
+  EXPECT_EQ(*std::get<Text>(p.read({id, fn::text}, {})), "hello");
+  EXPECT_EQ(*std::get<Points>(p.read({line, fn::points}, from_seconds(0.5))), (V{{0, 1, 0}, {2, 0, 0}}));
+  EXPECT_EQ(std::get<double>(p.read({id, mood}, {})), 3.5);
+  EXPECT_EQ(std::get<double>(p.read({id, fn::scale, 1}, {})), 1);
+  EXPECT_EQ(numbers(p.read({id, world_function}, {})).size(), 16U);
+  EXPECT_EQ(numbers(Reading(true)), std::vector<double>{1});
+  EXPECT_TRUE(numbers(Reading(Text())).empty());
+}
+
+TEST(Extent, HoldsTheShape) {
+  Shape s;
+  s.kind = Kind::torus;
+  EXPECT_EQ(extent(s).high, (Vec3{1.3, 0.3, 1.3}));
+  s.kind = Kind::plane;
+  s.size = {4, 2, 1};
+  EXPECT_EQ(extent(s).low, (Vec3{-2, -1, 0}));
+  s.kind = Kind::points;
+  s.width = 0.5;
+  s.points = Points(std::vector<Vec3>{{1, 2, 3}, {-1, 5, 0}});
+  EXPECT_EQ(extent(s).low, (Vec3{-1.25, 1.75, -0.25}));
+  EXPECT_EQ(extent(s).high, (Vec3{1.25, 5.25, 3.25}));
+  s.points = Points();
+  EXPECT_TRUE(extent(s).empty());
+  s.kind = Kind::mesh;
+  EXPECT_TRUE(extent(s).empty());
+}
+
+}  // namespace
+}  // namespace betwixt
