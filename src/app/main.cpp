@@ -66,7 +66,11 @@ int run(int argc, char** argv) {
                asked.empty() ? "" : asked.front()->get_name() + " ");
     return wrong_call;
   }
-  if (!app.get_subcommands().empty()) return exit_code;
+  if (!app.get_subcommands().empty()) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      return complain(fail(Code::machine, "the answer cannot be written to standard output"), machine_failed);
+    return exit_code;
+  }
   fmt::print(stderr, "{}", app.help());
   return wrong_call;
 }

@@ -51,6 +51,12 @@ void add_tidy(CLI::App& app, int& exit_code) {
   sub->add_flag("--write", *write, "put it in place of the script instead of printing it");
   sub->footer("Example:\n  betwixt tidy examples/bounce.bx --write");
   sub->callback([file, write, &exit_code] {
+    std::error_code ignored;
+    if (std::filesystem::exists(*file, ignored) && !std::filesystem::is_directory(*file, ignored) &&
+        !std::filesystem::is_regular_file(*file, ignored)) {  // read twice, a pipe would be empty
+      exit_code = complain(fail(Code::file, fmt::format("'{}': only a file can be tidied", *file)), wrong_call);
+      return;
+    }
     if (!open_script(*file)) {
       exit_code = wrong_input;  // a script that cannot be read is left alone
       return;

@@ -209,7 +209,9 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
       std::swap(before, row);
       std::swap(row, next);
     }
-    if (row[c.size()] < best) {
+    // Of two that are as near, the one that begins the same.
+    const bool begins = !c.empty() && c[0] == word[0] && !found.empty() && found[0] != word[0];
+    if (row[c.size()] < best || (row[c.size()] == best && begins)) {
       best = row[c.size()];
       found = c;
     }

@@ -33,6 +33,7 @@ bool Cursor::fail(Code code, std::string message, std::string_view about, std::s
 }
 
 bool Cursor::fail_here(Code code, std::string message, std::string hint) {
+  while (at < end && (*at == ' ' || *at == '\t')) ++at;
   const char* start = at;
   const std::string_view w = peek_word();
   return fail(code, std::move(message), w.empty() ? std::string_view(start, at < end ? 1 : 0) : w, std::move(hint));

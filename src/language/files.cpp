@@ -52,12 +52,18 @@ Result<std::string> contents(const fs::path& path) {
   return text;
 }
 
+// Without links and dots; of a file that is not there too, wherever the program was started.
+fs::path real_path(const fs::path& path, std::error_code& why) {
+  const fs::path whole = fs::absolute(path, why);
+  return why ? path : fs::weakly_canonical(whole, why);
+}
+
 }  // namespace
 
 bool Reader::may_read(const fs::path& path) const {
   if (options_.read_anywhere) return true;
   std::error_code why;
-  const fs::path real = fs::weakly_canonical(path, why);
+  const fs::path real = real_path(path, why);
   if (why) return false;
   const auto [end, _] = std::mismatch(root_.begin(), root_.end(), real.begin(), real.end());
   return end == root_.end();
@@ -66,7 +72,7 @@ bool Reader::may_read(const fs::path& path) const {
 // The path as people know it: relative to the first script's folder.
 std::string Reader::shown(const fs::path& path) const {
   std::error_code why;
-  const fs::path real = fs::weakly_canonical(path, why);
+  const fs::path real = real_path(path, why);
   const fs::path below = real.lexically_relative(root_);
   return below.empty() || why ? path.string() : below.string();
 }
@@ -78,7 +84,7 @@ void Reader::read_file(const std::string& path) {
     return;
   }
   std::error_code ignored;
-  open_files_.push_back(fs::weakly_canonical(path, ignored));
+  open_files_.push_back(real_path(path, ignored));
   read_text(*text, path);
   open_files_.pop_back();
 }
@@ -100,7 +106,7 @@ bool Reader::use(Cursor& c) {
     return c.fail(Code::file, fmt::format("'{}' lies outside the script's folder", name), about,
                   "--read-anywhere allows it");
   std::error_code ignored;
-  const fs::path real = fs::weakly_canonical(path, ignored);
+  const fs::path real = real_path(path, ignored);
   if (std::find(open_files_.begin(), open_files_.end(), real) != open_files_.end())
     return c.fail(Code::file, fmt::format("'{}' comes to include itself", name), about);
   if (open_files_.size() >= 64) return c.fail(Code::file, "files are included more than 64 deep", about);

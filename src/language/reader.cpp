@@ -416,24 +416,30 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
       }
       for (FunctionId f : found) {
         const FunctionSpec& spec = spec_of(s, f);
-        int part = -1;
-        if (!component.empty()) {
+        std::vector<int> parts;
+        if (component.empty()) {
+          parts.push_back(-1);
+        } else {
           if (component == "velocity" || component.ends_with(".velocity"))
             return c.fail(Code::name, "velocities are not in this version of Betwixt",
                           component.substr(component.size() - 8));
-          part = find_component(spec.type, component);
-          if (part < 0) {
-            if (component_count(spec.type) == 0)
-              return c.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
-                            component);
+          if (component_count(spec.type) == 0)
+            return c.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
+                          component);
+          const auto words = expand_braces(component, 100);
+          if (!words) return c.fail(words.error().code, words.error().message, component);
+          for (const auto& w : *words)
+            for (int i = 0; i < component_count(spec.type); ++i)
+              if (matches(w, component_name(spec.type, i)) && std::find(parts.begin(), parts.end(), i) == parts.end())
+                parts.push_back(i);
+          if (parts.empty())
             return c.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, component.substr(0, 40)),
                           component,
                           spec.type == Type::color  ? "components are r, g and b"
                           : spec.type == Type::pair ? "components are x and y"
                                                     : "components are x, y and z");
-          }
         }
-        if (!out.spec) out.spec = &spec, out.component = part;
+        if (!out.spec) out.spec = &spec, out.component = parts[0];
         if (!world_too && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {
           if (many_functions)
             return c.fail(Code::type,
@@ -442,7 +448,7 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
                           function_text);
           continue;
         }
-        out.targets.push_back({id, f, part});
+        for (int part : parts) out.targets.push_back({id, f, part});
       }
     }
   }
