@@ -74,7 +74,7 @@ bool is_name(std::string_view s) {
   for (std::size_t i = 1; i < s.size(); ++i) {
     const char c = s[i];
     if (!letter(c) && !digit(c) && c != '-' && c != '_' && c != '/') return false;
-    if (c == '/' && !letter(s[i + 1])) return false;
+    if (c == '/' && !letter(s[i + 1]) && !digit(s[i + 1])) return false;
   }
   return true;
 }

@@ -99,7 +99,7 @@ bool Reader::use(Cursor& c) {
     name = c.word();
   }
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
-  if (name.empty()) return c.fail_here(Code::syntax, "the name of a file is missing here");
+  if (name.empty()) return c.fail(Code::syntax, "the name of a file is missing here", about);
   if (!finish(c)) return false;
   const fs::path path = source_.folder / name;
   if (!may_read(path))

@@ -130,6 +130,7 @@ class Tidier {
       } else if (c_.word().empty()) {
         ++c_.at;
       }
+      if (c_.at - from == 1 && ch == '#') return false;  // no colour, and with a space behind it a comment
       line.tokens.push_back({shortest({from, static_cast<std::size_t>(c_.at - from)}), false, fresh && c_.depth > 0});
       fresh = false;
     }

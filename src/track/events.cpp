@@ -39,11 +39,12 @@ void Events::put(Event event) {
 
 std::size_t Events::erase(Time from, Time to) {
   std::size_t removed = 0;
-  for (auto& chunk : chunks_) {
-    if (chunk->back().time < from || chunk->front().time > to) continue;
-    removed += std::erase_if(chunk.edit(), [&](const Event& e) { return e.time >= from && e.time <= to; });
-  }
-  if (removed > 0) std::erase_if(chunks_, [](const Cow<Chunk>& c) { return c->empty(); });
+  const std::size_t first = chunk_of(from);
+  std::size_t last = first;
+  for (; last < chunks_.size() && chunks_[last]->front().time <= to; ++last)
+    removed += std::erase_if(chunks_[last].edit(), [&](const Event& e) { return e.time >= from && e.time <= to; });
+  const auto at = [&](std::size_t i) { return chunks_.begin() + static_cast<std::ptrdiff_t>(i); };
+  chunks_.erase(std::remove_if(at(first), at(last), [](const Cow<Chunk>& c) { return c->empty(); }), at(last));
   size_ -= removed;
   return removed;
 }

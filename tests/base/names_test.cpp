@@ -17,8 +17,8 @@ std::vector<std::string> expanded(std::string_view s) {
 }
 
 TEST(Names, AreLettersDigitsAndSlashes) {
-  for (const char* yes : {"a", "ball", "Ball2", "car/wheel", "a-b_c/d9", "x-"}) EXPECT_TRUE(is_name(yes)) << yes;
-  for (const char* no : {"", "2ball", "-a", "/a", "a/", "a//b", "a/2", "a.b", "a b", "b\xc3\xa4r", "_a", "a*"})
+  for (const char* yes : {"a", "ball", "Ball2", "car/wheel", "a-b_c/d9", "x-", "a/2"}) EXPECT_TRUE(is_name(yes)) << yes;
+  for (const char* no : {"", "2ball", "-a", "/a", "a/", "a//b", "a.b", "a b", "b\xc3\xa4r", "_a", "a*"})
     EXPECT_FALSE(is_name(no)) << no;
   EXPECT_TRUE(is_name(std::string(1000, 'a')));
   EXPECT_FALSE(is_name(std::string(1001, 'a')));
