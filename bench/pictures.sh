@@ -21,15 +21,16 @@ timed() {
   wall=$(awk -v a="$begun" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }')
 }
 
+# betwixt_film SCRIPT NAME SAMPLES
 betwixt_film() {
-  timed "$program" render "$here/spheres.bx" -o "$folder/a.mp4" --size 960x540 --stats
-  note betwixt.process "$wall"
+  timed "$program" render "$here/$1" -o "$folder/a.mp4" --size 960x540 --samples "$3" --stats
   # painting P s (… ms a frame), encoding E s (…), in all A ms a frame
-  sed -nE 's/.*painting .*\(([0-9.]+) ms.*encoding .*\(([0-9.]+) ms.*in all ([0-9.]+) ms.*/\1 \2 \3/p' "$folder/said" >"$folder/parts"
-  read -r painting encoding all <"$folder/parts"
-  echo "$painting" >>"$folder/betwixt.pictures"
-  echo "$encoding" >>"$folder/betwixt.encoding"
-  echo "$all" >>"$folder/betwixt.film"
+  read -r painting encoding all < <(sed -nE \
+    's/.*painting .*\(([0-9.]+) ms.*encoding .*\(([0-9.]+) ms.*in all ([0-9.]+) ms.*/\1 \2 \3/p' "$folder/said")
+  echo "$painting" >>"$folder/$2-$3.pictures"
+  echo "$encoding" >>"$folder/$2-$3.encoding"
+  echo "$all" >>"$folder/$2-$3.film"
+  [ "$2" != betwixt ] || note "$2-$3.process" "$wall"
 }
 
 # workbench MODE SAMPLES
@@ -40,28 +41,38 @@ workbench() {
 }
 
 for ((i = 0; i < times; i++)); do
-  betwixt_film
-  workbench film 8
-  betwixt_film
-  workbench pictures 8
-  betwixt_film
-  workbench pictures 5
-  betwixt_film
-  workbench pictures OFF
+  for samples in 8 5 OFF; do
+    for mode in pictures film; do
+      betwixt_film spheres.bx betwixt 4
+      betwixt_film spheres.bx betwixt 1
+      workbench $mode $samples
+    done
+  done
+  betwixt_film ../examples/menagerie.bx menagerie 4
   printf '.' >&2
 done
 echo >&2
 
 # summary WHAT: minimum and median.
 summary() { sort -n "$folder/$1" | awk '{ v[NR] = $1 } END { print v[1], v[int((NR + 1) / 2)] }'; }
-for film in a b; do
-  echo "$film.mp4: $(ffprobe -v error -count_frames -show_entries stream=codec_name,width,height,nb_read_frames -of csv=p=0 "$folder/$film.mp4")"
-done
-printf '%-36s %9s %9s   %s\n' "ms a frame, 200 spheres, 960x540" minimum median "times betwixt (minimum, median)"
+echo "b.mp4: $(ffprobe -v error -count_frames -show_entries stream=codec_name,width,height,nb_read_frames -of csv=p=0 "$folder/b.mp4")"
+printf '%-28s %9s %9s   %s\n' "ms a frame, 960x540" minimum median "times betwixt's (minimum, median)"
+# row WHAT [OWN]: beside our own where given.
 row() {
   read -r least median < <(summary "$1")
-  read -r own_least own_median < <(summary "betwixt.${1##*.}")
-  awk -v w="$1" -v a="$least" -v b="$median" -v c="$own_least" -v d="$own_median" \
-    'BEGIN { printf "%-36s %9.1f %9.1f   %.1f %.1f\n", w, a, b, a / c, b / d }'
+  read -r own_least own_median < <(summary "${2:-$1}")
+  awk -v w="$1" -v o="${2-}" -v a="$least" -v b="$median" -v c="$own_least" -v d="$own_median" 'BEGIN {
+    printf "%-28s %9.1f %9.1f", w, a, b
+    if (o != "") printf "   %4.1f %4.1f  (%s)", a / c, b / d, o
+    print ""
+  }'
 }
-for what in betwixt.{pictures,encoding,film,process} workbench-{8,5,OFF}.pictures workbench-8.{film,process}; do row "$what"; done
+for samples in 4 1; do
+  for what in pictures encoding film process; do row betwixt-$samples.$what; done
+done
+for samples in 8 5 OFF; do
+  own=betwixt-4
+  [ $samples != OFF ] || own=betwixt-1
+  for what in pictures film process; do row workbench-$samples.$what $own.$what; done
+done
+for what in pictures encoding film; do row menagerie-4.$what; done
