@@ -25,7 +25,8 @@ struct Loaded {
 Loaded load_file(const std::string& path, const LoadOptions& = {});
 Loaded load_text(std::string_view text, const std::string& name, const LoadOptions& = {});
 
-// The same script in canonical form; comments and commands stay. A text with errors comes back as it was.
+// The same script in canonical form; comments and commands stay. A text whose words, brackets or rows cannot be told
+// apart comes back as it was; whether its commands can be carried out is not asked.
 std::string tidy(std::string_view text);
 
 // A script that makes this document: load_text(write(d)) == d.
