@@ -86,7 +86,7 @@ int eval(const Asked& asked) {
   if (!document) return wrong_input;
   std::vector<std::pair<std::string, Time>> times;
   for (const auto& text : asked.times) {
-    const auto t = parse_time(text, *document);
+    const auto t = read_time(text, *document, "--at");
     if (!t) return complain(t.error(), wrong_call);
     times.emplace_back(text, *t);
   }

@@ -15,6 +15,17 @@ namespace {
 
 std::vector<std::string_view> twerper_words() { return {twerper_names.begin() + 1, twerper_names.end()}; }
 
+// Would an aim's separate numbers meet an object?
+bool mixes_aims(const Scene& s, const Target& t, const Value& v) {
+  const Slot* slot = s.objects[t.object.index].find(t.function);
+  if (!slot) return false;
+  if (t.component < 0) return !slot->components.empty() && std::holds_alternative<ObjectId>(v);
+  bool any = false;
+  slot->track->events.each(
+      [&](const Event& e) { any = any || (!e.keep && std::holds_alternative<ObjectId>(e.value)); });
+  return any;
+}
+
 }  // namespace
 
 // A twerper's word and what stands in brackets behind it.
@@ -73,6 +84,7 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
   Event e;
   e.time = time;
   c.space();
+  const char* value_at = c.at;
   if (c.peek() == '=') return c.fail_here(Code::name, "procedures are not in this version of Betwixt");
   if (c.peek() == 'k' && c.peek_word() == "keep") {
     c.word();
@@ -90,6 +102,7 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
       e.value = std::move(after);
     }
   }
+  const std::string_view about(value_at, static_cast<std::size_t>(c.at - value_at));
   bool chosen = false;
   while (!c.at_line_end()) {
     const char* start = c.at;
@@ -120,12 +133,17 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
     chosen = true;
   }
   if (e.keep && !chosen) return c.fail_here(Code::syntax, "keep needs a twerper, as in keep linear");
-  return put(to, std::move(e), c);
+  return put(to, std::move(e), c, about);
 }
 
-bool Reader::put(const Selected& to, Event event, Cursor& c) {
+bool Reader::put(const Selected& to, Event event, Cursor& c, std::string_view about) {
   const bool rotation = to.type() == Type::rotation && !event.keep;
   for (const Target& t : to.targets) {
+    if (to.spec->type == Type::aim && !event.keep && mixes_aims(s, t, event.value))
+      return c.fail(Code::type,
+                    fmt::format("'{}' cannot hold both objects and separate numbers",
+                                Document(std::make_shared<const Scene>(s)).name(t)),
+                    about, "write all of it as points (x y z)");
     if (!rotation && to.component < 0) break;
     const auto tracks = tracks_of(s, t);
     if (tracks.empty()) continue;
@@ -135,16 +153,15 @@ bool Reader::put(const Selected& to, Event event, Cursor& c) {
     // Components of an orientation are nothing an animator would know.
     if ((to.component >= 0 && slot->components.empty() && orientation) ||
         (rotation && to.component < 0 && !slot->components.empty() && std::holds_alternative<Quat>(event.value)))
-      return c.fail_here(Code::type,
-                         fmt::format("'{}' cannot hold both orientations and separate angles",
-                                     Document(std::make_shared<const Scene>(s)).name(t)),
-                         "write all of it as euler(x y z), or all as axis(…) or quat(…)");
+      return c.fail(Code::type,
+                    fmt::format("'{}' cannot hold both orientations and separate angles",
+                                Document(std::make_shared<const Scene>(s)).name(t)),
+                    about, "write all of it as euler(x y z), or all as axis(…) or quat(…)");
     Sheet& sheet = source_.sheet;
     if (rotation && to.component < 0 && !tracks[0]->events.empty() &&
         orientation != std::holds_alternative<Quat>(event.value) && !sheet.warned) {
       note(Severity::warning,
-           "this track mixes angles and orientations: all are read as orientations, and whole turns are lost",
-           to.text.data() ? std::string_view(c.at, 0) : to.text,
+           "this track mixes angles and orientations: all are read as orientations, and whole turns are lost", about,
            "write euler(x y z) for all of them, or axis(…) or quat(…)");
       sheet.warned = true;
     }

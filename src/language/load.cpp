@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "base/names.h"
 #include "exchange/geometry.h"
 #include "language/reader.h"
 #include "program/code.h"
@@ -101,7 +102,20 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
     }
     return out;
   }
+  if (word.find('.') == std::string_view::npos) {  // meant as an object, but there is none
+    if (is_pattern(word) || scene.aliases->contains(std::string(word))) return out;
+    const auto names = d.names();
+    return fail(Code::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
+                did_you_mean(word, {names.begin(), names.end()}));
+  }
   if (!reader.targets(c, word, found, true)) return c.error.value_or(fail(Code::name, "this names nothing"));
+  const Program program = found.component < 0 ? Program() : Program::compile(d);
+  for (const Target& t : found.targets)
+    if (t.component >= 0 && program.compiled().find(t.object.index, t.function).orientation)
+      return fail(Code::type,
+                  fmt::format("'{}' holds orientations, which have no separate angles",
+                              d.name(Target{t.object, t.function, -1})),
+                  "ask for the whole of it");
   return found.targets;
 }
 

@@ -83,17 +83,15 @@ bool Reader::copy(Cursor& c) {
   if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a time are missing here");
   if (!c.time(start)) return false;
   std::string_view onto = word;
-  if (c.accept_word("on")) {
-    c.space();
-    onto = c.word();
-    if (!targets(c, onto, into)) return false;
-  } else {
-    into = from;
-  }
+  into = from;
   std::optional<Value> shift;
   long times = 1;
   while (!c.at_line_end()) {
-    if (c.accept_word("times")) {
+    if (c.accept_word("on")) {
+      c.space();
+      onto = c.word();
+      if (!targets(c, onto, into)) return false;
+    } else if (c.accept_word("times")) {
       if (!c.whole_number(1, 1'000'000, "times", times)) return false;
     } else if (c.accept_word("shift")) {
       if (!from.spec) from.spec = &built_in_functions()[fn::position];
@@ -340,6 +338,13 @@ bool Reader::spread(Cursor& c) {
   const auto way = add_scaled(to, from, -1);
   const bool turn = std::holds_alternative<Quat>(from) && std::holds_alternative<Quat>(to);
   if (!way && !turn) return c.fail(Code::type, fmt::format("{} cannot be spread", to_string(on.type())), word);
+  const auto has_events = [&](const Target& t) {
+    const auto tracks = tracks_of(s, t);
+    return std::any_of(tracks.begin(), tracks.end(), [](const Track* track) { return !track->events.empty(); });
+  };
+  if (std::any_of(on.targets.begin(), on.targets.end(), has_events))
+    note(Severity::warning, "values of tracks that have events are not seen", word,
+         "spread lays out the values that hold without events");
   const double last = static_cast<double>(std::max<std::size_t>(on.targets.size(), 2) - 1);
   for (std::size_t i = 0; i < on.targets.size(); ++i) {
     const double k = static_cast<double>(i) / last;

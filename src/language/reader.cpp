@@ -443,8 +443,10 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
         if (!world_too && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {
           if (many_functions)
             return c.fail(Code::type,
-                          fmt::format("these functions have values of different types: {} is {}, {} is {}",
-                                      out.spec->name, to_string(out.spec->type), spec.name, to_string(spec.type)),
+                          spec.type == out.spec->type
+                              ? fmt::format("{} and {} are measured in different units", out.spec->name, spec.name)
+                              : fmt::format("these functions have values of different types: {} is {}, {} is {}",
+                                            out.spec->name, to_string(out.spec->type), spec.name, to_string(spec.type)),
                           function_text);
           continue;
         }

@@ -61,7 +61,7 @@ class Reader {
   bool event(Cursor& c, const Selected& to, Time time);
   bool twerper(Cursor& c, const Selected& to, Twerper& out, std::array<double, 4>& bezier);
   bool tangent(Cursor& c, const Selected& to, std::string_view key, Event& event);
-  bool put(const Selected& to, Event event, Cursor& c);
+  bool put(const Selected& to, Event event, Cursor& c, std::string_view about);
   bool at(Cursor& c);
   bool set(Cursor& c);
   bool global_twerper(Cursor& c);

@@ -49,8 +49,13 @@ struct Compiler {
       code.curves.push_back({code.set.add(track, type, component), offset});
       ++b.curves;
     };
+    const auto point = [&] {
+      b = place(slot.function, Vec3{}, spec.type);
+      b.first_curve = static_cast<std::uint32_t>(code.curves.size());
+    };
     for (std::size_t i = 0; i < slot.components.size(); ++i) {
       const Track& t = *slot.components[i];
+      if (b.channels == 0 && has_values(t)) point();  // an aim at an object gives way to numbers
       // Components of colours blend as colours do, in light.
       const Type type = spec.type == Type::color ? Type::color : component_type(spec.type);
       if (has_values(t)) add(t, type, b.offset + static_cast<std::uint32_t>(i), true);
@@ -62,8 +67,7 @@ struct Compiler {
       code.steps.emplace_back(*slot.track, spec.type);
       return b;
     }
-    if (b.channels == 0)
-      b = place(slot.function, Vec3{}, spec.type), b.first_curve = static_cast<std::uint32_t>(code.curves.size());
+    if (b.channels == 0) point();
     // Events that are all points of the world are a vector's; the same twerpers suit them.
     add(*slot.track, spec.type == Type::aim ? Type::vector : spec.type, b.offset);
     b.channels = code.curves.back().curve.channels;

@@ -353,7 +353,11 @@ Reading read_one(const Target& target, Moment& m) {
   if (target.function == world_function) return m.worlds()[c.node_of[target.object.index]];
   const Binding& b = c.find(target.object.index, target.function);
   const Type type = spec_of(c.document.scene(), target.function).type;
-  if (b.channels == 0) return read_value(target, b, type, m);
+  if (b.channels == 0) {
+    Reading r = read_value(target, b, type, m);
+    if (const auto* p = std::get_if<Vec3>(&r); p && target.component >= 0) return (*p)[target.component];
+    return r;
+  }
   double n[4];
   c.evaluate(b, m.t, n);
   const auto whole = [&]() -> Reading {

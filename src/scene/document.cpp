@@ -214,6 +214,7 @@ double component_of(const Value& v, int component) {
 }
 
 Value with_component(Value v, int component, double number) {
+  if (std::holds_alternative<ObjectId>(v)) v = Vec3{};  // an aim at an object becomes one at a point
   if (auto* p = std::get_if<Vec3>(&v)) (*p)[component] = number;
   if (auto* a = std::get_if<Angles>(&v)) a->xyz[component] = number;
   if (auto* c = std::get_if<Color>(&v)) (component == 0 ? c->r : component == 1 ? c->g : c->b) = number;

@@ -93,6 +93,7 @@ int component_count(Type type) {
     case Type::vector:
     case Type::color:
     case Type::rotation:
+    case Type::aim:
       return 3;
     default:
       return 0;
