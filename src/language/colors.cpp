@@ -163,6 +163,11 @@ constexpr std::pair<std::string_view, std::uint32_t> table[] = {
 
 }  // namespace
 
+Color from_bytes(std::uint32_t rgb) {
+  return {static_cast<double>(rgb >> 16 & 255) / 255, static_cast<double>(rgb >> 8 & 255) / 255,
+          static_cast<double>(rgb & 255) / 255};
+}
+
 std::optional<std::uint32_t> named_color(std::string_view name) {
   const auto at = std::lower_bound(std::begin(table), std::end(table), name,
                                    [](const auto& e, std::string_view n) { return e.first < n; });

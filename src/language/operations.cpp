@@ -48,6 +48,13 @@ bool Reader::operate(Cursor& c, const Selected& on, std::string_view about, bool
   return true;
 }
 
+// TARGET A..B
+bool Reader::on_segment(Cursor& c, std::string_view& word, Selected& on, Segment& segment) {
+  c.space();
+  word = c.word();
+  return targets(c, word, on) && c.segment(segment.from, segment.to);
+}
+
 // A number for all components, or one for each.
 bool Reader::operand(Cursor& c, const Selected& on, Value& out) {
   c.space();
@@ -182,10 +189,9 @@ bool Reader::copy(Cursor& c) {
 bool Reader::move(Cursor& c) {
   Selected on;
   Segment segment;
+  std::string_view word;
   Time by;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!on_segment(c, word, on, segment)) return false;
   if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
   return operate(c, on, word, true, [&](Track& t, int) { return move_segment(t, segment, by); });
@@ -194,10 +200,9 @@ bool Reader::move(Cursor& c) {
 bool Reader::stretch(Cursor& c) {
   Selected on;
   Segment segment;
+  std::string_view word;
   double factor = 1;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!on_segment(c, word, on, segment)) return false;
   if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a factor are missing here");
   c.space();
   const char* at = c.at;
@@ -211,19 +216,17 @@ bool Reader::stretch(Cursor& c) {
 bool Reader::reverse(Cursor& c) {
   Selected on;
   Segment segment;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  std::string_view word;
+  if (!on_segment(c, word, on, segment)) return false;
   return operate(c, on, word, true, [&](Track& t, int) { return reverse_segment(t, segment); });
 }
 
 bool Reader::scale(Cursor& c) {
   Selected on;
   Segment segment;
+  std::string_view word;
   Value by;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!on_segment(c, word, on, segment)) return false;
   if (!on.spec) on.spec = &built_in_functions()[fn::position];
   Selected factors = on;  // factors have no unit
   FunctionSpec plain = *on.spec;
@@ -237,10 +240,9 @@ bool Reader::scale(Cursor& c) {
 bool Reader::translate(Cursor& c) {
   Selected on;
   Segment segment;
+  std::string_view word;
   Value by;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, on) || !c.segment(segment.from, segment.to)) return false;
+  if (!on_segment(c, word, on, segment)) return false;
   if (!on.spec) on.spec = &built_in_functions()[fn::position];
   FunctionSpec free = *on.spec;
   free.low = -1e300, free.high = 1e300;
@@ -252,12 +254,10 @@ bool Reader::translate(Cursor& c) {
 bool Reader::rotate(Cursor& c) {
   Selected on;
   Segment segment;
+  std::string_view word;
   double angle = 0;
   Vec3 axis, centre;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, on) || !c.segment(segment.from, segment.to) || !c.angle(angle) || !values(c).axis(axis))
-    return false;
+  if (!on_segment(c, word, on, segment) || !c.angle(angle) || !values(c).axis(axis)) return false;
   if (c.accept('@') && !values(c).vector(3, centre, Unit::metres)) return false;
   const Type type = on.spec ? on.type() : Type::vector;
   if (type != Type::vector && type != Type::orientation && type != Type::rotation && type != Type::aim)

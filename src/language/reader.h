@@ -11,6 +11,7 @@
 
 #include "betwixt/language.h"
 #include "language/values.h"
+#include "track/operations.h"
 
 namespace betwixt {
 
@@ -22,6 +23,9 @@ struct Selected {
   std::string_view text;
   Type type() const { return component < 0 ? spec->type : component_type(spec->type); }
 };
+
+// Where the dot between an object's name and its function is; dots inside braces ({1..100}) are not.
+std::size_t first_dot(std::string_view word);
 
 class Reader {
  public:
@@ -108,6 +112,7 @@ class Reader {
   bool spread(Cursor& c);
   template <class F>
   bool operate(Cursor& c, const Selected& on, std::string_view about, bool moves_times, F&& f);
+  bool on_segment(Cursor& c, std::string_view& word, Selected& on, Segment& segment);
   bool operand(Cursor& c, const Selected& on, Value& out);
 
   // files.cpp

@@ -22,11 +22,6 @@ int hex(char c) {
   return -1;
 }
 
-Color from_bytes(std::uint32_t rgb) {
-  return {static_cast<double>(rgb >> 16 & 255) / 255, static_cast<double>(rgb >> 8 & 255) / 255,
-          static_cast<double>(rgb & 255) / 255};
-}
-
 Color from_hsv(double turns, double s, double v) {
   const double h = (turns - std::floor(turns)) * 6;
   const auto channel = [&](double n) {
@@ -394,83 +389,6 @@ bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, Fun
       break;
   }
   return c.fail_here(Code::type, missing(type));
-}
-
-std::string write_number(double v) { return v == 0 ? "0" : fmt::format("{}", v); }
-
-std::string write_text(const std::string& s) {
-  std::string out = "\"";
-  for (char ch : s) {
-    if (ch == '"' || ch == '\\') out += '\\';
-    if (ch == '\n')
-      out += "\\n";
-    else if (ch == '\t')
-      out += "\\t";
-    else
-      out += ch;
-  }
-  return out + "\"";
-}
-
-std::string write_vector(Vec3 v, int numbers) {
-  std::string out = "(";
-  for (int i = 0; i < numbers; ++i) out += (i ? " " : "") + write_number(v[i]);
-  return out + ")";
-}
-
-std::string write_color(Color c) {
-  std::uint32_t rgb = 0;
-  for (double v : {c.r, c.g, c.b})
-    rgb = rgb << 8 | static_cast<std::uint32_t>(std::lround(std::min(1.0, std::max(0.0, v)) * 255));
-  if (from_bytes(rgb) == c) {
-    const auto name = name_of_color(rgb);
-    return name.empty() ? fmt::format("#{:06x}", rgb) : std::string(name);
-  }
-  return "rgb" + write_vector({c.r, c.g, c.b});
-}
-
-namespace {
-
-// An angle in degrees, if that reads back to the same radians; else in radians.
-std::string write_angle(double radians) {
-  if (radians == 0) return "0";
-  const double degrees = std::round(radians / (pi / 180) * 1e9) / 1e9;
-  if (degrees * (pi / 180) == radians) return write_number(degrees) + "deg";
-  return write_number(radians) + "rad";
-}
-
-}  // namespace
-
-std::string write_value(const Value& v, const FunctionSpec& spec, int component,
-                        const std::function<std::string(ObjectId)>& name_of) {
-  const Type type = component < 0 ? spec.type : component_type(spec.type);
-  if (const auto* d = std::get_if<double>(&v)) {
-    if (type == Type::angle) return write_angle(*d);
-    return write_number(*d) + (spec.unit == Unit::millimetres ? "mm" : "");
-  }
-  if (const auto* p = std::get_if<Vec3>(&v)) return write_vector(*p, type == Type::pair ? 2 : 3);
-  if (const auto* c = std::get_if<Color>(&v)) return write_color(*c);
-  if (const auto* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
-  if (const auto* a = std::get_if<Angles>(&v))
-    return fmt::format("euler({} {} {})", write_angle(a->xyz.x), write_angle(a->xyz.y), write_angle(a->xyz.z));
-  if (const auto* q = std::get_if<Quat>(&v))
-    return fmt::format("quat({} {} {} {})", write_number(q->w), write_number(q->x), write_number(q->y),
-                       write_number(q->z));
-  if (const auto* id = std::get_if<ObjectId>(&v)) {
-    const std::string name = name_of(*id);
-    return name.empty() ? "none" : type == Type::shape ? "shape(" + name + ")" : name;
-  }
-  if (const auto* t = std::get_if<Text>(&v)) return spec.words.empty() ? write_text(**t) : **t;
-  if (const auto* list = std::get_if<Points>(&v)) {
-    bool flat = true;
-    for (Vec3 p : **list) flat = flat && p.z == 0;
-    std::string out = "(";
-    for (Vec3 p : **list) out += (out.size() > 1 ? " " : "") + write_vector(p, flat ? 2 : 3);
-    return out + ")";
-  }
-  std::string out = "(";
-  for (const auto& n : *std::get<Names>(v)) out += (out.size() > 1 ? " " : "") + n;
-  return out + ")";
 }
 
 }  // namespace betwixt

@@ -77,6 +77,8 @@ struct Program::Compiled {
   mutable Camera own_camera_made;
 };
 
+inline Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
+
 // A rigid motion: at `eye`, the -z axis towards `target`, y up as far as may be.
 Mat4 look_at(Vec3 eye, Vec3 target);
 

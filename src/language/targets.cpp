@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Targets: which display functions of which objects a pattern names.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "language/reader.h"
+
+namespace betwixt {
+
+std::size_t first_dot(std::string_view w) {
+  int braces = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (w[i] == '{') ++braces;
+    if (w[i] == '}') --braces;
+    if (w[i] == '.' && braces <= 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world_too) {
+  out = {};
+  out.text = word;
+  const auto dot = first_dot(word);
+  if (dot == std::string_view::npos)
+    return c.fail(Code::syntax,
+                  word.empty() ? "a target is missing here" : fmt::format("'{}' is not a target", word.substr(0, 60)),
+                  word, "a target is an object and a function, as in ball.position");
+  const std::string_view object = word.substr(0, dot);
+  std::string_view function = word.substr(dot + 1), component;
+  if (const auto second = first_dot(function); second != std::string_view::npos) {
+    component = function.substr(second + 1);
+    function = function.substr(0, second);
+  }
+  const std::string_view function_text = function;
+  if (component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say
+    const ObjectId id = s.aliases->contains(object) ? ObjectId{} : s.names.find(object);
+    if (const auto f = id ? find_function(s, s.objects[id.index].kind, function) : std::nullopt) {
+      out.spec = &spec_of(s, *f);
+      out.targets.push_back({id, *f, -1});
+      return true;
+    }
+  }
+  const std::vector<ObjectId> objects = select(s, object);
+  if (objects.empty()) {
+    const bool alias = s.aliases->contains(std::string(object));
+    if (is_pattern(object) || alias) {
+      if (is_pattern(object))
+        if (const auto braces = expand_braces(object); !braces)
+          return c.fail(braces.error().code, braces.error().message, object);
+      note(Severity::notice, fmt::format("'{}' names nothing", object), object);
+      return true;
+    }
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < s.objects.size() && i < 10000; ++i)
+      if (!s.objects[i].removed) names.push_back(s.objects[i].name);
+    for (const auto& a : *s.aliases) names.push_back(a.first);
+    return c.fail(Code::name, fmt::format("there is no object '{}'", object.substr(0, 60)), object,
+                  did_you_mean(object, names));
+  }
+  const bool many_functions = is_pattern(function);
+  std::vector<std::string> wanted{std::string(function)};
+  if (many_functions) {
+    auto braces = expand_braces(function);
+    if (!braces) return c.fail(braces.error().code, braces.error().message, function);
+    wanted = std::move(*braces);
+  }
+  if (function == "world" && component.empty()) {
+    if (!world_too) return c.fail(Code::type, "'world' can be asked for, not set", function);
+    for (ObjectId id : objects) out.targets.push_back({id, world_function, -1});
+    return true;
+  }
+  for (ObjectId id : objects) {
+    const Kind kind = s.objects[id.index].kind;
+    for (const auto& want : wanted) {
+      std::vector<FunctionId> found;
+      if (is_pattern(want)) {
+        for (const auto name : function_names(s, kind))
+          if (matches(want, name)) found.push_back(*find_function(s, kind, name));
+      } else if (const auto f = find_function(s, kind, want)) {
+        found.push_back(*f);
+      }
+      for (FunctionId f : found) {
+        const FunctionSpec& spec = spec_of(s, f);
+        std::vector<int> parts;
+        if (component.empty()) {
+          parts.push_back(-1);
+        } else {
+          if (component == "velocity" || component.ends_with(".velocity"))
+            return c.fail(Code::name, "velocities are not in this version of Betwixt",
+                          component.substr(component.size() - 8));
+          if (component_count(spec.type) == 0)
+            return c.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
+                          component);
+          const auto words = expand_braces(component, 100);
+          if (!words) return c.fail(words.error().code, words.error().message, component);
+          for (const auto& w : *words)
+            for (int i = 0; i < component_count(spec.type); ++i)
+              if (matches(w, component_name(spec.type, i)) && std::find(parts.begin(), parts.end(), i) == parts.end())
+                parts.push_back(i);
+          if (parts.empty())
+            return c.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, component.substr(0, 40)),
+                          component,
+                          spec.type == Type::color  ? "components are r, g and b"
+                          : spec.type == Type::pair ? "components are x and y"
+                                                    : "components are x, y and z");
+        }
+        if (!out.spec) out.spec = &spec, out.component = parts[0];
+        if (!world_too && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {
+          if (many_functions)
+            return c.fail(Code::type,
+                          spec.type == out.spec->type
+                              ? fmt::format("{} and {} are measured in different units", out.spec->name, spec.name)
+                              : fmt::format("these functions have values of different types: {} is {}, {} is {}",
+                                            out.spec->name, to_string(out.spec->type), spec.name, to_string(spec.type)),
+                          function_text);
+          continue;
+        }
+        for (int part : parts) out.targets.push_back({id, f, part});
+      }
+    }
+  }
+  if (!out.targets.empty()) return true;
+  if (many_functions) {
+    note(Severity::notice, fmt::format("'{}' names nothing", word), word);
+    return true;
+  }
+  static constexpr std::string_view later[] = {"attachment", "environments", "motion"};
+  if (std::find(std::begin(later), std::end(later), function) != std::end(later))
+    return c.fail(Code::name, fmt::format("'{}' is not in this version of Betwixt", function), function);
+  const Object& o = s.objects[objects[0].index];
+  auto names = function_names(s, o.kind);
+  names.push_back("world");
+  return c.fail(Code::name,
+                fmt::format("'{}', a {}, has no function '{}'", o.name, kind_names[static_cast<std::size_t>(o.kind)],
+                            function.substr(0, 40)),
+                function, did_you_mean(function, names));
+}
+
+}  // namespace betwixt

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which words begin a command.
+#include <algorithm>
+
+#include "language/reader.h"
+
+namespace betwixt {
+
+const std::vector<Reader::Verb>& Reader::verbs() {
+  static const std::vector<Verb> table{
+      {"rate", "rate N, as in rate 24 or rate 30000/1001", &Reader::rate},
+      {"range", "range FROM TO, as in range 1f 72f", &Reader::range},
+      {"ticks", "ticks N, environment ticks per second", &Reader::ticks},
+      {"background", "background COLOR", &Reader::background},
+      {"create", "create NAME KIND [key=value …] or create NAME like OTHER", &Reader::create},
+      {"remove", "remove NAME", &Reader::remove},
+      {"rename", "rename OLD NEW", &Reader::rename},
+      {"set", "set TARGET VALUE, as in set ball.color red", &Reader::set},
+      {"at", "at TIME TARGET VALUE or at TIME COMMAND", &Reader::at},
+      {"couple", "couple A to B", &Reader::couple},
+      {"detach", "detach A", &Reader::detach},
+      {"look", "at TIME look through CAMERA", &Reader::look},
+      {"note", "at TIME note \"…\"", &Reader::note_command},
+      {"notes", "notes on or notes off", &Reader::notes},
+      {"show", "show A or at TIME show A", &Reader::show},
+      {"hide", "hide A or at TIME hide A", &Reader::hide},
+      {"twerper", "twerper TARGET NAME [in=light|srgb]; none gives every event its own again", &Reader::global_twerper},
+      {"extend", "extend TARGET hold|linear|cycle|bounce [before|after]", &Reader::extend},
+      {"copy", "copy TARGET A..B to T [on TARGET] [shift V] [times N]", &Reader::copy},
+      {"move", "move TARGET A..B by LENGTH", &Reader::move},
+      {"stretch", "stretch TARGET A..B by FACTOR", &Reader::stretch},
+      {"reverse", "reverse TARGET A..B", &Reader::reverse},
+      {"scale", "scale TARGET A..B (X Y Z)", &Reader::scale},
+      {"translate", "translate TARGET A..B (X Y Z)", &Reader::translate},
+      {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", &Reader::rotate},
+      {"clear", "clear TARGET A..B or clear TARGET TIME", &Reader::clear},
+      {"stagger", "stagger TARGETS by LENGTH [random N]", &Reader::stagger},
+      {"spread", "spread TARGETS from VALUE to VALUE", &Reader::spread},
+      {"alias", "alias NAME = ELEMENT …", &Reader::alias},
+      {"define", "define NAME TYPE [default]", &Reader::define},
+      {"policy", "policy translate|ignore|ask", &Reader::policy},
+      {"use", "use FILE", &Reader::use},
+  };
+  return table;
+}
+
+std::string_view Reader::not_yet(std::string_view verb) {
+  static constexpr std::string_view later[] = {"hang",    "attach", "letgo", "filter", "layer", "on",    "procedure",
+                                               "animate", "halt",   "kill",  "cancel", "dial",  "record"};
+  static constexpr std::string_view shell[] = {"help", "list", "describe", "undo", "redo", "plot",
+                                               "play", "stop", "save",     "open", "load", "quit"};
+  if (std::find(std::begin(later), std::end(later), verb) != std::end(later))
+    return "is not in this version of Betwixt";
+  if (std::find(std::begin(shell), std::end(shell), verb) != std::end(shell))
+    return "is a word of the shell; a script does not need it";
+  return {};
+}
+
+}  // namespace betwixt
