@@ -7,7 +7,7 @@ _betwixt() {
     return
   fi
   case $previous in
-    --style) words='shaded wireframe' ;;
+    --style) words='shaded wireframe hidden-line' ;;
     --samples) words='1 4 9 16' ;;
     --size) words='320x180 640x360 960x540 1280x720 1920x1080 3840x2160' ;;
     --at | --frames | --jobs) return ;;

@@ -20,7 +20,7 @@ complete -c betwixt -n '__fish_seen_subcommand_from render' -l jobs -x -d 'pictu
 complete -c betwixt -n '__fish_seen_subcommand_from render' -l stats -d 'say how long it took'
 complete -c betwixt -n '__fish_seen_subcommand_from render frame play' -l size -x \
   -a '320x180 640x360 960x540 1280x720 1920x1080 3840x2160' -d pixels
-complete -c betwixt -n '__fish_seen_subcommand_from render frame play' -l style -x -a 'shaded wireframe' -d 'how pictures are drawn'
+complete -c betwixt -n '__fish_seen_subcommand_from render frame play' -l style -x -a 'shaded wireframe hidden-line' -d 'how pictures are drawn'
 complete -c betwixt -n '__fish_seen_subcommand_from render frame play' -l samples -x -a '1 4 9 16' -d 'samples a pixel'
 complete -c betwixt -n '__fish_seen_subcommand_from render frame' -l no-overwrite -d 'leave alone what is there already'
 complete -c betwixt -n '__fish_seen_subcommand_from play' -l loop -d 'again and again'
