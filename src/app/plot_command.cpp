@@ -92,10 +92,11 @@ Stroke events(const Number& n, const Document& document, const Target& target, c
 
 // The curves of a target; none where it is not made of numbers.
 std::vector<Curve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
+  if (target.function == world_function) return {};  // a matrix
   const Document& document = program.document();
   const Type type = spec_of(document.scene(), target.function).type;
   const std::size_t count = numbers(program.read(target, frames.first)).size();
-  const bool angles = type == Type::angle || (type == Type::rotation && count == 3);
+  const bool angles = type == Type::angle || (type == Type::rotation && (count == 3 || target.component >= 0));
   const double unit = angles ? degrees : 1;
   std::vector<Curve> all;
   for (std::size_t i = 0; i < count; ++i) {

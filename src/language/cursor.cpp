@@ -305,7 +305,7 @@ bool Cursor::angle(double& radians) {
     radians = n;
   else if (u.empty())
     return fail(Code::type, "an angle needs a unit", since(start),
-                fmt::format("write {0}deg, {0}rad or {0}turn", since(start)));
+                fmt::format("write {}deg; units are deg, rad and turn", since(start)));
   else
     return fail(Code::type, fmt::format("'{}' is not a unit of angles", u), u, "units are deg, rad and turn");
   if (!std::isfinite(radians)) return fail(Code::range, "this angle is too large", since(start));

@@ -13,7 +13,12 @@
 namespace betwixt {
 namespace {
 
-std::vector<std::string_view> twerper_words() { return {twerper_names.begin() + 1, twerper_names.end()}; }
+// Twerpers, and what else may stand behind a value: for near misses.
+std::vector<std::string_view> twerper_words() {
+  std::vector<std::string_view> words(twerper_names.begin() + 1, twerper_names.end());
+  for (const char* w : {"ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "cut"}) words.push_back(w);
+  return words;
+}
 
 // Would an aim's separate numbers meet an object?
 bool mixes_aims(const Scene& s, const Target& t, const Value& v) {
@@ -169,7 +174,8 @@ bool Reader::put(const Selected& to, Event event, Cursor& c, std::string_view ab
   const auto& direct = source_.sheet.tracks;
   if (&to == &source_.sheet.on && !direct.empty()) {
     for (std::size_t i = 1; i < direct.size(); ++i) direct[i]->events.put(event);
-    direct[0]->events.put(std::move(event));
+    if (direct[0]->events.put(std::move(event)) && source_.sheet.fresh)
+      note(Severity::warning, "an earlier row of this sheet has the same time; this one replaces it", about);
     return true;
   }
   for (const Target& t : to.targets) put_event(s, t, event);

@@ -254,6 +254,15 @@ bool Reader::command(Cursor& c) {
   if (c.at_line_end() && !timed_) source_.sheet.open = source_.sheet.broken = true;  // meant as a target, it seems
   std::vector<std::string_view> words;
   for (const Verb& v : verbs()) words.push_back(v.word);
+  if (s.names.find(w))
+    return c.fail(Code::name, fmt::format("'{}' is an object, not a command", w.substr(0, 40)), w,
+                  fmt::format("a sheet opens with a target, as in {}.position", w.substr(0, 40)));
+  if (w.starts_with("//") || w.starts_with(";"))
+    return c.fail(Code::syntax, "a comment starts with '#' and a space", w);
+  c.space();
+  if (c.peek() == '=')
+    return c.fail(Code::name, fmt::format("there is no command '{}'", w.substr(0, 40)), w,
+                  fmt::format("names for many objects are made by: alias {} = …", w.substr(0, 40)));
   return c.fail(Code::name, fmt::format("there is no command '{}'", w.substr(0, 40)), w, did_you_mean(w, words));
 }
 
@@ -271,6 +280,7 @@ bool Reader::open_sheet(Cursor& c, std::string_view word) {
   for (const Target& t : sheet.on.targets)
     if (Track* track = edit_track(s, t)) sheet.tracks.push_back(track);
   if (sheet.tracks.size() != sheet.on.targets.size()) sheet.tracks.clear();
+  sheet.fresh = !sheet.tracks.empty() && sheet.tracks[0]->events.empty();
   return true;
 }
 

@@ -125,6 +125,7 @@ class Reader {
     Selected on;
     std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
     bool warned = false;
+    bool fresh = false;  // the track had no events when the sheet was opened
   };
   struct Source {  // the text being read now
     std::string_view text;

@@ -73,9 +73,19 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
     if (!plain)
       return c.fail_here(Code::type, fmt::format("a vector (x y{}) is wanted here", numbers == 3 ? " z" : ""));
     if (!scalar(d, unit)) return false;
-    if (scene.policy != Policy::translate)
-      return c.fail(Code::type, "a vector is wanted here, not one number", since(start, c),
-                    fmt::format("write {}", write_vector({d, d, d}, numbers)));
+    if (scene.policy != Policy::translate) {
+      // Three numbers without brackets, or one for all.
+      const std::string_view about = since(start, c);
+      Vec3 all{d, d, d};
+      const char* end = c.at;
+      int n = 1;
+      for (double next = 0; n < numbers && !c.at_line_end() && c.number(next); ++n) all[n] = next;
+      c.error.reset();
+      c.where = {};
+      c.at = end;
+      return c.fail(Code::type, "a vector is wanted here, not one number", about,
+                    fmt::format("write {}", write_vector(n == numbers ? all : Vec3{d, d, d}, numbers)));
+    }
     out = {d, d, numbers == 3 ? d : 0};
     return true;
   }
@@ -126,6 +136,11 @@ bool ValueReader::color(Color& out) {
   if (w == "rgb") {
     Vec3 v;
     if (!vector(3, v)) return false;
+    if (std::max({v.x, v.y, v.z}) > 10 && warn)
+      warn("colours are from 0 to 1; this is far brighter than white", since(start, c),
+           fmt::format("write rgb{}, or #rrggbb",
+                       write_vector({std::round(v.x / 0.255) / 1000, std::round(v.y / 0.255) / 1000,
+                                     std::round(v.z / 0.255) / 1000})));
     out = {v.x, v.y, v.z};
     return true;
   }

@@ -29,6 +29,8 @@ struct Binding {
 struct CurveUse {
   Curve curve;
   std::uint32_t offset = 0;
+  bool bounded = false;  // a curve that swings past what the function can be stays at that
+  double low = 0, high = 0;
 };
 
 // One object, parents before children.
@@ -59,6 +61,7 @@ struct Program::Compiled {
 
   // Evaluation. `numbers` is the array for the time.
   std::vector<double> at(Time t) const;
+  void evaluate(const CurveUse& use, Time t, double* out) const;
   void evaluate(const Binding& b, Time t, double* out) const;  // one binding alone: its numbers only
   Mat4 local(const Node& n, const double* numbers) const;
   std::vector<Mat4> worlds(Time t, const double* numbers) const;

@@ -46,7 +46,8 @@ struct Compiler {
     Binding b = place(slot.function, slot.set.value_or(spec.rest), spec.type);
     b.first_curve = static_cast<std::uint32_t>(code.curves.size());
     const auto add = [&](const Track& track, Type type, std::uint32_t offset, bool component = false) {
-      code.curves.push_back({code.set.add(track, type, component), offset});
+      code.curves.push_back(
+          {code.set.add(track, type, component), offset, spec.low > -1e300 || spec.high < 1e300, spec.low, spec.high});
       ++b.curves;
     };
     const auto point = [&] {

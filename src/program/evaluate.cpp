@@ -14,15 +14,21 @@ Vec3 mix(Vec3 a, Vec3 b, double s) { return a + s * (b - a); }
 
 std::vector<double> Program::Compiled::at(Time t) const {
   std::vector<double> numbers = rest;
-  for (const CurveUse& use : curves) set.evaluate(use.curve, t, &numbers[use.offset]);
+  for (const CurveUse& use : curves) evaluate(use, t, &numbers[use.offset]);
   return numbers;
+}
+
+void Program::Compiled::evaluate(const CurveUse& use, Time t, double* out) const {
+  set.evaluate(use.curve, t, out);
+  if (!use.bounded) return;
+  for (int i = 0; i < use.curve.channels; ++i) out[i] = std::clamp(out[i], use.low, use.high);
 }
 
 void Program::Compiled::evaluate(const Binding& b, Time t, double* out) const {
   std::copy_n(&rest[b.offset], 4, out);
   for (std::uint32_t i = 0; i < b.curves; ++i) {
     const CurveUse& use = curves[b.first_curve + i];
-    set.evaluate(use.curve, t, out + (use.offset - b.offset));
+    evaluate(use, t, out + (use.offset - b.offset));
   }
 }
 

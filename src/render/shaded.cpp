@@ -31,7 +31,7 @@ class Shaded final : public Module {
     for (const Thing& t : things) {
       const bool surface = !t.mesh->parts.empty();
       if (t.visible) (!surface ? hairlines : t.transparent ? glass : solid).push_back(&t);
-      if (surface && !t.transparent && t.item->material != Material::glow) casters.push_back(&t);
+      if (surface && t.item->material != Material::glow) casters.push_back(&t);
     }
     const Lighting lighting = lighting_of(frame, view, {});
     const bool shadows = !casters.empty() && !lighting.lights.empty();

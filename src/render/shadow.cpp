@@ -17,12 +17,19 @@ layout(location = 5) in vec4 row_z;
 layout(location = 6) in vec3 normal_x;
 layout(location = 7) in vec3 normal_y;
 layout(location = 8) in vec3 normal_z;
+layout(location = 9) in vec4 color;
 uniform mat4 clip;
 uniform vec4 light;
 )";
 const char* const vertex = R"(
+#ifdef VEIL
+flat out float solidity;
+#endif
 void main() {
   vec4 p = vec4(position, 1.0);
+#ifdef VEIL
+  solidity = 2.0 * color.a - 1.0;
+#endif
 #ifdef BALL
   vec4 e;
   p.xyz = outline(position.xy, light, e);
@@ -30,7 +37,22 @@ void main() {
   gl_Position = clip * vec4(dot(row_x, p), dot(row_y, p), dot(row_z, p), 1.0);
 }
 )";
-const char* const fragment = "void main() {}";
+// What lets some light through casts a shadow with holes, which softening makes a lighter one; what lets half of it
+// through casts none. So a thing that fades out takes its shadow with it.
+const char* const fragment = R"(
+#ifdef VEIL
+flat in float solidity;
+void main() {
+  // Bayer's order over four by four texels: any count of holes is spread evenly.
+  const float order[16] = float[16](0.5, 8.5, 2.5, 10.5, 12.5, 4.5, 14.5, 6.5, 3.5, 11.5, 1.5, 9.5, 15.5, 7.5, 13.5, 5.5);
+  ivec2 at = ivec2(gl_FragCoord.xy) & 3;
+  float noise = order[at.y * 4 + at.x] / 16.0;
+  if (noise >= solidity) discard;
+}
+#else
+void main() {}
+#endif
+)";
 
 struct Ball {
   Vec3 center;
@@ -75,8 +97,11 @@ Result<Shadow> Shadow::create() {
   auto target = gl::new_target(0, GL_DEPTH_COMPONENT24, map_size, map_size);
   if (!target) return target.error();
   const std::string source = std::string(inputs) + ball_outline + vertex;
-  for (auto* to : {&s.meshes_, &s.balls_}) {
-    auto program = gl::new_program(source, fragment, to == &s.balls_ ? "#define BALL" : "");
+  for (auto* to : {&s.meshes_, &s.balls_, &s.veils_}) {
+    auto program = gl::new_program(source, fragment,
+                                   to == &s.balls_   ? "#define BALL"
+                                   : to == &s.veils_ ? "#define VEIL"
+                                                     : "");
     if (!program) return program.error();
     *to = *std::move(program);
   }
@@ -126,9 +151,7 @@ void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One&
     projection(3, 2) = -1, projection(3, 3) = 0;
     clip_ = projection * looking(light.place, normalize(back, {0, 1, 0}));
   }
-  const Batches batches = batches_of(casters, true);
-  send_instances(instances_, batches.instances);
-  for (const auto* program : {&meshes_, &balls_}) {
+  for (const auto* program : {&meshes_, &balls_, &veils_}) {
     glUseProgram(program->id());
     glUniformMatrix4fv(gl::uniform(*program, "clip"), 1, GL_FALSE, to_float(clip_).data());
     const Vec3 p = light.place;
@@ -141,9 +164,16 @@ void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One&
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5F, 2.0F);
   glCullFace(GL_FRONT);  // closed things cast by their far side: what faces the light is never in its own shadow
-  for (const Batch& b : batches.batches) {
-    glUseProgram(b.ball ? balls_.id() : meshes_.id());
-    draw_triangles(b, instances_, false);
+  for (const bool veils : {false, true}) {
+    std::vector<const Thing*> some;
+    for (const Thing* t : casters)
+      if (t->transparent == veils) some.push_back(t);
+    const Batches batches = batches_of(some, true);
+    send_instances(instances_, batches.instances);
+    for (const Batch& b : batches.batches) {
+      glUseProgram(veils ? veils_.id() : b.ball ? balls_.id() : meshes_.id());
+      draw_triangles(b, instances_, false);
+    }
   }
   glCullFace(GL_BACK);
   glDisable(GL_POLYGON_OFFSET_FILL);

@@ -22,7 +22,7 @@ class Shadow {
 
  private:
   gl::Target target_;
-  gl::Program meshes_, balls_;
+  gl::Program meshes_, balls_, veils_;
   gl::Buffer instances_;
   Mat4 clip_;
   double texel_ = 0;

@@ -196,7 +196,10 @@ std::vector<const Track*> tracks_of(const Scene& s, const Target& t) {
 }
 
 void put_event(Scene& s, const Target& t, Event e) {
-  if (Track* one = edit_track(s, t)) return one->events.put(std::move(e));
+  if (Track* one = edit_track(s, t)) {
+    one->events.put(std::move(e));
+    return;
+  }
   const auto tracks = edit_tracks(s, t);
   for (std::size_t i = 0; i < tracks.size(); ++i) tracks[i]->events.put(part_of(e, static_cast<int>(i)));
 }

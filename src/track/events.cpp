@@ -10,7 +10,7 @@ std::size_t Events::chunk_of(Time t) const {
   return static_cast<std::size_t>(it - chunks_.begin());
 }
 
-void Events::put(Event event) {
+bool Events::put(Event event) {
   std::size_t c = chunks_.empty() || chunks_.back()->back().time < event.time ? chunks_.size() : chunk_of(event.time);
   if (c == chunks_.size()) {  // after everything: the usual case when a file is read
     if (chunks_.empty() || chunks_.back()->size() >= most) {
@@ -19,22 +19,23 @@ void Events::put(Event event) {
     }
     chunks_.back().edit().push_back(std::move(event));
     ++size_;
-    return;
+    return false;
   }
   Chunk& chunk = chunks_[c].edit();
   const auto at =
       std::lower_bound(chunk.begin(), chunk.end(), event.time, [](const Event& e, Time t) { return e.time < t; });
   if (at != chunk.end() && at->time == event.time) {
     *at = std::move(event);
-    return;
+    return true;
   }
   chunk.insert(at, std::move(event));
   ++size_;
-  if (chunk.size() <= most) return;
+  if (chunk.size() <= most) return false;
   const auto middle = chunk.begin() + static_cast<std::ptrdiff_t>(chunk.size() / 2);
   Chunk second(std::make_move_iterator(middle), std::make_move_iterator(chunk.end()));
   chunk.erase(middle, chunk.end());
   chunks_.insert(chunks_.begin() + static_cast<std::ptrdiff_t>(c) + 1, Cow<Chunk>(std::move(second)));
+  return false;
 }
 
 std::size_t Events::erase(Time from, Time to) {

@@ -19,8 +19,8 @@ class Events {
   const Event& front() const { return chunks_.front()->front(); }
   const Event& back() const { return chunks_.back()->back(); }
 
-  // Puts the event where its time belongs; it replaces what stood at that time. (R-T2)
-  void put(Event event);
+  // Puts the event where its time belongs; it replaces what stood at that time (R-T2), and tells whether something did.
+  bool put(Event event);
   // Removes the events with from <= time <= to; how many.
   std::size_t erase(Time from, Time to);
   // The event exactly at t, or null.
