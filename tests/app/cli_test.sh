@@ -110,6 +110,8 @@ is 'plot is XML with four curves' "$(grep -c 'stroke-linejoin="round"' plot.svg)
 is 'a cut is drawn as a gap' "$(grep -c 'stroke-dasharray' plot.svg)" 1
 is 'plot has a dot for each event' "$(grep -c '<circle' plot.svg)" 8
 check 'plot of a part' 0 '' plot bounce.bx 'ball.position.y' -o plot.svg --frames 2f..4f
+check 'plot of a matrix' 2 'is not made of numbers' plot bounce.bx ball.world -o world.svg
+check 'plot of an object' 0 '' plot bounce.bx ball -o ball.svg
 
 # The machine.
 ln -s "$(command -v true)" ./true

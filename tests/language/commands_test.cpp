@@ -343,5 +343,38 @@ TEST(Sheets, ManyObjectsAndComponents) {
   expect_numbers(s, "b1.position", "2f", {1, 1, 1}, 1e-9);
 }
 
+// The parabola through 0, 1, 1 at 10f, 20f, 60f leads past 1: transparency stays where it means something.
+TEST(Commands, ValuesStayWithinWhatTheFunctionCanBe) {
+  const Script s("create a sphere\na.transparency\n 1f 0\n 10f 0\n 20f 1\n 60f 1\na.radius\n 1f 1\n 10f 0\n 60f 0.1\n");
+  for (int f = 1; f <= 60; ++f) {
+    const auto at = std::to_string(f) + "f";
+    EXPECT_GE(s.numbers("a.transparency", at)[0], 0) << at;
+    EXPECT_LE(s.numbers("a.transparency", at)[0], 1) << at;
+    EXPECT_GE(s.numbers("a.radius", at)[0], 0) << at;
+  }
+  expect_numbers(s, "a.transparency", "40f", {1});
+}
+
+TEST(Commands, LookAtHasComponents) {
+  const Script s("create c camera position=(0 0 10)\nc.look-at.x\n 1f 0 linear\n 11f 10\nc.look-at.y\n 1f 2\n");
+  expect_numbers(s, "c.look-at", "6f", {5, 2, 0});
+  expect_numbers(s, "c.look-at.x", "6.5f", {5.5});
+}
+
+TEST(Commands, RowsOfOneTimeAreWarnedOf) {
+  const Script twice("create a sphere\na.position\n 1f (0 0 0)\n 1f (4 0 0)\n");
+  EXPECT_NE(said(twice.loaded.diagnostics).find("test.bx:4:5: warning: an earlier row of this sheet has the same time"),
+            std::string::npos);
+  expect_numbers(twice, "a.position", "1f", {4, 0, 0});
+  // Another sheet may well replace an event.
+  const Script again("create a sphere\na.position\n 1f (0 0 0)\na.position\n 1f (4 0 0)\n");
+  EXPECT_TRUE(again.loaded.diagnostics.empty());
+}
+
+TEST(Commands, ColoursBeyondBrightAreWarnedOf) {
+  const Script s("create a sphere color=rgb(255 0 0)\n");
+  EXPECT_NE(said(s.loaded.diagnostics).find("write rgb(1 0 0)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace betwixt

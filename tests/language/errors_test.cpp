@@ -39,7 +39,10 @@ void expect_case(const Case& k) {
 TEST(Errors, Words) {
   for (const Case& k : std::vector<Case>{
            {"crate b sphere", 1, "there is no command 'crate'", "did you mean 'create'?"},
-           {"ball", 1, "there is no command 'ball'", ""},
+           {"ball", 1, "'ball' is an object, not a command", "a sheet opens with a target, as in ball.position"},
+           {"wheels = w*", 1, "there is no command 'wheels'", "names for many objects are made by: alias wheels"},
+           {"// words", 1, "a comment starts with '#' and a space", ""},
+           {"set ball.position 1 0 2", 19, "a vector is wanted here, not one number", "write (1 0 2)"},
            {"#comment", 1, "a comment starts with '#' and a space"},
            {"(1 2 3)", 1, "a command begins with a verb, not with '('"},
            {"12f (1 2 3)", 1, "this looks like a row, but no sheet is open", "rows are indented"},
@@ -70,7 +73,7 @@ TEST(Errors, Words) {
            {"create b sphere color=#ffcc0", 23, "a colour in hexadecimal has 3 or 6 digits, as in #ffcc00"},
            {"create b sphere shininess=2", 27, "shininess is at most 1"},
            {"create b camera lens=3q", 22, "'q' is not a unit of length", "units are m, cm and mm"},
-           {"create b camera fov=50", 21, "an angle needs a unit", "write 50deg, 50rad or 50turn"},
+           {"create b camera fov=50", 21, "an angle needs a unit", "write 50deg; units are deg, rad and turn"},
            {"create b camera fov=50grad", 23, "'grad' is not a unit of angles", "units are deg, rad and turn"},
            {"create b light shines=moon", 23, "shines is point or sun"},
            {"create b text text=hello", 20, "a text in double quotes is missing here"},
