@@ -10,6 +10,7 @@
 
 #include "betwixt/program.h"
 #include "scene/document.h"
+#include "scene/extent.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -74,6 +75,7 @@ struct Program::Compiled {
   void add_lights(Frame&, const double* numbers, const std::vector<Mat4>& worlds) const;
   Camera camera(Time t, const double* numbers, const std::vector<Mat4>& worlds) const;
 
+  Extent stage() const;
   // The camera of documents that have none: sees all that is ever seen, from in front and a little above.
   const Camera& own_camera() const;
   mutable std::once_flag own_camera_once;

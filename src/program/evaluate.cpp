@@ -264,31 +264,37 @@ Camera Program::Compiled::camera(Time t, const double* numbers, const std::vecto
   return c;
 }
 
-const Camera& Program::Compiled::own_camera() const {
-  std::call_once(own_camera_once, [this] {
-    Extent all;
-    const auto [from, to] = document.range();
-    constexpr int looks = 24;
-    for (int k = 0; k <= looks; ++k) {
-      const Time t{from.flicks + (to - from).flicks / looks * k};
-      Frame f;
-      f.time = t;
-      const auto numbers = at(t);
-      add_items(f, numbers.data(), worlds(t, numbers.data()));
-      for (const Item& item : f.items) {
-        const Extent e = extent(*item.shape);
-        if (e.empty()) continue;
-        for (int corner = 0; corner < 8; ++corner) {
-          const Vec3 p = transform_point(item.world, {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y,
-                                                      corner & 4 ? e.high.z : e.low.z});
-          if (!std::isfinite(p.x + p.y + p.z)) continue;
-          if (all.empty()) all = {p, p};
-          for (int i = 0; i < 3; ++i)
-            all.low[i] = std::min(all.low[i], p[i]), all.high[i] = std::max(all.high[i], p[i]);
-        }
+// A box around all that is seen during the film. Planes are grounds and walls for the rest, and count only where there
+// is nothing else.
+Extent Program::Compiled::stage() const {
+  Extent things, planes;
+  const auto [from, to] = document.range();
+  constexpr int looks = 24;
+  for (int k = 0; k <= looks; ++k) {
+    Frame f;
+    f.time = {from.flicks + (to - from).flicks / looks * k};
+    const auto numbers = at(f.time);
+    add_items(f, numbers.data(), worlds(f.time, numbers.data()));
+    for (const Item& item : f.items) {
+      const Extent e = extent(*item.shape);
+      if (e.empty()) continue;
+      Extent& all = item.shape->kind == Kind::plane ? planes : things;
+      for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p = transform_point(item.world, {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y,
+                                                    corner & 4 ? e.high.z : e.low.z});
+        if (!std::isfinite(p.x + p.y + p.z)) continue;
+        if (all.empty()) all = {p, p};
+        for (int i = 0; i < 3; ++i) all.low[i] = std::min(all.low[i], p[i]), all.high[i] = std::max(all.high[i], p[i]);
       }
     }
-    if (all.empty()) all = {{-1, -1, -1}, {1, 1, 1}};
+  }
+  if (!things.empty()) return things;
+  return planes.empty() ? Extent{{-1, -1, -1}, {1, 1, 1}} : planes;
+}
+
+const Camera& Program::Compiled::own_camera() const {
+  std::call_once(own_camera_once, [this] {
+    const Extent all = stage();
     Camera& c = own_camera_made;
     c.fov = 2 * std::atan(36.0 / 70);
     // The widest picture people make is 16:9; what fits its height and width fits taller ones better.
