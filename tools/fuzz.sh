@@ -17,8 +17,9 @@ find "$root/examples" "$root/tests" -name '*.bx' -size -32k -exec cp -f {} "$fol
 cd "$folder" || die "there is no $folder"
 several=()
 [ "$jobs" = 1 ] || several=(-fork="$jobs")
-"$folder/bin/fuzz_language" corpus seeds -dict="$root/tests/fuzz/language.dict" -artifact_prefix=found/ \
-  -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=3000 "${several[@]}" >fuzz.log 2>&1
+LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0 \
+  "$folder/bin/fuzz_language" corpus seeds -dict="$root/tests/fuzz/language.dict" -artifact_prefix=found/ \
+    -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=3000 "${several[@]}" >fuzz.log 2>&1
 status=$?
 runs=$(grep -aoE '^#[0-9]+' fuzz.log | tail -n 1 | tr -d '#')
 if [ "$status" = 0 ]; then
