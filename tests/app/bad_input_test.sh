@@ -215,7 +215,7 @@ call 'eval of no function' 1 "did you mean 'position'?" eval bounce.bx --at 1f b
 call 'eval of velocities' 1 'not in this version' eval bounce.bx --at 1f ball.position.velocity --json
 call 'eval without a time' 2 '--at' eval bounce.bx ball.position
 call 'eval at a word' 2 "'soon' is not a time" eval bounce.bx --at soon ball.position
-call 'eval at a bare number' 2 'a time needs a unit' eval bounce.bx --at 24 ball.position
+call 'eval at a bare number: a frame' 0 '' eval bounce.bx --at 24 ball.position
 call 'eval without a file' 2 'FILE' eval --at 1f
 call 'check without a file' 2 'FILE' check
 call 'tidy with one word more' 2 "'more'" tidy bounce.bx more
