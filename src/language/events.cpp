@@ -71,8 +71,7 @@ bool Reader::tangent(Cursor& c, const Selected& to, std::string_view key, Event&
   if (type != Type::scalar && type != Type::angle && type != Type::pair && type != Type::vector &&
       type != Type::rotation)
     return c.fail(Code::type, fmt::format("{} has no tangents", to_string(type)), key);
-  FunctionSpec free = *to.spec;  // a speed may be of any size
-  free.low = -1e300, free.high = 1e300;
+  const FunctionSpec free = unbounded(*to.spec);  // a speed may be of any size
   Value v;
   c.space();
   const char* start = c.at;

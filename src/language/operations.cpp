@@ -103,8 +103,7 @@ bool Reader::copy(Cursor& c) {
     } else if (c.accept_word("shift")) {
       if (!from.spec) from.spec = &built_in_functions()[fn::position];
       Value v;
-      FunctionSpec free = *from.spec;  // a shift may be of any size
-      free.low = -1e300, free.high = 1e300;
+      const FunctionSpec free = unbounded(*from.spec);  // a shift may be of any size
       c.space();
       const char* at = c.at;
       if (!values(c).value(free, from.component, v)) return false;
@@ -244,8 +243,7 @@ bool Reader::translate(Cursor& c) {
   Value by;
   if (!on_segment(c, word, on, segment)) return false;
   if (!on.spec) on.spec = &built_in_functions()[fn::position];
-  FunctionSpec free = *on.spec;
-  free.low = -1e300, free.high = 1e300;
+  const FunctionSpec free = unbounded(*on.spec);
   if (!values(c).value(free, on.component, by)) return false;
   return operate(c, on, word, false,
                  [&](Track& t, int component) { return translate_segment(t, segment, part(by, component)); });

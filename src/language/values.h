@@ -11,6 +11,12 @@
 
 namespace betwixt {
 
+// The same function without limits: shifts and speeds may be of any size.
+inline FunctionSpec unbounded(FunctionSpec spec) {
+  spec.low = -1e300, spec.high = 1e300;
+  return spec;
+}
+
 struct ValueReader {
   Cursor& c;
   const Scene& scene;

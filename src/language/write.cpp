@@ -133,7 +133,7 @@ struct Writer {
       if (!s.objects[i].removed) living.push_back(i);
     for (std::uint32_t i : living) {
       const Object& o = s.objects[i];
-      out += "create " + placeholder(o.name) + " " + std::string(kind_names[static_cast<std::size_t>(o.kind)]);
+      out += "create " + flat_name(o.name) + " " + std::string(kind_names[static_cast<std::size_t>(o.kind)]);
       for (const Slot& slot : o.slots) {
         if (!slot.set || refers(slot)) continue;
         const FunctionSpec& spec = spec_of(s, slot.function);
@@ -144,8 +144,8 @@ struct Writer {
     // A name with a slash may belong to anything by now, and its namesake above may be gone: such objects get their
     // names last.
     for (std::uint32_t i : living)
-      if (placeholder(s.objects[i].name) != s.objects[i].name)
-        out += "rename " + placeholder(s.objects[i].name) + " " + s.objects[i].name + "\n";
+      if (flat_name(s.objects[i].name) != s.objects[i].name)
+        out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
     for (std::uint32_t i : living)
       if (s.objects[i].parent)
         out += "couple " + s.objects[i].name + " to " + s.objects[s.objects[i].parent.index].name + "\n";
@@ -164,7 +164,7 @@ struct Writer {
   }
 
   // A name without slashes that no object has.
-  std::string placeholder(const std::string& name) const {
+  std::string flat_name(const std::string& name) const {
     if (name.find('/') == std::string::npos) return name;
     std::string flat = name;
     std::replace(flat.begin(), flat.end(), '/', '-');

@@ -44,4 +44,19 @@ void draw_triangles(const Batch&, const gl::Buffer& instances, bool upside_down)
 // Which way round triangles are seen from outside; in pictures that are drawn upside down it is the other way.
 void set_facing(bool mirrored, bool upside_down);
 
+// What a vertex shader is given: a mesh's vertex and the instance it belongs to.
+inline constexpr const char* vertex_inputs = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 row_x;
+layout(location = 4) in vec4 row_y;
+layout(location = 5) in vec4 row_z;
+layout(location = 6) in vec3 normal_x;
+layout(location = 7) in vec3 normal_y;
+layout(location = 8) in vec3 normal_z;
+layout(location = 9) in vec4 color;
+layout(location = 10) in vec2 look;
+)";
+
 }  // namespace betwixt

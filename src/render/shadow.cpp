@@ -9,15 +9,7 @@
 namespace betwixt {
 namespace {
 
-const char* const inputs = R"(
-layout(location = 0) in vec3 position;
-layout(location = 3) in vec4 row_x;
-layout(location = 4) in vec4 row_y;
-layout(location = 5) in vec4 row_z;
-layout(location = 6) in vec3 normal_x;
-layout(location = 7) in vec3 normal_y;
-layout(location = 8) in vec3 normal_z;
-layout(location = 9) in vec4 color;
+const char* const uniforms = R"(
 uniform mat4 clip;
 uniform vec4 light;
 )";
@@ -96,7 +88,7 @@ Result<Shadow> Shadow::create() {
   Shadow s;
   auto target = gl::new_target(0, GL_DEPTH_COMPONENT24, map_size, map_size);
   if (!target) return target.error();
-  const std::string source = std::string(inputs) + ball_outline + vertex;
+  const std::string source = std::string(vertex_inputs) + uniforms + ball_outline + vertex;
   for (auto* to : {&s.meshes_, &s.balls_, &s.veils_}) {
     auto program = gl::new_program(source, fragment,
                                    to == &s.balls_   ? "#define BALL"

@@ -12,20 +12,6 @@
 namespace betwixt {
 namespace {
 
-const char* const inputs = R"(
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec2 uv;
-layout(location = 3) in vec4 row_x;
-layout(location = 4) in vec4 row_y;
-layout(location = 5) in vec4 row_z;
-layout(location = 6) in vec3 normal_x;
-layout(location = 7) in vec3 normal_y;
-layout(location = 8) in vec3 normal_z;
-layout(location = 9) in vec4 color;
-layout(location = 10) in vec2 look;
-)";
-
 const char* const vertex = R"(
 uniform mat4 clip;
 uniform vec4 toward_eye;  // a direction and 0 (orthographic), or the origin and 1
@@ -191,7 +177,7 @@ constexpr int shadow_unit = 1, picture_unit = 0;
 
 Result<Surfaces> Surfaces::create() {
   Surfaces s;
-  const std::string source = std::string(inputs) + ball_outline + vertex;
+  const std::string source = std::string(vertex_inputs) + ball_outline + vertex;
   for (auto& [look, variant] :
        {std::pair{&s.plain_, ""}, {&s.textured_, "#define TEXTURED"}, {&s.balls_, "#define BALL"}}) {
     auto program = gl::new_program(source, std::string(encoded_function) + fragment,
