@@ -12,7 +12,8 @@
 namespace betwixt {
 
 // A value read back, or a world matrix.
-using Reading = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Mat4>;
+using Reading =
+    std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure, Mat4>;
 
 class Program {
  public:

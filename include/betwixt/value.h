@@ -56,6 +56,25 @@ using Text = Shared<std::string>;
 using Points = Shared<std::vector<Vec3>>;
 using Names = Shared<std::vector<std::string>>;
 
+// What an object hangs on, and how (rules, section 5).
+//   hang    its position only is moved by the parent    attach  the parent turns it too, its scale does not
+//   couple  the parent's whole matrix                   detach  nothing holds it: its tracks are in the world
+//   letgo   nothing holds it, but what held it stays as it was at that moment
+enum class Hold : std::uint8_t { detach, letgo, hang, attach, couple };
+struct Attachment {
+  Hold hold = Hold::detach;
+  ObjectId parent;          // of hang, attach and couple
+  bool keep_world = false;  // it stays where it is in the world at that moment
+  friend constexpr bool operator==(const Attachment&, const Attachment&) = default;
+};
+
+// A value that the author's code computes (an inquisitive event). Equal: the same words in the same language.
+class Routine;  // src/track/procedure.h
+struct Procedure {
+  std::shared_ptr<const Routine> code;
+  friend bool operator==(const Procedure&, const Procedure&);
+};
+
 // The types that values have. A display function has one type, its values and its events too.
 enum class Type : std::uint8_t {
   scalar,       // double
@@ -71,9 +90,10 @@ enum class Type : std::uint8_t {
   text,         // Text
   points,       // Points
   names,        // Names
+  attachment,   // Attachment
 };
 std::string_view to_string(Type);  // in the author's words: "a number", "a vector", …
 
-using Value = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names>;
+using Value = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure>;
 
 }  // namespace betwixt

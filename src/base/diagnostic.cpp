@@ -64,6 +64,8 @@ std::string_view to_string(Type type) {
       return "a list of points";
     case Type::names:
       return "a list of names";
+    case Type::attachment:
+      return "an attachment";
   }
   return "a value";
 }

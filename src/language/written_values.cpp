@@ -7,6 +7,7 @@
 
 #include "language/colors.h"
 #include "language/values.h"
+#include "track/procedure.h"
 
 namespace betwixt {
 
@@ -82,6 +83,13 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
     for (Vec3 p : **list) out += (out.size() > 1 ? " " : "") + write_vector(p, flat ? 2 : 3);
     return out + ")";
   }
+  if (const auto* a = std::get_if<Attachment>(&v)) {
+    static constexpr std::string_view words[] = {"detach", "letgo", "hang on ", "attach to ", "couple to "};
+    std::string out(words[static_cast<std::size_t>(a->hold)]);
+    if (a->hold >= Hold::hang) out += name_of(a->parent) + (a->keep_world ? " keep-world" : "");
+    return out;
+  }
+  if (const auto* p = std::get_if<Procedure>(&v)) return "= " + write_text(p->code->source);
   std::string out = "(";
   for (const auto& n : *std::get<Names>(v)) out += (out.size() > 1 ? " " : "") + n;
   return out + ")";
