@@ -24,6 +24,8 @@ struct Target {
   ObjectId object;
   std::uint16_t function = 0;
   int component = -1;
+  bool velocity = false;  // its rate of change, per second
+  ObjectId layer;         // the track on a layer; none: the object's own
   friend constexpr bool operator==(Target, Target) = default;
 };
 

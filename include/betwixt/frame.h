@@ -30,7 +30,8 @@ enum class Kind : std::uint8_t {
   text,
   mesh,
   light,
-  camera
+  camera,
+  layer  // no object of the scene: what it holds is laid over the tracks of others
 };
 
 // What an object looks like in its own space, as a description; src/render turns it into triangles.
@@ -93,6 +94,9 @@ struct Frame {
   Camera camera;
   std::optional<Vec3> background;  // linear light; none: the renderer's own soft gradient
   std::vector<std::string> notes;  // notes exactly at this time
+  // Procedures that erred or did not end, each named once with the reason; what they should have given is the value
+  // that the track has without them.
+  std::vector<std::string> problems;
 };
 
 }  // namespace betwixt

@@ -13,7 +13,7 @@ namespace {
 // An event of one component of a value.
 Event part_of(const Event& e, int component) {
   Event part = e;
-  if (!e.keep) part.value = component_of(e.value, component);
+  if (!e.keep && !e.release) part.value = component_of(e.value, component);
   if (!e.detail) return part;
   EventDetail& d = part.detail.edit();
   for (auto* v : {&d.before, &d.tangent_in, &d.tangent_out})
@@ -21,34 +21,47 @@ Event part_of(const Event& e, int component) {
   return part;
 }
 
-void split(Slot& slot, Type type) {
+void split(Strand& strand, Type type) {
   const auto n = static_cast<std::size_t>(component_count(type));
-  if (slot.components.size() == n) return;
-  slot.components.assign(n, {});
-  if (slot.track->events.empty() && *slot.track == Track{}) return slot.track.reset();
+  if (strand.components.size() == n) return;
+  strand.components.assign(n, {});
+  if (strand.track->events.empty() && *strand.track == Track{}) return strand.track.reset();
   for (std::size_t i = 0; i < n; ++i) {
-    Track t = *slot.track;
+    Track t = *strand.track;
     t.events = {};
-    slot.track->events.each([&](const Event& e) { t.events.put(part_of(e, static_cast<int>(i))); });
-    slot.components[i] = Cow<Track>(std::move(t));
+    strand.track->events.each([&](const Event& e) { t.events.put(part_of(e, static_cast<int>(i))); });
+    strand.components[i] = Cow<Track>(std::move(t));
   }
-  slot.track.reset();
+  strand.track.reset();
 }
+
+const Strand& strand_of(const Slot& slot, const Target& t) { return t.velocity ? slot.velocity : slot; }
+Strand& strand_of(Slot& slot, const Target& t) { return t.velocity ? slot.velocity : slot; }
+
+auto key(const Slot& s) { return std::pair(s.function, s.layer.index + 1); }  // no layer: 0, before all others
+auto key(FunctionId f, ObjectId layer) { return std::pair(f, layer.index + 1); }
 
 }  // namespace
 
-const Slot* Object::find(FunctionId f) const {
-  const auto at =
-      std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
-  return at != slots.end() && at->function == f ? &*at : nullptr;
+Strand split_into_components(const Strand& strand, Type type) {
+  Strand out = strand;
+  split(out, type);
+  return out;
 }
 
-Slot& Object::slot(FunctionId f) {
-  const auto at =
-      std::lower_bound(slots.begin(), slots.end(), f, [](const Slot& s, FunctionId id) { return s.function < id; });
-  if (at != slots.end() && at->function == f) return *at;
+const Slot* Object::find(FunctionId f, ObjectId layer) const {
+  const auto at = std::lower_bound(slots.begin(), slots.end(), key(f, layer),
+                                   [](const Slot& s, const auto& k) { return key(s) < k; });
+  return at != slots.end() && at->function == f && at->layer == layer ? &*at : nullptr;
+}
+
+Slot& Object::slot(FunctionId f, ObjectId layer) {
+  const auto at = std::lower_bound(slots.begin(), slots.end(), key(f, layer),
+                                   [](const Slot& s, const auto& k) { return key(s) < k; });
+  if (at != slots.end() && at->function == f && at->layer == layer) return *at;
   Slot fresh;
   fresh.function = f;
+  fresh.layer = layer;
   return *slots.insert(at, std::move(fresh));
 }
 
@@ -141,10 +154,57 @@ std::vector<ObjectId> select(const Scene& s, std::string_view word) {
   return once;
 }
 
-bool attached_below(const Scene& s, ObjectId below, ObjectId above) {
-  for (ObjectId at = below; at; at = s.objects[at.index].parent)
-    if (at == above) return true;
-  return false;
+std::vector<Attached> attachments(const Object& o) {
+  std::vector<Attached> out;
+  const Slot* slot = o.find(fn::attachment);
+  if (!slot) return out;
+  out.push_back({{INT64_MIN}, {INT64_MAX}, slot->set ? std::get<Attachment>(*slot->set) : Attachment{}});
+  slot->track->events.each([&](const Event& e) {
+    if (e.keep) return;
+    out.back().until = e.time;
+    out.push_back({e.time, {INT64_MAX}, std::get<Attachment>(e.value)});
+  });
+  return out;
+}
+
+std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Time from, Time until) {
+  if (child == parent) return {child};
+  if (!s.objects[child.index].leads) return {};  // nothing hangs on it: the usual case, and cheap
+  // Up from the parent, through every hand that holds what during the time asked for.
+  struct Step {
+    ObjectId at;
+    Time from, until;
+    std::size_t below;  // the step we came from
+  };
+  std::vector<Step> steps{{parent, from, until, 0}};
+  const std::size_t enough = 4 * s.objects.size() + 10'000;  // a circle made by moving events must not hold us up
+  for (std::size_t i = 0; i < steps.size() && steps.size() < enough; ++i) {
+    for (const Attached& a : attachments(s.objects[steps[i].at.index])) {
+      const Time begin = std::max(a.from, steps[i].from), end = std::min(a.until, steps[i].until);
+      if (a.to.hold < Hold::hang || !find_object(s, a.to.parent) || begin >= end) continue;
+      steps.push_back({a.to.parent, begin, end, i});
+      if (a.to.parent != child) continue;
+      std::vector<ObjectId> path{child};
+      for (std::size_t k = i;; k = steps[k].below) {
+        path.push_back(steps[k].at);
+        if (k == 0) break;
+      }
+      return path;
+    }
+  }
+  return {};
+}
+
+const NamedProcedure* find_procedure(const Scene& s, std::string_view name) {
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.name == name) return &p;
+  return nullptr;
+}
+
+std::string twerper_name(const Scene& s, Twerper t) {
+  if (!is_own(t)) return std::string(twerper_names[static_cast<std::size_t>(t)]);
+  const auto i = static_cast<std::size_t>(t) - first_own_twerper;
+  return i < s.procedures->size() ? (*s.procedures)[i].name : "unset";
 }
 
 ObjectId add_object(Scene& s, Object object) {
@@ -160,38 +220,58 @@ void remove_objects(Scene& s, const std::vector<ObjectId>& ids) {
     s.names.erase(s.objects[id.index].name);
     Object& gone = s.objects.edit(id.index);
     gone.removed = true;
-    gone.parent = {};
     gone.slots.clear();
   }
   const auto is_gone = [&](ObjectId id) { return id && s.objects[id.index].removed; };
-  for (std::size_t i = 0; i < s.objects.size(); ++i)
-    if (is_gone(s.objects[i].parent)) s.objects.edit(i).parent = {};
+  const auto held = [&](const Value& v) {
+    const auto* a = std::get_if<Attachment>(&v);
+    return a && is_gone(a->parent);
+  };
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    if (std::any_of(o.slots.begin(), o.slots.end(), [&](const Slot& x) { return is_gone(x.layer); }))
+      std::erase_if(s.objects.edit(i).slots, [&](const Slot& x) { return is_gone(x.layer); });
+    const Slot* slot = o.find(fn::attachment);
+    if (!slot) continue;
+    bool any = slot->set && held(*slot->set);
+    slot->track->events.each([&](const Event& e) { any = any || held(e.value); });
+    if (!any) continue;
+    Slot& mine = s.objects.edit(i).slot(fn::attachment);
+    if (mine.set && held(*mine.set)) mine.set = Attachment{};
+    mine.track.edit().events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
+      if (held(e.value)) e.value = Attachment{};
+    });
+  }
+  if (std::any_of(s.dials->begin(), s.dials->end(), [&](const Dial& d) { return is_gone(d.target.object); }))
+    std::erase_if(s.dials.edit(), [&](const Dial& d) { return is_gone(d.target.object); });
   const auto gone_cut = [&](const auto& cut) { return is_gone(cut.second); };
   if (std::any_of(s.cuts->begin(), s.cuts->end(), gone_cut)) std::erase_if(s.cuts.edit(), gone_cut);
 }
 
 Track* edit_track(Scene& s, const Target& t) {
   const Type type = spec_of(s, t.function).type;
-  Slot& slot = s.objects.edit(t.object.index).slot(t.function);
-  if (t.component < 0) return slot.components.empty() ? &slot.track.edit() : nullptr;
-  split(slot, type);
-  return &slot.components[static_cast<std::size_t>(t.component)].edit();
+  Strand& strand = strand_of(s.objects.edit(t.object.index).slot(t.function, t.layer), t);
+  if (t.component < 0) return strand.components.empty() ? &strand.track.edit() : nullptr;
+  split(strand, type);
+  return &strand.components[static_cast<std::size_t>(t.component)].edit();
 }
 
 std::vector<Track*> edit_tracks(Scene& s, const Target& t) {
   if (Track* one = edit_track(s, t)) return {one};
   std::vector<Track*> out;
-  for (auto& c : s.objects.edit(t.object.index).slot(t.function).components) out.push_back(&c.edit());
+  for (auto& c : strand_of(s.objects.edit(t.object.index).slot(t.function, t.layer), t).components)
+    out.push_back(&c.edit());
   return out;
 }
 
 std::vector<const Track*> tracks_of(const Scene& s, const Target& t) {
-  const Slot* slot = s.objects[t.object.index].find(t.function);
+  const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
   if (!slot) return {};
-  if (slot->components.empty()) return {&*slot->track};
-  if (t.component >= 0) return {&*slot->components[static_cast<std::size_t>(t.component)]};
+  const Strand& strand = strand_of(*slot, t);
+  if (strand.components.empty()) return {&*strand.track};
+  if (t.component >= 0) return {&*strand.components[static_cast<std::size_t>(t.component)]};
   std::vector<const Track*> out;
-  for (const auto& c : slot->components) out.push_back(&*c);
+  for (const auto& c : strand.components) out.push_back(&*c);
   return out;
 }
 
@@ -206,7 +286,7 @@ void put_event(Scene& s, const Target& t, Event e) {
 
 void set_value(Scene& s, const Target& t, const Value& v) {
   const FunctionSpec& spec = spec_of(s, t.function);
-  Slot& slot = s.objects.edit(t.object.index).slot(t.function);
+  Slot& slot = s.objects.edit(t.object.index).slot(t.function, t.layer);
   slot.set = t.component < 0 ? v : with_component(slot.set.value_or(spec.rest), t.component, std::get<double>(v));
 }
 
@@ -246,19 +326,25 @@ struct Compare {
 
   bool values(const Value& x, const Value& y) const {
     const auto *p = std::get_if<ObjectId>(&x), *q = std::get_if<ObjectId>(&y);
+    const auto *a1 = std::get_if<Attachment>(&x), *a2 = std::get_if<Attachment>(&y);
+    if (a1 && a2) return a1->hold == a2->hold && ra(a1->parent) == rb(a2->parent) && a1->keep_world == a2->keep_world;
     return p && q ? ra(*p) == rb(*q) : x == y;
   }
   bool maybe(const std::optional<Value>& x, const std::optional<Value>& y) const {
     return x.has_value() == y.has_value() && (!x || values(*x, *y));
   }
+  bool same_twerper(Twerper x, Twerper y) const {
+    return is_own(x) && is_own(y) ? twerper_name(a, x) == twerper_name(b, y) : x == y;
+  }
   bool events(const Event& x, const Event& y) const {
-    return x.time == y.time && x.twerper == y.twerper && x.keep == y.keep && (x.keep || values(x.value, y.value)) &&
+    return x.time == y.time && same_twerper(x.twerper, y.twerper) && x.keep == y.keep && x.release == y.release &&
+           (x.keep || x.release || values(x.value, y.value)) &&
            x.detail->ease_in == y.detail->ease_in && x.detail->ease_out == y.detail->ease_out &&
            x.detail->bezier == y.detail->bezier && maybe(x.detail->before, y.detail->before) &&
            maybe(x.detail->tangent_in, y.detail->tangent_in) && maybe(x.detail->tangent_out, y.detail->tangent_out);
   }
   bool tracks(const Track& x, const Track& y) const {
-    if (x.global != y.global || x.before != y.before || x.after != y.after || x.srgb != y.srgb ||
+    if (!same_twerper(x.global, y.global) || x.before != y.before || x.after != y.after || x.srgb != y.srgb ||
         x.events.size() != y.events.size())
       return false;
     if (x.global == Twerper::bezier && x.bezier != y.bezier) return false;
@@ -266,29 +352,41 @@ struct Compare {
     return std::equal(p.begin(), p.end(), q.begin(), q.end(),
                       [&](const Event& e, const Event& f) { return events(e, f); });
   }
+  bool strands(const Strand& s, const Strand& t) const {
+    if (!tracks(*s.track, *t.track)) return false;
+    for (std::size_t i = 0; i < std::max(s.components.size(), t.components.size()); ++i) {  // none is as good as empty
+      static const Track empty;
+      const Track &u = s.components.empty() ? empty : *s.components[i],
+                  &v = t.components.empty() ? empty : *t.components[i];
+      if (!tracks(u, v)) return false;
+    }
+    return true;
+  }
   bool objects(const Object& x, const Object& y) const {
-    if (x.name != y.name || x.kind != y.kind || ra(x.parent) != rb(y.parent)) return false;
-    for (FunctionId f = 0; f < static_cast<FunctionId>(built_in_functions().size() + a.defined->size()); ++f) {
-      static const Slot nothing;
-      const Slot *p = x.find(f), *q = y.find(f);
-      if (!p && !q) continue;
-      const Slot &s = p ? *p : nothing, &t = q ? *q : nothing;
-      if (!maybe(s.set, t.set) || !tracks(*s.track, *t.track)) return false;
-      for (std::size_t i = 0; i < std::max(s.components.size(), t.components.size());
-           ++i) {  // none is as good as empty
-        static const Track empty;
-        const Track &u = s.components.empty() ? empty : *s.components[i],
-                    &v = t.components.empty() ? empty : *t.components[i];
-        if (!tracks(u, v)) return false;
-      }
+    if (x.name != y.name || x.kind != y.kind) return false;
+    static const Slot nothing;
+    const auto rank = [](const Ranks& r, const Slot& s) { return std::pair(s.function, r(s.layer).index + 1); };
+    auto p = x.slots.begin(), q = y.slots.begin();
+    while (p != x.slots.end() || q != y.slots.end()) {
+      const bool left = p != x.slots.end() && (q == y.slots.end() || rank(ra, *p) <= rank(rb, *q));
+      const bool right = q != y.slots.end() && (p == x.slots.end() || rank(rb, *q) <= rank(ra, *p));
+      const Slot &s = left ? *p++ : nothing, &t = right ? *q++ : nothing;
+      if (!maybe(s.set, t.set) || !strands(s, t) || !strands(s.velocity, t.velocity) || s.filters != t.filters)
+        return false;
     }
     return true;
   }
   bool all() const {
     if (!(a.rate == b.rate && a.ticks == b.ticks && a.range == b.range && a.background == b.background &&
           a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases &&
-          a.notes == b.notes))
+          a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording))
       return false;
+    const auto same_dial = [&](const Dial& x, const Dial& y) {
+      return x.address == y.address && ra(x.target.object) == rb(y.target.object) &&
+             x.target.function == y.target.function && x.target.component == y.target.component && x.low == y.low &&
+             x.high == y.high && x.from == y.from && x.to == y.to && x.mapped == y.mapped;
+    };
+    if (!std::equal(a.dials->begin(), a.dials->end(), b.dials->begin(), b.dials->end(), same_dial)) return false;
     const auto same_cut = [&](const auto& x, const auto& y) {
       return x.first == y.first && ra(x.second) == rb(y.second);
     };
@@ -312,10 +410,11 @@ std::pair<Time, Time> Document::range() const {
     if (!t.events.empty()) last = std::max(last, t.events.back().time);
   };
   for (std::size_t i = 0; i < scene_->objects.size(); ++i)
-    for (const Slot& slot : scene_->objects[i].slots) {
-      reach(*slot.track);
-      for (const auto& c : slot.components) reach(*c);
-    }
+    for (const Slot& slot : scene_->objects[i].slots)
+      for (const Strand* strand : {static_cast<const Strand*>(&slot), &slot.velocity}) {
+        reach(*strand->track);
+        for (const auto& c : strand->components) reach(*c);
+      }
   if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
   if (last <= Time{}) return {{}, scene_->rate.frame(std::max(1.0, std::round(scene_->rate.per_second())))};
   return {{}, last};
@@ -346,7 +445,7 @@ std::string Document::name(const Target& t) const {
   const FunctionSpec& spec = spec_of(*scene_, t.function);
   std::string out = name(t.object) + "." + spec.name;
   if (t.component >= 0) out += "." + std::string(component_name(spec.type, t.component));
-  return out;
+  return t.velocity ? out + ".velocity" : out;
 }
 
 std::vector<std::pair<Time, std::string>> Document::notes(Time from, Time to) const {

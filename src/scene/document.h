@@ -12,28 +12,34 @@
 #include "base/cow.h"
 #include "betwixt/document.h"
 #include "scene/functions.h"
+#include "track/filter.h"
 #include "track/track.h"
 
 namespace betwixt {
 
 // What is known of one display function of one object: the value while there are no events, and the track or the tracks
 // of its components.
-struct Slot {
-  FunctionId function = 0;
-  std::optional<Value> set;
+struct Strand {
   Cow<Track> track;                    // events of the whole value …
   std::vector<Cow<Track>> components;  // … or of each component (as many as the type has); never both
+};
+struct Slot : Strand {
+  FunctionId function = 0;
+  ObjectId layer;  // none: the object's own; else what the layer lays over it
+  std::optional<Value> set;
+  Strand velocity;              // per second; rules while it reigns (R-T5)
+  std::vector<Filter> filters;  // the first one sees the track, each next one what the one before made of it
 };
 
 struct Object {
   std::string name;
   Kind kind = Kind::group;
   bool removed = false;
-  ObjectId parent;          // coupled to it, or none
-  std::vector<Slot> slots;  // sorted by function
+  bool leads = false;       // something has been attached to it: it may be part of a circle
+  std::vector<Slot> slots;  // sorted by function, then layer (the object's own first)
 
-  const Slot* find(FunctionId f) const;
-  Slot& slot(FunctionId f);  // made where there is none
+  const Slot* find(FunctionId f, ObjectId layer = {}) const;
+  Slot& slot(FunctionId f, ObjectId layer = {});  // made where there is none
 };
 
 // Objects by number, in shared chunks.
@@ -70,6 +76,25 @@ class NameIndex {
 enum class Policy : std::uint8_t { translate, ignore, ask };
 inline constexpr std::array<std::string_view, 3> policy_names{"translate", "ignore", "ask"};
 
+// Code of the author's, or of a plug-in, with a name of its own.
+struct NamedProcedure {
+  std::string name;
+  Role role = Role::value;
+  std::shared_ptr<const Routine> code;
+  friend bool operator==(const NamedProcedure& a, const NamedProcedure& b) {
+    return a.name == b.name && a.role == b.role && Procedure{a.code} == Procedure{b.code};
+  }
+};
+
+// A control of live input, and what it turns: values from low..high become values from..to.
+struct Dial {
+  std::string address;  // "/fader/1"
+  Target target;
+  double low = 0, high = 1;
+  Value from = 0.0, to = 1.0;
+  bool mapped = false;  // else the numbers go as they come
+};
+
 struct Scene {
   Rate rate, ticks{30, 1};
   std::optional<std::pair<Time, Time>> range;
@@ -82,6 +107,9 @@ struct Scene {
   Cow<std::vector<FunctionSpec>> defined;  // the user's own functions; ids follow the built-in ones
   Cow<std::map<std::string, std::vector<std::string>, std::less<>>> aliases;  // patterns inside are read at each use
   Cow<std::vector<std::pair<Time, std::string>>> notes;                       // sorted by time
+  Cow<std::vector<NamedProcedure>> procedures;  // events speak of twerpers by their place here
+  Cow<std::vector<Dial>> dials;
+  bool recording = false;  // what dials say becomes events
   Cow<std::map<Time, ObjectId>> cuts;  // which camera is looked through from when on
   // What files held when they were named, by the path as the author wrote it.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
@@ -100,8 +128,17 @@ inline const Object* find_object(const Scene& s, ObjectId id) {
 // Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left
 // out.
 std::vector<ObjectId> select(const Scene&, std::string_view word);
-// Is `below` the same as `above` or attached, directly or not, to it?
-bool attached_below(const Scene&, ObjectId below, ObjectId above);
+// The attachments of an object one after another: first the one from the beginning, then the track's, until the next.
+struct Attached {
+  Time from, until;
+  Attachment to;
+};
+std::vector<Attached> attachments(const Object&);
+// Would `child` attached to `parent` from `from` to `until` hang, at some time, on itself? The circle's objects from
+// the child on; empty: no.
+std::vector<ObjectId> circle(const Scene&, ObjectId child, ObjectId parent, Time from, Time until);
+const NamedProcedure* find_procedure(const Scene&, std::string_view name);
+std::string twerper_name(const Scene&, Twerper);
 
 ObjectId add_object(Scene&, Object object);
 void remove_objects(Scene&, const std::vector<ObjectId>&);  // what was coupled to them stands free; tracks that speak
@@ -114,6 +151,7 @@ Track* edit_track(Scene&, const Target&);
 std::vector<Track*> edit_tracks(Scene&, const Target&);
 std::vector<const Track*> tracks_of(const Scene&, const Target&);
 void put_event(Scene&, const Target&, Event);
+Strand split_into_components(const Strand&, Type type);
 void set_value(Scene&, const Target&, const Value&);
 
 // One component of a value made of numbers, and a value with one component changed.

@@ -10,7 +10,7 @@ namespace betwixt {
 namespace {
 
 constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
-constexpr std::uint32_t all = 0xffffffff;
+constexpr std::uint32_t all = 0xffffffff & ~bit(Kind::layer);
 
 std::vector<FunctionSpec> make() {
   std::vector<FunctionSpec> f(fn::count);
@@ -61,6 +61,9 @@ std::vector<FunctionSpec> make() {
   set(fn::fov, {"fov", Type::angle, 0.0, bit(Kind::camera), Unit::none, {}, 0, 3.1});
   set(fn::camera_height, {"height", Type::scalar, 0.0, bit(Kind::camera), Unit::metres, {}, least, most});
   set(fn::look_at, {"look-at", Type::aim, ObjectId{}, bit(Kind::camera), Unit::metres, {}});
+  set(fn::attachment, {"attachment", Type::attachment, Attachment{}, all, Unit::none, {}});
+  set(fn::weight, {"weight", Type::scalar, 1.0, bit(Kind::layer), Unit::none, {}, 0, 1});
+  set(fn::mode, {"mode", Type::text, Text(std::string("add")), bit(Kind::layer), Unit::none, "add|mix"});
   return f;
 }
 
@@ -97,6 +100,21 @@ int component_count(Type type) {
       return 3;
     default:
       return 0;
+  }
+}
+
+bool has_velocity(Type type) {
+  switch (type) {
+    case Type::scalar:
+    case Type::angle:
+    case Type::pair:
+    case Type::vector:
+    case Type::color:
+    case Type::rotation:
+    case Type::orientation:
+      return true;
+    default:
+      return false;
   }
 }
 

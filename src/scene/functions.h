@@ -68,15 +68,20 @@ enum : FunctionId {
   fov,
   camera_height,
   look_at,
+  attachment,
+  weight,
+  mode,
   count
 };
 }
 
-inline constexpr std::array<std::string_view, 15> kind_names{"group",  "sphere", "box",  "cylinder", "cone",
+inline constexpr std::array<std::string_view, 16> kind_names{"group",  "sphere", "box",  "cylinder", "cone",
                                                              "torus",  "plane",  "disc", "polygon",  "polyline",
-                                                             "points", "text",   "mesh", "light",    "camera"};
+                                                             "points", "text",   "mesh", "light",    "camera", "layer"};
 std::optional<Kind> find_kind(std::string_view name);
-inline bool drawn(Kind k) { return k != Kind::group && k != Kind::light && k != Kind::camera; }
+inline bool drawn(Kind k) {
+  return k != Kind::group && k != Kind::light && k != Kind::camera && k != Kind::layer;
+}
 
 // Names of components: x y z, or r g b for colours. -1: no such component of this type.
 int find_component(Type type, std::string_view name);
@@ -85,5 +90,7 @@ std::string_view component_name(Type type, int component);
 // else 0.
 int component_count(Type type);
 Type component_type(Type type);
+// Whether values of the type have a rate of change.
+bool has_velocity(Type type);
 
 }  // namespace betwixt

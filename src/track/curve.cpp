@@ -52,7 +52,7 @@ Twerper resolve(const Track& track, const Event& e, Type type, bool orientation)
   Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
   if (t == Twerper::unset)
     t = orientation ? Twerper::slerp : type == Type::rotation ? Twerper::smooth : default_twerper(type);
-  if (type == Type::boolean) t = Twerper::hold;
+  if (type == Type::boolean || type == Type::attachment) t = Twerper::hold;
   if (orientation) return for_orientation(t);
   return t == Twerper::slerp ? Twerper::linear : t == Twerper::squad ? Twerper::smooth : t;
 }
@@ -79,6 +79,15 @@ Numbers compiled(const Value& v, const Curve& c, Type type) {
   if (type == Type::color && !c.srgb)
     for (double& x : n) x = to_linear(x);
   return n;
+}
+
+// The blending factor at u; a twerper of the author's gets the time with eases in it, like all others. One that errs
+// is as good as linear.
+double own_factor(const std::vector<std::shared_ptr<const Routine>>& own, Twerper t, double s) {
+  const auto i = static_cast<std::size_t>(t) - first_own_twerper;
+  if (i >= own.size() || !own[i]) return s;
+  const auto f = own[i]->blend(s);
+  return f && std::isfinite(*f) ? *f : s;
 }
 
 double segment_factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) {
@@ -235,6 +244,11 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   return c;
 }
 
+double CurveSet::factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) const {
+  const double s = segment_factor(t, u, from, to, h);
+  return is_own(t) ? own_factor(own, t, s) : s;
+}
+
 const CurveDetail* CurveSet::detail(std::uint32_t event) const {
   if (details_.empty()) return nullptr;
   const auto at = std::lower_bound(details_.begin(), details_.end(), event,
@@ -254,13 +268,13 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
   const double* p2 = next && next->cut ? next->before.data() : p1 + n;
   const double h = static_cast<double>(time[k + 1] - time[k]);
   const double u = since / h;
-  const double s = segment_factor(twerper, u, here, next, h);
+  const double s = factor(twerper, u, here, next, h);
 
   if (twerper == Twerper::hold) {
     std::copy_n(p1, n, out);
     return;
   }
-  if (twerper == Twerper::linear || twerper == Twerper::bezier) {
+  if (twerper == Twerper::linear || twerper == Twerper::bezier || is_own(twerper)) {
     if (c.orientation) return store(slerp(quat(p1), quat(p2), s), out);
     for (std::uint32_t i = 0; i < n; ++i) out[i] = p1[i] + s * (p2[i] - p1[i]);
     return;
@@ -385,6 +399,99 @@ void CurveSet::evaluate(const Curve& c, Time time, double* out) const {
     for (int i = 0; i < c.channels; ++i) out[i] = to_linear(out[i]);
 }
 
+void CurveSet::derivative(const Curve& c, Time time, double* out) const {
+  // Five values about the time, all in its own segment: the difference that is exact for quartics.
+  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  const std::int64_t t = time.flicks;
+  const double second = static_cast<double>(flicks_per_second);
+  std::fill_n(out, c.orientation ? 3 : c.channels, 0.0);
+  if (c.count < 2) return;
+  const bool outside = t < *first || t >= *last;
+  std::array<Numbers, 5> v{};
+  double h = 0, offset = 0;  // a step, and where the time is among the five, in steps
+  if (outside) {
+    const Extend how = t < *first ? c.before : c.after;
+    if (how == Extend::hold) return;
+    h = std::max(1.0, std::min(static_cast<double>(*last - *first) / 4096, second / 1024));
+    const auto step = static_cast<std::int64_t>(h);
+    h = static_cast<double>(step);
+    for (int i = 0; i < 5; ++i) evaluate(c, {t + i * step}, v[static_cast<std::size_t>(i)].data());
+  } else {
+    const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first) - 1;
+    const double length = static_cast<double>(first[k + 1] - first[k]), since = static_cast<double>(t - first[k]);
+    h = length / 1024;
+    const double begin = std::clamp(since - 2 * h, 0.0, length - 4 * h);
+    offset = (since - begin) / h;
+    for (int i = 0; i < 5; ++i) {
+      auto& n = v[static_cast<std::size_t>(i)];
+      segment(c, k, begin + i * h, n.data());
+      if (c.srgb)
+        for (double& x : n) x = to_linear(x);
+    }
+  }
+  // Weights of the derivative of the quartic through five points, at `offset`.
+  std::array<double, 5> w{};
+  for (int i = 0; i < 5; ++i) {
+    double below = 1, sum = 0;
+    for (int j = 0; j < 5; ++j) {
+      if (j == i) continue;
+      below *= i - j;
+      double product = 1;
+      for (int m = 0; m < 5; ++m)
+        if (m != i && m != j) product *= offset - m;
+      sum += product;
+    }
+    w[static_cast<std::size_t>(i)] = sum / below / (h / second);
+  }
+  if (!c.orientation) {
+    for (std::size_t i = 0; i < 5; ++i)
+      for (int n = 0; n < c.channels; ++n) out[n] += w[i] * v[i][static_cast<std::size_t>(n)];
+    return;
+  }
+  // Turns away from the middle one, in the axes outside.
+  const Quat middle = quat(v[2].data());
+  for (std::size_t i = 0; i < 5; ++i) {
+    Quat q = quat(v[i].data());
+    if (dot(q, middle) < 0) q = -q;
+    const Quat turn = log(q * conjugate(middle));
+    out[0] += 2 * w[i] * turn.x, out[1] += 2 * w[i] * turn.y, out[2] += 2 * w[i] * turn.z;
+  }
+}
+
+void CurveSet::integrate(const Curve& c, std::uint32_t k, double u, double* out) const {
+  // Gauss and Legendre's five points are exact to the ninth degree: a cubic of an ease has the sixth. The eases' seams
+  // part the segment; what is no polynomial is cut finer.
+  static constexpr double at[] = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                  0.95308992296933200};
+  static constexpr double weight[] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                      0.23931433524968324, 0.11846344252809454};
+  std::fill_n(out, c.channels, 0.0);
+  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
+  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
+  double a = here ? here->ease_out / h : 0, b = next ? next->ease_in / h : 0;
+  if (a + b > 1) {
+    const double fit = 1 / (a + b);
+    a *= fit, b *= fit;
+  }
+  std::vector<double> seams{0};
+  const auto seam = [&](double x) {
+    if (x > seams.back() && x < u) seams.push_back(x);
+  };
+  seam(a), seam(1 - b);
+  if (twerper == Twerper::bezier || is_own(twerper))
+    for (int i = 1; i < 64; ++i) seam(i / 64.0);
+  seams.push_back(u);
+  Numbers n{};
+  for (std::size_t i = 0; i + 1 < seams.size(); ++i)
+    for (std::size_t g = 0; g < 5; ++g) {
+      const double width = seams[i + 1] - seams[i];
+      segment(c, k, (seams[i] + at[g] * width) * h, n.data());
+      for (int x = 0; x < c.channels; ++x)
+        out[x] += weight[g] * width * n[static_cast<std::size_t>(x)] * h / static_cast<double>(flicks_per_second);
+    }
+}
+
 std::size_t CurveSet::bytes() const {
   return times_.size() * sizeof(times_[0]) + values_.size() * sizeof(double) + twerpers_.size() +
          details_.size() * sizeof(CurveDetail);
@@ -402,7 +509,7 @@ Steps::Steps(const Track& track, Type type) : before_(track.before), after_(trac
   });
 }
 
-Between Steps::at(Time time) const {
+Between Steps::at(Time time, const CurveSet& set) const {
   std::int64_t t = time.flicks;
   const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
   const Extend how = t < first ? before_ : after_;
@@ -419,6 +526,7 @@ Between Steps::at(Time time) const {
   to.ease_in = static_cast<double>(next->detail->ease_in.flicks);
   double s = segment_factor(twerper, static_cast<double>(t - key.time.flicks) / h, &from, &to, h);
   if (twerper == Twerper::hermite || twerper == Twerper::bspline) s = s * s * (3 - 2 * s);
+  if (is_own(twerper)) s = own_factor(set.own, twerper, s);
   return {key.goes_on, next->comes_to, s};
 }
 

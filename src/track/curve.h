@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "track/procedure.h"
 #include "track/track.h"
 
 namespace betwixt {
@@ -37,9 +38,22 @@ class CurveSet {
   Curve add(const Track& track, Type type, bool component = false);
   // out[0 … channels): the value at t.
   void evaluate(const Curve& curve, Time t, double* out) const;
+  // Its right-hand rate of change there, per second, of the numbers evaluate() gives; an orientation's is its angular
+  // velocity (three numbers, in the axes it is turned in). Exact for polynomials up to the fourth degree.
+  void derivative(const Curve& curve, Time t, double* out) const;
   std::size_t bytes() const;
+  std::pair<Time, Time> span(const Curve& c) const {  // of its events
+    return {{times_[c.first]}, {times_[c.first + c.count - 1]}};
+  }
+  // The integral of the numbers, in seconds, from one event to a point at or before the next (u = 0 … 1).
+  void integrate(const Curve& curve, std::uint32_t k, double u, double* out) const;
+  std::int64_t event_time(const Curve& c, std::uint32_t k) const { return times_[c.first + k]; }
+  const double* event_numbers(const Curve& c, std::uint32_t k) const { return &values_[c.values + k * c.channels]; }
+
+  std::vector<std::shared_ptr<const Routine>> own;  // the document's procedures, for twerpers among them
 
  private:
+  double factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) const;
   const CurveDetail* detail(std::uint32_t event) const;
   void segment(const Curve& c, std::uint32_t k, double since, double* out) const;
   void beyond(const Curve& c, bool after, double past, double* out) const;
@@ -71,7 +85,7 @@ struct Between {
 class Steps {
  public:
   Steps(const Track& track, Type type);
-  Between at(Time t) const;
+  Between at(Time t, const CurveSet& set) const;
   std::span<const Value> values() const { return values_; }
 
  private:

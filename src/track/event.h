@@ -19,6 +19,10 @@ enum class Twerper : std::uint8_t { unset, hold, linear, smooth, bspline, hermit
 inline constexpr std::array<std::string_view, 9> twerper_names{"unset",   "hold",   "linear", "smooth", "bspline",
                                                                "hermite", "bezier", "slerp",  "squad"};
 
+// Above the built-in ones: the document's own, by their place among its procedures.
+inline constexpr std::uint8_t first_own_twerper = 16;
+constexpr bool is_own(Twerper t) { return static_cast<std::uint8_t>(t) >= first_own_twerper; }
+
 // What few events have.
 struct EventDetail {
   Time ease_in, ease_out;
@@ -62,6 +66,7 @@ struct Event {
   Value value;
   DetailBox detail;
   Twerper twerper = Twerper::unset;
+  bool release = false;  // on a velocity track: the end of its reign (R-T5); no value
   bool keep = false;  // changes the twerper only: the value is what the track would have here without this event
   friend bool operator==(const Event&, const Event&) = default;
 };

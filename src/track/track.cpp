@@ -8,11 +8,12 @@ namespace betwixt {
 
 bool fits(Twerper twerper, Type type, std::string* why) {
   const bool orientation = type == Type::orientation || type == Type::rotation;
-  const bool steps = type == Type::boolean || type == Type::text || type == Type::names;
+  const bool steps = type == Type::boolean || type == Type::attachment || type == Type::text || type == Type::names;
   const auto no = [&](std::string reason) {
     if (why) *why = std::move(reason);
     return false;
   };
+  if (is_own(twerper)) return steps ? no("a twerper cannot blend " + std::string(to_string(type)) + ": it changes at its events only") : true;
   const std::string name(twerper_names[static_cast<std::size_t>(twerper)]);
   if (twerper == Twerper::unset || twerper == Twerper::hold) return true;
   if (steps)

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Filters: pure functions through time on a track. (twixt notes, G105; R-T16)
+#pragma once
+
+#include <optional>
+
+#include "betwixt/time.h"
+#include "track/procedure.h"
+
+namespace betwixt {
+
+struct Filter {
+  std::string name;
+  std::shared_ptr<const Routine> code;  // null: a built-in one
+  Parameters parameters;                // as the author gave them; what is left out has its default
+  int component = -1;                   // of the function's value; -1: the whole
+  std::optional<std::pair<Time, Time>> segment;  // both ends included; none: always
+  friend bool operator==(const Filter&, const Filter&);
+};
+
+// A built-in filter and what can be said to it.
+struct FilterParameter {
+  std::string_view name;
+  Type type;  // scalar; angle stands for a length of time, in seconds
+  double rest;
+  double low, high;
+  bool time = false;
+};
+struct FilterSpec {
+  std::string_view name;
+  std::string_view says;
+  std::vector<FilterParameter> parameters;
+  bool any_type = false;  // works on values that are not numbers too
+};
+const std::vector<FilterSpec>& built_in_filters();
+const FilterSpec* find_filter(std::string_view name);
+
+// The filtered value at a time. Errors come from procedures only.
+Result<Value> apply(const Filter&, Input&, double seconds);
+
+}  // namespace betwixt

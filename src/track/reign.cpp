@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "track/reign.h"
+
+#include <cmath>
+
+namespace betwixt {
+namespace {
+
+constexpr double second = static_cast<double>(flicks_per_second);
+
+Quat turn_by(Vec3 angle) {
+  const double a = length(angle);
+  if (a < 1e-300) return {};
+  const double k = std::sin(a / 2) / a;
+  return {std::cos(a / 2), k * angle.x, k * angle.y, k * angle.z};
+}
+
+// The turn over one step of a velocity that wanders: the fourth order of Magnus' series, from two points of Gauss.
+Quat magnus(const CurveSet& set, const Curve& v, std::int64_t from, double length_in_flicks) {
+  const double h = length_in_flicks / second;
+  double a[4], b[4];
+  const auto at = [&](double u) { return Time{from + std::llround(u * length_in_flicks)}; };
+  set.evaluate(v, at(0.5 - std::sqrt(3.0) / 6), a);
+  set.evaluate(v, at(0.5 + std::sqrt(3.0) / 6), b);
+  const Vec3 p{a[0], a[1], a[2]}, q{b[0], b[1], b[2]};
+  return turn_by(h / 2 * (p + q) + (std::sqrt(3.0) / 12 * h * h) * cross(q, p));
+}
+
+}  // namespace
+
+Reign::Reign(CurveSet& set, const Curve& velocity, bool orientation)
+    : v_(velocity), from_{set.span(velocity).first}, orientation_(orientation) {
+  prefix_.resize(v_.count * v_.channels);
+  double part[4] = {};
+  for (std::uint32_t k = 1; k < v_.count; ++k) {
+    set.integrate(v_, k - 1, 1, part);
+    for (std::uint32_t i = 0; i < v_.channels; ++i)
+      prefix_[k * v_.channels + i] = prefix_[(k - 1) * v_.channels + i] + part[i];
+  }
+  if (!orientation_) return;
+  // One axis all the while (whatever the twerper: sums of parallel vectors are parallel), or a wandering one?
+  Vec3 axis;
+  for (std::uint32_t k = 0; k < v_.count; ++k) {
+    double n[4] = {};
+    // The middle of each segment shows cuts and tangents too.
+    for (const std::int64_t t : {set.event_time(v_, k), set.event_time(v_, k) - 1,
+                                 k > 0 ? (set.event_time(v_, k) + set.event_time(v_, k - 1)) / 2
+                                       : set.event_time(v_, k)}) {
+      if (t < from_.flicks) continue;
+      set.evaluate(v_, {t}, n);
+      const Vec3 w{n[0], n[1], n[2]};
+      if (length(axis) == 0) axis = normalize(w, {});
+      one_axis_ = one_axis_ && length(cross(axis, w)) <= 1e-12 * length(w);
+    }
+  }
+  if (one_axis_) return;
+  const std::int64_t length_ = set.span(v_).second.flicks - from_.flicks;
+  step_ = std::max<std::int64_t>(flicks_per_second / 30, length_ / 1'000'000 + 1);
+  checkpoints_.push_back({});
+  for (std::int64_t t = from_.flicks; t + step_ <= from_.flicks + length_; t += step_)
+    checkpoints_.push_back(normalize(magnus(set, v_, t, static_cast<double>(step_)) * checkpoints_.back()));
+}
+
+void Reign::numbers(const CurveSet& set, Time time, double* out) const {
+  const std::uint32_t n = v_.channels;
+  const auto copy_prefix = [&](std::uint32_t k) { std::copy_n(&prefix_[k * n], n, out); };
+  const auto [first, last] = set.span(v_);
+  std::int64_t t = time.flicks;
+  double whole = 0, sign = 1;  // periods gone by, and the way the present one is run through
+  if (t > last.flicks) {
+    const double past = static_cast<double>(t - last.flicks) / second;
+    const std::int64_t period = last.flicks - first.flicks;
+    if (v_.count < 2 || v_.after == Extend::hold || v_.after == Extend::linear || period <= 0) {
+      double end[4] = {}, rate[4] = {};
+      set.evaluate(v_, last, end);
+      if (v_.after == Extend::linear && v_.count > 1) {
+        double far[4] = {};
+        set.evaluate(v_, {last.flicks + flicks_per_second}, far);
+        for (std::uint32_t i = 0; i < n; ++i) rate[i] = far[i] - end[i];
+      }
+      copy_prefix(v_.count - 1);
+      for (std::uint32_t i = 0; i < n; ++i) out[i] += end[i] * past + rate[i] * past * past / 2;
+      return;
+    }
+    const std::int64_t turns = (t - first.flicks) / period, rest = (t - first.flicks) % period;
+    whole = static_cast<double>(turns);
+    t = first.flicks + rest;
+    if (v_.after == Extend::bounce && (turns & 1)) ++whole, sign = -1, t = last.flicks - rest;
+  }
+  std::uint32_t low = 0, high = v_.count;
+  while (high - low > 1) {
+    const std::uint32_t k = (low + high) / 2;
+    (set.event_time(v_, k) <= t ? low : high) = k;
+  }
+  double part[4] = {};
+  if (low + 1 < v_.count) {
+    const double h = static_cast<double>(set.event_time(v_, low + 1) - set.event_time(v_, low));
+    set.integrate(v_, low, static_cast<double>(t - set.event_time(v_, low)) / h, part);
+  }
+  copy_prefix(low);
+  for (std::uint32_t i = 0; i < n; ++i)
+    out[i] = sign * (out[i] + part[i]) + whole * prefix_[(v_.count - 1) * n + i];
+}
+
+void Reign::stepped(const CurveSet& set, Time time, double* out) const {
+  const Time last = set.span(v_).second;
+  const std::int64_t t = std::min(time, last).flicks;
+  const auto k = std::min<std::size_t>(static_cast<std::size_t>((t - from_.flicks) / step_), checkpoints_.size() - 1);
+  const std::int64_t at = from_.flicks + static_cast<std::int64_t>(k) * step_;
+  Quat q = checkpoints_[k];
+  if (t > at) q = magnus(set, v_, at, static_cast<double>(t - at)) * q;
+  if (time > last) {  // the last velocity goes on
+    double n[4] = {};
+    set.evaluate(v_, last, n);
+    q = turn_by((static_cast<double>((time - last).flicks) / second) * Vec3{n[0], n[1], n[2]}) * q;
+  }
+  q = normalize(q);
+  out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z;
+}
+
+void Reign::sum(const CurveSet& set, Time t, double* out) const {
+  if (!orientation_) return numbers(set, t, out);
+  if (!one_axis_) return stepped(set, t, out);
+  double n[4] = {};
+  numbers(set, t, n);
+  const Quat q = turn_by({n[0], n[1], n[2]});
+  out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z;
+}
+
+}  // namespace betwixt
