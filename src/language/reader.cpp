@@ -145,6 +145,13 @@ bool Reader::sound_text(std::string_view text) {
   return true;
 }
 
+void Reader::carry(const Carried& from, const std::string& script) {
+  rows_read_frames_ = from.frames_read, rows_read_ticks_ = from.ticks_read;
+  included_ = from.included, copied_ = from.copied;
+  std::error_code ignored;
+  if (!script.empty()) open_files_.push_back(std::filesystem::weakly_canonical(script, ignored));
+}
+
 void Reader::read_text(std::string_view text, const std::string& name) {
   Source outer = std::move(source_);
   source_ = {};
@@ -155,6 +162,7 @@ void Reader::read_text(std::string_view text, const std::string& name) {
   std::error_code ignored;
   if (root_.empty()) root_ = std::filesystem::weakly_canonical(source_.folder.empty() ? "." : source_.folder, ignored);
   if (sound_text(text)) run(text);
+  left_open_ = source_.sheet.open && !source_.sheet.broken;
   source_ = std::move(outer);
 }
 

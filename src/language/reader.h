@@ -39,6 +39,19 @@ class Reader {
   bool targets(Cursor& c, std::string_view word, Selected& out, bool world_too = false);
   ValueReader values(Cursor& c);
 
+  // What later lines must know of earlier ones: for a session, which gives every line to a reader of its own.
+  struct Carried {
+    bool frames_read = false, ticks_read = false;
+    bool sheet_open = false;  // when the text ended
+    int included = 0;
+    std::size_t copied = 0;
+  };
+  Carried carried() const { return {rows_read_frames_, rows_read_ticks_, left_open_, included_, copied_}; }
+  // `script`: the file that the lines will be written to, and that they cannot `use`; may be empty.
+  void carry(const Carried& from, const std::string& script);
+  // Every verb and its usage.
+  static std::vector<std::pair<std::string_view, std::string_view>> words();
+
   Scene& s;
 
  private:
@@ -146,6 +159,7 @@ class Reader {
   bool timed_ = false;  // the command has an `at`
   Time time_;
   bool rows_read_frames_ = false, rows_read_ticks_ = false;
+  bool left_open_ = false;  // a sheet, when the text ended
   int errors_ = 0;
   bool given_up_ = false;
 };

@@ -46,6 +46,12 @@ const std::vector<Reader::Verb>& Reader::verbs() {
   return table;
 }
 
+std::vector<std::pair<std::string_view, std::string_view>> Reader::words() {
+  std::vector<std::pair<std::string_view, std::string_view>> all;
+  for (const Verb& v : verbs()) all.emplace_back(v.word, v.usage);
+  return all;
+}
+
 std::string_view Reader::not_yet(std::string_view verb) {
   static constexpr std::string_view later[] = {"hang",    "attach", "letgo", "filter", "layer", "on",    "procedure",
                                                "animate", "halt",   "kill",  "cancel", "dial",  "record"};
