@@ -13,9 +13,9 @@ namespace betwixt {
 
 struct Filter {
   std::string name;
-  std::shared_ptr<const Routine> code;  // null: a built-in one
-  Parameters parameters;                // as the author gave them; what is left out has its default
-  int component = -1;                   // of the function's value; -1: the whole
+  std::shared_ptr<const Routine> code;           // null: a built-in one
+  Parameters parameters;                         // as the author gave them; what is left out has its default
+  int component = -1;                            // of the function's value; -1: the whole
   std::optional<std::pair<Time, Time>> segment;  // both ends included; none: always
   friend bool operator==(const Filter&, const Filter&);
 };
@@ -23,19 +23,22 @@ struct Filter {
 // A built-in filter and what can be said to it.
 struct FilterParameter {
   std::string_view name;
-  Type type;  // scalar; angle stands for a length of time, in seconds
-  double rest;
-  double low, high;
-  bool time = false;
+  Type type;          // scalar; vector: one for each component, or a scalar for all of them
+  double rest;        // what it is when nothing is said
+  double low, high;   // what is beyond counts as the nearest that is not
+  bool time = false;  // a length of time, in seconds
 };
 struct FilterSpec {
   std::string_view name;
   std::string_view says;
   std::vector<FilterParameter> parameters;
-  bool any_type = false;  // works on values that are not numbers too
+  bool any_type = false;     // works on values that are not numbers too
+  bool orientations = true;  // means something for orientations
 };
 const std::vector<FilterSpec>& built_in_filters();
 const FilterSpec* find_filter(std::string_view name);
+// Whether the filter means something for values of the type. Where it does not, it passes them through.
+bool suits(const FilterSpec&, Type);
 
 // The filtered value at a time. Errors come from procedures only.
 Result<Value> apply(const Filter&, Input&, double seconds);

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `smooth` and `spring` look at the track on a grid of their own that starts at time 0, not at offsets from the time
+// asked for. So the outcome is smooth in time whatever the track does: where it jumps, samples that move along with the
+// time would pass the jump one by one, and each would make a small jump again.
+#include "track/filter.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace betwixt {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double far = 1e12;  // no number of a film is larger
+
+// What a filter was told, or else what it does when nothing is said.
+struct Told {
+  const Filter& filter;
+  const FilterSpec& spec;
+
+  Vec3 triple(std::string_view name) const {
+    const auto is = [&](const auto& p) { return p.name == name; };
+    const FilterParameter& p = *std::find_if(spec.parameters.begin(), spec.parameters.end(), is);
+    const auto given = std::find_if(filter.parameters.rbegin(), filter.parameters.rend(),
+                                    [&](const auto& pair) { return pair.first == name; });
+    const Vec3 rest{p.rest, p.rest, p.rest};
+    if (given == filter.parameters.rend()) return rest;
+    Vec3 v = rest;
+    if (const double* number = std::get_if<double>(&given->second)) v = {*number, *number, *number};
+    if (const Vec3* three = std::get_if<Vec3>(&given->second)) v = *three;
+    for (int i = 0; i < 3; ++i) v[i] = std::isnan(v[i]) ? p.rest : std::clamp(v[i], p.low, p.high);
+    return v;
+  }
+  double number(std::string_view name) const { return triple(name).x; }
+  // Which component of the whole the i-th one of the value is.
+  int component(int i) const { return std::clamp(filter.component < 0 ? i : filter.component, 0, 2); }
+};
+
+Value look(Input& input, double seconds) { return input.at(std::clamp(seconds, -longest_seconds, longest_seconds)); }
+
+// A value as numbers that can be added up; none for what has none.
+struct Numbers {
+  double n[4] = {};
+  int count = 0;
+};
+Numbers numbers(const Value& v) {
+  if (const auto* d = std::get_if<double>(&v)) return {{*d}, 1};
+  if (const auto* p = std::get_if<Vec3>(&v)) return {{p->x, p->y, p->z}, 3};
+  if (const auto* c = std::get_if<Color>(&v)) return {{c->r, c->g, c->b}, 3};
+  if (const auto* a = std::get_if<Angles>(&v)) return {{a->xyz.x, a->xyz.y, a->xyz.z}, 3};
+  if (const auto* q = std::get_if<Quat>(&v)) return {{q->w, q->x, q->y, q->z}, 4};
+  return {};
+}
+// The value of the same kind as `like` that has these numbers. There is no darker than black.
+Value value_of(const Value& like, const double* n) {
+  if (std::holds_alternative<double>(like)) return n[0];
+  if (std::holds_alternative<Vec3>(like)) return Vec3{n[0], n[1], n[2]};
+  if (std::holds_alternative<Color>(like)) return Color{std::max(n[0], 0.0), std::max(n[1], 0.0), std::max(n[2], 0.0)};
+  if (std::holds_alternative<Angles>(like)) return Angles{{n[0], n[1], n[2]}};
+  if (std::holds_alternative<Quat>(like)) return normalize(Quat{n[0], n[1], n[2], n[3]});
+  return like;
+}
+
+// The track at the points first, first + 1, … of a grid.
+struct Samples {
+  Value like;               // the kind that they all have
+  std::vector<Numbers> at;  // empty: not numbers, or of several kinds
+};
+// Where some rotations are angles and others orientations, all become orientations. Of the two quaternions that an
+// orientation has, it is the nearer to the one before.
+Samples samples(Input& input, double first, int count, double cell) {
+  std::vector<Value> values;
+  values.reserve(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) values.push_back(look(input, (first + k) * cell));
+  const auto turn =
+      std::find_if(values.begin(), values.end(), [](const Value& v) { return std::holds_alternative<Quat>(v); });
+  Samples s{turn == values.end() ? values.front() : *turn, {}};
+  s.at.reserve(values.size());
+  for (const Value& v : values) {
+    const auto* angles = turn == values.end() ? nullptr : std::get_if<Angles>(&v);
+    Numbers n = numbers(angles ? Value(from_angles(angles->xyz)) : v);
+    if (!s.at.empty() && turn != values.end()) {
+      const double* before = s.at.back().n;
+      double cosine = 0;
+      for (int i = 0; i < 4; ++i) cosine += before[i] * n.n[i];
+      if (cosine < 0)
+        for (double& x : n.n) x = -x;
+    }
+    if (n.count == 0 || (!s.at.empty() && n.count != s.at.back().count)) return {};
+    s.at.push_back(n);
+  }
+  return s;
+}
+
+// The cubic B-spline over four knots -2 to 2. Its integral is 1.
+double spline(double x) {
+  const double a = std::abs(x);
+  if (a >= 2) return 0;
+  return a > 1 ? (2 - a) * (2 - a) * (2 - a) / 6 : 2.0 / 3 - a * a * (1 - a / 2);
+}
+
+// A mean weighted by a cubic B-spline. Because a whole number of cells lies between two knots of the spline, the
+// weights add up to 1 wherever the grid lies below it, their centre is the time asked for, and the mean has two
+// continuous derivatives.
+constexpr int cells_between_knots = 8;
+Value smooth(const Told& told, Input& input, double seconds) {
+  constexpr int reach = 2 * cells_between_knots;
+  const double cell = told.number("width") / (2 * reach);
+  const double here = std::floor(seconds / cell), first = here - reach + 1;
+  const Samples s = samples(input, first, 2 * reach, cell);
+  if (s.at.empty()) return look(input, seconds);
+  const Numbers& base = s.at[reach - 1];  // means of differences from it: a constant stays what it is to the last bit
+  Numbers mean = base;
+  for (int k = 0; k < 2 * reach; ++k) {
+    const double weight = spline((first + k - seconds / cell) / cells_between_knots) / cells_between_knots;
+    for (int i = 0; i < base.count; ++i) mean.n[i] += weight * (s.at[static_cast<std::size_t>(k)].n[i] - base.n[i]);
+  }
+  return value_of(s.like, mean.n);
+}
+
+// A mass on a damped spring whose other end follows the track: x'' = w² (u - x) - 2 d w x'. Between two points of the
+// grid the track counts as a straight piece, on which the motion has a closed form. The mass starts at rest so long ago
+// that what it did before has decayed to less than 1e-4.
+struct Oscillator {
+  double w, damping;
+  struct Step {
+    double time, xx, xv, vx, vv;  // how the deviation from the steady motion goes on
+  };
+  Step step(double time) const {
+    const double d = 1 - damping * damping, rate = w * std::sqrt(std::abs(d));
+    const double decay = std::exp(-damping * w * time), turn = rate * time;
+    const double c = decay * (d > 0 ? std::cos(turn) : std::cosh(turn));
+    const double s = decay * (turn < 1e-6 ? time : (d > 0 ? std::sin(turn) : std::sinh(turn)) / rate);
+    return {time, c + damping * w * s, s, -w * w * s, c - damping * w * s};
+  }
+  // From `from` the end moves with a steady velocity.
+  void advance(double& x, double& v, const Step& step, double from, double velocity) const {
+    const double lag = 2 * damping / w * velocity;
+    const double dx = x - (from - lag), dv = v - velocity;
+    x = step.xx * dx + step.xv * dv + from + velocity * step.time - lag;
+    v = step.vx * dx + step.vv * dv + velocity;
+  }
+  // The slowest part dies away like exp(-t / this).
+  double time_constant() const {
+    return 1 / (w * (damping > 1 ? damping - std::sqrt(damping * damping - 1) : damping));
+  }
+};
+
+Value spring(const Told& told, Input& input, double seconds) {
+  constexpr double cells_per_swing = 48, time_constants = 12;  // (1 + 12) exp(-12) < 1e-4: the worst, damping 1
+  const double frequency = told.number("frequency"), cell = 1 / (frequency * cells_per_swing);
+  const Oscillator mass{2 * pi * frequency, told.number("damping")};
+  const int count = static_cast<int>(std::ceil(time_constants * mass.time_constant() / cell)) + 2;
+  const double last = std::floor(seconds / cell), first = last - count + 2;
+  const Samples s = samples(input, first, count, cell);
+  if (s.at.empty()) return look(input, seconds);
+  const Oscillator::Step whole = mass.step(cell), rest = mass.step(seconds - last * cell);
+  Numbers out = s.at.front();
+  for (int i = 0; i < out.count; ++i) {
+    const double start = out.n[i];
+    double x = 0, v = 0;  // from the start: a constant stays what it is to the last bit
+    for (std::size_t k = 0; k + 1 < s.at.size(); ++k) {
+      const double from = s.at[k].n[i] - start, to = s.at[k + 1].n[i] - start;
+      mass.advance(x, v, k + 2 < s.at.size() ? whole : rest, from, (to - from) / cell);
+    }
+    out.n[i] = start + x;
+  }
+  return value_of(s.like, out.n);
+}
+
+// A number from -1 to 1 for each point of a lattice.
+double slope_at(double point, double seed, int component) {
+  std::uint64_t h = static_cast<std::uint64_t>(component) * 0x9e3779b97f4a7c15;
+  for (const double part : {seed + 0.0, point + 0.0}) {  // + 0.0: -0 is 0
+    h += std::bit_cast<std::uint64_t>(part) + 0x9e3779b97f4a7c15;
+    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
+    h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
+    h ^= h >> 31;
+  }
+  return static_cast<double>(h >> 11) * 0x1p-52 - 1;
+}
+// Gradient noise from -1 to 1: 0 at the points of the lattice, with a slope there by chance; two continuous
+// derivatives. Each component has its lattice elsewhere, so that they are not 0 together.
+double noise_at(double x, double seed, int component) {
+  x += component / 3.0;
+  const double point = std::floor(x), u = x - point;
+  const double fade = u * u * u * (u * (u * 6 - 15) + 10);
+  const double a = slope_at(point, seed, component) * u, b = slope_at(point + 1, seed, component) * (u - 1);
+  return 2 * (a + fade * (b - a));
+}
+
+// Adds to each component; an orientation is turned by as much about its own axes.
+template <class F>
+Value add(const Value& v, F&& to_component) {
+  if (const auto* q = std::get_if<Quat>(&v))
+    return *q * from_angles({to_component(0), to_component(1), to_component(2)});
+  Numbers n = numbers(v);
+  for (int i = 0; i < n.count; ++i) n.n[i] += to_component(i);
+  return value_of(v, n.n);
+}
+Value noise(const Told& told, Input& input, double seconds) {
+  const Vec3 amount = told.triple("amount");
+  const double x = seconds * told.number("frequency"), seed = told.number("seed");
+  return add(look(input, seconds), [&](int i) {
+    const int c = told.component(i);
+    return amount[c] * noise_at(x, seed, c);
+  });
+}
+Value wobble(const Told& told, Input& input, double seconds) {
+  const Vec3 amount = told.triple("amount");
+  const double turns = seconds * told.number("frequency") + told.number("phase");
+  const double sine = std::sin(2 * pi * (turns - std::floor(turns)));
+  return add(look(input, seconds), [&](int i) { return amount[told.component(i)] * sine; });
+}
+
+template <class F>
+Value each(const Value& v, F&& of_component) {
+  if (std::holds_alternative<Quat>(v)) return v;
+  Numbers n = numbers(v);
+  for (int i = 0; i < n.count; ++i) n.n[i] = of_component(n.n[i]);
+  return value_of(v, n.n);
+}
+Value limit(const Told& told, Input& input, double seconds) {
+  const double low = told.number("low"), high = told.number("high");
+  return each(look(input, seconds), [&](double x) { return std::min(std::max(x, low), high); });
+}
+Value quantise(const Told& told, Input& input, double seconds) {
+  const double by = told.number("by");
+  return each(look(input, seconds), [&](double x) {
+    const double steps = std::round(x / by);
+    return std::abs(steps) < 0x1p53 ? steps * by : x;  // beyond, doubles are coarser than the steps
+  });
+}
+
+Value delay(const Told& told, Input& input, double seconds) { return look(input, seconds - told.number("by")); }
+Value steps(const Told& told, Input& input, double seconds) {
+  constexpr double half_a_flick = 0.5 / static_cast<double>(flicks_per_second);  // 0.58333 s is 7 twelfths
+  const double rate = told.number("rate");
+  return look(input, std::floor((seconds + half_a_flick) * rate) / rate);
+}
+
+constexpr std::pair<std::string_view, Value (*)(const Told&, Input&, double)> built_in[] = {
+    {"smooth", smooth}, {"spring", spring}, {"noise", noise}, {"wobble", wobble},
+    {"delay", delay},   {"steps", steps},   {"limit", limit}, {"quantise", quantise}};
+
+}  // namespace
+
+bool operator==(const Filter& a, const Filter& b) {
+  return a.name == b.name && Procedure{a.code} == Procedure{b.code} && a.parameters == b.parameters &&
+         a.component == b.component && a.segment == b.segment;
+}
+
+const std::vector<FilterSpec>& built_in_filters() {
+  static const std::vector<FilterSpec> all{
+      {"smooth", "a mean over a window of time around each moment", {{"width", Type::scalar, 0.5, 1e-3, 3600, true}}},
+      {"spring",
+       "as seen through a weight on a spring: it comes late, and swings on; damping 1 and more: no swing",
+       {{"frequency", Type::scalar, 2, 1e-2, 100}, {"damping", Type::scalar, 0.3, 0.05, 4}}},
+      {"noise",
+       "adds wander by chance, the same whenever it is asked; frequency: changes a second",
+       {{"amount", Type::vector, 1, -far, far},
+        {"frequency", Type::scalar, 1, 0, 1000},
+        {"seed", Type::scalar, 0, -far, far}}},
+      {"wobble",
+       "adds a sine; phase: in turns, 0.25 starts at the top",
+       {{"amount", Type::vector, 1, -far, far},
+        {"frequency", Type::scalar, 1, 0, 1000},
+        {"phase", Type::scalar, 0, -1e6, 1e6}}},
+      {"delay",
+       "comes later, or with less than 0 earlier",
+       {{"by", Type::scalar, 0.25, -longest_seconds, longest_seconds, true}},
+       true},
+      {"steps",
+       "holds each value until the next step of so many a second",
+       {{"rate", Type::scalar, 12, 1e-3, 1000}},
+       true},
+      {"limit",
+       "never below low, never above high",
+       {{"low", Type::scalar, -infinity, -infinity, infinity}, {"high", Type::scalar, infinity, -infinity, infinity}},
+       false,
+       false},
+      {"quantise", "only whole multiples of by", {{"by", Type::scalar, 0.1, 1e-9, far}}, false, false}};
+  return all;
+}
+
+const FilterSpec* find_filter(std::string_view name) {
+  for (const FilterSpec& spec : built_in_filters())
+    if (spec.name == name) return &spec;
+  return nullptr;
+}
+
+bool suits(const FilterSpec& spec, Type type) {
+  switch (type) {
+    case Type::scalar:
+    case Type::angle:
+    case Type::pair:
+    case Type::vector:
+    case Type::color:
+    case Type::rotation:
+      return true;
+    case Type::orientation:
+      return spec.orientations;
+    case Type::attachment:
+      return false;  // who holds an object is no value through time
+    default:
+      return spec.any_type;
+  }
+}
+
+Result<Value> apply(const Filter& filter, Input& input, double seconds) {
+  const auto within = [&] {
+    const auto t = from_seconds(std::clamp(seconds, -longest_seconds, longest_seconds));
+    return !filter.segment || (filter.segment->first <= t && t <= filter.segment->second);
+  };
+  if (!within()) return input.at(seconds);
+  if (filter.code) return filter.code->filter(input, seconds, filter.parameters);
+  const FilterSpec* spec = find_filter(filter.name);
+  for (const auto& [name, value] : built_in)
+    if (spec && name == filter.name) return value({filter, *spec}, input, seconds);
+  return input.at(seconds);
+}
+
+}  // namespace betwixt
