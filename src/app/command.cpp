@@ -110,6 +110,11 @@ void catch_stops() {
   }
 }
 
+void release_stops() {
+  for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::signal(s, SIG_DFL);
+  stop_asked = 0;
+}
+
 bool stop_requested() { return stop_asked != 0; }
 
 }  // namespace betwixt

@@ -24,6 +24,7 @@ void add_play(CLI::App&, int& exit_code);
 void add_eval(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_tidy(CLI::App&, int& exit_code);
+void add_shell(CLI::App&, int& exit_code);
 
 // Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
 int complain(const Error&, int otherwise);
@@ -55,5 +56,11 @@ Result<FrameList> read_frames(const std::string& text, const Document&);
 // From here on Ctrl-C and friends only ask the program to stop.
 void catch_stops();
 bool stop_requested();
+void release_stops();  // they end the program again
+
+// What the shell does with a document. `frames`: "A..B", or empty for all.
+Status plot_document(const Document&, const std::vector<std::string>& targets, const std::string& frames,
+                     const std::string& out);
+Status play_document(const Document&, const std::string& frames);
 
 }  // namespace betwixt

@@ -206,23 +206,29 @@ class Player {
   Clock::time_point noted_ = Clock::now();
 };
 
+Status play(const Document& document, const Call& call) {
+  const Result<FrameList> frames = read_frames(call.frames, document);
+  if (!frames) return frames.error();
+  catch_stops();
+  Result<std::unique_ptr<Terminal>> terminal = Terminal::open();
+  if (!terminal) return terminal.error();
+  return Player(document, call, *frames, **terminal).run();
+}
+
 int play(const Call& call) {
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
-  const Result<FrameList> frames = read_frames(call.frames, *document);
-  if (!frames) return complain(frames.error(), wrong_call);
-  catch_stops();
-  Status played = Nothing{};
-  {
-    Result<std::unique_ptr<Terminal>> terminal = Terminal::open();
-    if (!terminal) return complain(terminal.error(), wrong_call);
-    played = Player(*document, call, *frames, **terminal).run();
-  }
-  if (!played) return complain(played.error(), wrong_call);
+  if (Status played = play(*document, call); !played) return complain(played.error(), wrong_call);
   return stop_requested() ? interrupted : all_done;
 }
 
 }  // namespace
+
+Status play_document(const Document& document, const std::string& frames) {
+  Call call;
+  call.frames = frames;
+  return play(document, call);
+}
 
 void add_play(CLI::App& app, int& exit_code) {
   const auto call = std::make_shared<Call>();

@@ -131,33 +131,40 @@ int plot(const Call& call) {
   if (Status s = check_place(call.out, true); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
-  const Result<FrameList> frames = read_frames(call.frames, *document);
-  if (!frames) return complain(frames.error(), wrong_call);
+  const Status drawn = plot_document(*document, call.targets, call.frames, call.out);
+  if (drawn) return all_done;
+  const Code code = drawn.error().code;
+  return complain(drawn.error(), code == Code::name || code == Code::syntax ? wrong_input : wrong_call);
+}
 
-  const Program program = Program::compile(*document);
+}  // namespace
+
+Status plot_document(const Document& document, const std::vector<std::string>& words, const std::string& segment,
+                     const std::string& out) {
+  if (!out.ends_with(".svg")) return fail(Code::range, fmt::format("a plot is a .svg, not \"{}\"", out));
+  const Result<FrameList> frames = read_frames(segment, document);
+  if (!frames) return fail(Code::range, frames.error().message, frames.error().hint);
+
+  const Program program = Program::compile(document);
   const Time last = frames->time(frames->count - 1);
-  Plot drawing{fmt::format("{}", fmt::join(call.targets, "  ")),
+  Plot drawing{fmt::format("{}", fmt::join(words, "  ")),
                frames->rate.frame_number(frames->first),
                frames->rate.frame_number(last),
                frames->rate,
                {}};
-  for (const std::string& word : call.targets) {
-    const Result<std::vector<Target>> targets = find_targets(word, *document);
-    if (!targets) return complain(targets.error(), wrong_input);
+  for (const std::string& word : words) {
+    const Result<std::vector<Target>> targets = find_targets(word, document);
+    if (!targets) return fail(Code::name, targets.error().message, targets.error().hint);
     if (targets->empty()) fmt::print(stderr, "betwixt: nothing matches \"{}\"\n", word);
-    std::size_t before = drawing.curves.size();
+    const std::size_t before = drawing.curves.size();
     for (const Target& t : *targets)
       for (Curve& c : curves(program, t, *frames, last)) drawing.curves.push_back(std::move(c));
     if (drawing.curves.size() == before && !targets->empty())
-      return complain(fail(Code::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word)),
-                      wrong_call);
+      return fail(Code::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word));
   }
-  if (drawing.curves.empty()) return complain(fail(Code::name, "there is nothing to plot"), wrong_input);
-  if (Status s = write_text(call.out, to_svg(drawing)); !s) return complain(s.error(), wrong_call);
-  return all_done;
+  if (drawing.curves.empty()) return fail(Code::name, "there is nothing to plot");
+  return write_text(out, to_svg(drawing));
 }
-
-}  // namespace
 
 void add_plot(CLI::App& app, int& exit_code) {
   const auto call = std::make_shared<Call>();

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A session: a film that is made line by line. It keeps every document that ever was (undo has no limit), what the
+// author wrote, and a journal beside the script, in which a command is on the disk before it is answered. It knows no
+// terminal: the shell, or a server, stands around it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/language.h"
+
+namespace betwixt {
+
+class Session {
+ public:
+  // What the session cannot do itself. All may be empty.
+  struct Doors {
+    // The answer to a question; none where nobody answers any more.
+    std::function<std::optional<std::string>(const std::string& question)> ask;
+    std::function<Status(const Document&, const std::string& target, const std::string& file)> plot;
+    std::function<Status(const Document&, const std::string& frames)> play;
+    std::function<Status(const std::string& file)> load;
+  };
+  // Commands of a session that ended without saving.
+  enum class Earlier { ask, recover, discard };
+  struct Answer {
+    bool done = false;  // the line was carried out; else nothing has changed
+    bool quit = false;
+    bool refused = false;  // the line is wrong (and not just called off, or blank)
+    std::string said;      // lines, each with its end; may be empty
+  };
+
+  explicit Session(Doors = {}, const LoadOptions& = {});
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  // Begins with a script (one that is not there yet is a new film), or without: "".
+  Answer open(const std::string& file, Earlier = Earlier::ask);
+  // Carries out one logical line: a command, a row of the sheet that is open, or a word of the shell.
+  Answer enter(std::string_view line);
+  // A bracket or a """ is open: the line goes on.
+  static bool needs_more(std::string_view line);
+  // What the last word of a line can become, in order.
+  std::vector<std::string> complete(std::string_view line) const;
+
+  const Document& document() const;
+  const std::string& file() const;  // may be empty
+  std::size_t unsaved() const;      // commands
+  bool may_change() const;          // false: another session has the file
+  std::string text() const;         // what `save` writes: the author's text, byte for byte, and what was done since
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace betwixt

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt shell: a session with a person at a terminal, or with a script on standard input.
+#include <fmt/format.h>
+#include <histedit.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/command.h"
+#include "betwixt/session.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Call {
+  std::string file;
+  bool recover = false, discard = false;
+};
+
+// Where lines come from. None: there are no more.
+class Input {
+ public:
+  virtual ~Input() = default;
+  virtual std::optional<std::string> line(const std::string& prompt) = 0;
+  virtual std::optional<std::string> answer(const std::string& question) = 0;
+  virtual void push_back(std::string) {}       // lines that were read too far
+  virtual bool called_off() { return false; }  // the line, by Ctrl-C
+  virtual bool person() const { return false; }
+};
+
+class Pipe : public Input {
+ public:
+  std::optional<std::string> line(const std::string&) override {
+    std::string line;
+    if (!kept_.empty()) {
+      line = std::move(kept_.front());
+      kept_.pop_front();
+      return line;
+    }
+    if (!std::getline(std::cin, line)) return std::nullopt;
+    return line;
+  }
+  std::optional<std::string> answer(const std::string& question) override {
+    fmt::print("{}\n", question);
+    std::fflush(stdout);
+    return line("");
+  }
+  void push_back(std::string text) override {
+    std::deque<std::string> lines;
+    for (std::size_t at = 0; at <= text.size();) {
+      const std::size_t stop = std::min(text.find('\n', at), text.size());
+      lines.push_back(text.substr(at, stop - at));
+      at = stop + 1;
+    }
+    kept_.insert(kept_.begin(), lines.begin(), lines.end());
+  }
+
+ private:
+  std::deque<std::string> kept_;
+};
+
+volatile sig_atomic_t line_cancelled = 0;
+
+// Ctrl-C reaches the reading of a line, and nothing else.
+void listen_for_cancel() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { line_cancelled = 1; };
+  ::sigaction(SIGINT, &action, nullptr);  // without SA_RESTART: the reading ends
+}
+
+fs::path history_file() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  const char* home = std::getenv("HOME");
+  if (state && *state) return fs::path(state) / "betwixt/history";
+  if (home && *home) return fs::path(home) / ".local/state/betwixt/history";
+  return {};
+}
+
+// A person at a terminal: lines can be edited, recalled and completed.
+class Keyboard : public Input {
+ public:
+  explicit Keyboard(const Session& session) : session_(session), past_(history_file()) {
+    const char* locale = std::setlocale(LC_CTYPE, "");  // letters of more than one byte
+    if (!locale || std::strcmp(locale, "C") == 0 || std::strcmp(locale, "POSIX") == 0)
+      std::setlocale(LC_CTYPE, "C.UTF-8");
+    edit_ = el_init("betwixt", stdin, stdout, stderr);
+    history_ = history_init();
+    HistEvent event;
+    history(history_, &event, H_SETSIZE, 2000);
+    history(history_, &event, H_SETUNIQUE, 1);
+    std::error_code why;
+    if (!past_.empty()) {
+      fs::create_directories(past_.parent_path(), why);
+      history(history_, &event, H_LOAD, past_.c_str());
+    }
+    el_set(edit_, EL_CLIENTDATA, this);
+    el_set(edit_, EL_PROMPT, [](EditLine* e) { return at(e).prompt_.data(); });
+    el_set(edit_, EL_EDITOR, "emacs");
+    el_set(edit_, EL_HIST, history, history_);
+    el_set(edit_, EL_ADDFN, "betwixt-complete", "completes the word",
+           [](EditLine* e, int) { return static_cast<int>(at(e).complete()); });
+    el_set(edit_, EL_BIND, "^I", "betwixt-complete", nullptr);
+    el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+    el_source(edit_, nullptr);  // ~/.editrc
+  }
+  ~Keyboard() override {
+    history_end(history_);
+    el_end(edit_);
+  }
+
+  std::optional<std::string> line(const std::string& prompt) override {
+    std::optional<std::string> got = read(prompt);
+    if (got && !got->empty()) {
+      HistEvent event;
+      history(history_, &event, H_ENTER, got->c_str());
+      if (!past_.empty()) history(history_, &event, H_SAVE, past_.c_str());
+    }
+    return got;
+  }
+  std::optional<std::string> answer(const std::string& question) override { return read(question); }
+  bool called_off() override { return std::exchange(cancelled_, false); }
+  bool person() const override { return true; }
+
+ private:
+  static Keyboard& at(EditLine* e) {
+    void* self = nullptr;
+    el_get(e, EL_CLIENTDATA, &self);
+    return *static_cast<Keyboard*>(self);
+  }
+
+  std::optional<std::string> read(const std::string& prompt) {
+    // The editor's prompt is one line; what stands above it is said first.
+    const std::size_t nl = prompt.rfind('\n');
+    if (nl != std::string::npos) fmt::print("{}", prompt.substr(0, nl + 1));
+    std::fflush(stdout);
+    prompt_ = nl == std::string::npos ? prompt : prompt.substr(nl + 1);
+    listen_for_cancel();
+    line_cancelled = 0;
+    int n = 0;
+    const char* got = el_gets(edit_, &n);
+    if (got && n > 0) return std::string(got, static_cast<std::size_t>(n - (got[n - 1] == '\n')));
+    fmt::print("\n");
+    if (line_cancelled) {
+      el_reset(edit_);
+      cancelled_ = true;
+      return std::string();
+    }
+    return std::nullopt;
+  }
+
+  unsigned char complete() {
+    const LineInfo* line = el_line(edit_);
+    const std::string before(line->buffer, line->cursor);
+    const std::vector<std::string> all = session_.complete(before);
+    if (all.empty()) return CC_REFRESH_BEEP;
+    const std::size_t start = before.find_last_of(" \t,(=");
+    const std::size_t typed = before.size() - (start == std::string::npos ? 0 : start + 1);
+    std::string common = all.front();
+    for (const std::string& w : all) {
+      std::size_t n = 0;
+      while (n < std::min(common.size(), w.size()) && common[n] == w[n]) ++n;
+      common.resize(n);
+    }
+    std::string more = common.substr(std::min(typed, common.size()));
+    if (all.size() == 1) more += ' ';
+    if (!more.empty()) return el_insertstr(edit_, more.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
+    constexpr std::size_t shown = 200;
+    fmt::print("\n{}{}\n", fmt::join(all.begin(), all.begin() + static_cast<long>(std::min(shown, all.size())), "  "),
+               all.size() > shown ? fmt::format("  … {} more", all.size() - shown) : "");
+    std::fflush(stdout);
+    return CC_REDISPLAY;
+  }
+
+  const Session& session_;
+  const fs::path past_;
+  EditLine* edit_ = nullptr;
+  History* history_ = nullptr;
+  std::string prompt_;
+  bool cancelled_ = false;
+};
+
+// One logical line: more is read while a bracket or a """ is open.
+std::optional<std::string> read_line(Input& in, const std::string& prompt) {
+  std::optional<std::string> line = in.line(prompt);
+  if (!line || in.called_off()) return line ? std::optional<std::string>("") : std::nullopt;
+  std::string whole = *std::move(line);
+  while (Session::needs_more(whole)) {
+    const std::optional<std::string> more = in.line("... ");
+    if (in.called_off()) return "";
+    if (!more) {  // never closed: the first line is at fault, what stands below it is not
+      const std::size_t nl = whole.find('\n');
+      if (nl == std::string::npos) break;
+      in.push_back(whole.substr(nl + 1));
+      return whole.substr(0, nl);
+    }
+    whole += "\n" + *more;
+  }
+  return whole;
+}
+
+int shell(const Call& call) {
+  std::unique_ptr<Input> in;
+  Session::Doors doors;
+  doors.ask = [&in](const std::string& question) { return in->answer(question); };
+  doors.plot = [](const Document& d, const std::string& target, const std::string& to) {
+    return plot_document(d, {target}, "", to);
+  };
+  doors.play = [](const Document& d, const std::string& frames) {
+    const Status played = play_document(d, frames);
+    release_stops();
+    return played;
+  };
+  Session session(std::move(doors), load_options());
+  if (isatty(STDIN_FILENO) && isatty(STDOUT_FILENO))
+    in = std::make_unique<Keyboard>(session);
+  else
+    in = std::make_unique<Pipe>();
+  const bool person = in->person();
+
+  bool wrong = false;
+  const auto say = [&](const Session::Answer& a, bool acknowledge) {
+    wrong = wrong || a.refused;
+    std::fputs(a.said.c_str(), a.refused && !person ? stderr : stdout);
+    if (a.done && acknowledge && !person) std::fputs("ok\n", stdout);
+    std::fflush(stdout);
+  };
+  const Session::Answer begun = session.open(call.file, call.recover   ? Session::Earlier::recover
+                                                        : call.discard ? Session::Earlier::discard
+                                                                       : Session::Earlier::ask);
+  say(begun, false);
+  if (!begun.done) return begun.refused ? wrong_input : all_done;
+  if (person) fmt::print("help lists all words, quit ends; Tab completes.\n");
+  for (;;) {
+    const std::string name = session.file().empty() ? "betwixt" : fs::path(session.file()).filename().string();
+    const std::optional<std::string> line =
+        read_line(*in, fmt::format("{}{}> ", name, session.unsaved() > 0 ? "*" : ""));
+    const Session::Answer answer = session.enter(line.value_or("quit"));
+    say(answer, line.has_value());
+    if (answer.quit) break;
+    if (!line && !person) break;  // nobody is there to stay for
+  }
+  return wrong && !person ? wrong_input : all_done;
+}
+
+}  // namespace
+
+void add_shell(CLI::App& app, int& exit_code) {
+  const auto call = std::make_shared<Call>();
+  CLI::App* sub = app.add_subcommand("shell", "makes a film line by line, with help, undo and a journal");
+  sub->add_option("FILE", call->file, "the script; a new one if it is not there yet")->type_name("");
+  CLI::Option* recover =
+      sub->add_flag("--recover", call->recover, "do again what an earlier session did and did not save");
+  sub->add_flag("--discard", call->discard, "throw away what an earlier session did not save")->excludes(recover);
+  sub->footer("Example:\n  betwixt shell examples/bounce.bx");
+  sub->callback([call, &exit_code] { exit_code = shell(*call); });
+}
+
+}  // namespace betwixt

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/help.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "language/reader.h"
+
+namespace betwixt {
+namespace {
+
+using enum HelpGroup;
+
+constexpr HelpEntry entries[] = {
+    {shell, "help", "Explains a word; without one, lists all words.", "help [WORD]", "help copy"},
+    {shell, "list", "Lists the objects, their kinds and how many events they have.", "list [PATTERN]", "list wheel*"},
+    {shell, "describe", "Says what an object is, has and hangs on; of a target, its events.", "describe NAME|TARGET",
+     "describe ball"},
+    {shell, "undo", "Takes back the last command, without limit.", "undo", "undo"},
+    {shell, "redo", "Does again what was taken back.", "redo", "redo"},
+    {shell, "notes", "Without a word, lists the notes and their times.", "notes", "notes"},
+    {shell, "plot", "Draws values against time, in an SVG file.", "plot TARGET [-> FILE.svg]",
+     "plot ball.position -> ball.svg"},
+    {shell, "play", "Plays the film, or a part of it, in the terminal; q comes back.", "play [A..B]", "play 1f..24f"},
+    {shell, "stop", "Ends the playing.", "stop", "stop"},
+    {shell, "save", "Writes the author's text as it was and below it what has been done since.", "save [FILE]",
+     "save film.bx"},
+    {shell, "open", "Goes on with another script; asks first where something is not saved.", "open FILE",
+     "open bounce.bx"},
+    {shell, "load", "Loads a plug-in; its words are then used like all others.", "load FILE", "load ./swirl.so"},
+    {shell, "quit", "Ends the session; asks first where something is not saved. Ctrl-D is the same.", "quit", "quit"},
+
+    {verb, "rate", "Frames per second; the first thing to say.", "", "rate 25"},
+    {verb, "range", "The part of time that is the film.", "", "range 1f 72f"},
+    {verb, "ticks", "Environment ticks per second, for times such as 90t.", "", "ticks 60"},
+    {verb, "background", "The color behind everything; none makes it clear again.", "", "background navy"},
+    {verb, "create", "Makes an object of a kind, or one like another.", "",
+     "create moon sphere radius=0.5 color=silver"},
+    {verb, "remove", "Takes objects out of the film.", "", "remove wheel*"},
+    {verb, "rename", "Gives an object another name; all that spoke of it goes on.", "", "rename ball planet"},
+    {verb, "set", "The value of a function while its track has no events.", "", "set ball.color red"},
+    {verb, "at", "Gives a command its time, or puts one event on a track.", "", "at 12f ball.radius 2 ease-in=4f"},
+    {verb, "hang", "Hangs an object on another: it is carried along, not turned.", "", "at 20f hang ball on hand"},
+    {verb, "attach", "Attaches an object to another: it is carried and turned along.", "",
+     "at 20f attach ball to hand keep-world"},
+    {verb, "couple", "Couples an object to another: it takes part in all it does, scaling too.", "",
+     "couple ball to hand"},
+    {verb, "detach", "Nothing holds the object any more: its own tracks place it in the world.", "", "detach ball"},
+    {verb, "letgo", "Lets an object go: it stays where it is, without a jump.", "",
+     "at 20f attach ball to hand\nat 60f letgo ball"},
+    {verb, "look", "From this time on the film is seen through a camera.", "", "at 24f look through eye"},
+    {verb, "note", "A remark at a time; it shows while the film plays.", "", "at 24f note \"first bounce ends\""},
+    {verb, "notes", "Whether notes show while the film plays.", "", "notes off"},
+    {verb, "show", "Shows objects, from a time on or for the whole film.", "", "at 12f show ball"},
+    {verb, "hide", "Hides objects, from a time on or for the whole film.", "", "at 24f hide ball"},
+    {verb, "twerper", "One interpolator for a whole track.", "", "twerper ball.position linear"},
+    {verb, "extend", "What a track does before its first and after its last event.", "", "extend ball.position cycle"},
+    {verb, "copy", "Copies a segment of a track to another time, once or many times.", "",
+     "copy ball.position 1f..24f to 24f shift (8 0 0) times 2"},
+    {verb, "move", "Moves the events of a segment in time.", "", "move ball.position 1f..24f by 12f"},
+    {verb, "stretch", "Makes a segment longer or shorter.", "", "stretch ball.position 1f..24f by 2"},
+    {verb, "reverse", "Runs a segment backwards.", "", "reverse ball.position 1f..24f"},
+    {verb, "scale", "Multiplies the values of a segment.", "", "scale ball.position 1f..24f (1 -1 1)"},
+    {verb, "translate", "Adds to the values of a segment.", "", "translate ball.position 1f..24f (0 1 0)"},
+    {verb, "rotate", "Turns the values of a segment about an axis.", "", "rotate ball.position 1f..24f 90deg y"},
+    {verb, "clear", "Takes out the events of a segment, or of one time.", "", "clear ball.position 6f..18f"},
+    {verb, "stagger", "Makes many objects do the same one after another.", "", "stagger wheel*.position by 6f"},
+    {verb, "spread", "Lays values evenly from one object to the last.", "",
+     "spread wheel*.position from (0 0 0) to (9 0 0)"},
+    {verb, "filter", "A function through time over a track: smooth, noise, delay, limit, wobble, spring.", "",
+     "filter ball.position delay by=6f"},
+    {verb, "layer", "A layer of motion over the objects; its weight is a target of its own.", "",
+     "layer sway add weight=0.5"},
+    {verb, "on", "Carries out a command on a layer.", "", "layer sway add\non sway at 12f ball.position (0 1 0)"},
+    {verb, "procedure", "A function of your own in Lua: a value, a twerper, a filter or a command.", "",
+     "procedure swing lua \"return math.sin(t)\""},
+    {verb, "fall", "Lets objects fall and bounce; it becomes plain events.", "", "fall ball 1f..48f"},
+    {verb, "dial", "A control of live input turns a target.", "", "dial /fader/1 to ball.radius from 0 1 to 0.5 2"},
+    {verb, "record", "Whether what dials say becomes events.", "", "record on"},
+    {verb, "alias", "A name for many objects; patterns inside are read at each use.", "", "alias toys = ball wheel*"},
+    {verb, "define", "A function of your own that every object has.", "", "define heat number 20"},
+    {verb, "policy", "What an operation gets that means nothing for a target.", "", "policy ignore"},
+    {verb, "use", "Carries out another script here.", "", "use colors.bx"},
+    {verb, "animate", "An environment applies a transformation at every tick.", "",
+     "animate wind every 1t by translate(0.1 0 0)"},
+    {verb, "halt", "Stops an environment where it is.", "", "halt wind"},
+    {verb, "kill", "Stops an environment and forgets what it has done.", "", "kill wind"},
+    {verb, "cancel", "Drops the future starts and stops of an environment.", "", "cancel wind"},
+
+    {kind, "group", "No shape; things hang on it.", "", "create hand2 group position=(0 1 0)"},
+    {kind, "sphere", "A ball.", "radius=1", "create s sphere radius=2"},
+    {kind, "box", "A box.", "size=(1 1 1)", "create b box size=(2 1 1)"},
+    {kind, "cylinder", "A cylinder along y.", "radius=1 height=1", "create c cylinder radius=0.5 height=2"},
+    {kind, "cone", "A cone along y.", "radius=1 height=1", "create c cone height=2"},
+    {kind, "torus", "A ring.", "radius=1 tube=0.3", "create ring torus tube=0.1"},
+    {kind, "plane", "A flat rectangle.", "size=(1 1)", "create floor plane size=(20 20)"},
+    {kind, "disc", "A flat disc.", "radius=1", "create d disc radius=3"},
+    {kind, "polygon", "A filled outline.", "points=((x y) …)", "create p polygon points=((0 0) (2 0) (1 2))"},
+    {kind, "polyline", "A line through points.", "points=((x y) …) width=0.05",
+     "create l polyline points=((0 0) (2 0) (1 2)) width=0.1"},
+    {kind, "points", "A cloud of points.", "points=((x y z) …) size=0.05",
+     "create stars points points=((0 0 0) (1 2 3)) size=0.1"},
+    {kind, "text", "Letters, flat or with a depth.", "text=\"…\" font=\"DejaVu Sans\" size=1 depth=0",
+     "create title text text=\"The end\" size=2"},
+    {kind, "mesh", "A shape from a file below the script's folder.", "file=\"…\" texture=\"…\"",
+     "create tree mesh file=\"tree.obj\""},
+    {kind, "light", "A lamp, or the sun.", "range=20 intensity=1 shines=point|sun",
+     "create sun light shines=sun intensity=2"},
+    {kind, "camera", "Where the film is seen from.", "lens=35mm or fov=50deg or height=10, look-at=(x y z) or a name",
+     "create side camera position=(30 0 0) look-at=ball"},
+    {kind, "layer", "What the command layer makes: motion laid over objects.", "weight=1 mode=add|mix", ""},
+
+    {function, "position", "Where an object is, from what holds it.", "a vector", "set ball.position (0 10 0)"},
+    {function, "rotation", "How it is turned: about its x, y and z axes, or an orientation.",
+     "euler(x y z), axis(x y z, angle), quat(w x y z)", "set ball.rotation euler(0deg 90deg 0deg)"},
+    {function, "scale", "How large it is, along each axis.", "a vector", "set ball.scale (1 2 1)"},
+    {function, "pivot", "The point it turns and grows about.", "a vector", "set ball.pivot (0 -1 0)"},
+    {function, "attach-position", "Where on it others are attached.", "a vector", "set ball.attach-position (0 1 0)"},
+    {function, "color", "Its color.", "a name, #rrggbb, rgb(…), hsv(…)", "set ball.color gold"},
+    {function, "shininess", "How sharply it shines, 0 to 1.", "a number", "set ball.shininess 0.8"},
+    {function, "transparency", "How much is seen through it, 0 to 1.", "a number", "set ball.transparency 0.5"},
+    {function, "geometry", "The shape it shows: its own, or another object's.", "shape(NAME) or none",
+     "set ball.geometry shape(wheel1)"},
+    {function, "display", "Whether it is seen.", "on or off", "set ball.display off"},
+    {function, "material", "What it seems to be made of.", "\"plastic\", \"matte\", \"metal\" or \"glow\"",
+     "set ball.material \"metal\""},
+    {function, "texture", "A picture on it, from a file below the script's folder.", "\"FILE\"",
+     "set ball.texture \"\""},
+    {function, "attachment", "What holds it, and how; see hang, attach and couple.", "", ""},
+    {function, "environments", "The environments it is in, the outermost first.", "(E1 E2)",
+     "set ball.environments (wind)"},
+    {function, "motion", "Its motion in the algebra of motions.", "T(…) R(…) S(…)", ""},
+    {function, "radius", "Of spheres, discs, cylinders, cones and rings.", "a number", "set ball.radius 2"},
+    {function, "size", "Of boxes, planes, letters and points.", "as many numbers as it has sides",
+     "create crate box\nset crate.size (1 2 3)"},
+    {function, "height", "Of cylinders and cones; of a camera without perspective, what it sees.", "a number",
+     "set eye.height 10"},
+    {function, "tube", "How thick a ring is.", "a number", "create ring torus\nset ring.tube 0.1"},
+    {function, "points", "The points of an outline, a line or a cloud.", "((x y) …)",
+     "create line polyline\nset line.points ((0 0) (1 1))"},
+    {function, "width", "How thick a line is.", "a number", "create line polyline\nset line.width 0.2"},
+    {function, "text", "What letters say.", "\"…\"", "create title text\nset title.text \"The end\""},
+    {function, "font", "The font of letters.", "\"…\"", "create title text\nset title.font \"DejaVu Sans\""},
+    {function, "depth", "How thick letters are.", "a number", "create title text\nset title.depth 0.2"},
+    {function, "file", "The file of a mesh.", "\"FILE\"", ""},
+    {function, "range", "How far a lamp shines.", "a number", "set lamp.range 60"},
+    {function, "intensity", "How brightly a lamp shines.", "a number", "set lamp.intensity 2"},
+    {function, "shines", "Whether a lamp shines from a point or like the sun.", "\"point\" or \"sun\"",
+     "set lamp.shines \"sun\""},
+    {function, "lens", "The lens of a camera, on a gate 36 mm wide.", "35mm", "set eye.lens 50mm"},
+    {function, "fov", "The horizontal angle a camera sees.", "an angle", "set eye.fov 50deg"},
+    {function, "look-at", "What a camera looks at.", "a point or a name", "set eye.look-at ball"},
+    {function, "weight", "How much of a layer counts, 0 to 1.", "a number", ""},
+    {function, "mode", "Whether a layer is added or mixed in.", "\"add\" or \"mix\"", ""},
+
+    {twerper, "hold", "Stays, then jumps at the next event.", "", "at 12f ball.radius 2 hold"},
+    {twerper, "linear", "Straight to the next event.", "", "at 12f ball.radius 2 linear"},
+    {twerper, "smooth", "Through all events without a corner (Catmull-Rom).", "", "at 12f ball.radius 2 smooth"},
+    {twerper, "bspline", "Softer than smooth; comes near its events only.", "", "at 12f ball.radius 2 bspline"},
+    {twerper, "hermite", "Through all events, by tangents of your own.", "hermite [tangent=V]",
+     "at 12f ball.radius 2 hermite tangent=0"},
+    {twerper, "bezier", "To the next event along a curve of speed.", "bezier(x1 y1 x2 y2)",
+     "at 12f ball.radius 2 bezier(0.25 0.1 0.25 1)"},
+    {twerper, "slerp", "The shortest way between two orientations.", "",
+     "at 12f hand.rotation axis(0 1 0, 90deg) slerp"},
+    {twerper, "squad", "Through many orientations without a corner.", "",
+     "at 12f hand.rotation axis(0 1 0, 90deg) squad"},
+};
+
+bool there(const HelpEntry& e) {
+  if (e.group != verb) return true;
+  const auto words = Reader::words();
+  return std::any_of(words.begin(), words.end(), [&](const auto& w) { return w.first == e.word; });
+}
+
+std::string usage(const HelpEntry& e) {
+  if (e.group == verb)
+    for (const auto& [word, usage] : Reader::words())
+      if (word == e.word) return std::string(usage);
+  return std::string(e.usage);
+}
+
+constexpr std::pair<HelpGroup, std::string_view> groups[] = {
+    {shell, "Words of the shell"},
+    {verb, "Commands"},
+    {kind, "Kinds of objects (create NAME KIND …)"},
+    {function, "Functions (NAME.function)"},
+    {twerper, "Twerpers (from one event to the next)"},
+};
+
+constexpr std::string_view what(HelpGroup g) {
+  return g == shell      ? "a word of the shell"
+         : g == verb     ? "a command"
+         : g == kind     ? "a kind of object"
+         : g == function ? "a function"
+                         : "a twerper";
+}
+
+}  // namespace
+
+std::span<const HelpEntry> help_entries() { return entries; }
+
+std::string help_overview(const Scene& scene) {
+  std::string out =
+      "A line is a command; a line that is only a target (ball.position) opens a sheet, whose rows are indented:\n"
+      "  TIME VALUE [TWERPER] [ease-in=LENGTH] [ease-out=LENGTH]\n";
+  for (const auto& [group, title] : groups) {
+    out += fmt::format("\n{}\n", title);
+    for (const HelpEntry& e : entries)
+      if (e.group == group && there(e)) out += fmt::format("  {:16} {}\n", e.word, e.sentence);
+  }
+  if (!scene.defined->empty() || !scene.procedures->empty()) out += "\nOf this film\n";
+  for (const FunctionSpec& f : *scene.defined)
+    out += fmt::format("  {:16} A function: {}.\n", f.name, to_string(f.type));
+  for (const NamedProcedure& p : *scene.procedures) out += fmt::format("  {:16} A procedure.\n", p.name);
+  return out + "\nhelp WORD says more and gives an example.\n";
+}
+
+std::string help_text(std::string_view word, const Scene& scene) {
+  std::string out;
+  for (const HelpEntry& e : entries) {
+    if (e.word != word) continue;
+    if (!out.empty()) out += "\n";
+    out += fmt::format("{}, {}: {}\n", e.word, what(e.group), e.sentence);
+    if (!there(e)) {
+      out += "  It is not in this version of Betwixt.\n";
+      continue;
+    }
+    if (const std::string how = usage(e); !how.empty())
+      out += fmt::format("  {}: {}\n", e.group == verb || e.group == shell ? "usage" : "written", how);
+    if (!e.example.empty()) {
+      std::string lines(e.example);
+      for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 12)
+        lines.insert(at + 1, 11, ' ');
+      out += fmt::format("  example: {}\n", lines);
+    }
+  }
+  // A verb without an entry of its own: its usage at least.
+  if (out.empty())
+    for (const auto& [verb_word, how] : Reader::words())
+      if (verb_word == word) out += fmt::format("{}, a command\n  usage: {}\n", verb_word, how);
+  for (const FunctionSpec& f : *scene.defined)
+    if (f.name == word) out += fmt::format("{}, a function of this film: {}\n", f.name, to_string(f.type));
+  for (const NamedProcedure& p : *scene.procedures)
+    if (p.name == word) out += fmt::format("{}, a procedure of this film\n", p.name);
+  return out;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/journal.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t fnv_basis = 0xcbf29ce484222325;  // FNV-1a, 64 bits
+std::uint64_t fnv(std::string_view bytes, std::uint64_t h = fnv_basis) {
+  for (const char c : bytes) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return h;
+}
+
+Error machine(const std::string& path, const char* what) {
+  return fail(Code::machine, fmt::format("'{}' cannot be {}: {}", path, what, std::strerror(errno)));
+}
+
+// A file descriptor that closes itself.
+struct File {
+  int at = -1;
+  explicit File(int fd) : at(fd) {}
+  ~File() {
+    if (at >= 0) ::close(at);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+};
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(file, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+Result<std::string> read_all(int file, const std::string& path) {
+  std::string text;
+  char block[1 << 16];
+  for (off_t at = 0;;) {
+    const ssize_t n = ::pread(file, block, sizeof block, at);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return machine(path, "read");
+    if (n == 0) return text;
+    text.append(block, static_cast<std::size_t>(n));
+    at += n;
+  }
+}
+
+// A name is on the disk when its folder is.
+void sync_folder(const fs::path& path) {
+  const File folder(::open(path.parent_path().empty() ? "." : path.parent_path().c_str(), O_RDONLY | O_CLOEXEC));
+  if (folder.at >= 0) ::fsync(folder.at);
+}
+
+std::string header(const Fingerprint& base) {
+  const std::string said = "betwixt-journal 1 " + to_string(base);
+  return fmt::format("{} {:016x}\n", said, fnv(said));
+}
+
+std::string record(Did what, std::string_view text, std::uint64_t& sum) {
+  const char kind = static_cast<char>(what);
+  sum = fnv(text, fnv({&kind, 1}, sum));
+  return fmt::format("{} {} {:016x}\n{}\n", kind, text.size(), sum, text);
+}
+
+}  // namespace
+
+Fingerprint fingerprint(std::string_view text) { return {text.size(), fnv(text)}; }
+
+std::string to_string(const Fingerprint& f) { return fmt::format("{} {:016x}", f.size, f.hash); }
+
+Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
+  for (;;) {
+    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (file < 0) return machine(path, "made");
+    std::unique_ptr<Journal> journal(new Journal(path, file));
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK) return fail(Code::name, "another shell has it open");
+      return machine(path, "locked");
+    }
+    struct stat held {};
+    struct stat named {};
+    if (::fstat(file, &held) != 0) return machine(path, "read");
+    if (!S_ISREG(held.st_mode)) return fail(Code::machine, fmt::format("'{}' is no file", path));
+    // Its last holder may have removed it between the two calls above.
+    if (::stat(path.c_str(), &named) != 0 || named.st_ino != held.st_ino || named.st_dev != held.st_dev) continue;
+    journal->read();
+    return journal;
+  }
+}
+
+Journal::~Journal() { ::close(file_); }
+
+void Journal::read() {
+  const auto read = read_all(file_, path_);
+  if (!read) {
+    foreign_ = true;
+    return;
+  }
+  const std::string& all = *read;
+  const std::size_t line = all.find('\n');
+  Fingerprint base;
+  if (line == std::string::npos ||
+      std::sscanf(all.c_str(), "betwixt-journal 1 %" SCNu64 " %" SCNx64, &base.size, &base.hash) != 2 ||
+      header(base) != all.substr(0, line + 1)) {
+    // A header that was cut off: nothing had been acknowledged behind it.
+    const std::string_view begin = "betwixt-journal 1 ";
+    const std::size_t n = std::min(begin.size(), all.size());
+    foreign_ = line != std::string::npos || all.compare(0, n, begin.substr(0, n)) != 0;
+    return;
+  }
+  base_ = base;
+  std::size_t at = line + 1;
+  sum_ = fnv({all.data(), at});
+  while (at < all.size()) {
+    const std::size_t stop = all.find('\n', at);
+    char kind = 0;
+    std::uint64_t size = 0, sum = 0, expected = sum_;
+    const std::string_view rest(all.data() + at, all.size() - at);
+    const bool said =
+        stop != std::string::npos && std::sscanf(all.c_str() + at, "%c %" SCNu64 " %" SCNx64, &kind, &size, &sum) == 3;
+    const std::size_t left = said ? all.size() - stop - 1 : 0;
+    const bool known = kind == 'c' || kind == 'u' || kind == 'r' || kind == 's';
+    if (said && known && size < left) {
+      const std::string_view text(all.data() + stop + 1, size);
+      const std::string whole = record(static_cast<Did>(kind), text, expected);
+      if (rest.starts_with(whole)) {
+        records_.push_back({static_cast<Did>(kind), std::string(text)});
+        sum_ = expected;
+        at += whole.size();
+        continue;
+      }
+    }
+    torn_ = rest.size();
+    damaged_ = stop != std::string::npos && (!said || size < left);
+    break;
+  }
+  end_ = at;
+}
+
+// Written at the end and on the disk, or not at all.
+Status Journal::put(const std::string& bytes) {
+  if (::lseek(file_, static_cast<off_t>(end_), SEEK_SET) >= 0 && write_all(file_, bytes) && ::fdatasync(file_) == 0) {
+    end_ += bytes.size();
+    return Nothing{};
+  }
+  const Error e = machine(path_, "written");
+  if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) ::fdatasync(file_);
+  return e;
+}
+
+Status Journal::begin(const Fingerprint& base) {
+  if (::ftruncate(file_, 0) != 0) return machine(path_, "emptied");
+  end_ = 0, torn_ = 0, damaged_ = foreign_ = false;
+  records_.clear();
+  base_ = base;
+  const std::string first = header(base);
+  sum_ = fnv(first);
+  const Status done = put(first);
+  if (done) sync_folder(path_);
+  return done;
+}
+
+Status Journal::append(Did what, std::string_view text) {
+  if (torn_ > 0) {
+    if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) return machine(path_, "mended");
+    torn_ = 0;
+  }
+  std::uint64_t sum = sum_;
+  const Status done = put(record(what, text, sum));
+  if (done) sum_ = sum;
+  return done;
+}
+
+Result<std::string> Journal::keep_aside() const {
+  const auto all = read_all(file_, path_);
+  if (!all) return all.error();
+  for (int k = 1; k < 10000; ++k) {
+    const std::string name = fmt::format("{}.{}", path_, k);
+    const File file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+    if (file.at < 0 && errno == EEXIST) continue;
+    if (file.at < 0 || !write_all(file.at, *all) || ::fsync(file.at) != 0) return machine(name, "written");
+    sync_folder(name);
+    return name;
+  }
+  return fail(Code::file, fmt::format("there are too many journals beside '{}'", path_));
+}
+
+void Journal::remove() { ::unlink(path_.c_str()); }
+
+Result<std::optional<std::string>> read_script(const std::string& path) {
+  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.at < 0) {
+    if (errno == ENOENT) return std::optional<std::string>();
+    return fail(Code::file, fmt::format("'{}' cannot be read: {}", path, std::strerror(errno)));
+  }
+  struct stat about {};
+  if (::fstat(file.at, &about) != 0 || !S_ISREG(about.st_mode))
+    return fail(Code::file, fmt::format("'{}' is no script: only a file can be opened and saved", path));
+  auto text = read_all(file.at, path);
+  if (!text) return text.error();
+  return std::optional<std::string>(*std::move(text));
+}
+
+Status write_script(const std::string& path, std::string_view text) {
+  std::error_code why;
+  fs::path real = fs::canonical(path, why);
+  if (why) real = path;
+  struct stat old {};
+  const bool there = ::stat(real.c_str(), &old) == 0;
+  if (there && !S_ISREG(old.st_mode)) return fail(Code::file, fmt::format("'{}' is no file", path));
+  const fs::path beside = real.parent_path() / fmt::format(".{}.{}.partial", real.filename().string(), ::getpid());
+  const auto failed = [&] {
+    const Error e = machine(path, "written");
+    ::unlink(beside.c_str());
+    return e;
+  };
+  {
+    const File file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (file.at < 0) return machine(path, "written");
+    if (there && ::fchmod(file.at, old.st_mode & 07777) != 0) return failed();
+    if (!write_all(file.at, text) || ::fsync(file.at) != 0) return failed();
+  }
+  if (::rename(beside.c_str(), real.c_str()) != 0) return failed();
+  sync_folder(real);
+  return Nothing{};
+}
+
+}  // namespace betwixt
