@@ -122,8 +122,8 @@ Value smooth(const Told& told, Input& input, double seconds) {
 }
 
 // A mass on a damped spring whose other end follows the track: x'' = w² (u - x) - 2 d w x'. Between two points of the
-// grid the track counts as a straight piece, on which the motion has a closed form. The mass starts at rest so long ago
-// that what it did before has decayed to less than 1e-4.
+// grid the track counts as a straight piece, on which the motion has a closed form. A straight line is followed 2 d / w
+// late. The mass starts at rest so long ago that what it did before has decayed to less than 1e-4.
 struct Oscillator {
   double w, damping;
   struct Step {
