@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The globals that code sees. It sees them through empty tables that cannot be written, so that nothing it does stays.
+#include <algorithm>
+#include <cmath>
+
+#include "procedure/machine.h"
+#include "procedure/noise.h"
+
+namespace betwixt::lua {
+namespace {
+
+// --- plain functions (may raise; see machine.h) ---
+
+double number(lua_State* l, int i) { return luaL_checknumber(l, i); }
+
+template <Kind kind, int count>
+int make(lua_State* l) {
+  double n[4];
+  for (int i = 0; i < count; ++i) n[i] = number(l, i + 1);
+  return push(l, kind, n), 1;
+}
+
+int make_axis(lua_State* l) {
+  const Quat q = axis_angle({number(l, 1), number(l, 2), number(l, 3)}, number(l, 4));
+  const double n[] = {q.w, q.x, q.y, q.z};
+  return push(l, Kind::quat, n), 1;
+}
+
+Vec3 vector(lua_State* l, int i) {
+  double n[16];
+  if (read(l, i, n) != Kind::vector) luaL_argerror(l, i, "a vector is needed");
+  return {n[0], n[1], n[2]};
+}
+int push_vector(lua_State* l, Vec3 v) {
+  const double n[] = {v.x, v.y, v.z};
+  return push(l, Kind::vector, n), 1;
+}
+int length_of(lua_State* l) { return lua_pushnumber(l, length(vector(l, 1))), 1; }
+int dot_of(lua_State* l) { return lua_pushnumber(l, dot(vector(l, 1), vector(l, 2))), 1; }
+int cross_of(lua_State* l) { return push_vector(l, cross(vector(l, 1), vector(l, 2))); }
+int normalized(lua_State* l) { return push_vector(l, normalize(vector(l, 1), {0, 0, 0})); }
+
+Vec3 up_to_three(lua_State* l) { return {number(l, 1), luaL_optnumber(l, 2, 0), luaL_optnumber(l, 3, 0)}; }
+int noise_of(lua_State* l) { return lua_pushnumber(l, noise(up_to_three(l), std::clamp(lua_gettop(l), 1, 3))), 1; }
+int random_of(lua_State* l) { return lua_pushnumber(l, hashed(up_to_three(l))), 1; }
+int clamp_of(lua_State* l) {
+  return lua_pushnumber(l, std::fmax(number(l, 2), std::fmin(number(l, 1), number(l, 3)))), 1;
+}
+int smoothstep(lua_State* l) {
+  const double low = number(l, 1), high = number(l, 2), x = number(l, 3);
+  const double u = low == high ? x >= high : std::fmax(0, std::fmin((x - low) / (high - low), 1));
+  return lua_pushnumber(l, u * u * (3 - 2 * u)), 1;
+}
+// mix(a, b, u) = a (1 - u) + b u, of numbers and whatever has arithmetic.
+int mix(lua_State* l) {
+  const double u = number(l, 3);
+  lua_settop(l, 2);
+  lua_pushnumber(l, u);
+  lua_arith(l, LUA_OPMUL);
+  lua_insert(l, 1);
+  lua_pushnumber(l, 1 - u);
+  lua_arith(l, LUA_OPMUL);
+  lua_insert(l, 1);
+  lua_arith(l, LUA_OPADD);
+  return 1;
+}
+
+// What a function of Lua's own takes is more than one step where it goes through a list or a text.
+enum class Charge { text, list, range, move, sort };
+double span(lua_State* l, int first, int last, double otherwise) {
+  const double a = luaL_optnumber(l, first, 1), b = luaL_optnumber(l, last, otherwise);
+  return b >= a ? b - a + 1 : 0;
+}
+template <Charge how>
+int charged(lua_State* l) {
+  const double size = lua_type(l, 1) == LUA_TTABLE ? static_cast<double>(lua_rawlen(l, 1)) : 0;
+  double steps = 0;
+  if constexpr (how == Charge::text)
+    for (int i = 1; i <= lua_gettop(l); ++i) steps += lua_type(l, i) == LUA_TSTRING ? lua_rawlen(l, i) / 16.0 : 1;
+  if constexpr (how == Charge::list) steps = size + lua_gettop(l);
+  if constexpr (how == Charge::range) steps = span(l, lua_type(l, 2) == LUA_TSTRING ? 3 : 2, 3, size) + size;
+  if constexpr (how == Charge::move) steps = span(l, 2, 3, 0);
+  if constexpr (how == Charge::sort) steps = size * (1 + std::log2(size + 1));
+  charge(l, steps);
+  lua_pushvalue(l, lua_upvalueindex(1));
+  lua_insert(l, 1);
+  lua_call(l, lua_gettop(l) - 1, LUA_MULTRET);
+  return lua_gettop(l);
+}
+
+constexpr double longest_text = 1'000'000;
+int repeat(lua_State* l) {
+  std::size_t size = 0, between = 0;
+  luaL_checklstring(l, 1, &size);
+  luaL_optlstring(l, 3, "", &between);
+  if (number(l, 2) * static_cast<double>(size + between) > longest_text)
+    return luaL_error(l, "rep: a text of more than 1000000 characters");
+  return charged<Charge::text>(l);
+}
+
+int no_writing(lua_State* l) {
+  if (lua_type(l, 2) != LUA_TSTRING) return luaL_error(l, "this table cannot be written");
+  return luaL_error(l, "'%s' would be a global, which nothing keeps: use local %s", lua_tostring(l, 2),
+                    lua_tostring(l, 2));
+}
+int no_library_writing(lua_State* l) { return luaL_error(l, "a library cannot be written"); }
+
+// --- functions that ask (guarded; see machine.h) ---
+
+int fail_with(lua_State* l, std::string_view why) { return lua_pushlstring(l, why.data(), why.size()), failed; }
+
+int to_text(lua_State* l, Machine&) {
+  const std::string s = written(l, 1);
+  return lua_pushlstring(l, s.data(), s.size()), 1;
+}
+
+// string.format, but for %p; tables and functions are written without their addresses.
+int format_arguments(lua_State* l, Machine&) {
+  const char* f = lua_tostring(l, 1);
+  if (!f) return fail_with(l, "format: the first argument is no text");
+  for (; *f; ++f)
+    if (*f == '%') {
+      for (++f; *f && !std::isalpha(static_cast<unsigned char>(*f)) && *f != '%';) ++f;
+      if (*f == 'p') return fail_with(l, "format: there is no %p");
+      if (!*f) break;
+    }
+  for (int i = 2; i <= lua_gettop(l); ++i)
+    if (lua_type(l, i) == LUA_TTABLE || lua_type(l, i) == LUA_TFUNCTION) {
+      const std::string s = written(l, i);
+      lua_pushlstring(l, s.data(), s.size());
+      lua_replace(l, i);
+    }
+  return lua_gettop(l);
+}
+int format(lua_State* l) {
+  guarded<format_arguments>(l);
+  return charged<Charge::text>(l);
+}
+
+// The next key of the sorted list (upvalue 1) whose value is not nil.
+int next_pair(lua_State* l) {
+  for (;;) {
+    const lua_Integer i = lua_tointeger(l, lua_upvalueindex(2)) + 1;
+    lua_pushinteger(l, i);
+    lua_replace(l, lua_upvalueindex(2));
+    lua_settop(l, 1);
+    if (lua_rawgeti(l, lua_upvalueindex(1), i) == LUA_TNIL) return 1;
+    lua_pushvalue(l, -1);
+    if (lua_rawget(l, 1) != LUA_TNIL) return 2;
+  }
+}
+
+int sorted_pairs(lua_State* l, Machine&) {
+  if (lua_type(l, 1) != LUA_TTABLE) return fail_with(l, "pairs: a table is needed");
+  lua_settop(l, 1);
+  lua_newtable(l);  // the keys as they come
+  std::vector<lua_Integer> order;
+  lua_pushnil(l);
+  while (lua_next(l, 1)) {
+    lua_pop(l, 1);
+    const int type = lua_type(l, -1);
+    if (type != LUA_TNUMBER && type != LUA_TSTRING)
+      return fail_with(l, "pairs: a key that is neither a number nor a text has no place in an order");
+    lua_pushvalue(l, -1);
+    order.push_back(static_cast<lua_Integer>(order.size()) + 1);
+    lua_rawseti(l, 2, order.back());
+  }
+  std::sort(order.begin(), order.end(), [l](lua_Integer a, lua_Integer b) {
+    const int type_a = lua_rawgeti(l, 2, a), type_b = lua_rawgeti(l, 2, b);
+    const bool less = type_a != type_b ? type_a == LUA_TNUMBER : lua_compare(l, -2, -1, LUA_OPLT) != 0;
+    lua_pop(l, 2);
+    return less;
+  });
+  lua_createtable(l, static_cast<int>(order.size()), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    lua_rawgeti(l, 2, order[i]);
+    lua_rawseti(l, 3, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_pushinteger(l, 0);
+  lua_pushcclosure(l, next_pair, 2);
+  lua_pushvalue(l, 1);
+  return 2;
+}
+int pairs(lua_State* l) {
+  const int results = guarded<sorted_pairs>(l);
+  lua_getupvalue(l, -2, 1);
+  const double size = static_cast<double>(lua_rawlen(l, -1));
+  lua_pop(l, 1);
+  charge(l, size * (1 + std::log2(size + 1)));
+  return results;
+}
+
+int push_reading(lua_State* l, const std::string& target, const Result<Reading>& r) {
+  if (!r) return fail_with(l, r.error().message);
+  if (!push(l, *r)) return fail_with(l, "'" + target + "' has a value that Lua has no word for");
+  return 1;
+}
+
+int value_of(lua_State* l, Machine& m) {
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "value: the name of what is wanted comes first, in quotes");
+  const std::string target = lua_tostring(l, 1);
+  const bool now = lua_isnoneornil(l, 2);
+  const double at = now ? m.call->seconds : lua_tonumber(l, 2);
+  if (!std::isfinite(at) || (!now && !lua_isnumber(l, 2))) return fail_with(l, "value: the time is no number");
+  if (m.call->questions) return push_reading(l, target, m.call->questions->value(target, at, m.call->steps));
+  if (!m.call->host) return fail_with(l, "value: only procedures and commands can ask for values");
+  if (now) return fail_with(l, "value: at what time?");
+  return push_reading(l, target, m.call->host->value(target, at));
+}
+int value(lua_State* l) {
+  const int results = guarded<value_of>(l);
+  return charge(l, 20), results;
+}
+
+int input_at(lua_State* l, Machine& m) {
+  if (!m.call->input) return fail_with(l, "input: only filters have one");
+  const double at = lua_isnoneornil(l, 1) ? m.call->seconds : lua_tonumber(l, 1);
+  if (!std::isfinite(at) || (!lua_isnoneornil(l, 1) && !lua_isnumber(l, 1)))
+    return fail_with(l, "input: the time is no number");
+  const Value v = m.call->input->at(at);
+  return push_reading(l, "input", std::visit([](const auto& x) { return Result<Reading>(Reading(x)); }, v));
+}
+int input(lua_State* l) {
+  const int results = guarded<input_at>(l);
+  return charge(l, 20), results;
+}
+
+// A command's lines may take as long as they take: the clock stands still.
+int run_line(lua_State* l, Machine& m) {
+  if (!m.call->host) return fail_with(l, "run: only commands can");
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "run: a line of the language is needed, in quotes");
+  std::size_t size = 0;
+  const char* line = lua_tolstring(l, 1, &size);
+  const auto before = std::chrono::steady_clock::now();
+  const Status done = m.call->host->run({line, size});
+  deadline += std::chrono::steady_clock::now() - before;
+  return done ? 0 : fail_with(l, done.error().message);
+}
+int run(lua_State* l) {
+  const int results = guarded<run_line>(l);
+  return charge(l, 20), results;
+}
+
+int objects_of(lua_State* l, Machine& m) {
+  if (!m.call->host) return fail_with(l, "objects: only commands can ask for them");
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "objects: a pattern is needed, in quotes");
+  push(l, Reading(Names(m.call->host->objects(lua_tostring(l, 1)))));
+  return 1;
+}
+int objects(lua_State* l) {
+  const int results = guarded<objects_of>(l);
+  charge(l, 20 + static_cast<double>(lua_rawlen(l, -1)));
+  return results;
+}
+
+int call_routine(lua_State* l, Machine& m) {
+  const std::string name = lua_tostring(l, lua_upvalueindex(1));
+  const Routine* routine = m.call->questions ? m.call->questions->procedure(name) : nullptr;
+  if (!routine) return fail_with(l, "there is no procedure " + name);
+  std::vector<Value> arguments;
+  for (int i = 1; i <= lua_gettop(l); ++i) {
+    auto v = to_value(l, i);
+    if (!v) return fail_with(l, name + ": argument " + std::to_string(i) + " is no value: " + v.error().message);
+    arguments.push_back(std::move(*v));
+  }
+  const auto result = routine->value(*m.call->questions, arguments, m.call->steps);
+  if (!result) return fail_with(l, name + ": " + result.error().message);
+  return push_reading(l, name, std::visit([](const auto& x) { return Result<Reading>(Reading(x)); }, *result));
+}
+int call(lua_State* l) {
+  const int results = guarded<call_routine>(l);
+  return charge(l, 20), results;
+}
+
+// A name that no table has: a named procedure, or nil.
+int find_global(lua_State* l, Machine& m) {
+  if (lua_type(l, 2) != LUA_TSTRING || !m.call || !m.call->questions) return 0;
+  if (!m.call->questions->procedure(lua_tostring(l, 2))) return 0;
+  lua_pushvalue(l, 2);
+  lua_pushcclosure(l, call, 1);
+  return 1;
+}
+
+// --- putting it together ---
+
+// Turns the table on top into one that shows it and cannot be written.
+void protect(lua_State* l, lua_CFunction writing) {
+  lua_newtable(l);
+  lua_createtable(l, 0, 2);
+  lua_rotate(l, -3, -1);
+  lua_setfield(l, -2, "__index");
+  lua_pushcfunction(l, writing);
+  lua_setfield(l, -2, "__newindex");
+  lua_setmetatable(l, -2);
+}
+
+// Functions of the library that `open` opens, into the table on top; with `through` around each, if any.
+void copy(lua_State* l, lua_CFunction open, std::initializer_list<const char*> names, lua_CFunction through = nullptr) {
+  lua_pushcfunction(l, open);
+  lua_call(l, 0, 1);
+  for (const char* name : names) {
+    if (lua_getfield(l, -1, name) == LUA_TFUNCTION && through) lua_pushcclosure(l, through, 1);
+    lua_setfield(l, -3, name);
+  }
+  lua_pop(l, 1);
+}
+// The function `name` of the table on top goes through this one instead.
+void wrap(lua_State* l, const char* name, lua_CFunction through) {
+  lua_getfield(l, -1, name);
+  lua_pushcclosure(l, through, 1);
+  lua_setfield(l, -2, name);
+}
+
+constexpr luaL_Reg own[] = {{"vec", make<Kind::vector, 3>},
+                            {"rgb", make<Kind::color, 3>},
+                            {"euler", make<Kind::angles, 3>},
+                            {"quat", make<Kind::quat, 4>},
+                            {"axis", make_axis},
+                            {"length", length_of},
+                            {"dot", dot_of},
+                            {"cross", cross_of},
+                            {"normalize", normalized},
+                            {"noise", noise_of},
+                            {"random", random_of},
+                            {"clamp", clamp_of},
+                            {"mix", mix},
+                            {"smoothstep", smoothstep},
+                            {"tostring", guarded<to_text>},
+                            {"pairs", pairs},
+                            {"value", value},
+                            {"input", input},
+                            {"run", run},
+                            {"objects", objects},
+                            {nullptr, nullptr}};
+
+}  // namespace
+
+void open_library(lua_State* l, Machine& m) {
+  const auto of_math = {"abs",  "ceil", "floor", "fmod", "modf", "exp", "log", "sqrt", "sin",       "cos",  "tan",
+                        "asin", "acos", "atan",  "min",  "max",  "deg", "rad", "ult",  "tointeger", "huge", "pi"};
+  lua_newtable(l);  // the library
+  copy(l, luaopen_base, {"assert", "error", "ipairs", "select", "type", "rawequal", "rawlen"});
+  copy(l, luaopen_base, {"tonumber"}, charged<Charge::text>);
+  copy(l, luaopen_math, of_math);
+  luaL_setfuncs(l, own, 0);
+  lua_pushnumber(l, 2 * pi);
+  lua_setfield(l, -2, "tau");
+
+  lua_newtable(l);
+  copy(l, luaopen_math, of_math);
+  copy(l, luaopen_math, {"type", "maxinteger", "mininteger"});
+  protect(l, no_library_writing);
+  lua_setfield(l, -2, "math");
+
+  lua_newtable(l);
+  copy(l, luaopen_table, {"concat", "unpack"}, charged<Charge::range>);
+  copy(l, luaopen_table, {"insert", "remove", "pack"}, charged<Charge::list>);
+  copy(l, luaopen_table, {"move"}, charged<Charge::move>);
+  copy(l, luaopen_table, {"sort"}, charged<Charge::sort>);
+  protect(l, no_library_writing);
+  lua_setfield(l, -2, "table");
+
+  lua_newtable(l);
+  copy(l, luaopen_string, {"byte", "char", "len", "lower", "reverse", "sub", "upper"}, charged<Charge::text>);
+  copy(l, luaopen_string, {"rep", "format"});
+  wrap(l, "rep", repeat);
+  wrap(l, "format", format);
+  protect(l, no_library_writing);
+  lua_pushliteral(l, "");  // texts have these as methods
+  lua_getmetatable(l, -1);
+  lua_pushvalue(l, -3);
+  lua_setfield(l, -2, "__index");
+  lua_pop(l, 2);
+  lua_setfield(l, -2, "string");
+
+  // What code sees is looked for in: this call's, the library, the procedures.
+  lua_createtable(l, 0, 1);
+  lua_pushcfunction(l, guarded<find_global>);
+  lua_setfield(l, -2, "__index");
+  lua_setmetatable(l, -2);
+  lua_newtable(l);
+  lua_createtable(l, 0, 1);
+  lua_rotate(l, -3, -1);
+  lua_setfield(l, -2, "__index");
+  lua_setmetatable(l, -2);
+  lua_pushvalue(l, -1);
+  m.now = luaL_ref(l, LUA_REGISTRYINDEX);
+  protect(l, no_writing);
+  lua_rawseti(l, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
+}
+
+}  // namespace betwixt::lua

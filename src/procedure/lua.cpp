@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "procedure/lua.h"
+
+#include <atomic>
+#include <cmath>
+
+#include "procedure/machine.h"
+#include "procedure/nested.h"
+
+namespace betwixt {
+namespace {
+
+using lua::Call;
+using lua::Machine;
+
+// "procedure:3: what" as Lua says it: without the file, and without the line where there is but one.
+std::string plain(std::string_view message, bool lines) {
+  constexpr std::string_view chunk = "procedure:";
+  if (!message.starts_with(chunk)) return std::string(message);
+  message.remove_prefix(chunk.size());
+  const auto colon = message.find(": ");
+  const std::string_view line = message.substr(0, colon), rest = message.substr(colon + 2);
+  return lines ? "line " + std::string(line) + ": " + std::string(rest) : std::string(rest);
+}
+
+bool has_lines(const std::string& source) { return source.find('\n') != std::string::npos; }
+
+// Machines of this thread, one for each level of nesting: so every level has the whole of Lua's own stack, and what a
+// procedure can do does not depend on who asks it.
+thread_local std::vector<std::unique_ptr<Machine>> machines;
+
+std::unique_ptr<Machine>& machine() {
+  const auto level = static_cast<std::size_t>(Nested::level());
+  if (machines.size() < level) machines.resize(level);
+  auto& m = machines[level - 1];
+  if (!m) m = std::make_unique<Machine>();
+  return m;
+}
+
+class Lua final : public Routine {
+ public:
+  std::string compiled;
+  std::uint64_t serial = 0;
+  Role role = Role::value;
+
+  // `prepare` sets globals, pushes arguments and says how many; `first`: of these, how many a function that is given
+  // back gets; `take` makes the result from the top of the stack.
+  template <class R>
+  Result<R> run(Call& call, auto&& prepare, auto&& again, auto&& take) const {
+    const Nested nested;
+    if (Nested::too_deep()) return Nested::error();
+    if (Nested::level() == 1) lua::deadline = std::chrono::steady_clock::now() + lua::most_time;
+    auto& machine_here = machine();
+    Machine& m = *machine_here;
+    lua_State* l = m.state;
+    m.push_code(serial, compiled);
+    m.begin(call);
+    int status = call_function(m, prepare(m));
+    if (status == LUA_OK && lua_type(l, -1) == LUA_TFUNCTION) status = call_function(m, again(m));
+    m.lenient = true;
+    Result<R> result = status == LUA_OK ? Result<R>(take(l)) : Result<R>(said(l, status));
+    call.steps += lua::steps_between_hooks;  // the last, not full, hundred
+    const bool spoilt = status == LUA_ERRMEM || call.stopped;
+    m.end();
+    if (spoilt) machine_here = nullptr;  // it may have grown
+    return result;
+  }
+
+  Result<Value> value(Questions& q, const std::vector<Value>& arguments, std::uint64_t& cost) const override {
+    if (role != Role::value) return Routine::value(q, arguments, cost);
+    Call call;
+    call.questions = &q;
+    call.seconds = q.seconds();
+    const auto push_arguments = [&](Machine& m) {
+      lua_checkstack(m.state, static_cast<int>(arguments.size()) + 10);
+      for (const auto& a : arguments) push_value(m.state, a);
+      return static_cast<int>(arguments.size());
+    };
+    auto result = run<Value>(
+        call,
+        [&](Machine& m) {
+          lua_pushnumber(m.state, call.seconds);
+          m.set("t");
+          lua_pushlstring(m.state, q.self().data(), q.self().size());
+          m.set("self");
+          return push_arguments(m);
+        },
+        [&](Machine& m) { return arguments.empty() ? (lua_pushnumber(m.state, call.seconds), 1) : push_arguments(m); },
+        [](lua_State* l) { return lua::to_value(l, -1); });
+    cost += call.steps;
+    return result;
+  }
+
+  Result<double> blend(double u) const override {
+    if (role != Role::twerper) return Routine::blend(u);
+    Call call;
+    return run<double>(
+        call,
+        [&](Machine& m) {
+          lua_pushnumber(m.state, u);
+          m.set("u");
+          return 0;
+        },
+        [&](Machine& m) { return lua_pushnumber(m.state, u), 1; },
+        [](lua_State* l) -> Result<double> {
+          auto v = lua::to_value(l, -1);
+          if (!v) return v.error();
+          if (const double* d = std::get_if<double>(&*v)) return *d;
+          return fail(Code::type, "a twerper gives a number, this gave " + lua::written(l, -1));
+        });
+  }
+
+  Result<Value> filter(Input& input, double seconds, const Parameters& parameters) const override {
+    if (role != Role::filter) return Routine::filter(input, seconds, parameters);
+    Call call;
+    call.input = &input;
+    call.seconds = seconds;
+    return run<Value>(
+        call,
+        [&](Machine& m) {
+          for (const auto& [name, v] : parameters) {
+            std::string global = name;
+            for (char& c : global)
+              if (c == '-') c = '_';
+            push_value(m.state, v);
+            m.set(global.c_str());
+          }
+          lua_pushnumber(m.state, seconds);
+          m.set("t");
+          return 0;
+        },
+        [&](Machine& m) { return lua_pushnumber(m.state, seconds), 1; },
+        [](lua_State* l) { return lua::to_value(l, -1); });
+  }
+
+  Status command(Host& host, const std::vector<std::string>& words) const override {
+    if (role != Role::command) return Routine::command(host, words);
+    Call call;
+    call.host = &host;
+    const auto push_words = [&](Machine& m) {
+      lua_checkstack(m.state, static_cast<int>(words.size()) + 10);
+      for (const auto& w : words) lua_pushlstring(m.state, w.data(), w.size());
+      return static_cast<int>(words.size());
+    };
+    return run<Nothing>(
+        call,
+        [&](Machine& m) {
+          lua::push(m.state, Reading(Names(words)));
+          m.set("args");
+          return push_words(m);
+        },
+        push_words, [](lua_State*) { return Nothing{}; });
+  }
+
+ private:
+  // What has no word in Lua is nil.
+  static void push_value(lua_State* l, const Value& v) {
+    if (!lua::push(l, std::visit([](const auto& x) { return Reading(x); }, v))) lua_pushnil(l);
+  }
+
+  static int call_function(Machine& m, int arguments) {
+    m.lenient = false;
+    const int status = lua_pcall(m.state, arguments, 1, 0);
+    m.lenient = true;
+    return status;
+  }
+
+  Error said(lua_State* l, int status) const {
+    if (status == LUA_ERRMEM) return fail(Code::range, lua::too_much_memory);
+    if (lua_type(l, -1) != LUA_TSTRING) return fail(Code::type, "it ended with an error that is no text");
+    return fail(Code::type, plain(lua_tostring(l, -1), has_lines(source)));
+  }
+};
+
+int keep(lua_State*, const void* piece, std::size_t size, void* to) {
+  static_cast<std::string*>(to)->append(static_cast<const char*>(piece), size);
+  return 0;
+}
+
+// Compiles; what Lua says otherwise.
+Result<std::string> compile(lua_State* l, const std::string& source) {
+  if (luaL_loadbufferx(l, source.data(), source.size(), "=procedure", "t") != LUA_OK)
+    return fail(Code::syntax, plain(lua_tostring(l, -1), has_lines(source)));
+  std::string out;
+  lua_dump(l, keep, &out, 0);
+  return out;
+}
+
+// What begins with a word of a statement is no expression: its error is that of a chunk.
+bool is_chunk(std::string_view source) {
+  const auto begin = source.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return false;
+  source.remove_prefix(begin);
+  for (const std::string_view word : {"local", "if", "for", "while", "repeat", "return", "do", "goto"})
+    if (source.starts_with(word) && (source.size() == word.size() || source[word.size()] == ' ')) return true;
+  return source.find("return") != std::string_view::npos;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
+  if (source.find_first_not_of(" \t\r\n") == std::string::npos) return fail(Code::syntax, "there is no code");
+  lua_State* l = luaL_newstate();
+  if (!l) return fail(Code::machine, "there is no memory for Lua");
+  auto compiled = compile(l, "return " + source);
+  if (!compiled) {
+    auto chunk = compile(l, source);
+    if (chunk || is_chunk(source)) compiled = std::move(chunk);
+  }
+  lua_close(l);
+  if (!compiled) return compiled.error();
+  static std::atomic<std::uint64_t> serials{0};
+  auto lua = std::make_shared<Lua>();
+  lua->language = "lua";
+  lua->source = std::move(source);
+  lua->compiled = std::move(*compiled);
+  lua->serial = ++serials;
+  lua->role = role;
+  return std::shared_ptr<const Routine>(std::move(lua));
+}
+
+}  // namespace betwixt

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "procedure/machine.h"
+
+#include <cstdlib>
+
+namespace betwixt::lua {
+namespace {
+
+void* allocate(void* data, void* block, std::size_t old_size, std::size_t size) {
+  Machine& m = *static_cast<Machine*>(data);
+  if (!block) old_size = 0;  // Lua then says what the block is for
+  if (size == 0) {
+    std::free(block);
+    m.live -= old_size;
+    return nullptr;
+  }
+  if (size > old_size) {
+    if (!m.lenient && (m.live + size - old_size > m.floor + most_live || m.allocated + size > most_allocated))
+      return nullptr;
+    m.allocated += size;
+  }
+  void* at = std::realloc(block, size);
+  if (at) m.live += size - old_size;
+  return at;
+}
+
+void hook(lua_State* l, lua_Debug*) {
+  Machine& m = Machine::of(l);
+  charge(l, steps_between_hooks);
+  if (++m.hooks % 8 == 0 && std::chrono::steady_clock::now() > deadline) stop(l, too_long);
+}
+
+}  // namespace
+
+Machine::Machine() {
+  state = lua_newstate(allocate, this);
+  if (!state) std::abort();  // no memory for 5 kB
+  *static_cast<Machine**>(lua_getextraspace(state)) = this;
+  make_kinds(state, *this);
+  open_library(state, *this);
+}
+
+Machine::~Machine() {
+  lenient = true;
+  lua_close(state);
+}
+
+void Machine::push_code(std::uint64_t serial, std::string_view compiled) {
+  if (const auto known = chunks_.find(serial); known != chunks_.end()) {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, known->second);
+  } else {
+    if (chunks_.size() >= most_chunks) {
+      for (const auto& [_, reference] : chunks_) luaL_unref(state, LUA_REGISTRYINDEX, reference);
+      chunks_.clear();
+    }
+    luaL_loadbufferx(state, compiled.data(), compiled.size(), "=procedure", "b");
+    lua_pushvalue(state, -1);
+    chunks_.emplace(serial, luaL_ref(state, LUA_REGISTRYINDEX));
+    lua_gc(state, LUA_GCCOLLECT);
+    floor = live;
+  }
+  // Code may assign _ENV, which is kept with the function: give it back its own.
+  lua_pushglobaltable(state);
+  if (!lua_setupvalue(state, -2, 1)) lua_pop(state, 1);
+}
+
+void Machine::begin(Call& c) {
+  call = &c;
+  allocated = 0;
+  hooks = 0;
+  lua_sethook(state, hook, LUA_MASKCOUNT, steps_between_hooks);
+}
+
+void Machine::end() {
+  lenient = true;
+  call = nullptr;
+  lua_settop(state, 0);
+  lua_rawgeti(state, LUA_REGISTRYINDEX, now);
+  lua_pushnil(state);
+  while (lua_next(state, 1)) {
+    lua_pop(state, 1);
+    lua_pushvalue(state, -1);
+    lua_pushnil(state);
+    lua_rawset(state, 1);
+  }
+  lua_settop(state, 0);
+}
+
+void Machine::set(const char* global) {
+  lua_rawgeti(state, LUA_REGISTRYINDEX, now);
+  lua_insert(state, -2);
+  lua_setfield(state, -2, global);
+  lua_pop(state, 1);
+}
+
+int stop(lua_State* l, const char* why) {
+  Machine::of(l).call->stopped = true;
+  lua_pushstring(l, why);
+  return lua_error(l);
+}
+
+void charge(lua_State* l, double steps) {
+  Call& c = *Machine::of(l).call;
+  c.steps += steps < 2.0 * most_steps ? static_cast<std::uint64_t>(steps) : 2 * most_steps;
+  if (c.steps > most_steps) stop(l, too_many_steps);
+}
+
+}  // namespace betwixt::lua

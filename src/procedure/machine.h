@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A Lua state that cannot be left changed, the limits of a call, and values to and from it.
+//
+// Lua raises errors by longjmp, which no C++ destructor survives. So a C function here is one of two kinds: plain, with
+// nothing but numbers and pointers, which may raise; or wrapped by guarded<>, which holds what it likes, raises nothing
+// (memory is not refused meanwhile) and returns `failed` with the message pushed.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <lua.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "track/procedure.h"
+
+namespace betwixt::lua {
+
+inline constexpr std::uint64_t most_steps = 1'000'000;
+inline constexpr int steps_between_hooks = 100;
+inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
+inline constexpr auto most_time = std::chrono::seconds(2);
+inline constexpr const char* too_many_steps = "stopped: it took more than 1000000 steps";
+inline constexpr const char* too_much_memory = "stopped: it took too much memory";
+inline constexpr const char* too_long = "stopped: it took more than 2 seconds";
+
+// What the running call may use.
+struct Call {
+  Questions* questions = nullptr;
+  Input* input = nullptr;
+  Host* host = nullptr;
+  double seconds = 0;
+  std::uint64_t steps = 0;
+  bool stopped = false;
+};
+
+// The tables that stand for a value; each has a metatable of its kind.
+enum class Kind : std::uint8_t { none, vector, color, angles, quat, matrix };
+inline constexpr int kinds = 6;
+
+class Machine {
+ public:
+  Machine();
+  ~Machine();
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+  static Machine& of(lua_State* l) { return **static_cast<Machine**>(lua_getextraspace(l)); }
+
+  lua_State* state = nullptr;
+  Call* call = nullptr;
+  bool lenient = true;  // memory is not refused
+  std::size_t live = 0, floor = 0, allocated = 0;
+  int now = LUA_NOREF;        // the globals of this call
+  int metatable[kinds] = {};  // by Kind
+  unsigned hooks = 0;
+
+  void push_code(std::uint64_t serial, std::string_view compiled);  // as a function
+  void begin(Call&);
+  void end();
+  void set(const char* global);  // pops its value
+
+ private:
+  static constexpr std::size_t most_chunks = 256;
+  std::unordered_map<std::uint64_t, int> chunks_;  // compiled here already, by serial
+};
+
+// The last defence: when the outermost call of this thread must be over.
+inline thread_local std::chrono::steady_clock::time_point deadline;
+
+// Raises the error on the stack's top as one that ends the call, whatever the code would like.
+int stop(lua_State*, const char* why);
+void charge(lua_State*, double steps);
+
+inline constexpr int failed = -1;
+template <int (*function)(lua_State*, Machine&)>
+int guarded(lua_State* l) {
+  Machine& m = Machine::of(l);
+  m.lenient = true;
+  const int results = function(l, m);
+  m.lenient = false;
+  if (results >= 0) return results;
+  luaL_where(l, 1);
+  lua_insert(l, -2);
+  lua_concat(l, 2);
+  return lua_error(l);
+}
+
+// Values (values.cpp). None raises, but for want of memory.
+Kind read(lua_State*, int index, double* numbers);  // the numbers of a value of a kind: up to 16
+void push(lua_State*, Kind, const double* numbers);
+bool push(lua_State*, const Reading&);  // false: there is no such thing in Lua; nothing is pushed
+Result<Value> to_value(lua_State*, int index);
+std::string written(lua_State*, int index);  // any value, without addresses
+void make_kinds(lua_State*, Machine&);
+
+void open_library(lua_State*, Machine&);  // library.cpp: sets the table of globals
+
+}  // namespace betwixt::lua

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How deep procedures read each other on this thread: each level needs some of its stack.
+#pragma once
+
+#include "betwixt/result.h"
+
+namespace betwixt {
+
+class Nested {
+ public:
+  static constexpr int most = 300;
+  Nested() { ++depth; }
+  ~Nested() { --depth; }
+  Nested(const Nested&) = delete;
+  Nested& operator=(const Nested&) = delete;
+  static int level() { return depth; }  // 1: the outermost
+  static bool too_deep() { return depth > most; }
+  static Error error() { return fail(Code::range, "procedures read each other more than 300 deep"); }
+
+ private:
+  static inline thread_local int depth = 0;
+};
+
+}  // namespace betwixt

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "procedure/machine.h"
+
+namespace betwixt::lua {
+namespace {
+
+struct Shape {
+  const char* name;
+  const char* article;
+  int count;
+  const char* fields[4];
+};
+constexpr Shape shapes[kinds] = {{"", "", 0, {}},
+                                 {"vec", "a vector", 3, {"x", "y", "z"}},
+                                 {"rgb", "a color", 3, {"r", "g", "b"}},
+                                 {"euler", "angles", 3, {"x", "y", "z"}},
+                                 {"quat", "a quaternion", 4, {"w", "x", "y", "z"}},
+                                 {"matrix", "a matrix", 16, {}}};
+const Shape& shape(Kind k) { return shapes[static_cast<int>(k)]; }
+
+Quat quat_of(const double* n) { return {n[0], n[1], n[2], n[3]}; }
+
+const char* article(lua_State* l, int index, Kind k) {
+  return k != Kind::none ? shape(k).article : luaL_typename(l, index);
+}
+
+// a op b, number by number; a number counts for each. Quaternions multiply as turns one after the other, and turn
+// vectors.
+template <char op>
+int arithmetic(lua_State* l) {
+  double a[16], b[16], out[4];
+  Kind ka = read(l, 1, a), kb = read(l, 2, b);
+  const bool number_a = lua_type(l, 1) == LUA_TNUMBER, number_b = lua_type(l, 2) == LUA_TNUMBER;
+  if constexpr (op == '*') {
+    if (ka == Kind::quat && kb == Kind::quat) {
+      const Quat q = quat_of(a) * quat_of(b);
+      const double n[] = {q.w, q.x, q.y, q.z};
+      return push(l, Kind::quat, n), 1;
+    }
+    if (ka == Kind::quat && kb == Kind::vector) {
+      const Vec3 v = transform_vector(rotation(quat_of(a)), {b[0], b[1], b[2]});
+      const double n[] = {v.x, v.y, v.z};
+      return push(l, Kind::vector, n), 1;
+    }
+  }
+  constexpr bool scales = op == '*' || op == '/';
+  const Kind kind = ka != Kind::none ? ka : kb;
+  const bool fits = (ka == kb && kind != Kind::quat) || (ka == kb && !scales) ||
+                    (scales && kb == Kind::none && number_b) || (op == '*' && ka == Kind::none && number_a);
+  if (!fits || kind == Kind::matrix)
+    return luaL_error(l, "there is no %s %c %s", article(l, 1, ka), op, article(l, 2, kb));
+  if (ka == Kind::none) std::fill(a, a + 4, lua_tonumber(l, 1));
+  if (kb == Kind::none) std::fill(b, b + 4, lua_tonumber(l, 2));
+  for (int i = 0; i < shape(kind).count; ++i)
+    out[i] = op == '+' ? a[i] + b[i] : op == '-' ? a[i] - b[i] : op == '*' ? a[i] * b[i] : a[i] / b[i];
+  return push(l, kind, out), 1;
+}
+
+int negative(lua_State* l) {
+  double a[16];
+  const Kind kind = read(l, 1, a);
+  if (kind == Kind::matrix || kind == Kind::none) return luaL_error(l, "there is no - %s", article(l, 1, kind));
+  for (int i = 0; i < shape(kind).count; ++i) a[i] = -a[i];
+  return push(l, kind, a), 1;
+}
+
+int equal(lua_State* l) {
+  double a[16], b[16];
+  const Kind ka = read(l, 1, a), kb = read(l, 2, b);
+  lua_pushboolean(l, ka == kb && ka != Kind::none && std::equal(a, a + shape(ka).count, b));
+  return 1;
+}
+
+bool push_list(lua_State* l, std::size_t count, auto&& push_one) {
+  lua_createtable(l, static_cast<int>(count), 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    push_one(i);
+    lua_rawseti(l, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  return true;
+}
+
+void push_three(lua_State* l, Kind kind, Vec3 v) {
+  const double n[] = {v.x, v.y, v.z};
+  push(l, kind, n);
+}
+
+struct Pusher {
+  lua_State* l;
+  bool operator()(double d) const { return lua_pushnumber(l, d), true; }
+  bool operator()(bool b) const { return lua_pushboolean(l, b), true; }
+  bool operator()(Vec3 v) const { return push_three(l, Kind::vector, v), true; }
+  bool operator()(Color c) const { return push_three(l, Kind::color, {c.r, c.g, c.b}), true; }
+  bool operator()(const Angles& a) const { return push_three(l, Kind::angles, a.xyz), true; }
+  bool operator()(Quat q) const {
+    const double n[] = {q.w, q.x, q.y, q.z};
+    return push(l, Kind::quat, n), true;
+  }
+  bool operator()(const Mat4& m) const {
+    double n[16];
+    for (int i = 0; i < 16; ++i) n[i] = m(i / 4, i % 4);
+    return push(l, Kind::matrix, n), true;
+  }
+  bool operator()(const Text& t) const { return lua_pushlstring(l, t->data(), t->size()), true; }
+  bool operator()(const Points& p) const {
+    return push_list(l, p->size(), [&](std::size_t i) { push_three(l, Kind::vector, (*p)[i]); });
+  }
+  bool operator()(const Names& n) const {
+    return push_list(l, n->size(), [&](std::size_t i) { lua_pushlstring(l, (*n)[i].data(), (*n)[i].size()); });
+  }
+  bool operator()(ObjectId) const { return false; }
+  bool operator()(const Attachment&) const { return false; }
+  bool operator()(const Procedure&) const { return false; }
+};
+
+Error no_value(std::string what) { return fail(Code::type, std::move(what)); }
+
+// A list of vectors or of texts.
+Result<Value> list_value(lua_State* l, int index) {
+  const auto count = lua_rawlen(l, index);
+  std::vector<Vec3> points;
+  std::vector<std::string> names;
+  for (lua_Unsigned i = 1; i <= count; ++i) {
+    lua_rawgeti(l, index, static_cast<lua_Integer>(i));
+    double n[16];
+    const bool simple = lua_type(l, -1) != LUA_TTABLE || read(l, -1, n) != Kind::none;  // no lists in lists
+    auto one = simple ? to_value(l, lua_gettop(l)) : Result<Value>(Value(0.0));
+    lua_pop(l, 1);
+    if (!one) return one;
+    if (const auto* v = std::get_if<Vec3>(&*one)) points.push_back(*v);
+    if (const auto* t = std::get_if<Text>(&*one)) names.push_back(**t);
+  }
+  if (count > 0 && points.size() == count) return Value(Points(std::move(points)));
+  if (count > 0 && names.size() == count) return Value(Names(std::move(names)));
+  return no_value("a list is a value only where all in it are vectors, or all are texts");
+}
+
+}  // namespace
+
+Kind read(lua_State* l, int index, double* numbers) {
+  if (lua_type(l, index) != LUA_TTABLE || !lua_getmetatable(l, index)) return Kind::none;
+  lua_rawgeti(l, -1, 1);
+  const auto kind = static_cast<Kind>(lua_tointeger(l, -1));
+  lua_pop(l, 2);
+  index = lua_absindex(l, index);
+  for (int i = 0; i < shape(kind).count; ++i) {
+    if (kind == Kind::matrix) {
+      lua_rawgeti(l, index, i + 1);
+    } else {
+      lua_pushstring(l, shape(kind).fields[i]);
+      lua_rawget(l, index);
+    }
+    numbers[i] = lua_type(l, -1) == LUA_TNUMBER ? lua_tonumber(l, -1) : std::nan("");
+    lua_pop(l, 1);
+  }
+  return kind;
+}
+
+void push(lua_State* l, Kind kind, const double* numbers) {
+  const Shape& s = shape(kind);
+  const bool matrix = kind == Kind::matrix;
+  lua_createtable(l, matrix ? 16 : 0, matrix ? 3 : s.count);
+  for (int i = 0; i < s.count; ++i) {
+    lua_pushnumber(l, numbers[i]);
+    if (matrix)
+      lua_rawseti(l, -2, i + 1);
+    else
+      lua_setfield(l, -2, s.fields[i]);
+  }
+  for (int i = 0; matrix && i < 3; ++i) {
+    lua_pushnumber(l, numbers[4 * i + 3]);
+    lua_setfield(l, -2, shape(Kind::vector).fields[i]);
+  }
+  lua_rawgeti(l, LUA_REGISTRYINDEX, Machine::of(l).metatable[static_cast<int>(kind)]);
+  lua_setmetatable(l, -2);
+}
+
+bool push(lua_State* l, const Reading& r) { return std::visit(Pusher{l}, r); }
+
+Result<Value> to_value(lua_State* l, int index) {
+  double n[16];
+  switch (lua_type(l, index)) {
+    case LUA_TNIL:
+    case LUA_TNONE:
+      return no_value("it gave no value");
+    case LUA_TBOOLEAN:
+      return Value(lua_toboolean(l, index) != 0);
+    case LUA_TNUMBER: {
+      const double d = lua_tonumber(l, index);
+      if (!std::isfinite(d)) return fail(Code::range, "it gave a number that is not finite");
+      return Value(d);
+    }
+    case LUA_TSTRING: {
+      std::size_t size = 0;
+      const char* text = lua_tolstring(l, index, &size);
+      return Value(Text(std::string(text, size)));
+    }
+    case LUA_TTABLE:
+      break;
+    default:
+      return no_value(std::string("a ") + luaL_typename(l, index) + " is no value");
+  }
+  const Kind kind = read(l, index, n);
+  if (kind == Kind::none) return list_value(l, lua_absindex(l, index));
+  if (kind == Kind::matrix) return no_value("a matrix is no value; its .x .y .z are");
+  for (int i = 0; i < shape(kind).count; ++i)
+    if (!std::isfinite(n[i]))
+      return fail(Code::range, std::string("it gave ") + shape(kind).article + " with a number that is not finite");
+  switch (kind) {
+    case Kind::color:
+      return Value(Color{n[0], n[1], n[2]});
+    case Kind::angles:
+      return Value(Angles{{n[0], n[1], n[2]}});
+    case Kind::quat:
+      return Value(normalize(quat_of(n)));
+    default:
+      return Value(Vec3{n[0], n[1], n[2]});
+  }
+}
+
+std::string written(lua_State* l, int index) {
+  if (lua_type(l, index) == LUA_TBOOLEAN) return lua_toboolean(l, index) ? "true" : "false";
+  if (lua_type(l, index) == LUA_TSTRING || lua_type(l, index) == LUA_TNUMBER) {
+    lua_pushvalue(l, index);  // or the number itself would become a text
+    std::size_t size = 0;
+    const char* text = lua_tolstring(l, -1, &size);
+    std::string out(text, size);
+    lua_pop(l, 1);
+    return out;
+  }
+  double n[16];
+  const Kind kind = read(l, index, n);
+  if (kind == Kind::none) return luaL_typename(l, index);
+  std::string out = shape(kind).name;
+  for (int i = 0; i < shape(kind).count; ++i) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%s%.14g", i ? ", " : "(", n[i]);
+    out += number;
+  }
+  return out + ")";
+}
+
+void make_kinds(lua_State* l, Machine& m) {
+  static constexpr luaL_Reg methods[] = {{"__add", arithmetic<'+'>}, {"__sub", arithmetic<'-'>},
+                                         {"__mul", arithmetic<'*'>}, {"__div", arithmetic<'/'>},
+                                         {"__unm", negative},        {"__eq", equal},
+                                         {nullptr, nullptr}};
+  for (int k = 1; k < kinds; ++k) {
+    luaL_newlib(l, methods);
+    lua_pushinteger(l, k);
+    lua_rawseti(l, -2, 1);
+    m.metatable[k] = luaL_ref(l, LUA_REGISTRYINDEX);
+  }
+}
+
+}  // namespace betwixt::lua

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A film that is not there: every target's value is its time squared, and procedures are what the test says.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "track/procedure.h"
+
+namespace betwixt {
+
+struct FakeQuestions : Questions {
+  double time = 0;
+  std::string name = "ball";
+  std::map<std::string, std::shared_ptr<const Routine>, std::less<>> procedures;
+  std::map<std::string, Reading, std::less<>> readings;
+  double seconds() const override { return time; }
+  std::string_view self() const override { return name; }
+  Result<Reading> value(std::string_view target, double seconds, std::uint64_t& cost) override {
+    cost += 10;
+    if (const auto r = readings.find(target); r != readings.end()) return r->second;
+    if (const auto p = procedures.find(target); p != procedures.end()) {
+      FakeQuestions inner = *this;
+      inner.time = seconds;
+      auto v = p->second->value(inner, {}, cost);
+      if (!v) return v.error();
+      return std::visit([](const auto& x) { return Reading(x); }, *v);
+    }
+    if (target == "nowhere") return fail(Code::name, "there is no 'nowhere'");
+    return Reading(seconds * seconds);
+  }
+  const Routine* procedure(std::string_view name) override {
+    const auto p = procedures.find(name);
+    return p == procedures.end() ? nullptr : p->second.get();
+  }
+};
+
+struct FakeInput : Input {
+  Value at(double seconds) override { return Value(10 * seconds); }
+};
+
+struct FakeHost : Host {
+  std::vector<std::string> lines;
+  Status run(std::string_view line) override {
+    if (line.starts_with("bad")) return fail(Code::syntax, "there is no command 'bad'");
+    lines.emplace_back(line);
+    return Nothing{};
+  }
+  Result<Reading> value(std::string_view, double seconds) override { return Reading(2 * seconds); }
+  std::vector<std::string> objects(std::string_view pattern) override { return {"a" + std::string(pattern), "b"}; }
+};
+
+}  // namespace betwixt
