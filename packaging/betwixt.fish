@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-set -l commands play render frame eval plot check tidy
+set -l commands play render frame eval plot check tidy shell
 complete -c betwixt -f
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a play -d 'play a film'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a render -d 'make a film'
@@ -9,6 +9,7 @@ complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a eval -d 'p
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a plot -d 'draw values against time'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a check -d 'report errors and warnings'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a tidy -d 'print a script in its canonical form'
+complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a shell -d 'make a film line by line'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -l version -d 'print the version'
 complete -c betwixt -s h -l help -d 'explain'
 complete -c betwixt -n "__fish_seen_subcommand_from $commands" -l read-anywhere -d 'let the script read files outside its folder'
@@ -27,3 +28,5 @@ complete -c betwixt -n '__fish_seen_subcommand_from play' -l loop -d 'again and 
 complete -c betwixt -n '__fish_seen_subcommand_from play' -l terminal -d 'play in the terminal'
 complete -c betwixt -n '__fish_seen_subcommand_from eval' -l json -d 'print JSON'
 complete -c betwixt -n '__fish_seen_subcommand_from tidy' -l write -d 'write the script back'
+complete -c betwixt -n '__fish_seen_subcommand_from shell' -l recover -d 'do again what was not saved'
+complete -c betwixt -n '__fish_seen_subcommand_from shell' -l discard -d 'throw away what was not saved'

@@ -1,0 +1,143 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The shell from outside: piped sessions, wrong words, its questions, recovery, two shells on one file, a terminal.
+#   shell_test.sh PROGRAM
+# shows: G7 G22 G59 G60
+set -u
+program=$(realpath "${1:?which program?}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 3
+export XDG_STATE_HOME=$work/state
+passed=0 failed=0
+verdict() { # NAME yes|… EXPLANATION
+  if [ "$2" = yes ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED %s: %s\n' "$1" "$3"
+  fi
+}
+is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }
+# session NAME EXIT-CODE TEXT ARGUMENTS LINES…: TEXT must be among what is said.
+session() {
+  local name=$1 code=$2 text=$3 arguments=$4 got
+  shift 4
+  # shellcheck disable=SC2086
+  said=$(printf '%s\n' "$@" | timeout 60 "$program" shell $arguments 2>&1)
+  got=$?
+  verdict "$name" "$([ $got = "$code" ] && [[ $said == *"$text"* ]] && echo yes)" "exit code $got (not $code?), said: $said"
+}
+oks() { grep -cx ok <<<"$said"; }
+author() { printf '# by hand\nrate 24\ncreate ball sphere  # round\n' >film.bx && rm -f .film.bx.journal*; }
+
+author
+session 'a session' 0 "saved 'film.bx'" film.bx 'ball.position' '  1f (0 0 0)' '9f (1 0 0) linear' 'set ball.text_ 1 # no' \
+  'undo' 'redo' 'save' 2>/dev/null
+is 'only the wrong line is refused' "$(oks)" 6
+is 'the text' "$(cat film.bx)" '# by hand
+rate 24
+create ball sphere  # round
+ball.position
+  1f (0 0 0)
+  9f (1 0 0) linear'
+is 'what was saved' "$("$program" eval film.bx --at 5f ball.position.x)" "$(printf 'ball.position.x  0.5')"
+is 'no journal stays' "$(ls -A | grep -c journal)" 0
+
+# Wrong things.
+session 'near miss of a word' 1 "did you mean 'undo'?" '' 'udno' 'quit'
+session 'near miss of a verb' 1 "did you mean 'create'?" '' 'crate b box'
+session 'nothing to undo' 1 'nothing to undo' '' undo
+session 'no help' 1 "did you mean 'sphere'?" '' 'help sphre'
+session 'no such object' 1 "did you mean 'ball'?" film.bx 'describe bal'
+session 'never closed' 1 'line:1:' '' 'set a.b (1' 'rate 25' 'discard'
+session 'what stands below is not lost' 1 '1 command is not saved' '' 'set a.b (1' 'rate 25' 'quit' 'discard'
+session 'a word too many' 1 'one word too many' '' 'undo twice'
+session 'no name' 1 'has no name yet' '' 'rate 25' save quit discard
+session 'a folder' 1 'only a file' . quit
+session 'no folder' 1 'no folder' none/film.bx quit
+session 'help' 0 'usage: copy TARGET' '' 'help copy'
+session 'list' 0 'ball  sphere' film.bx 'list b*'
+printf 'rate 25\n\377\n' | "$program" shell >out 2>&1
+verdict 'bytes that are no text' "$(grep -q 'not a text' out && echo yes)" "$(cat out)"
+rm -f .betwixt.journal
+
+# Questions.
+author
+printf 'mine\n' >other.bx
+session 'overwrite? no' 0 "File 'other.bx' exists: overwrite? (yes/no)" film.bx 'rate 25' 'save other.bx' no quit discard
+is 'no is no' "$(cat other.bx)" mine
+session 'overwrite? yes' 0 "saved 'other.bx'" film.bx 'rate 25' 'save other.bx' yes
+is 'yes is yes' "$(tail -n 1 other.bx)" 'rate 25'
+author
+session 'quit: stay, then save' 0 '2 commands are not saved: save, discard or stay?' film.bx 'rate 25' 'hide ball' quit stay quit save
+is 'saved at last' "$(tail -n 1 film.bx)" 'hide ball'
+author
+session 'open is guarded' 0 'not opened' film.bx 'rate 25' 'open other.bx' stay quit discard
+author
+{ printf 'rate 25\n'; sleep 0.5; printf 'save\nno\nquit\ndiscard\n'; } | "$program" shell film.bx >out 2>&1 &
+sleep 0.2; printf '# another hand\n' >>film.bx; wait $!
+verdict 'changed by someone else' "$(grep -q 'has been changed by someone else' out && tail -n 1 film.bx | grep -q another && echo yes)" "$(cat out)"
+
+# Recovery.
+author
+session 'the end of input keeps the journal' 0 'the journal keeps them: betwixt shell film.bx --recover' film.bx 'rate 25' 'hide ball'
+is 'it is there' "$(ls .film.bx.journal)" .film.bx.journal
+session 'nobody answers' 0 'of an earlier session are not saved' film.bx
+session 'show, recover' 0 '  hide ball' film.bx show recover undo save
+is 'recovered' "$(tail -n 1 film.bx)" 'rate 25'
+author
+session 'again' 0 'not saved' film.bx 'rate 25'
+session 'discard' 0 '' 'film.bx --discard' save
+is 'discarded' "$(tail -n 1 film.bx)" 'create ball sphere  # round'
+session 'once more' 0 'not saved' film.bx 'rate 25'
+printf '# a new text\n' >film.bx
+session 'of another text' 0 "kept as '" film.bx quit
+verdict 'kept aside' "$(grep -q 'rate 25' .film.bx.journal.1 && echo yes)" "$(ls -A)"
+author
+printf 'garbage\n' >.film.bx.journal
+session 'no journal at all' 0 "kept as '" film.bx quit
+session 'both options' 2 'xcludes' 'film.bx --recover --discard'
+
+# Two shells.
+author
+mkfifo hold
+"$program" shell film.bx <hold >first 2>&1 &
+first=$!
+exec 9>hold
+printf 'rate 25\n' >&9
+for _ in 1 2 3 4 5 6 7 8 9 10; do grep -q ok first && break; sleep 0.1; done
+session 'the second is told' 1 'may only look' film.bx 'list' 'rate 30' 'save'
+printf 'save\n' >&9
+exec 9>&-
+wait $first
+is 'the first goes on' "$(tail -n 1 film.bx)" 'rate 25'
+
+# Pictures of values, and a terminal.
+author
+session 'plot' 0 "drawn in 'p.svg'" film.bx 'plot ball.position -> p.svg'
+verdict 'an svg' "$(grep -q '<svg' p.svg && echo yes)" 'none'
+session 'nothing to plot' 1 'no object' film.bx 'plot bal.position -> q.svg'
+if command -v tmux >/dev/null; then
+  screen() { tmux -L "betwixt$$" "$@"; }
+  screen -f /dev/null new-session -d -x 100 -y 30 "cd '$work' && XDG_STATE_HOME='$work/state' '$program' shell film.bx"
+  wait_for() { for _ in $(seq 50); do screen capture-pane -p | grep -qF -- "$1" && return; sleep 0.1; done; false; }
+  shown() { verdict "terminal: $1" "$(wait_for "$2" && echo yes)" "$(screen capture-pane -p)"; }
+  shown prompt 'film.bx>'
+  screen send-keys 'des' Tab 'ba' Tab Enter
+  shown 'completion' 'ball, a sphere'
+  screen send-keys 'nonsense' C-c 'set ball.radius 2' Enter
+  shown 'a star where something is not saved' 'film.bx*>'
+  screen send-keys 'at 3f note (' Enter
+  shown 'a line that goes on' '...'
+  screen send-keys C-c Up Enter C-d
+  shown 'Ctrl-D is guarded' '2 commands are not saved: save, discard or stay?'
+  screen send-keys 'discard' Enter
+  verdict 'terminal: over' "$(for _ in $(seq 50); do screen has-session 2>/dev/null || { echo yes; break; }; sleep 0.1; done)" 'it is still there'
+  verdict 'history' "$(grep -q 'radius' "$work/state/betwixt/history" && echo yes)" "$(ls -R "$work/state")"
+  screen kill-server 2>/dev/null
+fi
+printf '%d passed, %d failed\n' $passed $failed
+[ $failed = 0 ]
