@@ -1,0 +1,41 @@
+/* SPDX-FileCopyrightText: 2026 The Betwixt authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A plug-in: a twerper that goes beyond its end and comes back, and a filter that moves in steps. Make it with
+ *
+ *     cc -std=c99 -O2 -shared -fPIC -I ../../include -o example.so example.c
+ *
+ * (where Betwixt is installed without the -I), then `load example.so` in a script.
+ */
+#include <betwixt/plugin.h>
+#include <math.h>
+
+static double overshoot(double u, void* user) {
+  const double v = u - 1, more = 1.70158; /* a tenth beyond */
+  (void)user;
+  return 1 + v * v * ((more + 1) * v + more);
+}
+
+static int quantise(const struct betwixt_input* input, const struct betwixt_parameter* parameters, size_t count,
+                    struct betwixt_value* out, void* user) {
+  double step = 0.25;
+  size_t i;
+  (void)user;
+  for (i = 0; i < count; ++i)
+    if (parameters[i].name[0] == 's' && parameters[i].value.kind == BETWIXT_NUMBER)
+      step = parameters[i].value.numbers[0];
+  if (!(step > 0)) {
+    out->text = "the step must be more than 0";
+    return 1;
+  }
+  if (input->at(input->state, input->seconds, out)) return 1;
+  if (out->kind <= BETWIXT_COLOR)
+    for (i = 0; i < 3; ++i) out->numbers[i] = step * floor(out->numbers[i] / step + 0.5);
+  return 0;
+}
+
+BETWIXT_PLUGIN(host) {
+  host->register_twerper(host, "overshoot", "goes a tenth beyond the end and comes back", overshoot, 0);
+  host->register_filter(host, "quantise", "moves in steps: step=0.25", quantise, 0);
+  return 0;
+}

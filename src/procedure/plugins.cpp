@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "procedure/plugins.h"
+
+#include <dlfcn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+
+#include "betwixt/plugin.h"
+#include "procedure/nested.h"
+
+namespace betwixt {
+namespace {
+
+// --- values to and from C ---
+
+struct Writer {
+  betwixt_value& out;
+  bool fill(int kind, std::initializer_list<double> numbers) const {
+    out.kind = kind;
+    std::copy(numbers.begin(), numbers.end(), out.numbers);
+    return true;
+  }
+  bool operator()(double d) const { return fill(BETWIXT_NUMBER, {d}); }
+  bool operator()(bool b) const { return fill(BETWIXT_BOOLEAN, {b ? 1.0 : 0.0}); }
+  bool operator()(Vec3 v) const { return fill(BETWIXT_VECTOR, {v.x, v.y, v.z}); }
+  bool operator()(Color c) const { return fill(BETWIXT_COLOR, {c.r, c.g, c.b}); }
+  bool operator()(const Angles& a) const { return fill(BETWIXT_ANGLES, {a.xyz.x, a.xyz.y, a.xyz.z}); }
+  bool operator()(Quat q) const { return fill(BETWIXT_QUATERNION, {q.w, q.x, q.y, q.z}); }
+  bool operator()(const Text& t) const {
+    out.text = t->c_str();
+    return fill(BETWIXT_TEXT, {});
+  }
+  bool operator()(const Mat4& m) const {
+    for (int i = 0; i < 16; ++i) out.numbers[i] = m(i / 4, i % 4);
+    return fill(BETWIXT_MATRIX, {});
+  }
+  template <class T>
+  bool operator()(const T&) const {
+    return false;
+  }
+};
+
+template <class V>
+bool write(const V& v, betwixt_value& out) {
+  out = {};
+  return std::visit(Writer{out}, v);
+}
+
+Result<Value> read(const betwixt_value& v) {
+  const double* n = v.numbers;
+  constexpr int counts[] = {0, 1, 3, 3, 1, 3, 4, 0};
+  if (v.kind < BETWIXT_NUMBER || v.kind > BETWIXT_TEXT) return fail(Code::type, "it gave no value");
+  if (!std::all_of(n, n + counts[v.kind], [](double d) { return std::isfinite(d); }))
+    return fail(Code::range, "it gave a number that is not finite");
+  switch (v.kind) {
+    case BETWIXT_NUMBER:
+      return Value(n[0]);
+    case BETWIXT_VECTOR:
+      return Value(Vec3{n[0], n[1], n[2]});
+    case BETWIXT_COLOR:
+      return Value(Color{n[0], n[1], n[2]});
+    case BETWIXT_BOOLEAN:
+      return Value(n[0] != 0);
+    case BETWIXT_ANGLES:
+      return Value(Angles{{n[0], n[1], n[2]}});
+    case BETWIXT_QUATERNION:
+      return Value(normalize(Quat{n[0], n[1], n[2], n[3]}));
+    default:
+      return Value(Text(std::string(v.text ? v.text : "")));
+  }
+}
+
+Error refused(const char* why) { return fail(Code::type, why ? why : "it failed and does not say why"); }
+
+// --- what the functions may ask; the answers' texts live as long as these ---
+
+struct Asking {
+  Questions& questions;
+  std::uint64_t& cost;
+  Result<Reading> last = Reading(0.0);
+};
+int ask(void* state, const char* target, double seconds, betwixt_value* out) {
+  Asking& a = *static_cast<Asking*>(state);
+  if (!target || !std::isfinite(seconds))
+    a.last = fail(Code::range, "a name and a finite time are needed");
+  else
+    a.last = a.questions.value(target, seconds, a.cost);
+  if (a.last && !write(*a.last, *out)) a.last = fail(Code::type, "it has a value that plug-ins cannot hold");
+  if (!a.last) out->text = a.last.error().message.c_str();
+  return a.last ? 0 : 1;
+}
+
+struct Listening {
+  Input& input;
+  Value last;
+};
+int listen(void* state, double seconds, betwixt_value* out) {
+  Listening& a = *static_cast<Listening*>(state);
+  if (std::isfinite(seconds) && write(a.last = a.input.at(seconds), *out)) return 0;
+  out->text = "the input has no value there that plug-ins can hold";
+  return 1;
+}
+
+struct Running {
+  Host& host;
+  std::string last;
+};
+const char* run(void* state, const char* line) {
+  Running& r = *static_cast<Running*>(state);
+  const Status done = r.host.run(line ? line : "");
+  if (done) return nullptr;
+  r.last = done.error().message;
+  return r.last.c_str();
+}
+
+// --- the routines; a plug-in in C++ may throw ---
+
+constexpr std::uint64_t steps_of_a_call = 100;
+
+template <class R>
+Result<R> caught(auto&& call) {
+  const Nested nested;
+  if (Nested::too_deep()) return Nested::error();
+  try {
+    return call();
+  } catch (...) {
+    return fail(Code::type, "the plug-in threw an exception");
+  }
+}
+
+template <class Function>
+struct Native : Routine {
+  Function function = nullptr;
+  void* user = nullptr;
+};
+
+struct NativeTwerper final : Native<betwixt_twerper> {
+  Result<double> blend(double u) const override {
+    return caught<double>([&]() -> Result<double> {
+      const double d = function(u, user);
+      if (!std::isfinite(d)) return fail(Code::range, "it gave a number that is not finite");
+      return d;
+    });
+  }
+};
+
+struct NativeFilter final : Native<betwixt_filter> {
+  Result<Value> filter(Input& input, double seconds, const Parameters& parameters) const override {
+    return caught<Value>([&]() -> Result<Value> {
+      std::vector<betwixt_parameter> given(parameters.size());
+      for (std::size_t i = 0; i < given.size(); ++i) {
+        given[i].name = parameters[i].first.c_str();
+        write(parameters[i].second, given[i].value);
+      }
+      Listening state{input, {}};
+      const betwixt_input in{&state, seconds, listen};
+      betwixt_value out{};
+      if (function(&in, given.data(), given.size(), &out, user)) return refused(out.text);
+      return read(out);
+    });
+  }
+};
+
+struct NativeValue final : Native<betwixt_procedure> {
+  Result<Value> value(Questions& q, const std::vector<Value>& arguments, std::uint64_t& cost) const override {
+    cost += steps_of_a_call;
+    return caught<Value>([&]() -> Result<Value> {
+      std::vector<betwixt_value> given(arguments.size());
+      for (std::size_t i = 0; i < given.size(); ++i) write(arguments[i], given[i]);
+      const std::string self(q.self());
+      Asking state{q, cost};
+      const betwixt_questions questions{&state, q.seconds(), self.c_str(), ask};
+      betwixt_value out{};
+      if (function(&questions, given.data(), given.size(), &out, user)) return refused(out.text);
+      return read(out);
+    });
+  }
+};
+
+struct NativeCommand final : Native<betwixt_command> {
+  Status command(Host& host, const std::vector<std::string>& words) const override {
+    return caught<Nothing>([&]() -> Status {
+      std::vector<const char*> given;
+      for (const auto& w : words) given.push_back(w.c_str());
+      Running state{host, {}};
+      const betwixt_commands commands{&state, run};
+      const char* why = nullptr;
+      if (function(&commands, given.data(), given.size(), &why, user)) return refused(why);
+      return Nothing{};
+    });
+  }
+};
+
+// --- registering ---
+
+struct Registering {
+  Plugin plugin;
+  std::string path, wrong;
+};
+
+bool is_name(const char* name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  if (!name || !letter(*name)) return false;
+  return std::all_of(name, name + std::string_view(name).size(),
+                     [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
+}
+
+// Whether the name is free, among routines of one role or functions; says what is wrong otherwise.
+bool accept(Registering& r, const char* name, bool there, bool taken) {
+  if (!r.wrong.empty()) return false;
+  if (!is_name(name))
+    r.wrong = "it registers something without a name, or with one that is not letters, digits, - and _";
+  else if (taken)
+    r.wrong = std::string("it registers '") + name + "' twice";
+  else if (!there)
+    r.wrong = std::string("it registers '") + name + "' without a function or a type";
+  return r.wrong.empty();
+}
+
+template <class Routine, Role role, class Function>
+int add(const betwixt_host* host, const char* name, const char* help, Function function, void* user) {
+  Registering& r = *static_cast<Registering*>(host->state);
+  const bool taken = name && std::any_of(r.plugin.items.begin(), r.plugin.items.end(),
+                                         [&](const PluginItem& i) { return i.role == role && i.name == name; });
+  if (!accept(r, name, function, taken)) return 1;
+  auto routine = std::make_shared<Routine>();
+  routine->language = "plug-in";
+  routine->source = r.path;
+  routine->function = function;
+  routine->user = user;
+  r.plugin.items.push_back({name, help ? help : "", role, std::move(routine)});
+  return 0;
+}
+
+int add_function(const betwixt_host* host, const char* name, const char* type, const double* numbers,
+                 std::size_t count) {
+  Registering& r = *static_cast<Registering*>(host->state);
+  const auto& all = r.plugin.functions;
+  const bool taken = name && std::any_of(all.begin(), all.end(), [&](const auto& f) { return f.name == name; });
+  if (!accept(r, name, type, taken)) return 1;
+  r.plugin.functions.push_back(
+      {name, type, numbers ? std::vector<double>(numbers, numbers + count) : std::vector<double>{}});
+  return 0;
+}
+
+// Opens and registers. What it says begins with what is wrong, "not a plug-in".
+Result<Plugin> open(const std::string& path) {
+  const auto wrong = [](std::string what) { return fail(Code::file, std::move(what)); };
+  // With a slash, or the system looks in its own places.
+  const auto full = std::filesystem::absolute(path).string();
+  void* library = dlopen(full.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) return wrong("not a plug-in: it is no shared library of this machine, or lacks one that it needs");
+  const auto version = reinterpret_cast<int (*)()>(dlsym(library, "betwixt_plugin_version"));
+  const auto entry = reinterpret_cast<int (*)(const betwixt_host*)>(dlsym(library, "betwixt_plugin"));
+  if (!version || !entry) return wrong("not a plug-in: there is no BETWIXT_PLUGIN in it");
+  if (const int v = version(); v < 1 || v > BETWIXT_PLUGIN_VERSION)
+    return wrong("made for version " + std::to_string(v) + " of plug-ins; this program knows those up to " +
+                 std::to_string(BETWIXT_PLUGIN_VERSION));
+  Registering r;
+  r.path = path;
+  const betwixt_host host{BETWIXT_PLUGIN_VERSION,
+                          &r,
+                          add<NativeTwerper, Role::twerper, betwixt_twerper>,
+                          add<NativeFilter, Role::filter, betwixt_filter>,
+                          add<NativeValue, Role::value, betwixt_procedure>,
+                          add<NativeCommand, Role::command, betwixt_command>,
+                          add_function};
+  try {
+    const int refusal = entry(&host);
+    if (!r.wrong.empty()) return wrong(r.wrong);
+    if (refusal) return wrong("it refuses to be loaded (it says " + std::to_string(refusal) + ")");
+  } catch (...) {
+    return wrong("it throws an exception when loaded");
+  }
+  return std::move(r.plugin);
+}
+
+// Whether a child process survives loading it; what it registers is checked by who loads it in earnest.
+Status survives(const std::string& path) {
+  const pid_t child = fork();
+  if (child < 0) return fail(Code::machine, "there is no process to try it in");
+  if (child == 0) {
+    for (int s : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGALRM}) std::signal(s, SIG_DFL);
+    alarm(5);
+    (void)open(path);
+    _exit(0);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return fail(Code::machine, "the process that tries it got lost");
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Nothing{};
+  const bool slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+  return fail(Code::file, slow ? "it takes more than 5 seconds to load" : "it crashes when loaded");
+}
+
+}  // namespace
+
+Result<Plugin> load_plugin(const std::string& path) {
+  const auto named = [&](const Error& e) { return fail(e.code, path + ": " + e.message, e.hint); };
+  std::error_code none;
+  if (!std::filesystem::exists(path, none)) return named(fail(Code::file, "no such file"));
+  if (!std::filesystem::is_regular_file(path, none)) return named(fail(Code::file, "not a plug-in: it is no file"));
+  if (const auto s = survives(path); !s) return named(s.error());
+  auto plugin = open(path);
+  if (!plugin) return named(plugin.error());
+  return plugin;
+}
+
+}  // namespace betwixt

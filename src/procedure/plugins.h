@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Plug-ins: code of the author's in C, through include/betwixt/plugin.h.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "track/procedure.h"
+
+namespace betwixt {
+
+struct PluginItem {
+  std::string name, help;
+  Role role = Role::value;
+  std::shared_ptr<const Routine> code;
+};
+struct PluginFunction {
+  std::string name, type;       // the type as the language writes it
+  std::vector<double> numbers;  // its value before any event
+};
+struct Plugin {
+  std::vector<PluginItem> items;
+  std::vector<PluginFunction> functions;
+};
+
+// Loaded for good. A child process tries it first, so that one that crashes, or takes more than five seconds, is
+// refused.
+Result<Plugin> load_plugin(const std::string& path);
+
+}  // namespace betwixt

@@ -1,0 +1,4 @@
+/* SPDX-FileCopyrightText: 2026 The Betwixt authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+int nothing = 0;
