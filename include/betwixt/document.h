@@ -21,6 +21,9 @@ struct Scene;  // src/scene/document.h
 // A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole).
 inline constexpr std::uint16_t world_function = 0xffff;  // the full matrix: can be asked for, not set
 struct Target {
+  constexpr Target() = default;
+  constexpr Target(ObjectId o, std::uint16_t f, int c = -1) : object(o), function(f), component(c) {}
+
   ObjectId object;
   std::uint16_t function = 0;
   int component = -1;

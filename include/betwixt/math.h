@@ -105,4 +105,16 @@ constexpr Mat4 rotation(Quat q) {
   return r;
 }
 
+// Of a rotation's matrix.
+inline Quat from_matrix(const Mat4& m) {
+  const double t[] = {m(0, 0) + m(1, 1) + m(2, 2), m(0, 0), m(1, 1), m(2, 2)};
+  int k = 0;
+  for (int i = 1; i < 4; ++i)
+    if (t[i] > t[k]) k = i;
+  if (k == 0) return normalize(Quat{1 + t[0], m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)});
+  if (k == 1) return normalize(Quat{m(2, 1) - m(1, 2), 1 + t[1] - t[2] - t[3], m(0, 1) + m(1, 0), m(0, 2) + m(2, 0)});
+  if (k == 2) return normalize(Quat{m(0, 2) - m(2, 0), m(0, 1) + m(1, 0), 1 + t[2] - t[1] - t[3], m(1, 2) + m(2, 1)});
+  return normalize(Quat{m(1, 0) - m(0, 1), m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), 1 + t[3] - t[1] - t[2]});
+}
+
 }  // namespace betwixt

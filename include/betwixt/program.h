@@ -23,8 +23,10 @@ class Program {
   Frame frame(Time) const;
   // The value of one display function (or component) at a time; colours as the author writes them.
   Reading read(const Target&, Time) const;
-  // Many at once: what they share is evaluated once.
-  std::vector<Reading> read(const std::vector<Target>&, Time) const;
+  // Many at once: what they share is evaluated once. `problems`: procedures that gave no value, in words.
+  std::vector<Reading> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;
+  // What procedures looked at to give this value, in the order they looked.
+  std::vector<Target> reads(const Target&, Time) const;
 
   const Document& document() const;
 

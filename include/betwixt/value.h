@@ -94,6 +94,7 @@ enum class Type : std::uint8_t {
 };
 std::string_view to_string(Type);  // in the author's words: "a number", "a vector", …
 
-using Value = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure>;
+using Value =
+    std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure>;
 
 }  // namespace betwixt

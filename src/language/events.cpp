@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "language/reader.h"
+#include "procedure/lua.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -16,7 +17,8 @@ namespace {
 // Twerpers, and what else may stand behind a value: for near misses.
 std::vector<std::string_view> twerper_words() {
   std::vector<std::string_view> words(twerper_names.begin() + 1, twerper_names.end());
-  for (const char* w : {"ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "cut"}) words.push_back(w);
+  for (const char* w : {"release", "ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "cut"})
+    words.push_back(w);
   return words;
 }
 
@@ -38,6 +40,14 @@ bool Reader::twerper(Cursor& c, const Selected& to, Twerper& out, std::array<dou
   c.space();
   const std::string_view w = c.word();
   const auto at = std::find(twerper_names.begin() + 1, twerper_names.end(), w);
+  const auto& own = *s.procedures;
+  const auto mine = std::find_if(own.begin(), own.end(),
+                                 [&](const NamedProcedure& p) { return p.name == w && p.role == Role::twerper; });
+  if (at == twerper_names.end() && mine != own.end()) {
+    out = static_cast<Twerper>(first_own_twerper + (mine - own.begin()));
+    std::string why;
+    return fits(out, to.type(), &why) || c.fail(Code::type, why, w);
+  }
   if (at == twerper_names.end())
     return c.fail(Code::name,
                   w.empty() ? "a twerper is missing here" : fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
@@ -83,14 +93,91 @@ bool Reader::tangent(Cursor& c, const Selected& to, std::string_view key, Event&
   return true;
 }
 
+// A value per second: angles of a rotation one by one, or the turning about an axis.
+bool Reader::rate_of_change(Cursor& c, const Selected& to, Value& out) {
+  const Type type = to.type();
+  if (type != Type::rotation && type != Type::orientation)
+    return values(c).value(unbounded(*to.spec), to.component, out);
+  c.space();
+  Vec3 v;
+  if (c.peek_word() == "axis") {
+    double angle = 0;
+    c.word();
+    if (!c.open()) return false;
+    c.space();
+    if (c.peek() == '(' || c.peek() == 'x' || c.peek() == 'y' || c.peek() == 'z') {
+      if (!values(c).axis(v)) return false;
+    } else {
+      const char* start = c.at;
+      for (int i = 0; i < 3; ++i)
+        if (!c.number(v[i])) return false;
+      if (v == Vec3{})
+        return c.fail(Code::range, "an axis needs a direction; 0 0 0 has none",
+                      {start, static_cast<std::size_t>(c.at - start)});
+    }
+    if (!c.angle(angle) || !c.close()) return false;
+    out = angle * normalize(v);
+    return true;
+  }
+  if (c.peek_word() == "quat")
+    return c.fail_here(Code::type, "a turning speed is wanted here, not an orientation", "as in axis(0 1 0, 90deg)");
+  const bool spin = c.accept_word("spin");  // about the fixed axes, as one vector
+  if (!spin && c.peek() != '(' && !c.accept_word("euler"))
+    return c.fail_here(Code::type, "a turning speed is wanted here", "as in axis(0 1 0, 90deg) or euler(0 90deg 0)");
+  if (!c.open()) return false;
+  for (int i = 0; i < 3; ++i)
+    if (!c.angle(v[i])) return false;
+  if (!c.close()) return false;
+  out = spin || type == Type::orientation ? Value(v) : Value(Angles{v});
+  return true;
+}
+
+// = "…": a value that code computes.
+bool Reader::computed(Cursor& c, const Selected& to, Value& out) {
+  if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing here");
+  c.space();
+  const char* start = c.at;
+  std::string source;
+  if (!c.text(source)) return false;
+  const std::string_view about(start, static_cast<std::size_t>(c.at - start));
+  switch (to.type()) {
+    case Type::points:
+    case Type::names:
+    case Type::attachment:
+      return c.fail(Code::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
+    default:
+      break;
+  }
+  if (to.spec->name == "file" || !to.spec->words.empty() || to.spec->name == "texture" || to.spec->name == "font")
+    return c.fail(Code::type, fmt::format("{} cannot be computed", to.spec->name), about);
+  auto code = make_lua(Role::value, std::move(source));
+  if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
+  out = Procedure{*std::move(code)};
+  return true;
+}
+
 // What stands behind a row's time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep TWERPER.
 bool Reader::event(Cursor& c, const Selected& to, Time time) {
   Event e;
   e.time = time;
   c.space();
   const char* value_at = c.at;
-  if (c.peek() == '=') return c.fail_here(Code::name, "procedures are not in this version of Betwixt");
-  if (c.peek() == 'k' && c.peek_word() == "keep") {
+  const bool released = to.velocity && c.peek() == 'r' && c.accept_word("release");
+  if (released) {
+    e.release = true;
+    e.value = 0.0;
+    if (!finish(c)) return false;
+  } else if (c.peek() == '=') {
+    if (to.velocity) return c.fail_here(Code::type, "a velocity cannot be computed; compute the value itself");
+    if (!computed(c, to, e.value)) return false;
+  } else if (to.velocity && c.peek_word() != "keep") {
+    if (!rate_of_change(c, to, e.value)) return false;
+    c.space();
+    if (c.peek() == 'c' && c.accept_word("cut")) {
+      e.detail.edit().before = std::move(e.value);
+      if (!rate_of_change(c, to, e.value)) return false;
+    }
+  } else if (c.peek() == 'k' && c.peek_word() == "keep") {
     c.word();
     e.keep = true;
     e.value = 0.0;
@@ -141,17 +228,39 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
 }
 
 bool Reader::put(const Selected& to, Event event, Cursor& c, std::string_view about) {
-  const bool rotation = to.type() == Type::rotation && !event.keep;
+  if (to.type() == Type::attachment && !event.keep) {
+    std::vector<ObjectId> children;
+    for (const Target& t : to.targets) children.push_back(t.object);
+    return attachment(c, children, std::get<Attachment>(event.value), event.time, about);
+  }
+  if (to.velocity)
+    for (const Target& t : to.targets) {
+      const auto key = std::pair(t.object.index, t.function);
+      if (velocities_.contains(key) || velocities_.size() > 10'000) continue;
+      const auto before = diagnostics_.size();
+      note(Severity::warning, "", about);
+      if (diagnostics_.size() == before) continue;
+      velocities_.emplace(key, std::move(diagnostics_.back()));
+      diagnostics_.pop_back();
+    }
+  const bool computes = std::holds_alternative<Procedure>(event.value);
+  const bool rotation = to.type() == Type::rotation && !event.keep && !to.velocity && !computes;
   for (const Target& t : to.targets) {
     if (to.spec->type == Type::aim && !event.keep && mixes_aims(s, t, event.value))
       return c.fail(Code::type,
                     fmt::format("'{}' cannot hold both objects and separate numbers",
                                 Document(std::make_shared<const Scene>(s)).name(t)),
                     about, "write all of it as points (x y z)");
+    if (to.velocity) break;
+    if (computes && to.component < 0) {
+      if (const Slot* slot = s.objects[t.object.index].find(t.function, t.layer); slot && !slot->components.empty())
+        return c.fail(Code::type, "its components have tracks of their own: a procedure for the whole finds no place",
+                      about, "write one for each component");
+    }
     if (!rotation && to.component < 0) break;
     const auto tracks = tracks_of(s, t);
     if (tracks.empty()) continue;
-    const Slot* slot = s.objects[t.object.index].find(t.function);
+    const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
     const bool orientation =
         !tracks[0]->events.empty() && std::holds_alternative<Quat>(tracks[0]->events.front().value);
     // Components of an orientation are nothing an animator would know.
@@ -188,8 +297,8 @@ bool Reader::at(Cursor& c) {
   c.space();
   const char* start = c.at;
   const std::string_view w = c.word();
-  static constexpr std::string_view timed_verbs[] = {"note", "look", "show", "hide"};
-  static constexpr std::string_view later[] = {"couple", "detach", "hang", "attach", "letgo", "set"};
+  static constexpr std::string_view timed_verbs[] = {"note",   "look",   "show",  "hide", "couple", "hang",
+                                                     "attach", "detach", "letgo", "fall", "on"};
   if (w.empty()) return c.fail_here(Code::syntax, "a target or a command is missing here");
   if (w.find('.') != std::string_view::npos) {
     Selected to;
@@ -205,9 +314,6 @@ bool Reader::at(Cursor& c) {
   if (w == "set")
     return c.fail(Code::syntax, "'set' has no time; with 'at', write the target and its value", w,
                   "as in at 24f ball.color red");
-  if (std::find(std::begin(later), std::end(later), w) != std::end(later))
-    return c.fail(Code::name, fmt::format("'{}' at a time is not in this version of Betwixt", w), w,
-                  w == "couple" || w == "detach" ? "without 'at' it holds from the beginning" : "");
   if (std::find(std::begin(timed_verbs), std::end(timed_verbs), w) == std::end(timed_verbs)) {
     for (const Verb& v : verbs())
       if (v.word == w) return c.fail(Code::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
@@ -230,12 +336,23 @@ bool Reader::set(Cursor& c) {
   }
   Value v;
   c.space();
-  if (c.peek() == '=')
-    return c.fail_here(Code::name, "procedures are not in this version of Betwixt",
-                       "a value needs no '=': set ball.color red");
+  if (to.velocity)
+    return c.fail(Code::type, "a velocity holds from a time on", w, fmt::format("as in at 1f {} …", w.substr(0, 60)));
+  if (c.peek() == '=') {
+    if (to.component >= 0)
+      return c.fail_here(Code::type, "the whole value is set, not one component of it, when code computes it",
+                         fmt::format("at 1f {} = \"…\" computes one component", w.substr(0, 60)));
+    if (!computed(c, to, v) || !finish(c)) return false;
+    for (const Target& t : to.targets) set_value(s, t, v);
+    return true;
+  }
+  if (to.type() == Type::attachment)
+    return c.fail(Code::type, "an attachment is not set", w, "couple A to B, attach A to B, hang A on B, detach A");
   if (!values(c).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
   for (const Target& t : to.targets) {
-    const Slot* slot = s.objects[t.object.index].find(t.function);
+    const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
+    if (t.component >= 0 && slot && slot->set && std::holds_alternative<Procedure>(*slot->set))
+      return c.fail(Code::type, "code computes the whole of it; it has no separate components", w);
     if (t.component >= 0 && slot && slot->set && std::holds_alternative<Quat>(*slot->set))
       return c.fail(Code::type, "an orientation has no separate angles", w,
                     "set the whole of it as euler(x y z) first");
@@ -314,6 +431,51 @@ bool Reader::note_command(Cursor& c) {
       std::upper_bound(notes.begin(), notes.end(), time_, [](Time t, const auto& n) { return t < n.first; });
   notes.insert(at, {time_, std::move(text)});
   return true;
+}
+
+void Reader::masked_events() {
+  for (auto& [key, d] : velocities_) {
+    const Object* o = find_object(s, {key.first});
+    const Slot* slot = o ? o->find(key.second) : nullptr;
+    if (!slot) continue;
+    const Type type = spec_of(s, key.second).type;
+    const Document document(std::make_shared<const Scene>(s));
+    std::string said;
+    std::size_t count = 0;
+    const auto look = [&](const Track& primary, const Track& velocity, int component) {
+      std::optional<Time> from;
+      const auto until = [&](Time end) {
+        for (const Event& e : primary.events.between({from->flicks + 1}, end)) {
+          if (e.time == end && end.flicks != INT64_MAX) continue;
+          if (++count > 3) continue;
+          said += fmt::format("{}{} at {}", count > 1 ? ", " : "",
+                              document.name(Target{{key.first}, key.second, component}), format_time(e.time, document));
+        }
+      };
+      velocity.events.each([&](const Event& e) {
+        if (e.release && from) {
+          until(e.time);
+          from.reset();
+        } else if (!e.release && !from) {
+          from = e.time;
+        }
+      });
+      if (from) until({INT64_MAX});
+    };
+    if (slot->components.empty() && slot->velocity.components.empty()) {
+      look(*slot->track, *slot->velocity.track, -1);
+    } else {
+      const Strand a = split_into_components(*slot, type), b = split_into_components(slot->velocity, type);
+      for (std::size_t i = 0; i < a.components.size(); ++i)
+        look(*a.components[i], *b.components[i], static_cast<int>(i));
+    }
+    if (count == 0) continue;
+    d.what.message = fmt::format("a velocity has priority: {} event{} masked ({}{})", count,
+                                 count == 1 ? " is" : "s are", said, count > 3 ? " …" : "");
+    d.what.hint = "at TIME TARGET.velocity release ends its reign";
+    diagnostics_.push_back(std::move(d));
+  }
+  velocities_.clear();
 }
 
 bool Reader::notes(Cursor& c) {

@@ -28,9 +28,12 @@ void look_at_blends(const Scene& s, Diagnostics& out) {
       if (t == Twerper::unset || t == Twerper::hold) return;
       if (!compiled) program = Program::compile(Document(std::make_shared<const Scene>(s))), compiled = true;
       const auto& code = program.compiled();
+      if (!std::holds_alternative<ObjectId>(from->value) || !std::holds_alternative<ObjectId>(e.value)) return;
       const auto shape = [&](const Value& v, Time time) {
         const ObjectId id = std::get<ObjectId>(v);
-        return code.shape(find_object(s, id) ? id.index : static_cast<std::uint32_t>(i), time, code.at(time).data());
+        Asking asking;
+        return code.shape(find_object(s, id) ? id.index : static_cast<std::uint32_t>(i), time,
+                          code.at(time, asking).data(), asking);
       };
       std::string why;
       if (can_blend(shape(from->value, from->time), shape(e.value, e.time), &why)) return;
@@ -97,7 +100,8 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   if (const auto objects = select(scene, word);
       !objects.empty()) {  // an object: all that has been said of it, and where it is
     for (ObjectId id : objects) {
-      for (const Slot& slot : scene.objects[id.index].slots) out.push_back({id, slot.function, -1});
+      for (const Slot& slot : scene.objects[id.index].slots)
+        if (!slot.layer) out.push_back({id, slot.function, -1});
       out.push_back({id, world_function, -1});
     }
     return out;
@@ -111,7 +115,8 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   if (!reader.targets(c, word, found, true)) return c.error.value_or(fail(Code::name, "this names nothing"));
   const Program program = found.component < 0 ? Program() : Program::compile(d);
   for (const Target& t : found.targets)
-    if (t.component >= 0 && program.compiled().find(t.object.index, t.function).orientation)
+    if (t.component >= 0 && !t.velocity && program.compiled().find(t.object.index, t.function).orientation &&
+        program.compiled().find(t.object.index, t.function).live < 0)
       return fail(Code::type,
                   fmt::format("'{}' holds orientations, which have no separate angles",
                               d.name(Target{t.object, t.function, -1})),

@@ -8,11 +8,75 @@
 
 #include "base/names.h"
 #include "language/reader.h"
+#include "procedure/lua.h"
 
 namespace betwixt {
 namespace {
 
 constexpr std::size_t most_objects = 1'000'000;  // braces make many of them in a few words
+
+// The source with texts that are the object's name, or begin with it and a dot, speaking of the new name.
+std::string renamed(const std::string& source, const std::string& old, const std::string& name) {
+  std::string out;
+  for (std::size_t i = 0; i < source.size();) {
+    const char quote = source[i];
+    out += quote;
+    ++i;
+    if (quote != '"' && quote != '\'') continue;
+    if (source.compare(i, old.size(), old) == 0 && i + old.size() < source.size() &&
+        (source[i + old.size()] == '.' || source[i + old.size()] == quote)) {
+      out += name;
+      i += old.size();
+    }
+    for (; i < source.size() && source[i] != quote; ++i) {
+      out += source[i];
+      if (source[i] == '\\' && i + 1 < source.size()) out += source[++i];
+    }
+    if (i < source.size()) out += source[i++];
+  }
+  return out;
+}
+
+// `rename` keeps every reference, those in code too.
+void rename_in_procedures(Scene& s, const std::string& old, const std::string& name) {
+  const auto changed = [&](Role role, const std::shared_ptr<const Routine>& code) -> std::shared_ptr<const Routine> {
+    if (!code || code->language != "lua" || code->source.find(old) == std::string::npos) return nullptr;
+    const std::string source = renamed(code->source, old, name);
+    if (source == code->source) return nullptr;
+    auto made = make_lua(role, source);
+    return made ? *std::move(made) : nullptr;
+  };
+  const auto change = [&](Value& v) {
+    if (auto* p = std::get_if<Procedure>(&v))
+      if (auto code = changed(Role::value, p->code)) p->code = std::move(code);
+  };
+  const auto speaks = [&](const Value& v) {
+    const auto* p = std::get_if<Procedure>(&v);
+    return p && changed(Role::value, p->code);
+  };
+  for (std::size_t i = 0; i < s.procedures->size(); ++i)
+    if (auto code = changed((*s.procedures)[i].role, (*s.procedures)[i].code))
+      s.procedures.edit()[i].code = std::move(code);
+  for (std::size_t i = 0; i < s.defined->size(); ++i)
+    if (speaks((*s.defined)[i].rest)) change(s.defined.edit()[i].rest);
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const auto& slots = s.objects[i].slots;
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      const auto in = [&](const Track& t) {
+        bool any = false;
+        t.events.each([&](const Event& e) { any = any || speaks(e.value); });
+        return any;
+      };
+      const auto edit = [&](Track& t) {
+        t.events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) { change(e.value); });
+      };
+      if (slots[k].set && speaks(*slots[k].set)) change(*s.objects.edit(i).slots[k].set);
+      if (in(*slots[k].track)) edit(s.objects.edit(i).slots[k].track.edit());
+      for (std::size_t n = 0; n < slots[k].components.size(); ++n)
+        if (in(*slots[k].components[n])) edit(s.objects.edit(i).slots[k].components[n].edit());
+    }
+  }
+}
 
 }  // namespace
 
@@ -61,6 +125,8 @@ bool Reader::parameters(Cursor& c, Object& object) {
       // A formula in quotes would be a procedure.
       return c.fail_here(Code::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
     }
+    if (spec.type == Type::attachment)
+      return c.fail(Code::type, "an attachment is not set", key, "couple A to B, attach A to B, hang A on B");
     Value v;
     if (!values(c).value(spec, component, v, *f)) return false;
     Slot& slot = object.slot(*f);
@@ -88,6 +154,9 @@ bool Reader::create(Cursor& c) {
     object = s.objects[original.index];
   } else {
     const auto kind = find_kind(kind_word);
+    if (kind == Kind::layer)
+      return c.fail(Code::name, "a layer is made by a command of its own", kind_word,
+                    fmt::format("layer {} add", word.substr(0, 40)));
     if (!kind) {
       std::string hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
       if (hint.empty()) {
@@ -104,7 +173,7 @@ bool Reader::create(Cursor& c) {
   if (!parameters(c, object)) return false;
   if (object.kind == Kind::mesh && !object.find(fn::file))
     return c.fail(Code::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
-  std::vector<ObjectId> parents(names->size(), object.parent);
+  std::vector<ObjectId> parents(names->size());
   std::vector<std::string> sorted = *names;
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
@@ -116,7 +185,11 @@ bool Reader::create(Cursor& c) {
   for (std::size_t i = 0; i < names->size(); ++i) {
     Object each = object;
     each.name = (*names)[i];
-    each.parent = parents[i];
+    each.leads = false;
+    if (parents[i]) {
+      each.slot(fn::attachment).set = Attachment{Hold::couple, parents[i], false};
+      if (!s.objects[parents[i].index].leads) s.objects.edit(parents[i].index).leads = true;
+    }
     add_object(s, std::move(each));
   }
   return true;
@@ -160,6 +233,7 @@ bool Reader::rename(Cursor& c) {
   s.names.erase(old);
   s.names.put(name, id);
   s.objects.edit(id.index).name = name;
+  rename_in_procedures(s, old, name);
   for (const auto& alias : *s.aliases) {  // aliases speak of objects by name
     if (std::find(alias.second.begin(), alias.second.end(), old) == alias.second.end()) continue;
     for (auto& a : s.aliases.edit()) std::replace(a.second.begin(), a.second.end(), old, name);
@@ -168,37 +242,72 @@ bool Reader::rename(Cursor& c) {
   return true;
 }
 
-bool Reader::couple(Cursor& c) {
+bool Reader::take_hold(Cursor& c, Hold hold, std::string_view link) {
   std::string_view word;
   std::vector<ObjectId> children;
   if (!objects(c, word, children)) return false;
-  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' is missing here");
-  ObjectId parent;
+  if (!c.accept_word(link)) return c.fail_here(Code::syntax, fmt::format("'{}' is missing here", link));
+  Attachment to{hold, {}, false};
   c.space();
-  if (!values(c).object(parent)) return false;
-  c.space();
-  if (c.peek_word() == "keep-world") return c.fail_here(Code::name, "keep-world is not in this version of Betwixt");
+  if (!values(c).object(to.parent)) return false;
+  to.keep_world = c.accept_word("keep-world");
   if (!finish(c)) return false;
-  for (ObjectId child : children) {
-    if (!attached_below(s, parent, child)) continue;
-    std::string path;
-    for (ObjectId at = parent; at && at != child; at = s.objects[at.index].parent)
-      path = s.objects[at.index].name + (path.empty() ? "" : " → ") + path;
-    const std::string& name = s.objects[child.index].name;
-    return c.fail(Code::name,
-                  child == parent ? fmt::format("'{}' cannot be coupled to itself", name)
-                                  : fmt::format("this would go round in a circle: {} → {} → {}", name, path, name),
-                  word);
-  }
-  for (ObjectId child : children) s.objects.edit(child.index).parent = parent;
-  return true;
+  return attachment(c, children, to, timed_ ? std::optional(time_) : std::nullopt, word);
 }
 
-bool Reader::detach(Cursor& c) {
+bool Reader::let_loose(Cursor& c, Hold hold) {
   std::string_view word;
   std::vector<ObjectId> children;
   if (!objects(c, word, children) || !finish(c)) return false;
-  for (ObjectId child : children) s.objects.edit(child.index).parent = {};
+  if (hold == Hold::letgo && !timed_)
+    return c.fail(Code::syntax, "letting go needs a time", word,
+                  fmt::format("as in at 60f letgo {}", word.substr(0, 40)));
+  return attachment(c, children, {hold, {}, false}, timed_ ? std::optional(time_) : std::nullopt, word);
+}
+
+// Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).
+bool Reader::attachment(Cursor& c, const std::vector<ObjectId>& children, const Attachment& to,
+                        std::optional<Time> time, std::string_view about) {
+  if (layer_) return c.fail(Code::type, "attachments are on no layer", about);
+  const Scene before = s;
+  for (ObjectId child : children) {
+    if (to.hold >= Hold::hang) {
+      if (s.objects[to.parent.index].kind == Kind::layer || s.objects[child.index].kind == Kind::layer) {
+        s = before;
+        return c.fail(Code::type, "a layer is no object that anything can hang on", about);
+      }
+      // Until the track says otherwise.
+      Time until{INT64_MAX};
+      const Time from = time.value_or(Time{INT64_MIN});
+      const auto known = attachments(s.objects[child.index]);
+      for (const Attached& a : known)
+        if (a.from > from) {
+          until = a.from;
+          break;
+        }
+      if (const auto path = circle(s, child, to.parent, from, until); !path.empty()) {
+        const std::string name = s.objects[child.index].name;
+        std::string way;
+        for (ObjectId at : path) way += s.objects[at.index].name + " → ";
+        s = before;
+        static constexpr std::string_view words[] = {"", "", "hung on", "attached to", "coupled to"};
+        return c.fail(Code::name,
+                      child == to.parent
+                          ? fmt::format("'{}' cannot be {} itself", name, words[static_cast<std::size_t>(to.hold)])
+                          : fmt::format("this would go round in a circle: {}{}", way, name),
+                      about);
+      }
+      if (!s.objects[to.parent.index].leads) s.objects.edit(to.parent.index).leads = true;
+    }
+    if (!time) {
+      set_value(s, {child, fn::attachment}, to);
+      continue;
+    }
+    Event e;
+    e.time = *time;
+    e.value = to;
+    put_event(s, {child, fn::attachment}, std::move(e));
+  }
   return true;
 }
 
@@ -259,8 +368,15 @@ bool Reader::define(Cursor& c) {
   }
   static const Value rests[] = {0.0, 0.0, Vec3{}, Color{}, false, Angles{}, Quat{}, Text(), ObjectId{}, 0.0};
   FunctionSpec spec{std::string(name), at->second, rests[at - std::begin(types)], 0xffffffff, Unit::none, {}};
-  if (!c.at_line_end() && !values(c).value(spec, -1, spec.rest)) return false;
-  if (spec.type == Type::shape && !(spec.rest == Value(ObjectId{})))
+  c.space();
+  if (c.peek() == '=') {
+    Selected of;
+    of.spec = &spec;
+    if (!computed(c, of, spec.rest)) return false;
+  } else if (!c.at_line_end() && !values(c).value(spec, -1, spec.rest)) {
+    return false;
+  }
+  if (spec.type == Type::shape && std::holds_alternative<ObjectId>(spec.rest) && !(spec.rest == Value(ObjectId{})))
     return c.fail(Code::type, "what every object has cannot begin as one object's shape", type,
                   "leave it out, and set it");
   if (!finish(c)) return false;

@@ -24,23 +24,35 @@ std::string plural(std::size_t n, const char* what) { return fmt::format("{} {}{
 
 // Does f(track, component) for all tracks of all targets, or for none: an error on the way puts everything back.
 template <class F>
-bool Reader::operate(Cursor& c, const Selected& on, std::string_view about, bool moves_times, F&& f) {
+bool Reader::operate(Cursor& c, const Selected& on, std::string_view about, bool moves_times, F&& f, bool along) {
   if (!finish(c)) return false;
   const Scene before = s;
   std::size_t events = 0, replaced = 0;
   for (const Target& t : on.targets) {
-    const Slot* slot = s.objects[t.object.index].find(t.function);
+    const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
     if (!slot) continue;
-    const bool parts = t.component < 0 && !slot->components.empty();
-    const auto tracks = edit_tracks(s, t);
-    for (std::size_t i = 0; i < tracks.size(); ++i) {
-      const Result<Changed> done = f(*tracks[i], parts ? static_cast<int>(i) : -1);
-      if (!done) {
-        s = before;
-        return c.fail(done.error().code, done.error().message, about, done.error().hint);
+    // The velocity beside a track goes along (R-T10).
+    Target velocity = t;
+    velocity.velocity = true;
+    std::vector<Target> both{t};
+    const bool rates = !t.velocity && along && [&] {
+      for (const Track* track : tracks_of(s, velocity))
+        if (!track->events.empty()) return true;
+      return false;
+    }();
+    if (rates) both.push_back(velocity);
+    for (const Target& one : both) {
+      const auto tracks = edit_tracks(s, one);
+      const bool parts = t.component < 0 && tracks.size() > 1;
+      for (std::size_t i = 0; i < tracks.size(); ++i) {
+        const Result<Changed> done = f(*tracks[i], parts ? static_cast<int>(i) : -1, one.velocity);
+        if (!done) {
+          s = before;
+          return c.fail(done.error().code, done.error().message, about, done.error().hint);
+        }
+        events += done->events;
+        replaced += done->replaced;
       }
-      events += done->events;
-      replaced += done->replaced;
     }
   }
   if (events == 0) note(Severity::notice, fmt::format("there are no events of '{}' there", on.text), about);
@@ -138,11 +150,11 @@ bool Reader::copy(Cursor& c) {
   std::size_t made = 0;
   for (std::size_t i = 0; i < into.targets.size(); ++i) {
     const Target source = source_of(i);
-    const Slot* slot = before.objects[source.object.index].find(source.function);
-    const bool split = slot && source.component < 0 && !slot->components.empty();
+    const Slot* slot = before.objects[source.object.index].find(source.function, source.layer);
+    const bool split = slot && source.component < 0 && tracks_of(before, source).size() > 1;
     std::vector<Track> originals;
     if (split) {
-      for (const auto& t : slot->components) originals.push_back(*t);
+      for (const Track* t : tracks_of(before, source)) originals.push_back(*t);
     } else {
       for (const Track* t : tracks_of(before, source)) originals.push_back(*t);
     }
@@ -156,7 +168,7 @@ bool Reader::copy(Cursor& c) {
           source_part.events = {};
           track.events.each([&](const Event& e) {
             Event p = e;
-            if (!e.keep) p.value = component_of(e.value, component);
+            if (!e.keep && !e.release) p.value = component_of(e.value, component);
             if (e.detail && e.detail->before) p.detail.edit().before = component_of(*e.detail->before, component);
             source_part.events.put(std::move(p));
           });
@@ -193,7 +205,7 @@ bool Reader::move(Cursor& c) {
   if (!on_segment(c, word, on, segment)) return false;
   if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
-  return operate(c, on, word, true, [&](Track& t, int) { return move_segment(t, segment, by); });
+  return operate(c, on, word, true, [&](Track& t, int, bool) { return move_segment(t, segment, by); });
 }
 
 bool Reader::stretch(Cursor& c) {
@@ -209,7 +221,12 @@ bool Reader::stretch(Cursor& c) {
   if (!(factor > 0))
     return c.fail(Code::range, "time is stretched by more than 0; 'reverse' turns it round",
                   {at, static_cast<std::size_t>(c.at - at)});
-  return operate(c, on, word, true, [&](Track& t, int) { return stretch_segment(t, segment, factor); });
+  return operate(c, on, word, true, [&](Track& t, int, bool velocity) -> Result<Changed> {
+    // What takes longer goes slower.
+    if (velocity)
+      if (auto slower = scale_segment(t, segment, 1 / factor); !slower) return slower;
+    return stretch_segment(t, segment, factor);
+  });
 }
 
 bool Reader::reverse(Cursor& c) {
@@ -217,7 +234,12 @@ bool Reader::reverse(Cursor& c) {
   Segment segment;
   std::string_view word;
   if (!on_segment(c, word, on, segment)) return false;
-  return operate(c, on, word, true, [&](Track& t, int) { return reverse_segment(t, segment); });
+  return operate(c, on, word, true, [&](Track& t, int, bool velocity) -> Result<Changed> {
+    if (velocity)
+      return fail(Code::type, "a track with velocities cannot be reversed",
+                  "clear them first, or reverse the velocity alone");
+    return reverse_segment(t, segment);
+  });
 }
 
 bool Reader::scale(Cursor& c) {
@@ -233,7 +255,7 @@ bool Reader::scale(Cursor& c) {
   factors.spec = &plain;
   if (!operand(c, factors, by)) return false;
   return operate(c, on, word, false,
-                 [&](Track& t, int component) { return scale_segment(t, segment, part(by, component)); });
+                 [&](Track& t, int component, bool) { return scale_segment(t, segment, part(by, component)); });
 }
 
 bool Reader::translate(Cursor& c) {
@@ -245,8 +267,9 @@ bool Reader::translate(Cursor& c) {
   if (!on.spec) on.spec = &built_in_functions()[fn::position];
   const FunctionSpec free = unbounded(*on.spec);
   if (!values(c).value(free, on.component, by)) return false;
-  return operate(c, on, word, false,
-                 [&](Track& t, int component) { return translate_segment(t, segment, part(by, component)); });
+  return operate(
+      c, on, word, false,
+      [&](Track& t, int component, bool) { return translate_segment(t, segment, part(by, component)); }, on.velocity);
 }
 
 bool Reader::rotate(Cursor& c) {
@@ -261,10 +284,10 @@ bool Reader::rotate(Cursor& c) {
   if (type != Type::vector && type != Type::orientation && type != Type::rotation && type != Type::aim)
     return c.fail(Code::type, fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)),
                   word);
-  return operate(c, on, word, false, [&](Track& t, int component) -> Result<Changed> {
+  return operate(c, on, word, false, [&](Track& t, int component, bool velocity) -> Result<Changed> {
     if (component >= 0)
       return fail(Code::type, "the components of this track have tracks of their own: it cannot be rotated as a whole");
-    auto done = rotate_segment(t, segment, axis_angle(axis, angle), centre);
+    auto done = rotate_segment(t, segment, axis_angle(axis, angle), velocity ? Vec3{} : centre);
     if (!done && type == Type::rotation)
       return fail(Code::type, "angles cannot be rotated, orientations can", "write the track with axis(…) or quat(…)");
     return done;
@@ -284,9 +307,12 @@ bool Reader::clear(Cursor& c) {
     if (!c.time(segment.to)) return false;
     if (segment.to < segment.from) return c.fail(Code::range, "this segment ends before it begins", {at, 2});
   }
-  return operate(c, on, word, false, [&](Track& t, int) -> Result<Changed> {
-    return Changed{t.events.erase(segment.from, segment.to), 0};
-  });
+  return operate(
+      c, on, word, false,
+      [&](Track& t, int, bool) -> Result<Changed> {
+        return Changed{t.events.erase(segment.from, segment.to), 0};
+      },
+      false);
 }
 
 bool Reader::stagger(Cursor& c) {
@@ -311,7 +337,7 @@ bool Reader::stagger(Cursor& c) {
   if (!finish(c)) return false;
   const Scene before = s;
   for (std::size_t i = 0; i < on.targets.size(); ++i) {
-    if (!before.objects[on.targets[i].object.index].find(on.targets[i].function)) continue;
+    if (!before.objects[on.targets[i].object.index].find(on.targets[i].function, on.targets[i].layer)) continue;
     for (Track* t : edit_tracks(s, on.targets[i])) {
       const auto done = move_segment(*t, all, {by.flicks * turn[i]});
       if (done) continue;

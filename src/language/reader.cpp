@@ -162,6 +162,7 @@ void Reader::read_text(std::string_view text, const std::string& name) {
   std::error_code ignored;
   if (root_.empty()) root_ = std::filesystem::weakly_canonical(source_.folder.empty() ? "." : source_.folder, ignored);
   if (sound_text(text)) run(text);
+  if (!outer.text.data()) masked_events();
   left_open_ = source_.sheet.open && !source_.sheet.broken;
   source_ = std::move(outer);
 }
@@ -191,6 +192,7 @@ void Reader::line(Cursor& c, const char* line_start) {
   c.ticks_read = rows_read_ticks_;
   c.depth = 0;
   timed_ = false;
+  layer_ = {};
   bool ok = true;
   if (!c.at_line_end()) {
     const bool indented = c.at > line_start;
@@ -246,6 +248,8 @@ bool Reader::command(Cursor& c) {
     }
     return true;
   }
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::command && p.name == w) return own_command(c, p);
   if (w[0] == '#') return c.fail(Code::syntax, "a comment starts with '#' and a space", w);
   if (first_dot(w) != std::string_view::npos && !starts_like_time(w[0])) {
     if (timed_) return c.fail(Code::syntax, "a verb is missing here", w);
@@ -262,6 +266,8 @@ bool Reader::command(Cursor& c) {
   if (c.at_line_end() && !timed_) source_.sheet.open = source_.sheet.broken = true;  // meant as a target, it seems
   std::vector<std::string_view> words;
   for (const Verb& v : verbs()) words.push_back(v.word);
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::command) words.push_back(p.name);
   if (s.names.find(w))
     return c.fail(Code::name, fmt::format("'{}' is an object, not a command", w.substr(0, 40)), w,
                   fmt::format("a sheet opens with a target, as in {}.position", w.substr(0, 40)));

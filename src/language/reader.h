@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Selected {
   const FunctionSpec* spec = nullptr;  // of the first; all have its type
   int component = -1;
   std::string_view text;
+  bool velocity = false;
   Type type() const { return component < 0 ? spec->type : component_type(spec->type); }
 };
 
@@ -78,6 +80,8 @@ class Reader {
   bool event(Cursor& c, const Selected& to, Time time);
   bool twerper(Cursor& c, const Selected& to, Twerper& out, std::array<double, 4>& bezier);
   bool tangent(Cursor& c, const Selected& to, std::string_view key, Event& event);
+  bool rate_of_change(Cursor& c, const Selected& to, Value& out);
+  bool computed(Cursor& c, const Selected& to, Value& out);
   bool put(const Selected& to, Event event, Cursor& c, std::string_view about);
   bool at(Cursor& c);
   bool set(Cursor& c);
@@ -98,12 +102,29 @@ class Reader {
   bool objects(Cursor& c, std::string_view& word, std::vector<ObjectId>& out);
   bool remove(Cursor& c);
   bool rename(Cursor& c);
-  bool couple(Cursor& c);
-  bool detach(Cursor& c);
+  bool hang(Cursor& c) { return take_hold(c, Hold::hang, "on"); }
+  bool attach(Cursor& c) { return take_hold(c, Hold::attach, "to"); }
+  bool couple(Cursor& c) { return take_hold(c, Hold::couple, "to"); }
+  bool detach(Cursor& c) { return let_loose(c, Hold::detach); }
+  bool letgo(Cursor& c) { return let_loose(c, Hold::letgo); }
+  bool take_hold(Cursor& c, Hold hold, std::string_view link);
+  bool let_loose(Cursor& c, Hold hold);
+  bool attachment(Cursor& c, const std::vector<ObjectId>& children, const Attachment&, std::optional<Time> time,
+                  std::string_view about);
   bool alias(Cursor& c);
   bool define(Cursor& c);
 
-  // document.cpp
+  // extensions.cpp
+  bool layer(Cursor& c);
+  bool on_layer(Cursor& c);
+  bool filter(Cursor& c);
+  bool procedure(Cursor& c);
+  bool own_command(Cursor& c, const NamedProcedure& p);
+  bool dial(Cursor& c);
+  bool record(Cursor& c);
+  bool fall(Cursor& c);
+
+  // settings.cpp
   bool rate(Cursor& c) { return rate_of(c, s.rate, c.frames_read, "frames"); }
   bool ticks(Cursor& c) { return rate_of(c, s.ticks, c.ticks_read, "ticks"); }
   bool rate_of(Cursor& c, Rate& rate, bool used, const char* what);
@@ -124,7 +145,7 @@ class Reader {
   bool stagger(Cursor& c);
   bool spread(Cursor& c);
   template <class F>
-  bool operate(Cursor& c, const Selected& on, std::string_view about, bool moves_times, F&& f);
+  bool operate(Cursor& c, const Selected& on, std::string_view about, bool moves_times, F&& f, bool along = true);
   bool on_segment(Cursor& c, std::string_view& word, Selected& on, Segment& segment);
   bool operand(Cursor& c, const Selected& on, Value& out);
 
@@ -156,7 +177,11 @@ class Reader {
   int included_ = 0;
   std::size_t copied_ = 0;  // events made by copying
   Source source_;
-  bool timed_ = false;  // the command has an `at`
+  void masked_events();  // what velocities keep from being seen, said when all is read
+  std::map<std::pair<std::uint32_t, FunctionId>, Diagnostic> velocities_;  // where each was first spoken of
+  ObjectId layer_;                                                         // the command is for this layer
+  int commands_deep_ = 0;                                                  // commands of the author's that run others
+  bool timed_ = false;                                                     // the command has an `at`
   Time time_;
   bool rows_read_frames_ = false, rows_read_ticks_ = false;
   bool left_open_ = false;  // a sheet, when the text ended

@@ -35,12 +35,35 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
     component = function.substr(second + 1);
     function = function.substr(0, second);
   }
+  // .velocity, before or behind the component
+  const auto strip = [&](std::string_view& from) {
+    if (from != "velocity" && !from.ends_with(".velocity") && !from.starts_with("velocity.")) return;
+    if (from == "velocity")
+      from = {};
+    else if (from.starts_with("velocity."))
+      from.remove_prefix(9);
+    else
+      from.remove_suffix(9);
+    out.velocity = true;
+  };
+  strip(component);
   const std::string_view function_text = function;
+  const auto target = [&](ObjectId id, FunctionId f, int part) {
+    Target t{id, f, part};
+    t.velocity = out.velocity;
+    t.layer = layer_;
+    return t;
+  };
+  const auto still = [&](const FunctionSpec& spec) {
+    return c.fail(Code::type, fmt::format("{} has no velocity: it is {}", spec.name, to_string(spec.type)),
+                  function_text);
+  };
   if (component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say
     const ObjectId id = s.aliases->contains(object) ? ObjectId{} : s.names.find(object);
     if (const auto f = id ? find_function(s, s.objects[id.index].kind, function) : std::nullopt) {
       out.spec = &spec_of(s, *f);
-      out.targets.push_back({id, *f, -1});
+      if (out.velocity && !has_velocity(out.spec->type)) return still(*out.spec);
+      out.targets.push_back(target(id, *f, -1));
       return true;
     }
   }
@@ -85,13 +108,14 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
       }
       for (FunctionId f : found) {
         const FunctionSpec& spec = spec_of(s, f);
+        if (out.velocity && !has_velocity(spec.type)) {
+          if (many_functions) continue;
+          return still(spec);
+        }
         std::vector<int> parts;
         if (component.empty()) {
           parts.push_back(-1);
         } else {
-          if (component == "velocity" || component.ends_with(".velocity"))
-            return c.fail(Code::name, "velocities are not in this version of Betwixt",
-                          component.substr(component.size() - 8));
           if (component_count(spec.type) == 0)
             return c.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
                           component);
@@ -119,7 +143,7 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
                           function_text);
           continue;
         }
-        for (int part : parts) out.targets.push_back({id, f, part});
+        for (int part : parts) out.targets.push_back(target(id, f, part));
       }
     }
   }
@@ -128,7 +152,7 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
     note(Severity::notice, fmt::format("'{}' names nothing", word), word);
     return true;
   }
-  static constexpr std::string_view later[] = {"attachment", "environments", "motion"};
+  static constexpr std::string_view later[] = {"environments", "motion"};
   if (std::find(std::begin(later), std::end(later), function) != std::end(later))
     return c.fail(Code::name, fmt::format("'{}' is not in this version of Betwixt", function), function);
   const Object& o = s.objects[objects[0].index];

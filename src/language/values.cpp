@@ -320,6 +320,24 @@ bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, Fun
       out = v;
       return true;
     }
+    case Type::attachment: {
+      static constexpr std::string_view words[] = {"detach", "letgo", "hang", "attach", "couple"};
+      const std::string_view w = c.word();
+      const auto at = std::find(std::begin(words), std::end(words), w);
+      if (at == std::end(words))
+        return c.fail(Code::type, "an attachment is wanted here", w.empty() ? std::string_view(start, 0) : w,
+                      "couple to NAME, attach to NAME, hang on NAME, detach or letgo");
+      Attachment a{static_cast<Hold>(at - std::begin(words)), {}, false};
+      if (a.hold >= Hold::hang) {
+        const std::string_view link = a.hold == Hold::hang ? "on" : "to";
+        if (!c.accept_word(link)) return c.fail_here(Code::syntax, fmt::format("'{}' is missing here", link));
+        c.space();
+        if (!object(a.parent)) return false;
+        a.keep_world = c.accept_word("keep-world");
+      }
+      out = a;
+      return true;
+    }
     case Type::boolean: {
       const std::string_view w = c.word();
       if (w != "on" && w != "off")

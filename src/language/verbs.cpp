@@ -19,8 +19,11 @@ const std::vector<Reader::Verb>& Reader::verbs() {
       {"rename", "rename OLD NEW", &Reader::rename},
       {"set", "set TARGET VALUE, as in set ball.color red", &Reader::set},
       {"at", "at TIME TARGET VALUE or at TIME COMMAND", &Reader::at},
-      {"couple", "couple A to B", &Reader::couple},
+      {"couple", "couple A to B [keep-world]", &Reader::couple},
+      {"attach", "attach A to B [keep-world]", &Reader::attach},
+      {"hang", "hang A on B [keep-world]", &Reader::hang},
       {"detach", "detach A", &Reader::detach},
+      {"letgo", "at TIME letgo A", &Reader::letgo},
       {"look", "at TIME look through CAMERA", &Reader::look},
       {"note", "at TIME note \"…\"", &Reader::note_command},
       {"notes", "notes on or notes off", &Reader::notes},
@@ -40,6 +43,13 @@ const std::vector<Reader::Verb>& Reader::verbs() {
       {"spread", "spread TARGETS from VALUE to VALUE", &Reader::spread},
       {"alias", "alias NAME = ELEMENT …", &Reader::alias},
       {"define", "define NAME TYPE [default]", &Reader::define},
+      {"layer", "layer NAME add|mix [weight=W]", &Reader::layer},
+      {"on", "on LAYER COMMAND, or on LAYER TARGET to open a sheet", &Reader::on_layer},
+      {"filter", "filter TARGET NAME [key=value …] [A..B]; filter TARGET none", &Reader::filter},
+      {"procedure", "procedure NAME [twerper|filter|command] lua \"…\"", &Reader::procedure},
+      {"fall", "at TIME fall A [delay=L] [gravity=G] [ground=Y] [bounce=K] [for L]", &Reader::fall},
+      {"dial", "dial ADDRESS to TARGET [from A B to C D]", &Reader::dial},
+      {"record", "record on or record off", &Reader::record},
       {"policy", "policy translate|ignore|ask", &Reader::policy},
       {"use", "use FILE", &Reader::use},
   };
@@ -53,8 +63,7 @@ std::vector<std::pair<std::string_view, std::string_view>> Reader::words() {
 }
 
 std::string_view Reader::not_yet(std::string_view verb) {
-  static constexpr std::string_view later[] = {"hang",    "attach", "letgo", "filter", "layer", "on",    "procedure",
-                                               "animate", "halt",   "kill",  "cancel", "dial",  "record"};
+  static constexpr std::string_view later[] = {"animate", "halt", "kill", "cancel"};
   static constexpr std::string_view shell[] = {"help", "list", "describe", "undo", "redo", "plot",
                                                "play", "stop", "save",     "open", "load", "quit"};
   if (std::find(std::begin(later), std::end(later), verb) != std::end(later))

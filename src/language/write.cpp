@@ -21,6 +21,9 @@ struct Writer {
     return o ? o->name : "";
   }
   std::string value(const Value& v, const FunctionSpec& spec, int component) const {
+    const bool turns = spec.type == Type::rotation || spec.type == Type::orientation;
+    if (const auto* p = std::get_if<Vec3>(&v); p && turns && component < 0)  // a turning speed
+      return "spin" + value(Angles{*p}, spec, -1).substr(5);
     return write_value(v, spec, component, [this](ObjectId id) { return name_of(id); });
   }
   // A length of time that reads back to the same flicks.
@@ -53,10 +56,13 @@ struct Writer {
     return fmt::format("bezier({} {} {} {})", write_number(b[0]), write_number(b[1]), write_number(b[2]),
                        write_number(b[3]));
   }
-  static std::string twerper(Twerper t) { return std::string(twerper_names[static_cast<std::size_t>(t)]); }
 
   void row(const Event& e, const FunctionSpec& spec, int component) {
     out += "  " + point(e.time) + " ";
+    if (e.release) {
+      out += "release\n";
+      return;
+    }
     if (e.keep) {
       out += "keep";
     } else {
@@ -66,7 +72,7 @@ struct Writer {
     if (e.twerper == Twerper::bezier)
       out += " " + bezier(e.detail->bezier);
     else if (e.twerper != Twerper::unset)
-      out += " " + twerper(e.twerper);
+      out += " " + twerper_name(s, e.twerper);
     if (e.detail->tangent_in) out += " tangent-in=" + value(*e.detail->tangent_in, spec, component);
     if (e.detail->tangent_out) out += " tangent-out=" + value(*e.detail->tangent_out, spec, component);
     if (e.detail->ease_in != Time{}) out += " ease-in=" + length(e.detail->ease_in);
@@ -76,24 +82,24 @@ struct Writer {
 
   void track(const Track& t, const Target& target) {
     const FunctionSpec& spec = spec_of(s, target.function);
-    const std::string name = document.name(target);
+    const std::string name = document.name(target), layer = on(target.layer);
     // A bezier whose event left it for another twerper is of no effect and is not written.
     if (!t.events.empty() || target.component >= 0) {
-      out += name + "\n";
+      out += layer + name + "\n";
       t.events.each([&](const Event& e) { row(e, spec, target.component); });
     }
     if (t.global != Twerper::unset || t.srgb) {
-      out += "twerper " + name + " " +
+      out += layer + "twerper " + name + " " +
              (t.global == Twerper::unset    ? "none"
               : t.global == Twerper::bezier ? bezier(t.bezier)
-                                            : twerper(t.global));
+                                            : twerper_name(s, t.global));
       out += t.srgb ? " in=srgb\n" : "\n";
     }
     if (t.before == t.after && t.before != Extend::hold)
-      out += fmt::format("extend {} {}\n", name, extend_names[static_cast<std::size_t>(t.before)]);
+      out += layer + fmt::format("extend {} {}\n", name, extend_names[static_cast<std::size_t>(t.before)]);
     if (t.before == t.after) return;
-    out += fmt::format("extend {} {} before\n", name, extend_names[static_cast<std::size_t>(t.before)]);
-    out += fmt::format("extend {} {} after\n", name, extend_names[static_cast<std::size_t>(t.after)]);
+    out += layer + fmt::format("extend {} {} before\n", name, extend_names[static_cast<std::size_t>(t.before)]);
+    out += layer + fmt::format("extend {} {} after\n", name, extend_names[static_cast<std::size_t>(t.after)]);
   }
 
   void settings() {
@@ -112,6 +118,12 @@ struct Writer {
                                                                   {Type::orientation, "orientation"},
                                                                   {Type::text, "text"},
                                                                   {Type::shape, "shape"}};
+    for (const NamedProcedure& p : *s.procedures)
+      if (p.code->language == "lua")
+        out += fmt::format("procedure {} {} lua {}\n", p.name, role_names[static_cast<std::size_t>(p.role)],
+                           write_text(p.code->source));
+      else
+        out += fmt::format("# {} comes from the plug-in {}\n", p.name, p.code->source);
     for (const FunctionSpec& f : *s.defined)
       for (const auto& [type, word] : types)
         if (type == f.type) out += fmt::format("define {} {} {}\n", f.name, word, value(f.rest, f, -1));
@@ -123,6 +135,7 @@ struct Writer {
   }
 
   bool refers(const Slot& slot) const {
+    if (slot.layer || slot.function == fn::attachment || std::holds_alternative<Procedure>(*slot.set)) return true;
     const auto* id = slot.set ? std::get_if<ObjectId>(&*slot.set) : nullptr;
     return id && *id;
   }
@@ -133,9 +146,12 @@ struct Writer {
       if (!s.objects[i].removed) living.push_back(i);
     for (std::uint32_t i : living) {
       const Object& o = s.objects[i];
-      out += "create " + flat_name(o.name) + " " + std::string(kind_names[static_cast<std::size_t>(o.kind)]);
+      const bool layer = o.kind == Kind::layer;
+      out += (layer ? "layer " : "create ") + flat_name(o.name) + " ";
+      out +=
+          layer ? *std::get<Text>(*o.find(fn::mode)->set) : std::string(kind_names[static_cast<std::size_t>(o.kind)]);
       for (const Slot& slot : o.slots) {
-        if (!slot.set || refers(slot)) continue;
+        if (!slot.set || refers(slot) || slot.function == fn::mode) continue;
         const FunctionSpec& spec = spec_of(s, slot.function);
         out += " " + spec.name + "=" + value(*slot.set, spec, -1);
       }
@@ -146,21 +162,63 @@ struct Writer {
     for (std::uint32_t i : living)
       if (flat_name(s.objects[i].name) != s.objects[i].name)
         out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
-    for (std::uint32_t i : living)
-      if (s.objects[i].parent)
-        out += "couple " + s.objects[i].name + " to " + s.objects[s.objects[i].parent.index].name + "\n";
     // What speaks of other objects waits until all are there.
     for (std::uint32_t i : living)
       for (const Slot& slot : s.objects[i].slots)
-        if (refers(slot) && find_object(s, std::get<ObjectId>(*slot.set)))
-          out += "set " + document.name(Target{{i}, slot.function, -1}) + " " +
-                 value(*slot.set, spec_of(s, slot.function), -1) + "\n";
+        if (slot.set && refers(slot)) late(i, slot);
     for (std::uint32_t i : living)
       for (const Slot& slot : s.objects[i].slots) {
-        track(*slot.track, {{i}, slot.function, -1});
-        for (std::size_t k = 0; k < slot.components.size(); ++k)
-          track(*slot.components[k], {{i}, slot.function, static_cast<int>(k)});
+        Target t{{i}, slot.function};
+        t.layer = slot.layer;
+        strand(slot, t);
+        t.velocity = true;
+        strand(slot.velocity, t);
+        for (const Filter& f : slot.filters) filter(f, {{i}, slot.function, f.component}, slot.layer);
       }
+  }
+
+  std::string on(ObjectId layer) const { return layer ? "on " + name_of(layer) + " " : ""; }
+
+  // What stands behind a name that has to be there first.
+  void late(std::uint32_t i, const Slot& slot) {
+    const FunctionSpec& spec = spec_of(s, slot.function);
+    if (const auto* a = std::get_if<Attachment>(&*slot.set)) {
+      if (a->hold < Hold::hang || !find_object(s, a->parent)) return;
+      const std::string what = value(*slot.set, spec, -1);  // "couple to hand"
+      const auto space = what.find(' ');
+      out += what.substr(0, space) + " " + s.objects[i].name + what.substr(space) + "\n";
+      return;
+    }
+    if (const auto* id = std::get_if<ObjectId>(&*slot.set); id && *id && !find_object(s, *id)) return;
+    out +=
+        on(slot.layer) + "set " + document.name(Target{{i}, slot.function}) + " " + value(*slot.set, spec, -1) + "\n";
+  }
+
+  void strand(const Strand& of, Target t) {
+    track(*of.track, t);
+    for (std::size_t k = 0; k < of.components.size(); ++k) {
+      t.component = static_cast<int>(k);
+      track(*of.components[k], t);
+    }
+  }
+
+  void filter(const Filter& f, const Target& t, ObjectId layer) {
+    out += on(layer) + "filter " + document.name(t) + " " + f.name;
+    const FilterSpec* spec = f.code ? nullptr : find_filter(f.name);
+    for (const auto& [key, v] : f.parameters) {
+      bool time = false;
+      if (spec)
+        for (const FilterParameter& p : spec->parameters) time = time || (p.name == key && p.time);
+      const auto* d = std::get_if<double>(&v);
+      const auto* text = std::get_if<Text>(&v);
+      const auto* p = std::get_if<Vec3>(&v);
+      out += " " + key + "=";
+      if (d) out += time ? seconds(from_seconds(*d)) : write_number(*d);
+      if (text) out += write_text(**text);
+      if (p) out += write_vector(*p);
+    }
+    if (f.segment) out += " " + point(f.segment->first) + ".." + point(f.segment->second);
+    out += "\n";
   }
 
   // A name without slashes that no object has.
@@ -179,6 +237,16 @@ struct Writer {
       out += "look through " + name_of(camera) + "\n";
     }
     for (const auto& [time, text] : *s.notes) out += "at " + point(time) + " note " + write_text(text) + "\n";
+    for (const Dial& d : *s.dials) {
+      out += "dial " + d.address + " to " + document.name(d.target);
+      if (d.mapped) {
+        const FunctionSpec spec = unbounded(spec_of(s, d.target.function));
+        out += " from " + write_number(d.low) + " " + write_number(d.high) + " to " +
+               value(d.from, spec, d.target.component) + " " + value(d.to, spec, d.target.component);
+      }
+      out += "\n";
+    }
+    if (s.recording) out += "record on\n";
     if (s.policy != Policy::ask) out += fmt::format("policy {}\n", policy_names[static_cast<std::size_t>(s.policy)]);
   }
 };

@@ -6,12 +6,13 @@
 // wanted.
 #pragma once
 
+#include <map>
 #include <mutex>
 
 #include "betwixt/program.h"
 #include "scene/document.h"
 #include "scene/extent.h"
-#include "track/curve.h"
+#include "track/reign.h"
 
 namespace betwixt {
 
@@ -24,7 +25,8 @@ struct Binding {
   std::uint32_t first_curve = 0, curves = 0;
   std::int32_t steps = -1;  // events of a value that is not numbers …
   Value constant;           // … or the value for good
-  bool varies() const { return curves > 0 || steps >= 0; }
+  std::int32_t live = -1;   // worked out from more than one track, or by code: Compiled::lives
+  bool varies() const { return curves > 0 || steps >= 0 || live >= 0; }
 };
 
 struct CurveUse {
@@ -34,10 +36,84 @@ struct CurveUse {
   double low = 0, high = 0;
 };
 
-// One object, parents before children.
+// Part of the time of a track with a velocity beside it: the primary track's own, or a reign (R-T5).
+struct Piece {
+  Time from;
+  bool scripted = false;  // the primary track has procedures
+  Curve primary;          // count 0: the value at rest
+  std::int32_t reign = -1;
+};
+
+// One track of a function's value or component, with what is not plain about it.
+struct LivePart {
+  int component = -1;
+  Type type = Type::scalar;
+  bool orientation = false, srgb_numbers = false;
+  std::vector<Piece> pieces;  // by time; empty: scripted
+  Track track;                // scripted: events among which are procedures
+  Value rest;
+};
+
+struct LiveStrand {
+  ObjectId layer;
+  bool mix = false;
+  std::int32_t plain = -1;  // all of it is a plain binding: Compiled::plains
+  Value set;
+  std::vector<LivePart> parts;
+  std::vector<Filter> filters;
+};
+
+// A function's value that is not one plain track: velocities, procedures, filters, layers.
+struct Live {
+  std::uint32_t object = 0;
+  FunctionId function = 0;
+  std::vector<LiveStrand> strands;  // the object's own first
+};
+
+// What one question leads to. Values found on the way are kept, unless a circle was cut to find them (R-T11).
+struct Asking {
+  struct Found {
+    Value value;
+    std::uint64_t cost = 0;
+  };
+  std::vector<std::int32_t> open;  // lives being worked out
+  std::size_t cut = SIZE_MAX;      // how deep in `open` the outermost cut reached
+  std::map<std::pair<std::int32_t, std::int64_t>, Found> found;
+  std::uint64_t cost = 0;
+  std::vector<std::string> problems;
+  std::vector<Target> read;  // what procedures looked at
+
+  void say(std::string problem);
+};
+
+// Where a node is in the world, and the part of that which children take on when scales stay out (R-H2).
+struct Placed {
+  Mat4 world;
+  Quat turn;
+};
+
+// An attachment in force from a time on.
+struct Hand {
+  Time from;
+  Hold hold = Hold::detach;
+  std::int32_t parent = -1;  // a node
+  std::int32_t frozen = -1;  // what a letgo or keep-world keeps
+};
+struct Frozen {
+  std::uint32_t node = 0;
+  std::int32_t hand = 0;  // which of the node's
+  enum { asleep, busy, done } state = asleep;
+  Mat4 before;  // applied to what the tracks say, before the parent
+  Quat before_turn;
+  Mat4 turn3, parent;  // letgo: B and the parent's matrix, as they were
+  Quat parent_turn;
+  Vec3 attach;
+  bool held = false;  // letgo: there was a parent
+};
+
 struct Node {
   std::uint32_t object = 0;
-  std::int32_t parent = -1;  // a node
+  std::uint32_t first_hand = 0, hands = 0;
   Kind kind = Kind::group;
   bool orientation = false;
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0, attach = 0, display = 0, color = 0;  // offsets
@@ -55,24 +131,40 @@ struct Program::Compiled {
   std::vector<Binding> bindings;             // by object, then function
   std::vector<std::uint32_t> first_binding;  // per object, and one more
   std::vector<Binding> defaults;             // per function: where no object says otherwise
+  std::vector<Binding> plains;               // of strands of lives
+  std::vector<Live> lives;
+  std::vector<Reign> reigns;
   std::vector<Node> nodes;
+  std::vector<Hand> hands;             // by node, then time
+  mutable std::vector<Frozen> frozen;  // all done when compiling ends
+  std::vector<std::string> notices;    // attachments that had to be ignored
   std::vector<std::uint32_t> node_of;  // per object; its order is that of the objects
 
   const Binding& find(std::uint32_t object, FunctionId f) const;
 
   // Evaluation. `numbers` is the array for the time.
-  std::vector<double> at(Time t) const;
+  std::vector<double> at(Time t, Asking&) const;
   void evaluate(const CurveUse& use, Time t, double* out) const;
-  void evaluate(const Binding& b, Time t, double* out) const;  // one binding alone: its numbers only
-  Mat4 local(const Node& n, const double* numbers) const;
-  std::vector<Mat4> worlds(Time t, const double* numbers) const;
-  Shape shape(std::uint32_t object, Time t, const double* numbers) const;
-  std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers, const std::vector<Mat4>* worlds) const;
-  Between between(const Binding& b, Time t) const { return steps[static_cast<std::size_t>(b.steps)].at(t); }
-  const Value& value(const Binding& b, Time t) const;  // the one that holds at t
+  // One binding alone: its numbers only.
+  void evaluate(const Binding& b, Time t, Asking&, double* out) const;
+  Value live_value(std::int32_t live, Time t, Asking&) const;  // as the author writes values
+  // The rate of change per second, as the author would write it; nothing where that means nothing.
+  std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&) const;
+  Reading read(const Target&, Time t, Asking&) const;
 
-  void add_items(Frame&, const double* numbers, const std::vector<Mat4>& worlds) const;
-  void add_lights(Frame&, const double* numbers, const std::vector<Mat4>& worlds) const;
+  const Hand* hand(const Node& n, Time t) const;  // null: it never hangs on anything
+  std::vector<Placed> placements(Time t, const double* numbers, Asking&) const;
+  std::vector<Mat4> worlds(Time t, const double* numbers, Asking&) const;
+  Placed placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
+  Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;
+  std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers, const std::vector<Placed>* placed,
+                          Asking&) const;
+  Between between(const Binding& b, Time t) const { return steps[static_cast<std::size_t>(b.steps)].at(t, set); }
+  Value value(const Binding& b, Time t, Asking&) const;  // the one that holds at t
+  void thaw(std::int32_t frozen, Asking&) const;
+
+  void add_items(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
+  void add_lights(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
   Camera camera(Time t, const double* numbers, const std::vector<Mat4>& worlds) const;
 
   Extent stage() const;
@@ -81,6 +173,13 @@ struct Program::Compiled {
   mutable std::once_flag own_camera_once;
   mutable Camera own_camera_made;
 };
+
+// The numbers that the array holds for a value: colours are linear light, angles orientations where `orientation`.
+int held_numbers(const Value&, bool orientation, double* out);
+// A procedure's answer as a value of the type; the reason if it is none.
+Result<Value> fit(const Value&, Type, const Scene&);
+Vec3 to_angles(Quat);
+Value example_of(Type);  // some value of the type: where only code gives one and it does not
 
 inline Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
 

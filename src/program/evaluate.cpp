@@ -12,9 +12,12 @@ Vec3 mix(Vec3 a, Vec3 b, double s) { return a + s * (b - a); }
 
 }  // namespace
 
-std::vector<double> Program::Compiled::at(Time t) const {
+std::vector<double> Program::Compiled::at(Time t, Asking& asking) const {
   std::vector<double> numbers = rest;
   for (const CurveUse& use : curves) evaluate(use, t, &numbers[use.offset]);
+  if (!lives.empty())
+    for (const Binding& b : bindings)
+      if (b.live >= 0 && b.channels > 0) evaluate(b, t, asking, &numbers[b.offset]);
   return numbers;
 }
 
@@ -24,7 +27,11 @@ void Program::Compiled::evaluate(const CurveUse& use, Time t, double* out) const
   for (int i = 0; i < use.curve.channels; ++i) out[i] = std::clamp(out[i], use.low, use.high);
 }
 
-void Program::Compiled::evaluate(const Binding& b, Time t, double* out) const {
+void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, double* out) const {
+  if (b.live >= 0) {
+    held_numbers(live_value(b.live, t, asking), b.orientation, out);
+    return;
+  }
   std::copy_n(&rest[b.offset], 4, out);
   for (std::uint32_t i = 0; i < b.curves; ++i) {
     const CurveUse& use = curves[b.first_curve + i];
@@ -32,26 +39,142 @@ void Program::Compiled::evaluate(const Binding& b, Time t, double* out) const {
   }
 }
 
-const Value& Program::Compiled::value(const Binding& b, Time t) const {
+Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
+  if (b.live >= 0) return live_value(b.live, t, asking);
   if (b.steps < 0) return b.constant;
   const Between w = between(b, t);
   return steps[static_cast<std::size_t>(b.steps)].values()[w.s >= 1 ? w.b : w.a];
 }
 
-// Scale and rotation about the pivot, then the move; what is attached is moved by its place on the parent too (R-H1,
-// R-H7).
-Mat4 Program::Compiled::local(const Node& n, const double* numbers) const {
-  const double* r = numbers + n.rotation;
-  const Quat turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
-  Mat4 m = rotation(turn);
-  const Vec3 s = vec3(numbers + n.scale), pivot = vec3(numbers + n.pivot);
+namespace {
+
+// What the tracks of one object say about its place.
+struct Said {
+  Quat turn;
+  Vec3 scale, pivot, position, attach;
+};
+
+// Scale and rotation about the pivot, then the move (R-H7).
+Mat4 local(const Said& said) {
+  Mat4 m = rotation(said.turn);
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < 3; ++i) m(i, c) *= s[c];
-  Vec3 move = vec3(numbers + n.position);
-  if (n.parent >= 0) move = move + vec3(numbers + n.attach);
-  move = move + pivot - transform_vector(m, pivot);
+    for (int i = 0; i < 3; ++i) m(i, c) *= said.scale[c];
+  const Vec3 move = said.position + said.pivot - transform_vector(m, said.pivot);
   m(0, 3) = move.x, m(1, 3) = move.y, m(2, 3) = move.z;
   return m;
+}
+
+Mat4 linear_part(Mat4 m) {
+  m(0, 3) = m(1, 3) = m(2, 3) = 0;
+  return m;
+}
+
+// None where the matrix is singular.
+std::optional<Mat4> inverse(const Mat4& m) {
+  const auto column = [&](int c) { return Vec3{m(0, c), m(1, c), m(2, c)}; };
+  const Vec3 a = column(0), b = column(1), c = column(2);
+  const double det = dot(a, cross(b, c));
+  if (!(std::abs(det) > 1e-12 * length(a) * length(b) * length(c))) return std::nullopt;
+  const Vec3 rows[] = {1 / det * cross(b, c), 1 / det * cross(c, a), 1 / det * cross(a, b)};
+  Mat4 out;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) out(i, k) = rows[i][k];
+  const Vec3 move = -transform_vector(out, translation_of(m));
+  out(0, 3) = move.x, out(1, 3) = move.y, out(2, 3) = move.z;
+  return out;
+}
+
+Mat4 held_turn(Hold hold, const Placed& parent) {
+  return hold == Hold::couple ? linear_part(parent.world) : hold == Hold::attach ? rotation(parent.turn) : Mat4{};
+}
+
+// R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.
+Placed hang(const Said& said, const Hand* hand, const Frozen* frozen, const Placed* parent) {
+  Mat4 m = local(said);
+  Quat turn = said.turn;
+  if (!hand || hand->hold == Hold::detach || (hand->hold == Hold::letgo && !frozen->held)) return {m, turn};
+  Vec3 attach = said.attach;
+  if (frozen) m = frozen->before * m, turn = frozen->before_turn * turn;
+  Mat4 turn3, above;
+  Quat above_turn;
+  if (hand->hold == Hold::letgo) {
+    turn3 = frozen->turn3, above = frozen->parent, above_turn = frozen->parent_turn, attach = frozen->attach;
+  } else {
+    turn3 = held_turn(hand->hold, *parent), above = parent->world;
+    if (hand->hold != Hold::hang) above_turn = parent->turn;
+  }
+  const Vec3 place = transform_point(above, translation_of(m) + attach);
+  Mat4 world = turn3 * linear_part(m);
+  world(0, 3) = place.x, world(1, 3) = place.y, world(2, 3) = place.z;
+  return {world, above_turn * turn};
+}
+
+Said said_by(const Node& n, const double* numbers) {
+  const double* r = numbers + n.rotation;
+  return {n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r)), vec3(numbers + n.scale),
+          vec3(numbers + n.pivot), vec3(numbers + n.position), vec3(numbers + n.attach)};
+}
+
+}  // namespace
+
+const Hand* Program::Compiled::hand(const Node& n, Time t) const {
+  const Hand *first = hands.data() + n.first_hand, *last = first + n.hands;
+  const Hand* next = std::upper_bound(first, last, t, [](Time time, const Hand& h) { return time < h.from; });
+  return next == first ? nullptr : next - 1;
+}
+
+// What a letgo or a keep-world keeps: worked out once, from the world at its time.
+void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
+  Frozen& f = frozen[static_cast<std::size_t>(index)];
+  if (f.state != Frozen::asleep) return;
+  f.state = Frozen::busy;
+  const Node& n = nodes[f.node];
+  const Hand& now = hands[n.first_hand + static_cast<std::uint32_t>(f.hand)];
+  const Hand* before = f.hand > 0 ? &now - 1 : nullptr;
+  const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
+  const auto numbers = [&](FunctionId function, double* out) {
+    evaluate(find(n.object, function), t, asking, out);
+    return vec3(out);
+  };
+  double r[4] = {}, x[4] = {};
+  Said said;
+  numbers(fn::rotation, r);
+  said.turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
+  said.scale = numbers(fn::scale, x), said.pivot = numbers(fn::pivot, x), said.position = numbers(fn::position, x);
+  said.attach = numbers(fn::attach_position, x);
+  const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
+  if (kept) thaw(before->frozen, asking);
+  Placed old_parent;
+  if (before && before->hold >= Hold::hang)
+    old_parent = placement(static_cast<std::uint32_t>(before->parent), t, asking);
+  if (now.hold == Hold::letgo) {
+    if (before && before->hold == Hold::letgo) {  // nobody holds it: what was kept stays
+      const auto hand = f.hand;
+      f = *kept;
+      f.hand = hand;
+    } else if (before && before->hold >= Hold::hang) {
+      f.held = true;
+      if (kept) f.before = kept->before, f.before_turn = kept->before_turn;
+      f.turn3 = held_turn(before->hold, old_parent);
+      f.parent = old_parent.world;
+      if (before->hold != Hold::hang) f.parent_turn = old_parent.turn;
+      f.attach = said.attach;
+    }
+  } else {
+    const Placed was = hang(said, before, kept, &old_parent);
+    const Placed parent = placement(static_cast<std::uint32_t>(now.parent), t, asking);
+    const auto turned = inverse(held_turn(now.hold, parent)), above = inverse(parent.world);
+    const auto own = inverse(local(said));
+    if (turned && above && own) {
+      Mat4 wanted = *turned * linear_part(was.world);
+      const Vec3 place = transform_point(*above, translation_of(was.world)) - said.attach;
+      wanted(0, 3) = place.x, wanted(1, 3) = place.y, wanted(2, 3) = place.z;
+      f.before = wanted * *own;
+      const Quat above_turn = now.hold == Hold::hang ? Quat{} : parent.turn;
+      f.before_turn = normalize(conjugate(above_turn) * was.turn * conjugate(said.turn));
+    }
+  }
+  f.state = Frozen::done;
 }
 
 Mat4 look_at(Vec3 eye, Vec3 target) {
@@ -63,41 +186,99 @@ Mat4 look_at(Vec3 eye, Vec3 target) {
   return m;
 }
 
-// Worlds of all nodes. A camera that looks at something turns with it, and so does what is coupled to the camera:
-// cameras take their turn in the order of nodes, each seeing the ones before it already turned.
-std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers) const {
-  std::vector<Mat4> w(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Mat4 m = local(nodes[i], numbers);
-    w[i] = nodes[i].parent < 0 ? m : w[static_cast<std::size_t>(nodes[i].parent)] * m;
+// Where all nodes are. For each one up to the root and, unwinding, down again; nothing is worked out twice (G85, G86).
+// A camera that looks at something turns with it, and so does what hangs on the camera: cameras take their turn in this
+// order, each seeing the ones before it already turned.
+std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers, Asking& asking) const {
+  constexpr std::int32_t unknown = -2;
+  std::vector<Placed> w(nodes.size());
+  std::vector<std::int32_t> above(nodes.size(), unknown);
+  std::vector<std::uint32_t> order, chain;
+  order.reserve(nodes.size());
+  const auto put = [&](std::uint32_t i) {
+    const Hand* h = hand(nodes[i], t);
+    const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
+    w[i] = hang(said_by(nodes[i], numbers), h, f, above[i] >= 0 ? &w[static_cast<std::size_t>(above[i])] : nullptr);
+  };
+  for (std::uint32_t start = 0; start < nodes.size(); ++start) {
+    for (std::int32_t i = static_cast<std::int32_t>(start); i >= 0 && above[static_cast<std::size_t>(i)] == unknown;) {
+      const auto at = static_cast<std::uint32_t>(i);
+      const Hand* h = hand(nodes[at], t);
+      chain.push_back(at);
+      i = above[at] = h && h->hold >= Hold::hang ? h->parent : -1;
+    }
+    for (; !chain.empty(); chain.pop_back()) {
+      put(chain.back());
+      order.push_back(chain.back());
+    }
   }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].kind != Kind::camera) continue;
-    const auto target = aim(nodes[i].object, t, numbers, &w);
-    if (!target || *target == translation_of(w[i])) continue;
-    w[i] = look_at(translation_of(w[i]), *target);
-    std::vector<bool> below(nodes.size() - i);
-    below[0] = true;
-    for (std::size_t k = i + 1; k < nodes.size(); ++k) {
-      const auto p = nodes[k].parent;
-      if (p < static_cast<std::int32_t>(i) || !below[static_cast<std::size_t>(p) - i]) continue;
-      below[k - i] = true;
-      w[k] = w[static_cast<std::size_t>(p)] * local(nodes[k], numbers);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t eye = order[i];
+    if (nodes[eye].kind != Kind::camera) continue;
+    const auto target = aim(nodes[eye].object, t, numbers, &w, asking);
+    if (!target || *target == translation_of(w[eye].world)) continue;
+    w[eye].world = look_at(translation_of(w[eye].world), *target);
+    w[eye].turn = from_matrix(w[eye].world);
+    std::vector<bool> below(nodes.size());
+    below[eye] = true;
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const std::int32_t p = above[order[k]];
+      if (p < 0 || !below[static_cast<std::size_t>(p)]) continue;
+      below[order[k]] = true;
+      put(order[k]);
     }
   }
   return w;
 }
 
+std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers, Asking& asking) const {
+  const auto all = placements(t, numbers, asking);
+  std::vector<Mat4> w(all.size());
+  for (std::size_t i = 0; i < w.size(); ++i) w[i] = all[i].world;
+  return w;
+}
+
+Placed Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) const {
+  std::vector<std::uint32_t> chain;
+  for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
+    const Node& n = nodes[static_cast<std::size_t>(i)];
+    chain.push_back(static_cast<std::uint32_t>(i));
+    if (n.kind == Kind::camera && &find(n.object, fn::look_at) != &defaults[fn::look_at])
+      return placements(t, at(t, asking).data(), asking)[node];  // it turns with what it looks at
+    const Hand* h = hand(n, t);
+    i = h && h->hold >= Hold::hang ? h->parent : -1;
+  }
+  Placed placed;
+  for (; !chain.empty(); chain.pop_back()) {
+    const Node& n = nodes[chain.back()];
+    const Hand* h = hand(n, t);
+    if (h && h->frozen >= 0) thaw(h->frozen, asking);
+    double x[4] = {};
+    const auto numbers = [&](FunctionId f) {
+      evaluate(find(n.object, f), t, asking, x);
+      return vec3(x);
+    };
+    Said said;
+    numbers(fn::rotation);
+    said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
+    said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
+    said.attach = numbers(fn::attach_position);
+    placed = hang(said, h, h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr, &placed);
+  }
+  return placed;
+}
+
 std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
-                                           const std::vector<Mat4>* worlds) const {
+                                           const std::vector<Placed>* placed, Asking& asking) const {
   const Binding& b = find(camera, fn::look_at);
-  if (b.channels == 3) return vec3(numbers + b.offset);
+  if (b.channels == 3 && b.live < 0) return vec3(numbers + b.offset);
   const auto point = [&](const Value& v) -> std::optional<Vec3> {
     if (const auto* p = std::get_if<Vec3>(&v)) return *p;
     const auto* id = std::get_if<ObjectId>(&v);
     if (!id || !find_object(document.scene(), *id)) return std::nullopt;
-    return translation_of((*worlds)[node_of[id->index]]);
+    return translation_of((*placed)[node_of[id->index]].world);
   };
+  if (b.live >= 0) return point(live_value(b.live, t, asking));
   if (b.steps < 0) return point(b.constant);
   const Between w = between(b, t);
   const auto values = steps[static_cast<std::size_t>(b.steps)].values();
@@ -106,12 +287,12 @@ std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const d
   return mix(*from, *to, w.s);
 }
 
-Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbers) const {
+Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbers, Asking& asking) const {
   const Scene& scene = document.scene();
   Shape s;
   s.kind = scene.objects[object].kind;
   const auto number = [&](FunctionId f) { return numbers[find(object, f).offset]; };
-  const auto text = [&](FunctionId f) { return std::get<Text>(value(find(object, f), t)); };
+  const auto text = [&](FunctionId f) { return std::get<Text>(value(find(object, f), t, asking)); };
   switch (s.kind) {
     case Kind::sphere:
     case Kind::disc:
@@ -136,7 +317,7 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
     case Kind::polyline:
     case Kind::points: {
       const Binding& b = find(object, fn::points);
-      s.points = std::get<Points>(value(b, t));
+      s.points = std::get<Points>(value(b, t, asking));
       if (b.steps >= 0) {
         const Between w = between(b, t);
         const auto values = steps[static_cast<std::size_t>(b.steps)].values();
@@ -177,12 +358,13 @@ Material material_of(const std::string& word) {
 
 }  // namespace
 
-void Program::Compiled::add_items(Frame& frame, const double* numbers, const std::vector<Mat4>& w) const {
+void Program::Compiled::add_items(Frame& frame, const double* numbers, const std::vector<Mat4>& w,
+                                  Asking& asking) const {
   const Scene& scene = document.scene();
   const Time t = frame.time;
   const auto shape_of = [&](std::uint32_t object) {
     const Node& n = nodes[node_of[object]];
-    return n.shape ? n.shape : std::make_shared<const Shape>(shape(object, t, numbers));
+    return n.shape ? n.shape : std::make_shared<const Shape>(shape(object, t, numbers, asking));
   };
   for (std::uint32_t object = 0; object < node_of.size(); ++object) {
     if (node_of[object] == ObjectId::nothing) continue;
@@ -194,8 +376,8 @@ void Program::Compiled::add_items(Frame& frame, const double* numbers, const std
     item.color = vec3(numbers + n.color);
     item.transparency = std::clamp(numbers[find(object, fn::transparency).offset], 0.0, 1.0);
     item.shininess = std::clamp(numbers[find(object, fn::shininess).offset], 0.0, 1.0);
-    item.material = material_of(*std::get<Text>(value(find(object, fn::material), t)));
-    const auto picture = scene.pictures->find(*std::get<Text>(value(find(object, fn::texture), t)));
+    item.material = material_of(*std::get<Text>(value(find(object, fn::material), t, asking)));
+    const auto picture = scene.pictures->find(*std::get<Text>(value(find(object, fn::texture), t, asking)));
     if (picture != scene.pictures->end()) item.texture = picture->second;
 
     // Its own shape, another object's, or on the way between two.
@@ -206,7 +388,7 @@ void Program::Compiled::add_items(Frame& frame, const double* numbers, const std
     };
     const Binding& geometry = find(object, fn::geometry);
     if (geometry.steps < 0) {
-      item.shape = look(geometry.constant);
+      item.shape = look(value(geometry, t, asking));
     } else {
       const Between b = between(geometry, t);
       const auto values = steps[static_cast<std::size_t>(geometry.steps)].values();
@@ -217,7 +399,8 @@ void Program::Compiled::add_items(Frame& frame, const double* numbers, const std
   }
 }
 
-void Program::Compiled::add_lights(Frame& frame, const double* numbers, const std::vector<Mat4>& w) const {
+void Program::Compiled::add_lights(Frame& frame, const double* numbers, const std::vector<Mat4>& w,
+                                   Asking& asking) const {
   for (std::uint32_t object = 0; object < node_of.size(); ++object) {
     if (node_of[object] == ObjectId::nothing) continue;
     const Node& n = nodes[node_of[object]];
@@ -225,7 +408,7 @@ void Program::Compiled::add_lights(Frame& frame, const double* numbers, const st
     Light l;
     l.id = {object};
     l.position = translation_of(w[node_of[object]]);
-    l.sun = *std::get<Text>(value(find(object, fn::shines), frame.time)) == "sun";
+    l.sun = *std::get<Text>(value(find(object, fn::shines), frame.time, asking)) == "sun";
     // A sun shines from where it stands towards the middle of the world; one that stands there shines down.
     l.direction = normalize(-l.position, {0, -1, 0});
     l.color = numbers[find(object, fn::intensity).offset] * vec3(numbers + n.color);
@@ -273,8 +456,9 @@ Extent Program::Compiled::stage() const {
   for (int k = 0; k <= looks; ++k) {
     Frame f;
     f.time = {from.flicks + (to - from).flicks / looks * k};
-    const auto numbers = at(f.time);
-    add_items(f, numbers.data(), worlds(f.time, numbers.data()));
+    Asking asking;
+    const auto numbers = at(f.time, asking);
+    add_items(f, numbers.data(), worlds(f.time, numbers.data(), asking), asking);
     for (const Item& item : f.items) {
       const Extent e = extent(*item.shape);
       if (e.empty()) continue;
@@ -317,14 +501,16 @@ const Camera& Program::Compiled::own_camera() const {
 Frame Program::frame(Time t) const {
   Frame f;
   f.time = t;
-  const auto numbers = code_->at(t);
-  const auto worlds = code_->worlds(t, numbers.data());
-  code_->add_items(f, numbers.data(), worlds);
-  code_->add_lights(f, numbers.data(), worlds);
+  Asking asking;
+  const auto numbers = code_->at(t, asking);
+  const auto worlds = code_->worlds(t, numbers.data(), asking);
+  code_->add_items(f, numbers.data(), worlds, asking);
+  code_->add_lights(f, numbers.data(), worlds, asking);
   f.camera = code_->camera(t, numbers.data(), worlds);
   const Scene& scene = code_->document.scene();
   if (scene.background) f.background = to_linear(*scene.background);
   for (auto& [when, text] : code_->document.notes(t, t)) f.notes.push_back(text);
+  f.problems = std::move(asking.problems);
   return f;
 }
 

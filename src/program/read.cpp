@@ -2,51 +2,47 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Values read back, one or many at a time.
+#include <algorithm>
+
 #include "program/code.h"
 
 namespace betwixt {
 namespace {
 
-// All numbers and worlds of one time, made when first wanted.
-struct Moment {
-  const Program::Compiled& c;
-  Time t;
-  std::vector<double> all_numbers;
-  std::vector<Mat4> all_worlds;
-
-  const double* numbers() {
-    if (all_numbers.empty()) all_numbers = c.at(t);
-    return all_numbers.data();
+Reading part(const Value& v, int component) {
+  if (component >= 0) {
+    if (const auto* q = std::get_if<Quat>(&v)) return to_angles(*q)[component];
+    if (numeric(v)) return component_of(v, component);
   }
-  const std::vector<Mat4>& worlds() {
-    if (all_worlds.empty()) all_worlds = c.worlds(t, numbers());
-    return all_worlds;
-  }
-};
-
-Reading read_value(const Target& target, const Binding& b, Type type, Moment& m) {
-  const Program::Compiled& c = m.c;
-  if (type == Type::aim && b.steps >= 0) {
-    const Between w = c.between(b, m.t);
-    if (w.a != w.b)
-      if (const auto p = c.aim(target.object.index, m.t, m.numbers(), &m.worlds())) return *p;
-  }
-  if (type == Type::points && b.steps >= 0) return c.shape(target.object.index, m.t, m.numbers()).points;
-  return std::visit([](const auto& x) -> Reading { return x; }, c.value(b, m.t));
+  return std::visit([](const auto& x) -> Reading { return x; }, v);
 }
 
-Reading read_one(const Target& target, Moment& m) {
-  const Program::Compiled& c = m.c;
-  if (target.function == world_function) return m.worlds()[c.node_of[target.object.index]];
-  const Binding& b = c.find(target.object.index, target.function);
-  const Type type = spec_of(c.document.scene(), target.function).type;
+}  // namespace
+
+Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
+  const std::uint32_t object = target.object.index;
+  if (target.function == world_function) return placement(node_of[object], t, asking).world;
+  if (target.velocity) {
+    const auto v = velocity(object, target.function, t, asking);
+    return part(v.value_or(Value(0.0)), target.component);
+  }
+  const Binding& b = find(object, target.function);
+  const Type type = spec_of(document.scene(), target.function).type;
+  if (b.live >= 0) return part(live_value(b.live, t, asking), target.component);
   if (b.channels == 0) {
-    Reading r = read_value(target, b, type, m);
-    if (const auto* p = std::get_if<Vec3>(&r); p && target.component >= 0) return (*p)[target.component];
-    return r;
+    if (type == Type::aim && b.steps >= 0) {
+      const Between w = between(b, t);
+      if (w.a != w.b) {
+        const auto all = at(t, asking);
+        const auto placed = placements(t, all.data(), asking);
+        if (const auto p = aim(object, t, all.data(), &placed, asking)) return part(*p, target.component);
+      }
+    }
+    if (type == Type::points && b.steps >= 0) return shape(object, t, at(t, asking).data(), asking).points;
+    return part(value(b, t, asking), target.component);
   }
   double n[4];
-  c.evaluate(b, m.t, n);
+  evaluate(b, t, asking, n);
   const auto whole = [&]() -> Reading {
     switch (type) {
       case Type::scalar:
@@ -68,22 +64,35 @@ Reading read_one(const Target& target, Moment& m) {
   }();
   if (target.component < 0) return whole;
   if (const auto* color = std::get_if<Color>(&whole)) return component_of(*color, target.component);
+  if (b.orientation) return to_angles({n[0], n[1], n[2], n[3]})[target.component];
   return n[target.component];
 }
 
-}  // namespace
-
 Reading Program::read(const Target& target, Time t) const {
-  Moment m{*code_, t, {}, {}};
-  return read_one(target, m);
+  Asking asking;
+  return code_->read(target, t, asking);
 }
 
-std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t) const {
-  Moment m{*code_, t, {}, {}};
+std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t,
+                                   std::vector<std::string>* problems) const {
+  Asking asking;
   std::vector<Reading> out;
   out.reserve(targets.size());
-  for (const Target& target : targets) out.push_back(read_one(target, m));
+  std::vector<Mat4> worlds;  // many worlds are cheaper all at once
+  const auto wants_world = [](const Target& x) { return x.function == world_function; };
+  if (std::count_if(targets.begin(), targets.end(), wants_world) > 4)
+    worlds = code_->worlds(t, code_->at(t, asking).data(), asking);
+  for (const Target& target : targets)
+    out.push_back(wants_world(target) && !worlds.empty() ? Reading(worlds[code_->node_of[target.object.index]])
+                                                         : code_->read(target, t, asking));
+  if (problems) *problems = std::move(asking.problems);
   return out;
+}
+
+std::vector<Target> Program::reads(const Target& target, Time t) const {
+  Asking asking;
+  code_->read(target, t, asking);
+  return std::move(asking.read);
 }
 
 std::vector<double> numbers(const Reading& r) {

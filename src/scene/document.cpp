@@ -195,6 +195,46 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
   return {};
 }
 
+Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self) {
+  const auto no = [&](const std::string& why, std::string hint = {}) {
+    return fail(Code::name, "value('" + std::string(text.substr(0, 60)) + "'): " + why, std::move(hint));
+  };
+  const auto dot = text.find('.');
+  if (dot == std::string_view::npos) return no("a target has a dot, as in 'ball.position'");
+  Target t;
+  t.object = dot == 0 ? self : s.names.find(text.substr(0, dot));
+  if (!find_object(s, t.object)) return no("there is no object '" + std::string(text.substr(0, dot)) + "'");
+  std::vector<std::string_view> words;
+  for (std::string_view rest = text.substr(dot + 1);;) {
+    const auto next = rest.find('.');
+    words.push_back(rest.substr(0, next));
+    if (next == std::string_view::npos) break;
+    rest.remove_prefix(next + 1);
+  }
+  if (words[0] == "world") {
+    t.function = world_function;
+    return words.size() == 1 ? Result<Target>(t) : no("a world has no parts; it is a table of 16 numbers, with x y z");
+  }
+  const Kind kind = s.objects[t.object.index].kind;
+  const auto f = find_function(s, kind, words[0]);
+  if (!f) {
+    const auto names = function_names(s, kind);
+    return no("there is no function '" + std::string(words[0].substr(0, 40)) + "'", did_you_mean(words[0], names));
+  }
+  t.function = *f;
+  const Type type = spec_of(s, *f).type;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const int component = find_component(type, words[i]);
+    if (words[i] == "velocity" && has_velocity(type) && !t.velocity)
+      t.velocity = true;
+    else if (component >= 0 && t.component < 0)
+      t.component = component;
+    else
+      return no("there is no part '" + std::string(words[i].substr(0, 40)) + "'");
+  }
+  return t;
+}
+
 const NamedProcedure* find_procedure(const Scene& s, std::string_view name) {
   for (const NamedProcedure& p : *s.procedures)
     if (p.name == name) return &p;
@@ -338,10 +378,10 @@ struct Compare {
   }
   bool events(const Event& x, const Event& y) const {
     return x.time == y.time && same_twerper(x.twerper, y.twerper) && x.keep == y.keep && x.release == y.release &&
-           (x.keep || x.release || values(x.value, y.value)) &&
-           x.detail->ease_in == y.detail->ease_in && x.detail->ease_out == y.detail->ease_out &&
-           x.detail->bezier == y.detail->bezier && maybe(x.detail->before, y.detail->before) &&
-           maybe(x.detail->tangent_in, y.detail->tangent_in) && maybe(x.detail->tangent_out, y.detail->tangent_out);
+           (x.keep || x.release || values(x.value, y.value)) && x.detail->ease_in == y.detail->ease_in &&
+           x.detail->ease_out == y.detail->ease_out && x.detail->bezier == y.detail->bezier &&
+           maybe(x.detail->before, y.detail->before) && maybe(x.detail->tangent_in, y.detail->tangent_in) &&
+           maybe(x.detail->tangent_out, y.detail->tangent_out);
   }
   bool tracks(const Track& x, const Track& y) const {
     if (!same_twerper(x.global, y.global) || x.before != y.before || x.after != y.after || x.srgb != y.srgb ||

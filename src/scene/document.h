@@ -109,7 +109,7 @@ struct Scene {
   Cow<std::vector<std::pair<Time, std::string>>> notes;                       // sorted by time
   Cow<std::vector<NamedProcedure>> procedures;  // events speak of twerpers by their place here
   Cow<std::vector<Dial>> dials;
-  bool recording = false;  // what dials say becomes events
+  bool recording = false;              // what dials say becomes events
   Cow<std::map<Time, ObjectId>> cuts;  // which camera is looked through from when on
   // What files held when they were named, by the path as the author wrote it.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
@@ -137,6 +137,8 @@ std::vector<Attached> attachments(const Object&);
 // Would `child` attached to `parent` from `from` to `until` hang, at some time, on itself? The circle's objects from
 // the child on; empty: no.
 std::vector<ObjectId> circle(const Scene&, ObjectId child, ObjectId parent, Time from, Time until);
+// "leg.rotation.z", "ball.world", "ball.position.velocity"; ".scale.x" is of `self`.
+Result<Target> find_target(const Scene&, std::string_view text, ObjectId self = {});
 const NamedProcedure* find_procedure(const Scene&, std::string_view name);
 std::string twerper_name(const Scene&, Twerper);
 

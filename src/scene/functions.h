@@ -75,13 +75,11 @@ enum : FunctionId {
 };
 }
 
-inline constexpr std::array<std::string_view, 16> kind_names{"group",  "sphere", "box",  "cylinder", "cone",
-                                                             "torus",  "plane",  "disc", "polygon",  "polyline",
-                                                             "points", "text",   "mesh", "light",    "camera", "layer"};
+inline constexpr std::array<std::string_view, 16> kind_names{
+    "group",   "sphere",   "box",    "cylinder", "cone", "torus", "plane",  "disc",
+    "polygon", "polyline", "points", "text",     "mesh", "light", "camera", "layer"};
 std::optional<Kind> find_kind(std::string_view name);
-inline bool drawn(Kind k) {
-  return k != Kind::group && k != Kind::light && k != Kind::camera && k != Kind::layer;
-}
+inline bool drawn(Kind k) { return k != Kind::group && k != Kind::light && k != Kind::camera && k != Kind::layer; }
 
 // Names of components: x y z, or r g b for colours. -1: no such component of this type.
 int find_component(Type type, std::string_view name);

@@ -67,7 +67,7 @@ struct Event {
   DetailBox detail;
   Twerper twerper = Twerper::unset;
   bool release = false;  // on a velocity track: the end of its reign (R-T5); no value
-  bool keep = false;  // changes the twerper only: the value is what the track would have here without this event
+  bool keep = false;     // changes the twerper only: the value is what the track would have here without this event
   friend bool operator==(const Event&, const Event&) = default;
 };
 static_assert(sizeof(Event) <= 64, "an event has grown; a document of a million of them notices");

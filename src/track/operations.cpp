@@ -52,7 +52,7 @@ Result<Changed> change_values(Track& track, Segment s, bool tangents, const char
   };
   Changed done;
   done.events = changed.events.edit_between(s.from, s.to, [&](Event& e) {
-    if (!e.keep) apply(e.value);
+    if (!e.keep && !e.release) apply(e.value);
     if (!e.detail) return;
     EventDetail& d = e.detail.edit();
     if (d.before) apply(*d.before);
@@ -103,7 +103,7 @@ Result<Changed> copy_segment(const Track& from_track, Segment s, Track& into, Ti
       if (seam && e.time == at && (ease_in != Time{} || e.detail)) e.detail.edit().ease_in = ease_in;
       if (shift) {
         for (Value* v : {&e.value, e.detail && e.detail->before ? &*e.detail.edit().before : nullptr}) {
-          if (!v || e.keep) continue;
+          if (!v || e.keep || e.release) continue;
           auto moved = add_scaled(*v, *shift, k);
           if (!moved || !finite(*moved)) return fail(Code::type, "the copies cannot be shifted by that");
           *v = std::move(*moved);

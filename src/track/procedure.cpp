@@ -9,7 +9,9 @@ Error wrong_role(const char* what) { return fail(Code::type, std::string("this p
 
 }  // namespace
 
-Result<Value> Routine::value(Questions&, const std::vector<Value>&, std::uint64_t&) const { return wrong_role("value"); }
+Result<Value> Routine::value(Questions&, const std::vector<Value>&, std::uint64_t&) const {
+  return wrong_role("value");
+}
 Result<double> Routine::blend(double) const { return wrong_role("twerper"); }
 Result<Value> Routine::filter(Input&, double, const Parameters&) const { return wrong_role("filter"); }
 Status Routine::command(Host&, const std::vector<std::string>&) const { return wrong_role("command"); }

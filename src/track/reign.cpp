@@ -44,9 +44,9 @@ Reign::Reign(CurveSet& set, const Curve& velocity, bool orientation)
   for (std::uint32_t k = 0; k < v_.count; ++k) {
     double n[4] = {};
     // The middle of each segment shows cuts and tangents too.
-    for (const std::int64_t t : {set.event_time(v_, k), set.event_time(v_, k) - 1,
-                                 k > 0 ? (set.event_time(v_, k) + set.event_time(v_, k - 1)) / 2
-                                       : set.event_time(v_, k)}) {
+    for (const std::int64_t t :
+         {set.event_time(v_, k), set.event_time(v_, k) - 1,
+          k > 0 ? (set.event_time(v_, k) + set.event_time(v_, k - 1)) / 2 : set.event_time(v_, k)}) {
       if (t < from_.flicks) continue;
       set.evaluate(v_, {t}, n);
       const Vec3 w{n[0], n[1], n[2]};
@@ -99,8 +99,7 @@ void Reign::numbers(const CurveSet& set, Time time, double* out) const {
     set.integrate(v_, low, static_cast<double>(t - set.event_time(v_, low)) / h, part);
   }
   copy_prefix(low);
-  for (std::uint32_t i = 0; i < n; ++i)
-    out[i] = sign * (out[i] + part[i]) + whole * prefix_[(v_.count - 1) * n + i];
+  for (std::uint32_t i = 0; i < n; ++i) out[i] = sign * (out[i] + part[i]) + whole * prefix_[(v_.count - 1) * n + i];
 }
 
 void Reign::stepped(const CurveSet& set, Time time, double* out) const {

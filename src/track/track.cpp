@@ -13,7 +13,9 @@ bool fits(Twerper twerper, Type type, std::string* why) {
     if (why) *why = std::move(reason);
     return false;
   };
-  if (is_own(twerper)) return steps ? no("a twerper cannot blend " + std::string(to_string(type)) + ": it changes at its events only") : true;
+  if (is_own(twerper))
+    return steps ? no("a twerper cannot blend " + std::string(to_string(type)) + ": it changes at its events only")
+                 : true;
   const std::string name(twerper_names[static_cast<std::size_t>(twerper)]);
   if (twerper == Twerper::unset || twerper == Twerper::hold) return true;
   if (steps)

@@ -1,0 +1,503 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Values that are not one plain track: velocities that reign, procedures, filters and layers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "program/code.h"
+#include "track/operations.h"
+
+namespace betwixt {
+namespace {
+
+using Numbers = std::array<double, 4>;
+
+Quat quat(const double* n) { return {n[0], n[1], n[2], n[3]}; }
+
+Quat power(Quat q, double w) {
+  if (q.w < 0) q = -q;
+  return slerp({}, q, w);
+}
+
+// What a track's numbers stand for. `channels` tells pairs from vectors, angles from orientations.
+Value value_of(const double* n, Type type, bool orientation) {
+  switch (type) {
+    case Type::pair:
+      return Vec3{n[0], n[1], 0};
+    case Type::vector:
+    case Type::aim:
+      return Vec3{n[0], n[1], n[2]};
+    case Type::color:
+      return Color{n[0], n[1], n[2]};
+    case Type::boolean:
+      return n[0] != 0;
+    case Type::rotation:
+    case Type::orientation:
+      if (orientation) return quat(n);
+      return Angles{{n[0], n[1], n[2]}};
+    default:
+      return n[0];
+  }
+}
+
+// a + b, and the way from a to b; orientations turn. Nothing where the two do not go together.
+std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mix) {
+  const auto turn = [](const Value& v) -> std::optional<Quat> {
+    if (const auto* q = std::get_if<Quat>(&v)) return *q;
+    if (const auto* e = std::get_if<Angles>(&v)) return from_angles(e->xyz);
+    return std::nullopt;
+  };
+  if (std::holds_alternative<Quat>(a) || std::holds_alternative<Quat>(b)) {
+    const auto p = turn(a), q = turn(b);
+    if (!p || !q) return std::nullopt;
+    if (!mix) return *p * power(*q, w);
+    return slerp(*p, dot(*p, *q) < 0 ? -*q : *q, w);
+  }
+  if (a.index() != b.index()) return std::nullopt;
+  if (!numeric(a) || std::holds_alternative<bool>(a)) return mix && w >= 0.5 ? b : a;
+  if (mix) return add_scaled(a, *add_scaled(b, a, -1), w);
+  return add_scaled(a, b, w);
+}
+
+}  // namespace
+
+void Asking::say(std::string problem) {
+  if (std::find(problems.begin(), problems.end(), problem) == problems.end() && problems.size() < 100)
+    problems.push_back(std::move(problem));
+}
+
+Vec3 to_angles(Quat q) {  // about x, then y, then z of the object's own axes
+  const Mat4 m = rotation(q);
+  const double y = std::asin(std::clamp(m(0, 2), -1.0, 1.0));
+  if (std::abs(m(0, 2)) > 1 - 1e-12) return {std::atan2(m(2, 1), m(1, 1)), y, 0};
+  return {std::atan2(-m(1, 2), m(2, 2)), y, std::atan2(-m(0, 1), m(0, 0))};
+}
+
+int held_numbers(const Value& v, bool orientation, double* out) {
+  if (const auto* a = std::get_if<Angles>(&v); a && orientation) return to_numbers(from_angles(a->xyz), out);
+  const int n = to_numbers(v, out);
+  if (std::holds_alternative<Color>(v))
+    for (int i = 0; i < 3; ++i) out[i] = to_linear(out[i]);
+  return n;
+}
+
+Result<Value> fit(const Value& v, Type type, const Scene& scene) {
+  const auto* d = std::get_if<double>(&v);
+  const auto* p = std::get_if<Vec3>(&v);
+  const auto* text = std::get_if<Text>(&v);
+  const auto object = [&](const std::string& name) -> Result<Value> {
+    if (name == "none") return Value(ObjectId{});
+    if (const ObjectId id = scene.names.find(name)) return Value(id);
+    return fail(Code::name, fmt::format("there is no object '{}'", name));
+  };
+  switch (type) {
+    case Type::scalar:
+    case Type::angle:
+      if (d) return v;
+      break;
+    case Type::pair:
+      if (p) return Value(Vec3{p->x, p->y, 0});
+      break;
+    case Type::vector:
+      if (p) return v;
+      break;
+    case Type::color:
+      if (std::holds_alternative<Color>(v)) return v;
+      if (p) return Value(Color{p->x, p->y, p->z});
+      break;
+    case Type::boolean:
+      if (std::holds_alternative<bool>(v)) return v;
+      if (d) return Value(*d != 0);
+      break;
+    case Type::rotation:
+      if (std::holds_alternative<Angles>(v) || std::holds_alternative<Quat>(v)) return v;
+      if (p) return Value(Angles{*p});
+      break;
+    case Type::orientation:
+      if (std::holds_alternative<Quat>(v)) return v;
+      if (const auto* a = std::get_if<Angles>(&v)) return Value(from_angles(a->xyz));
+      if (p) return Value(from_angles(*p));
+      break;
+    case Type::shape:
+      if (text) return object(**text);
+      break;
+    case Type::aim:
+      if (p) return v;
+      if (text) return object(**text);
+      break;
+    case Type::text:
+      if (text) return v;
+      if (d) return Value(Text(fmt::format("{}", *d)));
+      break;
+    default:
+      break;
+  }
+  const char* is = d ? "a number" : p ? "a vector" : text ? "a text" : "something else";
+  return fail(Code::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
+}
+
+namespace {
+
+using Compiled = Program::Compiled;
+
+// Works out one function of one object at any time.
+struct Worker {
+  const Compiled& c;
+  const Live& live;
+  Asking& asking;
+  const Scene& scene = c.document.scene();
+
+  std::string name(int component) const { return c.document.name(Target{{live.object}, live.function, component}); }
+
+  // What procedures see of the film.
+  struct Talk : Questions {
+    const Worker& w;
+    Time t;
+    Talk(const Worker& worker, Time time) : w(worker), t(time) {}
+    double seconds() const override { return t.seconds(); }
+    std::string_view self() const override { return w.scene.objects[w.live.object].name; }
+    const Routine* procedure(std::string_view name) override {
+      const NamedProcedure* p = find_procedure(w.scene, name);
+      return p && p->role == Role::value ? p->code.get() : nullptr;
+    }
+    Result<Reading> value(std::string_view text, double seconds, std::uint64_t& cost) override {
+      if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
+        return fail(Code::range, fmt::format("value('{}', {}): there is no such time", text, seconds));
+      const auto target = find_target(w.scene, text, {w.live.object});
+      if (!target) return target.error();
+      auto& trace = w.asking.read;
+      if (trace.size() < 10'000 && std::find(trace.begin(), trace.end(), *target) == trace.end())
+        trace.push_back(*target);
+      // What the answer takes is counted once: here, by whoever asked.
+      const std::uint64_t before = w.asking.cost;
+      Reading r = w.c.read(*target, from_seconds(seconds), w.asking);
+      cost += w.asking.cost - before + 20;
+      w.asking.cost = before;
+      return r;
+    }
+  };
+
+  // None where it errs; then `problems` says so.
+  std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
+    Talk talk(*this, t);
+    std::uint64_t cost = 0;
+    const auto answer = p.code->value(talk, {}, cost);
+    asking.cost += cost;
+    const auto say = [&](const std::string& why) {
+      asking.say(fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component),
+                             p.code->source.substr(0, 60), why));
+      return std::nullopt;
+    };
+    if (!answer) return say(answer.error().message);
+    const Type type = part.component >= 0 && part.type == Type::color ? Type::scalar : part.type;
+    const auto fitting = fit(*answer, type, scene);
+    if (!fitting) return say(fitting.error().message);
+    double n[4];
+    for (int i = to_numbers(*fitting, n); i-- > 0;)
+      if (!std::isfinite(n[i])) return say("it is not finite");
+    return *fitting;
+  }
+
+  // The last value at or before t that no procedure makes (R-T11).
+  Value settled(const LivePart& part, Time t) const {
+    Value v = part.rest;
+    part.track.events.each([&](const Event& e) {
+      if (e.time <= t && !e.keep && !std::holds_alternative<Procedure>(e.value)) v = e.value;
+    });
+    return std::holds_alternative<Procedure>(v) ? at_rest(part) : v;
+  }
+  // Of a function that only code gives a value to.
+  Value at_rest(const LivePart& part) const {
+    const FunctionSpec& spec = spec_of(scene, live.function);
+    const Value v = std::holds_alternative<Procedure>(spec.rest) ? example_of(spec.type) : spec.rest;
+    return part.component < 0 ? v : Value(component_of(v, part.component));
+  }
+
+  Value event_value(const Value& v, const LivePart& part, Time t, Time at) const {
+    const auto* p = std::get_if<Procedure>(&v);
+    if (!p) return v;
+    if (auto made = run(*p, part, at)) return *std::move(made);
+    return settled(part, t);
+  }
+
+  // A track among whose values are procedures: a segment that begins with one is the procedure's, unless it has a
+  // twerper, which then goes from what the procedure says to the next value.
+  Value scripted(const LivePart& part, Time t) const {
+    std::vector<const Event*> near;  // three before, three behind: splines see no further
+    std::size_t before = 0;
+    const Event* last = nullptr;
+    part.track.events.each([&](const Event& e) {
+      if (e.time <= t) {
+        near.push_back(&e), last = &e;
+        if (near.size() > 3) near.erase(near.begin());
+        before = near.size();
+      } else if (near.size() < before + 3) {
+        near.push_back(&e);
+      }
+    });
+    if (near.empty()) return event_value(part.rest, part, t, t);
+    if (!last) return event_value(near[0]->value, part, t, near[0]->time);
+    const Twerper twerper = part.track.global != Twerper::unset ? part.track.global : last->twerper;
+    const bool alone = near.back() == last || twerper == Twerper::hold || !channeled(part.type) ||
+                       (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
+    if (alone && !last->keep) return event_value(last->value, part, t, t);
+    Track few;
+    few.global = part.track.global, few.bezier = part.track.bezier, few.srgb = part.track.srgb;
+    for (const Event* e : near) {
+      Event made = *e;
+      made.value = event_value(e->value, part, t, e == last ? t : e->time);
+      if (e->detail->before) made.detail.edit().before = event_value(*e->detail->before, part, t, e->time);
+      few.events.put(std::move(made));
+    }
+    CurveSet small;
+    small.own = c.set.own;
+    const Curve curve = small.add(few, part.type, part.component >= 0);
+    if (curve.count == 0) return at_rest(part);
+    Numbers n{};
+    small.evaluate(curve, t, n.data());
+    return as_written(part, n.data(), curve.orientation);
+  }
+  static bool channeled(Type type) { return has_velocity(type); }  // can be blended
+
+  Value as_written(const LivePart& part, double* n, bool orientation) const {
+    if (part.type == Type::color)
+      for (int i = 0; i < (part.component >= 0 ? 1 : 3); ++i) n[i] = to_srgb(n[i]);
+    return value_of(n, part.component >= 0 ? Type::scalar : part.type, orientation);
+  }
+
+  Value piece_value(const LivePart& part, std::size_t i, Time t) const {
+    const Piece& p = part.pieces[i];
+    if (p.reign < 0) {
+      if (p.scripted) {  // what was reached at the release holds until the track's next event
+        bool any = i == 0;
+        part.track.events.each([&](const Event& e) { any = any || (e.time > p.from && e.time <= t); });
+        return any ? scripted(part, t) : piece_value(part, i - 1, p.from);
+      }
+      if (p.primary.count == 0) return i > 0 ? piece_value(part, i - 1, p.from) : event_value(part.rest, part, t, t);
+      Numbers n{};
+      c.set.evaluate(p.primary, t, n.data());
+      return as_written(part, n.data(), p.primary.orientation);
+    }
+    const Reign& reign = c.reigns[static_cast<std::size_t>(p.reign)];
+    const Value anchor = i > 0 ? piece_value(part, i - 1, p.from) : event_value(part.rest, part, t, t);
+    Numbers sum{};
+    reign.sum(c.set, t, sum.data());
+    if (part.orientation) {
+      const auto* q = std::get_if<Quat>(&anchor);
+      const auto* a = std::get_if<Angles>(&anchor);
+      return normalize(quat(sum.data()) * (q ? *q : from_angles(a ? a->xyz : Vec3{})));
+    }
+    const auto both = add_scaled(anchor, value_of(sum.data(), part.component >= 0 ? Type::scalar : part.type, false), 1);
+    return both ? *both : anchor;
+  }
+
+  std::size_t piece_at(const LivePart& part, Time t) const {
+    const auto at = std::upper_bound(part.pieces.begin(), part.pieces.end(), t,
+                                     [](Time time, const Piece& p) { return time < p.from; });
+    return at == part.pieces.begin() ? 0 : static_cast<std::size_t>(at - part.pieces.begin()) - 1;
+  }
+  Value part_value(const LivePart& part, Time t) const {
+    return part.pieces.empty() ? scripted(part, t) : piece_value(part, piece_at(part, t), t);
+  }
+
+  // What a filter sees.
+  struct Through : Input {
+    const Worker& w;
+    const LiveStrand& s;
+    std::size_t stage;
+    int component;
+    Through(const Worker& worker, const LiveStrand& strand, std::size_t at, int part)
+        : w(worker), s(strand), stage(at), component(part) {}
+    Value at(double seconds) override {
+      if (!(std::abs(seconds) <= longest_seconds)) seconds = 0;
+      w.asking.cost += 5;
+      const Value v = w.strand_value(s, stage, from_seconds(seconds));
+      return component < 0 ? v : Value(component_of(v, component));
+    }
+  };
+
+  // Behind the first `stage` filters.
+  Value strand_value(const LiveStrand& s, std::size_t stage, Time t) const {
+    if (stage == 0) {
+      if (s.plain >= 0) return plain_value(c.plains[static_cast<std::size_t>(s.plain)], t);
+      if (s.parts.size() == 1 && s.parts[0].component < 0) return part_value(s.parts[0], t);
+      Value v = s.set;
+      if (const auto* p = std::get_if<Procedure>(&v)) {
+        LivePart whole;
+        whole.type = spec_of(scene, live.function).type;
+        const auto made = run(*p, whole, t);
+        v = made ? *made : at_rest(whole);
+      }
+      for (const LivePart& part : s.parts) {
+        const Value of_part = part_value(part, t);
+        if (const auto* d = std::get_if<double>(&of_part)) v = with_component(v, part.component, *d);
+      }
+      return v;
+    }
+    const Filter& f = s.filters[stage - 1];
+    Value plain = strand_value(s, stage - 1, t);
+    if (f.segment && (t < f.segment->first || t > f.segment->second)) return plain;
+    Through input(*this, s, stage - 1, f.component);
+    const auto made = apply(f, input, t.seconds());
+    const auto pass = [&](const std::string& why) {
+      asking.say(fmt::format("{}: the filter '{}' is left out: {}", name(f.component), f.name, why));
+      return plain;
+    };
+    if (!made) return pass(made.error().message);
+    double n[4];
+    for (int i = to_numbers(*made, n); i-- > 0;)
+      if (!std::isfinite(n[i])) return pass("it gives a value that is not finite");
+    if (f.component >= 0) {
+      const auto* d = std::get_if<double>(&*made);
+      return d ? with_component(plain, f.component, *d) : pass("it does not give a number");
+    }
+    const Type type = spec_of(scene, live.function).type;
+    Value v = *made;
+    if (auto* p = std::get_if<Vec3>(&v); p && type == Type::pair) p->z = 0;
+    if (v.index() == plain.index()) return v;
+    const auto fitting = fit(v, type, scene);
+    return fitting ? *fitting : pass(fitting.error().message);
+  }
+
+  Value plain_value(const Binding& b, Time t) const {
+    if (b.channels == 0) return c.value(b, t, asking);
+    Numbers n{};
+    c.evaluate(b, t, asking, n.data());
+    const Type type = spec_of(scene, b.function).type;
+    if (type == Type::color)
+      for (std::size_t i = 0; i < 3; ++i) n[i] = to_srgb(n[i]);
+    return value_of(n.data(), type, b.orientation);
+  }
+
+  Value value(Time t) const {
+    Value v = strand_value(live.strands[0], live.strands[0].filters.size(), t);
+    for (std::size_t i = 1; i < live.strands.size(); ++i) {  // in the order the layers were made
+      const LiveStrand& s = live.strands[i];
+      double w[4] = {1};
+      c.evaluate(c.find(s.layer.index, fn::weight), t, asking, w);
+      if (w[0] == 0) continue;
+      if (auto both = laid_over(v, strand_value(s, s.filters.size(), t), w[0], s.mix)) v = *std::move(both);
+    }
+    const FunctionSpec& spec = spec_of(scene, live.function);
+    if (auto* d = std::get_if<double>(&v)) *d = std::clamp(*d, spec.low, spec.high);
+    if (auto* p = std::get_if<Vec3>(&v); p && spec.low > -1e300)
+      for (int i = 0; i < 3; ++i) (*p)[i] = std::clamp((*p)[i], spec.low, spec.high);
+    return v;
+  }
+};
+
+}  // namespace
+
+Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking) const {
+  const Live& live = lives[static_cast<std::size_t>(index)];
+  const Worker worker{*this, live, asking};
+  const auto again = std::find(asking.open.begin(), asking.open.end(), index);
+  if (again != asking.open.end()) {  // it is being asked for already: now no procedure answers
+    asking.cut = std::min(asking.cut, static_cast<std::size_t>(again - asking.open.begin()));
+    asking.say(fmt::format("{} reads itself in a circle: inside, its last value without a procedure counts",
+                           document.name(Target{{live.object}, live.function, -1})));
+    const LiveStrand& own = live.strands[0];
+    if (own.plain >= 0) return worker.strand_value(own, 0, t);
+    if (own.parts.size() == 1 && own.parts[0].component < 0) return worker.settled(own.parts[0], t);
+    Value v = std::holds_alternative<Procedure>(own.set) ? worker.at_rest({}) : own.set;
+    for (const LivePart& part : own.parts) {
+      const Value settled = worker.settled(part, t);
+      if (const auto* d = std::get_if<double>(&settled)) v = with_component(v, part.component, *d);
+    }
+    return v;
+  }
+  const auto key = std::pair(index, t.flicks);
+  if (const auto known = asking.found.find(key); known != asking.found.end()) {
+    asking.cost += known->second.cost;
+    return known->second.value;
+  }
+  const std::uint64_t before = asking.cost;
+  const std::size_t depth = asking.open.size(), outer_cut = asking.cut;
+  asking.cut = SIZE_MAX;
+  asking.open.push_back(index);
+  Value v = worker.value(t);
+  asking.open.pop_back();
+  const bool whole = asking.cut >= depth;  // nothing outside us was cut for it
+  if (whole && asking.found.size() < 100'000) asking.found.emplace(key, Asking::Found{v, asking.cost - before});
+  asking.cut = std::min(outer_cut, whole ? SIZE_MAX : asking.cut);
+  return v;
+}
+
+std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionId f, Time t, Asking& asking) const {
+  const Binding& b = find(object, f);
+  const Type type = spec_of(document.scene(), f).type;
+  if (!has_velocity(type)) return std::nullopt;
+  const auto as_rate = [&](const double* n, bool orientation) -> Value {
+    if (orientation) return Vec3{n[0], n[1], n[2]};
+    return value_of(n, type, false);
+  };
+  Numbers n{};
+  if (b.live < 0 && type != Type::color) {
+    if (b.channels == 0) return std::nullopt;
+    for (std::uint32_t i = 0; i < b.curves; ++i) {
+      const CurveUse& use = curves[b.first_curve + i];
+      set.derivative(use.curve, t, n.data() + (use.offset - b.offset));
+    }
+    return as_rate(n.data(), b.orientation);
+  }
+  if (b.live >= 0) {  // a reign says its velocity itself; so do the plain pieces about it
+    const Live& live = lives[static_cast<std::size_t>(b.live)];
+    const LiveStrand& own = live.strands[0];
+    const Worker worker{*this, live, asking};
+    const auto of_part = [&](const LivePart& part, double* out) {
+      if (part.pieces.empty()) return false;
+      const Piece& p = part.pieces[worker.piece_at(part, t)];
+      if (p.reign >= 0) {
+        set.evaluate(reigns[static_cast<std::size_t>(p.reign)].velocity(), t, out);
+        return true;
+      }
+      if (p.scripted || part.type == Type::color) return false;
+      if (p.primary.count > 0) set.derivative(p.primary, t, out);
+      return p.primary.count > 0;
+    };
+    bool all = live.strands.size() == 1 && own.filters.empty() && !own.parts.empty();
+    bool orientation = false;
+    for (const LivePart& part : own.parts) {
+      all = all && of_part(part, n.data() + std::max(part.component, 0));
+      orientation = orientation || part.orientation;
+    }
+    if (all) return as_rate(n.data(), orientation);
+  }
+  // Three values close by, from here on: values are continuous to the right.
+  const std::int64_t h = flicks_per_second / 8192;
+  const auto at = [&](std::int64_t steps) {
+    const Time when{t.flicks + steps * h};
+    if (b.live >= 0) return live_value(b.live, when, asking);
+    Numbers x{};
+    evaluate(b, when, asking, x.data());
+    return Value(to_srgb(vec3(x.data())));
+  };
+  const Value here = at(0), next = at(1), last = at(2);
+  const double seconds = Time{h}.seconds();
+  const auto turn = [](const Value& v) {
+    const auto* q = std::get_if<Quat>(&v);
+    const auto* e = std::get_if<Angles>(&v);
+    return q ? *q : from_angles(e ? e->xyz : Vec3{});
+  };
+  if (std::holds_alternative<Quat>(here) || std::holds_alternative<Quat>(next)) {
+    const auto spin = [&](const Value& to) {
+      Quat d = turn(to) * conjugate(turn(here));
+      if (d.w < 0) d = -d;
+      const Vec3 v{d.x, d.y, d.z};
+      const double l = length(v);
+      return l > 1e-15 ? (2 * std::atan2(l, d.w) / l) * v : Vec3{};
+    };
+    return Value((1 / (2 * seconds)) * (4 * spin(next) - spin(last)));
+  }
+  const auto near = add_scaled(next, here, -1), far = add_scaled(last, here, -1);
+  if (!near || !far) return std::nullopt;
+  double one[4] = {}, two[4] = {};
+  to_numbers(*near, one), to_numbers(*far, two);
+  for (int i = 0; i < 4; ++i) one[i] = (4 * one[i] - two[i]) / (2 * seconds);
+  return value_of(one, type, false);
+}
+
+}  // namespace betwixt
