@@ -1,12 +1,11 @@
-/* SPDX-FileCopyrightText: 2026 The Betwixt authors
- * SPDX-License-Identifier: Apache-2.0
- *
- * A plug-in: a twerper that goes beyond its end and comes back, and a filter that moves in steps. Make it with
- *
- *     cc -std=c99 -O2 -shared -fPIC -I ../../include -o example.so example.c
- *
- * (where Betwixt is installed without the -I), then `load example.so` in a script.
- */
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A plug-in: a twerper that goes beyond its end and comes back, and a filter that moves in steps. Make it with
+//
+//     cc -std=c99 -O2 -shared -fPIC -I ../../include -o example.so example.c
+//
+// (where Betwixt is installed without the -I), then `load example.so` in a script.
 #include <betwixt/plugin.h>
 #include <math.h>
 

@@ -1,22 +1,21 @@
-/* SPDX-FileCopyrightText: 2026 The Betwixt authors
- * SPDX-License-Identifier: Apache-2.0
- *
- * Plug-ins: twerpers, filters, procedures, commands and display functions in C (or anything that speaks C), used
- * exactly like built-in ones. A plug-in is a shared library made with this header alone:
- *
- *     #include <betwixt/plugin.h>
- *     static double late(double u, void* user) { (void)user; return u * u * u; }
- *     BETWIXT_PLUGIN(host) {
- *       host->register_twerper(host, "late", "slow at first", late, 0);
- *       return 0;
- *     }
- *
- *     cc -shared -fPIC -o late.so late.c
- *
- * What it registers must be pure (the same questions, the same answer) and may be called from several threads at once;
- * it is not stopped when it never ends, as Lua is. It stays loaded until the program ends. Strings given to a plug-in
- * live until its function returns; what it gives back is copied at once.
- */
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Plug-ins: twerpers, filters, procedures, commands and display functions in C (or anything that speaks C), used
+// exactly like built-in ones. A plug-in is a shared library made with this header alone:
+//
+//     #include <betwixt/plugin.h>
+//     static double late(double u, void* user) { (void)user; return u * u * u; }
+//     BETWIXT_PLUGIN(host) {
+//       host->register_twerper(host, "late", "slow at first", late, 0);
+//       return 0;
+//     }
+//
+//     cc -shared -fPIC -o late.so late.c
+//
+// What it registers must be pure (the same questions, the same answer) and may be called from several threads at once;
+// it is not stopped when it never ends, as Lua is. It stays loaded until the program ends. Strings given to a plug-in
+// live until its function returns; what it gives back is copied at once.
 #ifndef BETWIXT_PLUGIN_H
 #define BETWIXT_PLUGIN_H
 

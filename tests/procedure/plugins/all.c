@@ -1,8 +1,7 @@
-/* SPDX-FileCopyrightText: 2026 The Betwixt authors
- * SPDX-License-Identifier: Apache-2.0
- *
- * One of each that a plug-in can bring.
- */
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One of each that a plug-in can bring.
 #include <betwixt/plugin.h>
 
 static double power(double u, void* user) { return *(const double*)user > 1 ? u * u : u; }

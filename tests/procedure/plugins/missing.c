@@ -1,4 +1,3 @@
-/* SPDX-FileCopyrightText: 2026 The Betwixt authors
- * SPDX-License-Identifier: Apache-2.0
- */
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
 int nothing = 0;
