@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <cwchar>
 #include <deque>
 #include <filesystem>
 #include <iostream>
@@ -81,6 +82,20 @@ void listen_for_cancel() {
   ::sigaction(SIGINT, &action, nullptr);  // without SA_RESTART: the reading ends
 }
 
+// One letter from the terminal: 1, at the end 0, on Ctrl-C -1 (the editor's own reading would go on).
+int read_letter(wchar_t* out) {
+  std::mbstate_t state{};
+  for (;;) {
+    char byte = 0;
+    const ssize_t n = ::read(STDIN_FILENO, &byte, 1);
+    if (n < 0 && errno == EINTR && !line_cancelled) continue;
+    if (n <= 0) return static_cast<int>(n);
+    const std::size_t used = std::mbrtowc(out, &byte, 1, &state);
+    if (used == static_cast<std::size_t>(-1)) state = {};  // no letter: left out
+    if (used <= 1) return 1;
+  }
+}
+
 fs::path history_file() {
   const char* state = std::getenv("XDG_STATE_HOME");
   const char* home = std::getenv("HOME");
@@ -107,11 +122,15 @@ class Keyboard : public Input {
       history(history_, &event, H_LOAD, past_.c_str());
     }
     el_set(edit_, EL_CLIENTDATA, this);
-    el_set(edit_, EL_PROMPT, [](EditLine* e) { return at(e).prompt_.data(); });
+    el_set(
+        edit_, EL_PROMPT, +[](EditLine* e) { return at(e).prompt_.data(); });
+    el_set(
+        edit_, EL_GETCFN, +[](EditLine*, wchar_t* out) { return read_letter(out); });
     el_set(edit_, EL_EDITOR, "emacs");
     el_set(edit_, EL_HIST, history, history_);
-    el_set(edit_, EL_ADDFN, "betwixt-complete", "completes the word",
-           [](EditLine* e, int) { return static_cast<int>(at(e).complete()); });
+    el_set(
+        edit_, EL_ADDFN, "betwixt-complete", "completes the word",
+        +[](EditLine* e, int) { return static_cast<int>(at(e).complete()); });
     el_set(edit_, EL_BIND, "^I", "betwixt-complete", nullptr);
     el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(edit_, nullptr);  // ~/.editrc

@@ -34,8 +34,8 @@ oks() { grep -cx ok <<<"$said"; }
 author() { printf '# by hand\nrate 24\ncreate ball sphere  # round\n' >film.bx && rm -f .film.bx.journal*; }
 
 author
-session 'a session' 0 "saved 'film.bx'" film.bx 'ball.position' '  1f (0 0 0)' '9f (1 0 0) linear' 'set ball.text_ 1 # no' \
-  'undo' 'redo' 'save' 2>/dev/null
+session 'a session' 1 "saved 'film.bx'" film.bx 'ball.position' '  1f (0 0 0)' '9f (1 0 0) linear' 'set ball.text_ 1 # no' \
+  'undo' 'redo' 'save'
 is 'only the wrong line is refused' "$(oks)" 6
 is 'the text' "$(cat film.bx)" '# by hand
 rate 24
@@ -52,7 +52,7 @@ session 'near miss of a verb' 1 "did you mean 'create'?" '' 'crate b box'
 session 'nothing to undo' 1 'nothing to undo' '' undo
 session 'no help' 1 "did you mean 'sphere'?" '' 'help sphre'
 session 'no such object' 1 "did you mean 'ball'?" film.bx 'describe bal'
-session 'never closed' 1 'line:1:' '' 'set a.b (1' 'rate 25' 'discard'
+session 'never closed' 1 'line:1:' '' 'set a.b (1' 'rate 25' quit discard
 session 'what stands below is not lost' 1 '1 command is not saved' '' 'set a.b (1' 'rate 25' 'quit' 'discard'
 session 'a word too many' 1 'one word too many' '' 'undo twice'
 session 'no name' 1 'has no name yet' '' 'rate 25' save quit discard
@@ -123,16 +123,28 @@ session 'nothing to plot' 1 'no object' film.bx 'plot bal.position -> q.svg'
 if command -v tmux >/dev/null; then
   screen() { tmux -L "betwixt$$" "$@"; }
   screen -f /dev/null new-session -d -x 100 -y 30 "cd '$work' && XDG_STATE_HOME='$work/state' '$program' shell film.bx"
-  wait_for() { for _ in $(seq 50); do screen capture-pane -p | grep -qF -- "$1" && return; sleep 0.1; done; false; }
-  shown() { verdict "terminal: $1" "$(wait_for "$2" && echo yes)" "$(screen capture-pane -p)"; }
+  wait_for() { for _ in $(seq 50); do [[ "$(screen capture-pane -p 2>/dev/null)" == *"$1"* ]] && return; sleep 0.1; done; false; }
+  shown() { verdict "terminal: $1" "$(wait_for "$2" && echo yes)" "$(screen capture-pane -p 2>&1)"; }
   shown prompt 'film.bx>'
   screen send-keys 'des' Tab 'ba' Tab Enter
   shown 'completion' 'ball, a sphere'
-  screen send-keys 'nonsense' C-c 'set ball.radius 2' Enter
+  # What is typed before Ctrl-C is read is dropped by the terminal itself: wait for each.
+  screen send-keys 'nonsense'
+  shown 'what is typed' '> nonsense'
+  screen send-keys C-c
+  shown 'Ctrl-C drops the line' "> nonsense
+film.bx>"
+  screen send-keys 'set ball.radius 2' Enter
   shown 'a star where something is not saved' 'film.bx*>'
   screen send-keys 'at 3f note (' Enter
   shown 'a line that goes on' '...'
-  screen send-keys C-c Up Enter C-d
+  screen send-keys C-c
+  shown 'Ctrl-C drops all of it' '...
+film.bx*>'
+  screen send-keys Up Up Enter
+  shown 'recalled' '> set ball.radius 2
+film.bx*>'
+  screen send-keys C-d
   shown 'Ctrl-D is guarded' '2 commands are not saved: save, discard or stay?'
   screen send-keys 'discard' Enter
   verdict 'terminal: over' "$(for _ in $(seq 50); do screen has-session 2>/dev/null || { echo yes; break; }; sleep 0.1; done)" 'it is still there'
