@@ -76,7 +76,7 @@ constexpr HelpEntry entries[] = {
     {verb, "on", "Carries out a command on a layer.", "", "layer sway add\non sway at 12f ball.position (0 1 0)"},
     {verb, "procedure", "A function of your own in Lua: a value, a twerper, a filter or a command.", "",
      "procedure swing lua \"return math.sin(t)\""},
-    {verb, "fall", "Lets objects fall and bounce; it becomes plain events.", "", "fall ball 1f..48f"},
+    {verb, "fall", "Lets objects fall and bounce; it becomes plain events.", "", "at 24f fall ball"},
     {verb, "dial", "A control of live input turns a target.", "", "dial /fader/1 to ball.radius from 0 1 to 0.5 2"},
     {verb, "record", "Whether what dials say becomes events.", "", "record on"},
     {verb, "alias", "A name for many objects; patterns inside are read at each use.", "", "alias toys = ball wheel*"},
