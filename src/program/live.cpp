@@ -282,7 +282,9 @@ struct Worker {
       return as_written(part, n.data(), p.primary.orientation);
     }
     const Reign& reign = c.reigns[static_cast<std::size_t>(p.reign)];
-    const Value anchor = i > 0 ? piece_value(part, i - 1, p.from) : event_value(part.rest, part, t, t);
+    // Where the track has not begun, the anchor is what is set (R-T5).
+    const Value anchor = i > 1 || (i == 1 && begun(part, p.from)) ? piece_value(part, i - 1, p.from)
+                                                                  : event_value(part.rest, part, t, p.from);
     Numbers sum{};
     reign.sum(c.set, t, sum.data());
     if (part.orientation) {
@@ -292,6 +294,12 @@ struct Worker {
     }
     const auto both = add_scaled(anchor, value_of(sum.data(), part.component >= 0 ? Type::scalar : part.type, false), 1);
     return both ? *both : anchor;
+  }
+
+  static bool begun(const LivePart& part, Time t) {
+    bool any = false;
+    part.track.events.each([&](const Event& e) { any = any || (e.time <= t && !e.keep); });
+    return any;
   }
 
   std::size_t piece_at(const LivePart& part, Time t) const {

@@ -17,14 +17,20 @@ Quat turn_by(Vec3 angle) {
 }
 
 // The turn over one step of a velocity that wanders: the fourth order of Magnus' series, from two points of Gauss.
-Quat magnus(const CurveSet& set, const Curve& v, std::int64_t from, double length_in_flicks) {
-  const double h = length_in_flicks / second;
+Quat magnus(const CurveSet& set, const Curve& v, std::int64_t from, std::int64_t length_in_flicks, double sign) {
+  const double whole = static_cast<double>(length_in_flicks), h = whole / second;
   double a[4], b[4];
-  const auto at = [&](double u) { return Time{from + std::llround(u * length_in_flicks)}; };
+  const auto at = [&](double u) { return Time{from + std::llround(u * whole)}; };
   set.evaluate(v, at(0.5 - std::sqrt(3.0) / 6), a);
   set.evaluate(v, at(0.5 + std::sqrt(3.0) / 6), b);
   const Vec3 p{a[0], a[1], a[2]}, q{b[0], b[1], b[2]};
-  return turn_by(h / 2 * (p + q) + (std::sqrt(3.0) / 12 * h * h) * cross(q, p));
+  return turn_by(sign * h / 2 * (p + q) + (std::sqrt(3.0) / 12 * h * h) * cross(q, p));
+}
+
+Quat power(Quat q, double n) {
+  const Vec3 v{q.x, q.y, q.z};
+  const double l = length(v);
+  return l < 1e-300 ? Quat{} : turn_by((n * 2 * std::atan2(l, q.w) / l) * v);
 }
 
 }  // namespace
@@ -57,9 +63,22 @@ Reign::Reign(CurveSet& set, const Curve& velocity, bool orientation)
   if (one_axis_) return;
   const std::int64_t length_ = set.span(v_).second.flicks - from_.flicks;
   step_ = std::max<std::int64_t>(flicks_per_second / 30, length_ / 1'000'000 + 1);
-  checkpoints_.push_back({});
-  for (std::int64_t t = from_.flicks; t + step_ <= from_.flicks + length_; t += step_)
-    checkpoints_.push_back(normalize(magnus(set, v_, t, static_cast<double>(step_)) * checkpoints_.back()));
+  there_ = steps(set, 1);
+  if (v_.after == Extend::bounce) against_ = steps(set, -1);
+}
+
+Reign::Steps Reign::steps(const CurveSet& set, double sign) const {
+  Steps out;
+  Quat q;
+  for (std::uint32_t k = 0; k < v_.count; ++k) {
+    out.first.push_back(out.turns.size());
+    const std::int64_t end = k + 1 < v_.count ? set.event_time(v_, k + 1) : set.event_time(v_, k) + 1;
+    for (std::int64_t t = set.event_time(v_, k); t < end; t += step_) {
+      out.turns.push_back(q);
+      q = normalize(magnus(set, v_, t, std::min(step_, end - t), sign) * q);
+    }
+  }
+  return out;
 }
 
 void Reign::numbers(const CurveSet& set, Time time, double* out) const {
@@ -102,28 +121,52 @@ void Reign::numbers(const CurveSet& set, Time time, double* out) const {
   for (std::uint32_t i = 0; i < n; ++i) out[i] = sign * (out[i] + part[i]) + whole * prefix_[(v_.count - 1) * n + i];
 }
 
-void Reign::stepped(const CurveSet& set, Time time, double* out) const {
-  const Time last = set.span(v_).second;
-  const std::int64_t t = std::min(time, last).flicks;
-  const auto k = std::min<std::size_t>(static_cast<std::size_t>((t - from_.flicks) / step_), checkpoints_.size() - 1);
-  const std::int64_t at = from_.flicks + static_cast<std::int64_t>(k) * step_;
-  Quat q = checkpoints_[k];
-  if (t > at) q = magnus(set, v_, at, static_cast<double>(t - at)) * q;
-  if (time > last) {  // the last velocity goes on
-    double n[4] = {};
-    set.evaluate(v_, last, n);
-    q = turn_by((static_cast<double>((time - last).flicks) / second) * Vec3{n[0], n[1], n[2]}) * q;
+// The turn from the reign's beginning to t, between the first and the last event.
+Quat Reign::stepped(const CurveSet& set, const Steps& all, double sign, std::int64_t t) const {
+  std::uint32_t low = 0, high = v_.count;
+  while (high - low > 1) {
+    const std::uint32_t k = (low + high) / 2;
+    (set.event_time(v_, k) <= t ? low : high) = k;
   }
-  q = normalize(q);
-  out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z;
+  const std::int64_t past = t - set.event_time(v_, low);
+  const Quat& q = all.turns[all.first[low] + static_cast<std::size_t>(past / step_)];
+  return past % step_ == 0 ? q : magnus(set, v_, t - past % step_, past % step_, sign) * q;
+}
+
+Quat Reign::wandered(const CurveSet& set, Time time) const {
+  const std::int64_t first = from_.flicks, last = set.span(v_).second.flicks, period = last - first;
+  if (time.flicks <= last) return stepped(set, there_, 1, time.flicks);
+  Quat q = stepped(set, there_, 1, last);
+  if (v_.after == Extend::cycle) {
+    const std::int64_t gone = time.flicks - first;
+    return stepped(set, there_, 1, first + gone % period) * power(q, static_cast<double>(gone / period));
+  }
+  if (v_.after == Extend::bounce) {
+    // Back again the same velocities come in the other order: the inverse of going there against them.
+    const std::int64_t gone = (time.flicks - first) / (2 * period), rest = (time.flicks - first) % (2 * period);
+    const Quat home = conjugate(stepped(set, against_, -1, last));
+    const Quat all = power(home * q, static_cast<double>(gone));
+    if (rest <= period) return stepped(set, there_, 1, first + rest) * all;
+    return stepped(set, against_, -1, last - (rest - period)) * home * q * all;
+  }
+  std::int64_t at = last;
+  constexpr int most_steps = 100'000;  // what changes for ever has no checkpoints; later it stays as it is
+  if (v_.after == Extend::linear)
+    for (int i = 0; at < time.flicks && i < most_steps; ++i) {
+      const std::int64_t step = std::min(step_, time.flicks - at);
+      q = normalize(magnus(set, v_, at, step, 1) * q);
+      at += step;
+    }
+  double n[4] = {};
+  set.evaluate(v_, {at}, n);
+  return turn_by((static_cast<double>(time.flicks - at) / second) * Vec3{n[0], n[1], n[2]}) * q;
 }
 
 void Reign::sum(const CurveSet& set, Time t, double* out) const {
   if (!orientation_) return numbers(set, t, out);
-  if (!one_axis_) return stepped(set, t, out);
   double n[4] = {};
-  numbers(set, t, n);
-  const Quat q = turn_by({n[0], n[1], n[2]});
+  if (one_axis_) numbers(set, t, n);
+  const Quat q = one_axis_ ? turn_by({n[0], n[1], n[2]}) : normalize(wandered(set, t));
   out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z;
 }
 

@@ -21,15 +21,21 @@ class Reign {
 
  private:
   void numbers(const CurveSet& set, Time t, double* out) const;
-  void stepped(const CurveSet& set, Time t, double* out) const;
+  // Where the axis wanders: the turn up to each step of a grid that begins anew at each event. (R-T5b)
+  struct Steps {
+    std::vector<Quat> turns;
+    std::vector<std::size_t> first;  // of each event's
+  };
+  Steps steps(const CurveSet& set, double sign) const;
+  Quat stepped(const CurveSet& set, const Steps&, double sign, std::int64_t t) const;
+  Quat wandered(const CurveSet& set, Time t) const;
 
   Curve v_;
   Time from_;
   bool orientation_ = false, one_axis_ = true;
   std::vector<double> prefix_;  // the integral up to each event
-  // Where the axis wanders: the turn at each step of a fixed grid, from the reign's beginning to its last event.
   std::int64_t step_ = 0;
-  std::vector<Quat> checkpoints_;
+  Steps there_, against_;  // `against_`: with the velocity turned round, for `bounce`
 };
 
 }  // namespace betwixt
