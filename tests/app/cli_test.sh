@@ -4,6 +4,7 @@
 #
 # render, frame, plot and play from outside: exit codes, messages, and what lies in the folder afterwards.
 #   cli_test.sh PROGRAM
+# shows: G8 G13 G36 G56 G89 G91
 set -u
 program=$(realpath "${1:?which program?}")
 work=$(mktemp -d)

@@ -24,6 +24,7 @@ TEST(Names, AreLettersDigitsAndSlashes) {
   EXPECT_FALSE(is_name(std::string(1001, 'a')));
 }
 
+// shows: G2 G64
 TEST(Braces, AreWrittenOutInOrder) {
   using V = std::vector<std::string>;
   EXPECT_EQ(expanded("ball"), V{"ball"});
@@ -98,6 +99,7 @@ bool brute(std::string_view p, std::string_view s) {
   return p[0] == s[0] && brute(p.substr(1), s.substr(1));
 }
 
+// shows: G64
 TEST(Patterns, MatchAsTryingEverythingDoes) {
   const char* pieces[] = {"*", "*", "?", "a", "b", "/", ".", "[ab]", "[!a]"};
   std::mt19937 random(1);

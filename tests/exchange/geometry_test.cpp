@@ -165,6 +165,7 @@ TEST(Fonts, ContoursBelongToLetters) {
   EXPECT_TRUE(text_outline(" \n ", "DejaVu Sans").letters.empty());
 }
 
+// shows: G88
 TEST(Blend, EndsAreExact) {
   Shape far = shape(Kind::sphere);
   far.radius = 3;
@@ -294,6 +295,7 @@ TEST(Blend, MeasuresGoOnBeyondTheEnds) {
   EXPECT_EQ(realise_blend(p, q, 0.5).mesh->positions[1], (std::array<float, 3>{1, 2, 0}));
 }
 
+// shows: G51 G88
 TEST(Blend, MeshesGoVertexByVertex) {
   const auto twin = [](double scale) {
     Shape s = shape(Kind::mesh);
@@ -310,6 +312,7 @@ TEST(Blend, MeshesGoVertexByVertex) {
   EXPECT_TRUE(can_blend(a, b));
 }
 
+// shows: G88
 TEST(Blend, SaysWhyItSteps) {
   std::string why;
   EXPECT_FALSE(can_blend(shape(Kind::sphere), shape(Kind::box), &why));

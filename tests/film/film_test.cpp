@@ -107,6 +107,7 @@ auto gray_steps(int width = 64, int height = 48) {
 
 const std::vector<std::string> movies{"film.mp4", "film.webm", "film.gif", "film.apng"};
 
+// shows: G56
 TEST_F(Film, EveryEndingHasAllFramesAtItsRate) {
   for (const std::string& name : movies) {
     FilmOptions o = options(name, 10);

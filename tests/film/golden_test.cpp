@@ -47,6 +47,7 @@ Difference compare(const Picture& a, const Picture& b) {
   return d;
 }
 
+// shows: G56
 TEST_P(GoldenPicture, LooksAsItDid) {
   const Golden& g = GetParam();
   const Loaded loaded = load_file(std::string(SOURCE_DIR "/") + g.script);

@@ -27,6 +27,7 @@ scale reflection.position 1f..72f (1 -1 1)
 at 24f note "first bounce ends"
 )";
 
+// shows: G25 G32 G96
 TEST(Bounce, Values) {
   const Script s(bounce);
   EXPECT_EQ(s.loaded.diagnostics.size(), 0u) << said(s.loaded.diagnostics);
@@ -61,6 +62,7 @@ TEST(Bounce, Values) {
   EXPECT_EQ(format_time(notes[0].first, d), "24f");
 }
 
+// shows: G95 G96
 TEST(Bounce, ReflectionIsTheMirrorBitForBit) {
   const Script s(bounce);
   for (double f = 1; f <= 72; f += 0.25) {
@@ -89,6 +91,7 @@ TEST(Commands, SettingsOfTheDocument) {
   EXPECT_EQ(Script("").loaded.document.frame_count(), 24);
 }
 
+// shows: G18
 TEST(Commands, CreateAndLike) {
   const Script s(
       "create ball{1..100} sphere radius=2\ncreate {left,right}-eye sphere\nball7.position.x\n 1f 7\n"
@@ -101,6 +104,7 @@ TEST(Commands, CreateAndLike) {
   expect_numbers(s, "ball7.radius", "1f", {2});
 }
 
+// shows: G26 G28
 TEST(Commands, EveryKindHasItsParameters) {
   const Script s(
       "create a group\ncreate b sphere radius=2\ncreate c box size=(1 2 3)\ncreate d cylinder radius=1 height=2\n"
@@ -121,12 +125,14 @@ TEST(Commands, SetIsTheValueWithoutEvents) {
   expect_numbers(after_ramp("set b.position (9 8 7)"), "b.position", "5f", {4, 8, 7});
 }
 
+// shows: G32 G53
 TEST(Commands, AtIsARowInOneLine) {
   const Script s(
       "create b sphere\nat 1f b.radius 1 linear\nat 5f b.radius 3\nat 3f b.radius 9\nat 3f b.radius 5 linear\n");
   expect_track(s, "b.radius", 1, {1, 3, 5, 4, 3, 3});
 }
 
+// shows: G42 G48
 TEST(Commands, CutJumpsAndKeepChangesTheTwerper) {
   const Script s("create b sphere\nb.radius\n 1f 0 linear\n 5f 4 cut 10 linear\n 9f 14\n");
   expect_track(s, "b.radius", 1, {0, 1, 2, 3, 10, 11, 12, 13, 14});
@@ -134,6 +140,7 @@ TEST(Commands, CutJumpsAndKeepChangesTheTwerper) {
   expect_track(k, "b.radius", 1, {0, 1, 2, 3, 4, 4, 4, 4, 8});
 }
 
+// shows: G44 G50 G103
 TEST(Commands, Twerpers) {
   const Script hold("create b sphere\nb.radius\n 1f 1 hold\n 5f 5\n");
   expect_track(hold, "b.radius", 1, {1, 1, 1, 1, 5});
@@ -163,6 +170,7 @@ TEST(Commands, Extend) {
   expect_track(after_ramp("extend b.position.x cycle\nextend b.position.x hold"), "b.position.x", 9, {0, 0, 0});
 }
 
+// shows: G93 G95
 TEST(Commands, CopyTimesShiftOn) {
   const Script s = after_ramp("copy b.position.x 1f..9f to 9f shift 10 times 2");
   expect_track(s, "b.position.x", 1, {0, 1, 2, 3, 4});
@@ -179,6 +187,7 @@ TEST(Commands, CopyTimesShiftOn) {
   expect_numbers(over, "b.radius", "6f", {2}, 1e-9);
 }
 
+// shows: G38 G39 G40
 TEST(Commands, OperationsOnTimes) {
   expect_track(after_ramp("move b.position.x 5f..9f by 2f"), "b.position.x", 7, {4, 3, 2, 1, 0});
   expect_track(after_ramp("move b.position.x 1f..9f by -48f"), "b.position.x", -47, {0, 1, 2, 3, 4, 3});
@@ -188,6 +197,7 @@ TEST(Commands, OperationsOnTimes) {
   expect_track(r, "b.radius", 1, {1, 2, 3, 4, 0});
 }
 
+// shows: G92 G93 G94
 TEST(Commands, OperationsOnValues) {
   const char* head = "create b sphere\nb.position\n 1f (1 2 3) linear\n 5f (4 5 6)\n 9f (7 7 7)\n";
   const auto does = [&](const char* command) { return Script(std::string(head) + command + "\n"); };
@@ -202,6 +212,7 @@ TEST(Commands, OperationsOnValues) {
   expect_numbers(does("clear b.position 1f..5f"), "b.position", "1f", {7, 7, 7});
 }
 
+// shows: G2
 TEST(Commands, StaggerAndSpread) {
   const Script s(
       "create b{1..3} sphere\nb*.radius\n 1f 1 linear\n 5f 5\nstagger b*.radius by 2f\n"
@@ -224,6 +235,7 @@ TEST(Commands, StaggerAndSpread) {
   EXPECT_EQ(sum, 20 + 11);
 }
 
+// shows: G61 G80
 TEST(Commands, HierarchyByNameAndByCouple) {
   const Script s(
       "create car group position=(10 0 0)\ncreate car/wheel sphere position=(1 0 0) attach-position=(0 1 0)\n"
@@ -239,6 +251,7 @@ TEST(Commands, HierarchyByNameAndByCouple) {
   EXPECT_EQ(at("cat"), (std::vector<double>{0, 0, 5}));
 }
 
+// shows: G18
 TEST(Commands, RenameKeepsWhatSpeaksOfIt) {
   const Script s(
       "create a sphere position=(1 2 3)\ncreate eye camera look-at=a\ncreate b box\nset b.geometry shape(a)\n"
@@ -248,6 +261,7 @@ TEST(Commands, RenameKeepsWhatSpeaksOfIt) {
   expect_numbers(s, "c.color", "1f", {1, 0, 0});
 }
 
+// shows: G28 G69
 TEST(Commands, LookThroughShowHide) {
   const Script s(
       "create a camera position=(1 0 0)\ncreate b camera position=(2 0 0)\nat 5f look through b\nat 9f look through a\n"
@@ -261,6 +275,7 @@ TEST(Commands, LookThroughShowHide) {
   EXPECT_EQ(frame("9f").items.size(), 1u);
 }
 
+// shows: G64 G65 G66 G67
 TEST(Commands, PatternsAndAliases) {
   const Script s(
       "create wheel{1..3} sphere\ncreate car group\ncreate car/wheel1 sphere\nalias wheels = wheel* spare\n"
@@ -295,6 +310,7 @@ TEST(Commands, AliasesThatGoRoundOrMultiplyEnd) {
   expect_numbers(Script(deep), "ball.radius", "1f", {3});
 }
 
+// shows: G14
 TEST(Commands, Define) {
   const Script s(
       "define heat number 20\ndefine wind vector\ndefine glow color red\ndefine angle2 angle 90deg\ndefine lit boolean "
@@ -311,6 +327,7 @@ TEST(Commands, Define) {
   EXPECT_EQ(s.text("c.label", "1f"), "x");
 }
 
+// shows: G27
 TEST(Commands, PolicyDecidesWhatAMeaninglessValueGets) {
   const Script translate("create b sphere\npolicy translate\nset b.radius (3 4 0)\nset b.position 2\n");
   expect_numbers(translate, "b.radius", "1f", {5});
@@ -323,6 +340,7 @@ TEST(Commands, PolicyDecidesWhatAMeaninglessValueGets) {
             (std::vector<std::string>{"2:14: a number is wanted here, not a vector"}));
 }
 
+// shows: G33
 TEST(Sheets, RowsInAnyOrderWithCommentsAndBlankLines) {
   const Document wanted = read("create b sphere\nb.radius\n 1f 1 linear\n 3f 3\n 5f 9\n").document;
   EXPECT_EQ(read("create b sphere\nb.radius\n\t5f 9\n\n# here\n  1f 1 linear   # there\n\n      3f 3").document,
@@ -337,6 +355,7 @@ TEST(Sheets, RowsInAnyOrderWithCommentsAndBlankLines) {
             1u);
 }
 
+// shows: G2 G26
 TEST(Sheets, ManyObjectsAndComponents) {
   const Script s("create b{1..2} sphere\nb*.position.y\n  1f 0 linear\n  3f 2\nb1.position\n  2f (1 1 1)\n");
   expect_numbers(s, "b2.position", "2f", {0, 1, 0}, 1e-9);

@@ -192,6 +192,7 @@ std::vector<std::string> comments(const std::string& text) {
   return out;
 }
 
+// shows: G98 G101
 TEST(RoundTrip, WritingAndReadingIsTheIdentity) {
   EXPECT_TRUE(rc::check([] {
     const std::string text = random_script();
@@ -217,6 +218,7 @@ TEST(RoundTrip, TidyingKeepsTheDocumentAndTheComments) {
   }));
 }
 
+// shows: G33
 TEST(RoundTrip, OrderOfRowsDoesNotMatter) {
   EXPECT_TRUE(rc::check([] {
     const int rows = *rc::gen::inRange(1, 400);

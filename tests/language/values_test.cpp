@@ -86,6 +86,7 @@ TEST(Values, Colors) {
   expect_numbers(s, "f.color", "1f", {0.1, 0.2, 0.3});
 }
 
+// shows: G24
 TEST(Values, ColorsBlendInLight) {
   const Script s("create a sphere\na.color\n 1f black\n 25f white\n");
   // Half the light is sRGB 1.055·0.5^(1/2.4) - 0.055.
@@ -94,6 +95,7 @@ TEST(Values, ColorsBlendInLight) {
   expect_numbers(numbers, "a.color.r", "13f", {0.5});
 }
 
+// shows: G29 G70
 TEST(Values, Rotations) {
   const Script s(
       "create a box rotation=euler(0 90deg 0)\ncreate b box rotation=axis(0 1 0, 0.25turn)\n"
@@ -121,6 +123,7 @@ TEST(Values, QuaternionsTakeTheShortWay) {
   expect_numbers(far, "a.rotation", "2f", {std::cos(q), 0, 0, std::sin(q)});
 }
 
+// shows: G29
 TEST(Values, UnitsBooleansTextsShapesAims) {
   const Script s(
       "create c camera position=(1m 20cm 30mm) lens=50mm\ncreate k camera fov=50deg look-at=(1 2 3)\n"

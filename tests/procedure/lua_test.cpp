@@ -103,7 +103,7 @@ TEST(Lua, MathAndNoise) {
   EXPECT_EQ(number("random(7) - random(7)"), 0);
 }
 
-// shows: G103 G15 G17
+// shows: G6 G15 G17 G103
 TEST(Lua, TwerpersFiltersCommands) {
   EXPECT_EQ(*made(Role::twerper, "u * u")->blend(0.5), 0.25);
   EXPECT_EQ(*made(Role::twerper, "function(u) return 1 - u end")->blend(0.25), 0.75);

@@ -137,6 +137,7 @@ TEST(RenderRobust, ACameraWithoutSenseSeesTheBackground) {
   EXPECT_EQ(pixel(draw(f), 50, 50), (Pixel{0, 255, 0, 255}));
 }
 
+// shows: G11
 TEST(RenderWireframe, EdgesAndWhatTheyHide) {
   // Behind a square of 6 m is one of 3 m: its edge shows in `wireframe`, and not in `hidden-line`.
   Frame f = frame();

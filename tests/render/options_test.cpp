@@ -30,6 +30,7 @@ TEST(RenderOptions, SamplesThatDoNotExist) {
   }
 }
 
+// shows: G13
 TEST(RenderOptions, UnknownStyleWithTheNearestOne) {
   const Error near = refused({10, 10, 4, "wirefame"});
   EXPECT_EQ(near.code, Code::name);
@@ -38,6 +39,7 @@ TEST(RenderOptions, UnknownStyleWithTheNearestOne) {
   EXPECT_EQ(refused({10, 10, 4, "cubist"}).hint, "the styles are shaded, wireframe, hidden-line");
 }
 
+// shows: G13
 TEST(RenderOptions, EveryStyleAndSampleCountDrawsAnEmptyFrame) {
   for (const Style& style : styles()) {
     EXPECT_FALSE(style.what.empty());

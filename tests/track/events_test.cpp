@@ -33,6 +33,7 @@ Model content(const Events& events) {
   return m;
 }
 
+// shows: G33
 TEST(Events, AnyOrderMakesTheSameTrack) {
   Events in_order;
   for (int i = 0; i < 700; ++i) in_order.put(event(i, i * 0.5));
@@ -50,6 +51,7 @@ TEST(Events, AnyOrderMakesTheSameTrack) {
   }
 }
 
+// shows: G33 G104
 TEST(Events, BehaveAsASortedMap) {
   EXPECT_TRUE(rc::check("events == map", [] {
     Events events;
@@ -92,6 +94,7 @@ TEST(Events, BehaveAsASortedMap) {
   }));
 }
 
+// shows: G98
 TEST(Events, AnEmptyDetailIsNoDetail) {
   Event a = event(1, 2), b = a;
   b.detail.edit();

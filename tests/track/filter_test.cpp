@@ -260,7 +260,7 @@ TEST(Filter, DelayAndStepsTakeAnyValue) {
     EXPECT_EQ(*filtered<Text>(filter(name), word, 1.01), "after") << name;
 }
 
-// shows: G105
+// shows: G16 G105
 TEST(Filter, LimitAndQuantise) {
   const auto line = [](double t) { return t; };
   const auto at = [&](Parameters p, double t) { return filtered(filter("limit", std::move(p)), line, t); };

@@ -40,6 +40,7 @@ std::array<double, 4> value(const Track& t, Type type, Time time) {
   return n;
 }
 
+// shows: G95
 TEST(Copy, ShiftsEveryCopyAndReplacesItsRange) {
   Track t = track({event(0, 1.0), event(1, 5.0), event(2, 3.0), event(3.5, 100.0), event(9, 9.0)});
   const auto done = copy_segment(t, {at(0), at(2)}, t, at(2), Value(10.0), 2);
@@ -89,6 +90,7 @@ TEST(Operations, ThatFailChangeNothing) {
   EXPECT_EQ(b, was);
 }
 
+// shows: G39
 TEST(Move, TakesEventsAlongAndReplacesOthers) {
   Track t = track({event(0, 0.0), event(1, 1.0), event(2, 2.0), event(3, 3.0)});
   const auto done = move_segment(t, {at(1), at(2)}, at(1));
@@ -100,6 +102,7 @@ TEST(Move, TakesEventsAlongAndReplacesOthers) {
   EXPECT_EQ(content(t), (List{{0, 0}, {0.5, 1}, {1.5, 2}}));
 }
 
+// shows: G40
 TEST(Stretch, MultipliesEasesAndDividesTangents) {
   Event e = shaped(event(3, 5.0, Twerper::hermite), 0.2, 0.4);
   e.detail.edit().tangent_in = Value(6.0);
@@ -181,6 +184,7 @@ TEST(Reverse, OrientationsColorsAndSwitches) {
   EXPECT_EQ(value(on, Type::boolean, at(9))[0], 1);
 }
 
+// shows: G92
 TEST(Scale, MultipliesValuesCutsAndTangents) {
   Event e = event(1, Vec3{1, 2, 3});
   e.detail.edit().before = Value(Vec3{4, 5, 6});
@@ -199,6 +203,7 @@ TEST(Scale, MultipliesValuesCutsAndTangents) {
   EXPECT_EQ(std::get<Vec3>(*t.events.find(at(1))->detail->tangent_in), (Vec3{1, -1, 2}));  // tangents do not move
 }
 
+// shows: G94 G95
 TEST(Rotate, TurnsVectorsAboutACentreAndOrientationsFromTheRight) {
   Event e = event(0, Vec3{3, 1, 0});
   e.detail.edit().tangent_out = Value(Vec3{1, 0, 0});

@@ -1,0 +1,77 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# coverage.sh: writes docs/coverage.md, which tests show each item of tests/coverage.txt.
+# coverage.sh --check: writes nothing; fails when that page is out of date, or an item has neither a test nor a reason.
+#
+# A test says what it shows in a comment: "// shows: G54 R-T5" above a TEST, "# shows: G22" anywhere in a shell script.
+# Each line of tests/coverage.txt is an item, what it is, and where no test can show it why, with tabs between.
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
+page=docs/coverage.md
+case ${1-} in '' | --check) ;; *) echo "usage: tools/coverage.sh [--check]" >&2; exit 2 ;; esac
+
+# ITEM <tab> TEST <tab> FILE, one line each, in the order of the files.
+tags() {
+  find tests -type f \( -name '*.cpp' -o -name '*.sh' \) | LC_ALL=C sort | while read -r file; do
+    awk -v file="$file" '
+      function put(test, n, i, word) {
+        n = split(tagged, word, /[ ,]+/)
+        for (i = 1; i <= n; ++i) if (word[i] != "") print word[i] "\t" test "\t" file
+        tagged = ""
+      }
+      match($0, /^ *(\/\/|#) shows: */) {
+        tagged = tagged " " substr($0, RSTART + RLENGTH)
+        if (file ~ /\.sh$/) { name = file; sub(/.*\//, "", name); put(name) }
+      }
+      /^(TEST|TEST_F|TEST_P|RC_GTEST_PROP)\(/ {
+        name = $0
+        sub(/^[A-Z_]+\( */, "", name); sub(/[ ,)]*\).*/, "", name)
+        split(name, part, / *, */)
+        put(part[1] "." part[2])
+      }
+      END { if (tagged != "") print file ": \"shows:\" without a test below it" > "/dev/stderr" }' "$file"
+  done
+}
+
+write() {
+  tags | awk -F '\t' '
+    FILENAME == "-" {
+      if (!seen[$1, $2, $3]++) tests[$1] = tests[$1] (tests[$1] != "" ? ", " : "") "[" $2 "](../" $3 ")"
+      if ($1 ~ /^G/) used[$1] = $2
+      next
+    }
+    { order[++items] = $1; what[$1] = $2; reason[$1] = $3 }
+    END {
+      print "# What the tests show\n"
+      print "Which tests show each item that Betwixt set out to do, and where no test can, why. Written by `tools/coverage.sh`"
+      print "from the comments `shows:` in the tests and from `tests/coverage.txt`.\n"
+      print "| item | what | tests, or the reason |\n|---|---|---|"
+      for (i = 1; i <= items; ++i) {
+        id = order[i]
+        shown = tests[id] != "" ? tests[id] : reason[id]
+        if (shown == "") missing = missing "- " id ": " what[id] "\n"
+        print "| " id " | " what[id] " | " shown " |"
+      }
+      for (id in used) if (!(id in what)) print used[id] " shows \"" id "\", which is no item" > "/dev/stderr"
+      if (missing != "") printf "\n## Missing\n\n%s", missing
+    }' - tests/coverage.txt
+}
+
+if [ "${1-}" != --check ]; then
+  write >"$page.new" && mv "$page.new" "$page" || exit 3
+  missing=$(sed -n '/^## Missing/,$p' "$page" | grep -c '^- ')
+  [ "$missing" = 0 ] || printf '%d missing, listed at the end of %s\n' "$missing" "$page"
+  exit 0
+fi
+now=$(write)
+if [ "$now" != "$(cat "$page" 2>/dev/null)" ]; then
+  echo "FAILED $page is out of date: run tools/coverage.sh"
+  printf '0 passed, 1 failed\n'
+  exit 1
+fi
+if missing=$(grep -A 1000 '^## Missing' <<<"$now"); then
+  printf 'FAILED items without a test or a reason\n%s\n0 passed, 1 failed\n' "$missing"
+  exit 1
+fi
+printf '1 passed, 0 failed\n'
