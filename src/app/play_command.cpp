@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "app/command.h"
+#include "app/live_input.h"
 #include "app/terminal.h"
 #include "betwixt/program.h"
+#include "exchange/files.h"
+#include "film/output.h"
+#include "language/dials.h"
+#include "scene/document.h"
 
 namespace betwixt {
 namespace {
@@ -17,9 +23,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Call {
-  std::string file, frames;
+  std::string file, frames, listen, record;
   RenderOptions picture{960, 540, 1};  // a character blends its pixels anyway
-  bool terminal = false, loop = false;
+  bool terminal = false, loop = false, overwrite = false;
 };
 
 double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
@@ -54,12 +60,14 @@ class Playhead {
 
 class Player {
  public:
-  Player(const Document& document, const Call& call, const FrameList& frames, Terminal& terminal)
+  // `live`: what controls say; null: nobody listens.
+  Player(const Document& document, const Call& call, const FrameList& frames, Terminal& terminal, LiveInput* live)
       : document_(document),
         program_(Program::compile(document)),
         call_(call),
         frames_(frames),
         terminal_(terminal),
+        live_(live),
         head_(frames, call.loop) {}
 
   Status run() {
@@ -67,15 +75,41 @@ class Player {
     while (!stop_requested() && !closed && !quit_) {
       const int k = head_.now();
       if (head_.playing() && k == head_.last() && !call_.loop) head_.pause();
+      obey(k);
       if (Status s = show(k); !s) return s;
       if (!terminal_.has_keys() && !head_.playing()) break;  // nobody could go on from here
-      const double pause = head_.playing() ? std::min(head_.until_next(), 0.25) : 0.1;
+      const double pause = head_.playing() ? std::min(head_.until_next(), 0.25) : live_ ? 0.02 : 0.1;
       for (const Key key : terminal_.wait(pause, closed)) press(key);
     }
     return Nothing{};
   }
+  // The document as the controls have left it, and how many of their messages turned something.
+  const Document& document() const { return document_; }
+  std::size_t turned() const { return turned_; }
 
  private:
+  // What controls have said since the last picture; it takes effect at the frame that is shown next.
+  void obey(int k) {
+    if (!live_) return;
+    const std::size_t before = turned_;
+    for (const LiveMessage& m : live_->poll()) {
+      Result<Document> next = turn(document_, m.address, m.numbers, m.text ? &*m.text : nullptr, frames_.time(k));
+      said_ = next ? in_words(m) : next.error().message;
+      if (!next && !next.error().hint.empty()) said_ += ", " + next.error().hint;
+      if (!next) continue;
+      document_ = *std::move(next);
+      ++turned_;
+    }
+    if (turned_ == before) return;
+    program_ = Program::compile(document_);
+    stale_ = true;
+  }
+  static std::string in_words(const LiveMessage& m) {
+    std::string out = m.address;
+    for (const double d : m.numbers) out += fmt::format(" {:.4g}", d);
+    return m.text ? out + " " + *m.text : out;
+  }
+
   void press(Key key) {
     const int second = std::max(1, static_cast<int>(std::lround(frames_.rate.per_second())));
     const int k = head_.now();
@@ -138,7 +172,8 @@ class Player {
     if (Status s = fit(terminal_.size()); !s) return s;
     listen(k);
     std::string out = "\x1b[?2026h";  // terminals that know this show the whole at once
-    if (k != shown_) {
+    if (k != shown_ || stale_) {
+      stale_ = false;
       if (Status s = renderer_->render(program_.frame(frames_.time(k)), picture_); !s) return s;
       if (head_.playing() && shown_ >= 0 && k > shown_ + 1) dropped_ += k - shown_ - 1;
       shown_ = k;
@@ -167,6 +202,8 @@ class Player {
     std::string left = fmt::format(" {} {}/{}  {:.2f} s", head_.playing() ? ">" : "=", frames_.number + k,
                                    frames_.number + head_.last(), t.seconds());
     if (dropped_ > 0) left += fmt::format("  {} dropped", dropped_);
+    if (live_) left += "  " + (said_.empty() ? "listening" : legible(said_));
+    if (live_ && live_->ignored() > 0) left += fmt::format("  {} ignored", live_->ignored());
     if (!note_.empty()) left += "  \"" + note_ + "\"";
     const std::string keys = terminal_.has_keys() ? "space pause  arrows step  home end  q quit " : "";
     const std::size_t columns = static_cast<std::size_t>(size_.columns);
@@ -181,6 +218,12 @@ class Player {
       line += std::string(columns - used, ' ');
     return fmt::format("\x1b[{};1H\x1b[7m{}\x1b[0m", size_.rows, line);
   }
+  // What strangers send may hold anything; a terminal would obey some of it.
+  static std::string legible(std::string text) {
+    for (char& c : text)
+      if (c < 32 || c > 126) c = '?';
+    return text.substr(0, 100);
+  }
   static std::size_t wide(const std::string& s) {  // characters
     return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
   }
@@ -191,28 +234,80 @@ class Player {
     return s.substr(0, at);
   }
 
-  const Document& document_;
-  const Program program_;
+  Document document_;
+  Program program_;
   const Call& call_;
   const FrameList& frames_;
   Terminal& terminal_;
+  LiveInput* const live_;
   Playhead head_;
   bool quit_ = false;
   TerminalSize size_;
   std::unique_ptr<Renderer> renderer_;
   Picture picture_;
   int shown_ = -1, heard_ = -1, dropped_ = 0;
-  std::string note_, last_drawn_;
+  bool stale_ = false;  // what is shown is not what the document says by now
+  std::size_t turned_ = 0;
+  std::string note_, said_, last_drawn_;
   Clock::time_point noted_ = Clock::now();
 };
+
+// The document with recording switched on or off.
+Document recording(const Document& document, bool on) {
+  auto scene = std::make_shared<Scene>(document.scene());
+  scene->recording = on;
+  return Document(std::move(scene));
+}
+
+// Where what controls say is written when the film ends; empty: nowhere. That the place is free is seen before
+// anybody plays.
+Result<std::string> record_place(const Document& document, const Call& call) {
+  if (call.listen.empty() && !call.record.empty())
+    return fail(Code::range, "--record: there is nothing to record", "--listen PORT takes in what controls say");
+  if (call.listen.empty() || (call.record.empty() && !document.scene().recording)) return std::string();
+  const std::filesystem::path script = call.file;
+  const std::string place =
+      call.record.empty() ? (script.parent_path() / script.stem()).string() + "-recorded.bx" : call.record;
+  if (Status free = check_place(place, call.overwrite); !free) {
+    Error e = free.error();
+    if (e.hint.empty()) e.hint = "--record OUT.bx says where to write, --overwrite that a file there may go";
+    return e;
+  }
+  return place;
+}
+
+Status write_recording(const Document& document, const std::string& place, bool overwrite) {
+  const std::string text = write(document);
+  return write_whole(place, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, overwrite);
+}
 
 Status play(const Document& document, const Call& call) {
   const Result<FrameList> frames = read_frames(call.frames, document);
   if (!frames) return frames.error();
+  const Result<std::string> place = record_place(document, call);
+  if (!place) return place.error();
+  std::unique_ptr<LiveInput> live;
+  if (!call.listen.empty()) {
+    Result<std::unique_ptr<LiveInput>> opened = LiveInput::open(call.listen);
+    if (!opened) return opened.error();
+    live = *std::move(opened);
+  }
   catch_stops();
   Result<std::unique_ptr<Terminal>> terminal = Terminal::open();
   if (!terminal) return terminal.error();
-  return Player(document, call, *frames, **terminal).run();
+  const bool records = !place->empty();
+  Player player(records ? recording(document, true) : document, call, *frames, **terminal, live.get());
+  const Status played = player.run();
+  terminal->reset();
+  if (!records) return played;
+  if (player.turned() == 0) {
+    fmt::print(stderr, "nothing came in, nothing is recorded\n");
+    return played;
+  }
+  const bool was = document.scene().recording;
+  if (Status s = write_recording(recording(player.document(), was), *place, call.overwrite); !s) return s;
+  fmt::print(stderr, "{} messages recorded in '{}'\n", player.turned(), *place);
+  return played;
 }
 
 int play(const Call& call) {
@@ -238,6 +333,12 @@ void add_play(CLI::App& app, int& exit_code) {
   sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
   add_picture_options(*sub, call->picture);
   sub->add_flag("--loop", call->loop, "again and again");
+  sub->add_option("--listen", call->listen,
+                  "what the script's dials turn is moved by OSC sent to this port, and by MIDI; "
+                  "from this machine only, unless an address of its own is named")
+      ->type_name("[HOST:]PORT");
+  sub->add_option("--record", call->record, "what came in is written as a script at the end")->type_name("OUT.bx");
+  sub->add_flag("--overwrite", call->overwrite, "--record may replace a file");
   sub->footer(
       "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, q quits.\n"
       "Example:\n  betwixt play examples/bounce.bx --terminal --loop");

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/live_input.h"
+
+#include <RtMidi.h>
+#include <fmt/format.h>
+#include <lo/lo.h>
+#include <netdb.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+
+namespace betwixt {
+namespace {
+
+constexpr int deepest_bundle = 8;
+constexpr std::size_t most_messages = 4096;  // of one packet
+constexpr int most_packets = 2048;           // of one poll
+
+// One message; liblo checks it against its type tags.
+bool read_message(std::span<const std::uint8_t> bytes, std::vector<LiveMessage>& out) {
+  if (bytes.size() < 4 || bytes[0] != '/' || std::find(bytes.begin(), bytes.end(), 0) == bytes.end()) return false;
+  std::vector<std::uint8_t> own(bytes.begin(), bytes.end());  // liblo works in place
+  int why = 0;
+  const std::unique_ptr<void, void (*)(lo_message)> message(lo_message_deserialise(own.data(), own.size(), &why),
+                                                            lo_message_free);
+  if (!message) return false;
+  LiveMessage m;
+  m.address = reinterpret_cast<const char*>(bytes.data());
+  const std::string_view types = lo_message_get_types(message.get());
+  lo_arg** values = lo_message_get_argv(message.get());
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    const auto type = static_cast<lo_type>(types[i]);
+    if (lo_is_numerical_type(type)) m.numbers.push_back(static_cast<double>(lo_hires_val(type, values[i])));
+    if (type == LO_TRUE || type == LO_FALSE) m.numbers.push_back(type == LO_TRUE ? 1 : 0);
+    if ((type == LO_STRING || type == LO_SYMBOL) && !m.text) m.text = &values[i]->s;
+  }
+  out.push_back(std::move(m));
+  return true;
+}
+
+// "#bundle", a time, then elements: a length and a message or a bundle.
+bool read_element(std::span<const std::uint8_t> bytes, int depth, std::vector<LiveMessage>& out) {
+  constexpr std::string_view bundle{"#bundle", 8};
+  if (out.size() >= most_messages || depth > deepest_bundle) return false;
+  if (bytes.size() < 16 || std::memcmp(bytes.data(), bundle.data(), bundle.size()) != 0)
+    return read_message(bytes, out);
+  for (bytes = bytes.subspan(16); !bytes.empty();) {
+    if (bytes.size() < 4) return false;
+    std::size_t length = 0;
+    for (const std::uint8_t b : bytes.first(4)) length = length << 8 | b;
+    if (length > bytes.size() - 4 || !read_element(bytes.subspan(4, length), depth + 1, out)) return false;
+    bytes = bytes.subspan(4 + length);
+  }
+  return true;
+}
+
+// The ports that can be opened. No sequencer is no error; what RtMidi throws stays here.
+class Midi {
+ public:
+  Midi() {
+    try {
+      const unsigned ports = quiet()->getPortCount();
+      for (unsigned i = 0; i < std::min(ports, 16u); ++i) {
+        auto in = quiet();
+        in->openPort(i, "controls");
+        ports_.push_back(std::move(in));
+      }
+    } catch (...) {  // the ports so far
+    }
+  }
+  void poll(std::vector<LiveMessage>& out) {
+    try {
+      std::vector<unsigned char> bytes;
+      for (const auto& port : ports_)
+        for (int n = 0; n < most_packets; ++n) {
+          port->getMessage(&bytes);
+          if (bytes.empty()) break;
+          if (auto m = read_midi(bytes)) out.push_back(*std::move(m));
+        }
+    } catch (...) {
+      ports_.clear();
+    }
+  }
+
+ private:
+  // RtMidi says its warnings on standard error, where they would spoil the picture.
+  static std::unique_ptr<RtMidiIn> quiet() {
+    auto in = std::make_unique<RtMidiIn>(RtMidi::UNSPECIFIED, "betwixt");
+    in->setErrorCallback([](RtMidiError::Type, const std::string&, void*) {}, nullptr);
+    return in;
+  }
+  std::vector<std::unique_ptr<RtMidiIn>> ports_;
+};
+
+class Live final : public LiveInput {
+ public:
+  explicit Live(int socket) : socket_(socket) {}
+  ~Live() override { ::close(socket_); }
+  Live(const Live&) = delete;
+  Live& operator=(const Live&) = delete;
+
+  std::vector<LiveMessage> poll() override {
+    std::vector<LiveMessage> out;
+    midi_.poll(out);
+    for (int n = 0; n < most_packets; ++n) {
+      const ssize_t size = ::recv(socket_, packet_.data(), packet_.size(), MSG_DONTWAIT);
+      if (size < 0 && errno == EINTR) continue;
+      if (size < 0) break;
+      std::vector<LiveMessage> said = read_osc({packet_.data(), static_cast<std::size_t>(size)});
+      if (said.empty()) ++ignored_;
+      out.insert(out.end(), std::make_move_iterator(said.begin()), std::make_move_iterator(said.end()));
+    }
+    return out;
+  }
+  std::uint64_t ignored() const override { return ignored_; }
+
+ private:
+  const int socket_;
+  Midi midi_;
+  std::uint64_t ignored_ = 0;
+  std::array<std::uint8_t, 65536> packet_;
+};
+
+}  // namespace
+
+std::vector<LiveMessage> read_osc(std::span<const std::uint8_t> packet) {
+  std::vector<LiveMessage> out;
+  if (!read_element(packet, 0, out)) out.clear();
+  return out;
+}
+
+std::optional<LiveMessage> read_midi(std::span<const std::uint8_t> m) {
+  if (m.size() < 3 || m[1] > 127 || m[2] > 127) return std::nullopt;
+  const int channel = (m[0] & 15) + 1;
+  switch (m[0] & 0xF0) {
+    case 0x80:
+      return LiveMessage{fmt::format("/midi/note/{}/{}", channel, m[1]), {0}, {}};
+    case 0x90:
+      return LiveMessage{fmt::format("/midi/note/{}/{}", channel, m[1]), {m[2] / 127.0}, {}};
+    case 0xB0:
+      return LiveMessage{fmt::format("/midi/cc/{}/{}", channel, m[1]), {m[2] / 127.0}, {}};
+    case 0xE0: {  // the middle, 8192, is 0; both ends are reached
+      const int bend = (m[1] | m[2] << 7) - 8192;
+      return LiveMessage{fmt::format("/midi/bend/{}", channel), {bend / (bend < 0 ? 8192.0 : 8191.0)}, {}};
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
+  const std::size_t colon = where.rfind(':');
+  std::string host = colon == std::string::npos ? "127.0.0.1" : where.substr(0, colon);
+  const std::string port = colon == std::string::npos ? where : where.substr(colon + 1);
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+  int number = 0;
+  const auto [end, wrong] = std::from_chars(port.data(), port.data() + port.size(), number);
+  if (wrong != std::errc() || end != port.data() + port.size() || number < 1 || number > 65535 || host.empty())
+    return fail(Code::range, fmt::format("--listen: \"{}\" is no port", where), "such as 9000, or 192.168.1.5:9000");
+  addrinfo wanted{}, *found = nullptr;
+  wanted.ai_socktype = SOCK_DGRAM;
+  wanted.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+  if (::getaddrinfo(host.c_str(), port.c_str(), &wanted, &found) != 0)
+    return fail(Code::range, fmt::format("--listen: there is no address {}", host));
+  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, ::freeaddrinfo);
+  const int s = ::socket(found->ai_family, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (s < 0 || ::bind(s, found->ai_addr, found->ai_addrlen) != 0) {
+    const int error = errno;
+    if (s >= 0) ::close(s);
+    return fail(Code::file, fmt::format("--listen: cannot listen on {}: {}", where, std::strerror(error)),
+                error == EADDRINUSE ? "another program listens there: take another port" : "");
+  }
+  return std::unique_ptr<LiveInput>(std::make_unique<Live>(s));
+}
+
+}  // namespace betwixt
