@@ -26,7 +26,7 @@ _betwixt() {
       tidy) words='--write' ;;
       shell) words='--recover --discard' ;;
     esac
-    words+=' --read-anywhere --help'
+    words+=' --read-anywhere --load --help'
   fi
   if [ -n "$words" ]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")

@@ -12,6 +12,7 @@ complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a tidy -d 'p
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a shell -d 'make a film line by line'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -l version -d 'print the version'
 complete -c betwixt -s h -l help -d 'explain'
+complete -c betwixt -n "__fish_seen_subcommand_from $commands" -l load -r -d 'a plug-in: its words are the script'"'"'s'
 complete -c betwixt -n "__fish_seen_subcommand_from $commands" -l read-anywhere -d 'let the script read files outside its folder'
 complete -c betwixt -n "__fish_seen_subcommand_from $commands" -k -a '(__fish_complete_suffix .bx)'
 complete -c betwixt -n '__fish_seen_subcommand_from render frame plot' -s o -l output -r -F -d 'the file to make'

@@ -16,6 +16,10 @@ struct LoadOptions {
   bool read_anywhere = false;  // else a script reads files only below its own folder
 };
 
+// Loads a plug-in (include/betwixt/plugin.h) for good: from now on its twerpers, filters, commands and functions are
+// words of every script that is read. A script itself cannot do this: plug-ins are programs.
+Status use_plugin(const std::string& path);
+
 struct Loaded {
   Document document;        // what could be carried out
   Diagnostics diagnostics;  // everything there is to say, in the order of the text

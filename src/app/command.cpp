@@ -100,6 +100,12 @@ Result<FrameList> read_frames(const std::string& text, const Document& document)
   return frames;
 }
 
+void Problems::say(const std::vector<std::string>& problems) {
+  const std::lock_guard lock(mutex_);
+  for (const std::string& p : problems)
+    if (said_.size() < 100 && said_.insert(p).second) fmt::print(stderr, "betwixt: warning: {}\n", p);
+}
+
 void catch_stops() {
   struct sigaction action {};
   struct sigaction old {};

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,16 @@ struct FrameList {
 };
 // `text`: "A..B", or empty for the document's own range.
 Result<FrameList> read_frames(const std::string& text, const Document&);
+
+// Says on standard error what procedures did wrong, each thing once. From any thread.
+class Problems {
+ public:
+  void say(const std::vector<std::string>&);
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> said_;
+};
 
 // From here on Ctrl-C and friends only ask the program to stop.
 void catch_stops();

@@ -54,6 +54,8 @@ std::string json(const Reading& r, Type type, const Document& d) {
     for (Vec3 p : **points) out += (out.size() > 1 ? "," : "") + list({p.x, p.y, p.z});
     return out + "]";
   }
+  if (const auto* a = std::get_if<Attachment>(&r))
+    return json_text(write_value(*a, spec_of(d.scene(), fn::attachment), -1, [&](ObjectId id) { return d.name(id); }));
   if (const auto* names = std::get_if<Names>(&r)) {
     std::string out = "[";
     for (const auto& n : **names) out += (out.size() > 1 ? "," : "") + json_text(n);
@@ -91,7 +93,7 @@ int eval(const Asked& asked) {
     times.emplace_back(text, *t);
   }
   std::vector<Target> targets;
-  std::set<std::tuple<std::uint32_t, std::uint16_t, int>> named;  // a target asked for twice is answered once
+  std::set<std::tuple<std::uint32_t, std::uint16_t, int, bool>> named;  // a target asked for twice is answered once
   std::vector<std::string> patterns = asked.targets;
   if (patterns.empty()) patterns = document->names();
   for (const auto& pattern : patterns) {
@@ -99,7 +101,7 @@ int eval(const Asked& asked) {
     if (!found) return complain(found.error(), wrong_input);
     if (found->empty()) fmt::print(stderr, "betwixt: notice: '{}' names nothing\n", pattern);
     for (const Target& t : *found)
-      if (named.insert({t.object.index, t.function, t.component}).second) targets.push_back(t);
+      if (named.insert({t.object.index, t.function, t.component, t.velocity}).second) targets.push_back(t);
   }
   const Program program = Program::compile(*document);
   const auto type_of = [&](const Target& t) {
@@ -107,12 +109,19 @@ int eval(const Asked& asked) {
     const Type whole = spec_of(document->scene(), t.function).type;
     return t.component < 0 ? whole : component_type(whole);
   };
+  Problems problems;
+  const auto read = [&](Time t) {
+    std::vector<std::string> said;
+    auto values = program.read(targets, t, &said);
+    problems.say(said);
+    return values;
+  };
   if (asked.json) {
     std::string out = "{\"times\":[";
     for (std::size_t i = 0; i < times.size(); ++i) {
       out += fmt::format("{}{{\"at\":{},\"seconds\":{},\"values\":{{", i ? "," : "", json_text(times[i].first),
                          write_number(times[i].second.seconds()));
-      const auto values = program.read(targets, times[i].second);
+      const auto values = read(times[i].second);
       for (std::size_t k = 0; k < targets.size(); ++k)
         out += fmt::format("{}{}:{}", k ? "," : "", json_text(document->name(targets[k])),
                            json(values[k], type_of(targets[k]), *document));
@@ -125,7 +134,7 @@ int eval(const Asked& asked) {
   for (const Target& t : targets) width = std::max(width, document->name(t).size());
   for (const auto& [text, t] : times) {
     if (times.size() > 1) fmt::print("{} ({} s)\n", text, write_number(t.seconds()));
-    const auto values = program.read(targets, t);
+    const auto values = read(t);
     for (std::size_t k = 0; k < targets.size(); ++k)
       fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(targets[k]), width,
                  plain(values[k], targets[k], *document));

@@ -28,7 +28,9 @@ int frame(const Call& call) {
   Result<std::unique_ptr<Renderer>> renderer = make_renderer(call.picture);
   if (!renderer) return complain(renderer.error(), wrong_call);
   Picture picture;
-  if (Status s = (*renderer)->render(Program::compile(*document).frame(*time), picture); !s)
+  const Frame made = Program::compile(*document).frame(*time);
+  Problems().say(made.problems);
+  if (Status s = (*renderer)->render(made, picture); !s)
     return complain(s.error(), wrong_input);
   if (Status s = write_png(call.out, picture, !call.keep_old); !s) return complain(s.error(), wrong_call);
   return all_done;

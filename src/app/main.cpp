@@ -55,6 +55,15 @@ int run(int argc, char** argv) {
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
     sub->set_help_flag("-h,--help", "this help");
     sub->add_flag("--read-anywhere", load_options().read_anywhere, "let the script read files outside its own folder");
+    sub->add_option_function<std::vector<std::string>>(
+           "--load",
+           [](const std::vector<std::string>& files) {
+             for (const std::string& file : files)
+               if (const Status s = use_plugin(file); !s) throw CLI::ValidationError("--load", s.error().message);
+           },
+           "a plug-in: its words are the script's")
+        ->allow_extra_args(false)
+        ->type_name("PLUGIN");
   }
   try {
     app.parse(argc, argv);

@@ -79,11 +79,14 @@ int render(const Call& call) {
   if (!frames) return complain(frames.error(), wrong_call);
 
   const Program program = Program::compile(*document);
+  Problems problems;
   const auto new_painter = [&]() -> Result<Painter> {
     Result<std::unique_ptr<Renderer>> made = make_renderer(call.picture);
     if (!made) return made.error();
     return Painter([&, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Picture& out) {
-      return renderer->render(program.frame(frames->time(k)), out);
+      const Frame frame = program.frame(frames->time(k));
+      problems.say(frame.problems);
+      return renderer->render(frame, out);
     });
   };
   FilmOptions options;

@@ -237,6 +237,7 @@ int shell(const Call& call) {
   doors.plot = [](const Document& d, const std::string& target, const std::string& to) {
     return plot_document(d, {target}, "", to);
   };
+  doors.load = [](const std::string& file) { return use_plugin(file); };
   doors.play = [](const Document& d, const std::string& frames) {
     const Status played = play_document(d, frames);
     release_stops();

@@ -29,9 +29,14 @@ struct Selected {
 // Where the dot between an object's name and its function is; dots inside braces ({1..100}) are not.
 std::size_t first_dot(std::string_view word);
 
+// Gives the scene the words that plug-ins brought.
+void adopt_plugins(Scene&);
+
 class Reader {
  public:
-  Reader(Scene& scene, Diagnostics& out, const LoadOptions& options) : s(scene), diagnostics_(out), options_(options) {}
+  Reader(Scene& scene, Diagnostics& out, const LoadOptions& options) : s(scene), diagnostics_(out), options_(options) {
+    adopt_plugins(s);
+  }
 
   // Reads a file or a text as if it stood where the author's script does. `root`: the folder that files are read below.
   void read_file(const std::string& path);

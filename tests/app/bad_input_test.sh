@@ -84,8 +84,9 @@ line 'there is no file none.png' 'create m sphere texture="none.png"'
 line "there is no file 'none.bx'" 'use none.bx'
 line 'comes to include itself' 'use line.bx'
 line "outside the script's folder" 'use "/etc/passwd"'
-line 'not in this version' 'hang ball on eye'
-line 'not in this version' 'at 5f ball.radius = "t"'
+line 'itself' 'hang ball on ball'
+line 'not in this version' 'halt spin'
+line 'unexpected symbol' 'at 5f ball.radius = "t +"'
 line 'word of the shell' 'undo'
 for b in '\001' '\377' '\303' '\300\257' '\355\240\200'; do
   printf "create ball sphere\nset ball.radius 2 $b\n" >line.bx
@@ -212,7 +213,7 @@ printf 'create b sphere scale=(1e300 1 1)\ncreate b/c sphere scale=(1e300 1 1) p
 verdict 'no inf or nan in JSON' "$(! grep -qiE 'inf|nan' "$out" && echo yes)" "$(cat "$out")"
 call 'eval of nobody' 1 "there is no object 'bal'" eval bounce.bx --at 1f bal.position --json
 call 'eval of no function' 1 "did you mean 'position'?" eval bounce.bx --at 1f ball.postion
-call 'eval of velocities' 1 'not in this version' eval bounce.bx --at 1f ball.position.velocity --json
+call 'eval of a velocity that is not' 1 'has no velocity' eval bounce.bx --at 1f ball.display.velocity --json
 call 'eval without a time' 2 '--at' eval bounce.bx ball.position
 call 'eval at a word' 2 "'soon' is not a time" eval bounce.bx --at soon ball.position
 call 'eval at a bare number: a frame' 0 '' eval bounce.bx --at 24 ball.position

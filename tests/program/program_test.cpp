@@ -17,7 +17,7 @@ ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere, Object
   Object o;
   o.name = name;
   o.kind = kind;
-  o.parent = parent;
+  if (parent) o.slot(fn::attachment).set = Attachment{Hold::couple, parent, false};
   return add_object(s, std::move(o));
 }
 Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
@@ -49,6 +49,7 @@ void expect_same(const Frame& a, const Frame& b) {  // bit for bit
   EXPECT_EQ(a.camera.fov, b.camera.fov);
 }
 
+// shows: G61 G80 G85
 TEST(World, IsTheProductDownTheChain) {
   Scene s;
   const ObjectId car = add(s, "car", Kind::group), wheel = add(s, "car/wheel", Kind::cylinder, car);
@@ -88,6 +89,7 @@ TEST(World, AnglesTurnAboutXThenYThenZOfTheObject) {
   expect_near(world(compile(s), id), about(0, 0.3) * about(1, 0.5) * about(2, 0.7));
 }
 
+// shows: G85
 TEST(World, ChainsMayBeDeepAndParentsYoungerThanChildren) {
   Scene s;
   constexpr std::uint32_t n = 100'000;
@@ -103,6 +105,7 @@ TEST(World, ChainsMayBeDeepAndParentsYoungerThanChildren) {
   EXPECT_EQ(translation_of(f.items[n - 1].world).y, 1);
 }
 
+// shows: G47 G89
 TEST(Frame, IsTheSameInAnyOrderAndOnAnyThread) {
   Scene s;
   std::mt19937 random(3);
@@ -139,6 +142,7 @@ TEST(Frame, IsTheSameInAnyOrderAndOnAnyThread) {
   expect_same(a, in_order[0]);
 }
 
+// shows: G28
 TEST(Frame, HiddenObjectsStillCarryOthers) {
   Scene s;
   const ObjectId car = add(s, "car", Kind::box), wheel = add(s, "wheel", Kind::sphere, car);
@@ -154,6 +158,7 @@ TEST(Frame, HiddenObjectsStillCarryOthers) {
   EXPECT_EQ(std::get<bool>(p.read({car, fn::display}, from_seconds(0.99))), true);
 }
 
+// shows: G28 G47
 TEST(Frame, LooksComeFromTheTracks) {
   Scene s;
   const ObjectId ball = add(s, "ball"), box = add(s, "box", Kind::box);
@@ -208,6 +213,7 @@ TEST(Lights, ReachTimesTheirOwnScale) {
   expect_near(f.lights[0].direction, {0, -1, 0});
 }
 
+// shows: G62
 TEST(Cameras, LookAtPointsAndObjects) {
   Scene s;
   const ObjectId eye = add(s, "eye", Kind::camera), ball = add(s, "ball"), lamp = add(s, "lamp", Kind::light, eye);
@@ -277,6 +283,7 @@ TEST(Cameras, TheDefaultOneSeesAll) {
   EXPECT_NEAR(compile(Scene{}).frame({}).camera.fov, 2 * std::atan(36.0 / 70), 1e-15);
 }
 
+// shows: G30
 TEST(Components, SplittingATrackKeepsEveryValue) {
   const auto check = [](FunctionId f, std::vector<Event> events, bool srgb, int component) {
     Scene a;
@@ -309,6 +316,7 @@ TEST(Components, SplittingATrackKeepsEveryValue) {
           {event(0, Color{0, 0.5, 1}), event(1, Color{1, 0.2, 0}, Twerper::smooth), event(3, Color{0, 1, 0})}, srgb, 0);
 }
 
+// shows: G29 G36
 TEST(Read, GivesEveryTypeBack) {
   Scene s;
   s.defined.edit().push_back({"mood", Type::scalar, 3.5, 0xffffffff, Unit::none, {}});

@@ -11,7 +11,7 @@ ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere, Object
   Object o;
   o.name = name;
   o.kind = kind;
-  o.parent = parent;
+  if (parent) o.slot(fn::attachment).set = Attachment{Hold::couple, parent, false};
   return add_object(s, std::move(o));
 }
 Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
@@ -28,6 +28,7 @@ std::vector<std::string> named(const Scene& s, std::string_view word) {
 }
 using Words = std::vector<std::string>;
 
+// shows: G60
 TEST(Scene, EditingACopyLeavesTheOriginal) {
   Scene a;
   std::vector<ObjectId> ids;
@@ -74,11 +75,12 @@ TEST(Scene, RemovedObjectsAreGoneEverywhere) {
   const ObjectId car = add(s, "car", Kind::group), wheel = add(s, "car/wheel", Kind::sphere, car),
                  eye = add(s, "eye", Kind::camera);
   s.cuts.edit()[Time{}] = eye;
-  EXPECT_TRUE(attached_below(s, wheel, car));
-  EXPECT_FALSE(attached_below(s, car, wheel));
+  s.objects.edit(car.index).leads = true;
+  EXPECT_EQ(circle(s, car, wheel, {INT64_MIN}, {INT64_MAX}), (std::vector<ObjectId>{car, wheel}));
+  EXPECT_TRUE(circle(s, wheel, car, {INT64_MIN}, {INT64_MAX}).empty());
   remove_objects(s, {car, eye, car});
   EXPECT_FALSE(s.names.find("car"));
-  EXPECT_FALSE(s.objects[wheel.index].parent);
+  EXPECT_EQ(std::get<Attachment>(*s.objects[wheel.index].find(fn::attachment)->set), Attachment{});
   EXPECT_TRUE(s.cuts->empty());
   const ObjectId again = add(s, "car");
   EXPECT_NE(again, car);  // numbers are never given out twice
@@ -87,6 +89,7 @@ TEST(Scene, RemovedObjectsAreGoneEverywhere) {
   EXPECT_EQ(Document(std::make_shared<const Scene>(s)).names(), (Words{"car/wheel", "car"}));
 }
 
+// shows: G64 G65 G66 G67
 TEST(Select, ReadsAliasesPatternsAndNames) {
   Scene s;
   for (const char* n : {"wheel10", "wheel2", "spare", "wheel1", "car/wheel3", "ball"}) add(s, n);

@@ -38,6 +38,7 @@ Quat turn(const Track& t, double seconds) {
 }
 double angle_between(Quat a, Quat b) { return 2 * std::acos(std::min(1.0, std::abs(dot(a, b)))) * 180 / pi; }
 
+// shows: G31 G45
 TEST(Curve, IsDefinedEverywhereAndRightContinuous) {
   const Track t = track({event(1, 5.0, Twerper::hold), event(2, 7.0, Twerper::linear), event(3, 9.0)});
   EXPECT_EQ(value(t, -100), 5);
@@ -66,6 +67,7 @@ TEST(Curve, DoesNotDependOnWhereTimeBegins) {
   }
 }
 
+// shows: G42
 TEST(Curve, CutsHaveTwoValues) {
   Event cut = event(1, 10.0, Twerper::linear);
   cut.detail.edit().before = Value(4.0);
@@ -82,6 +84,7 @@ TEST(Curve, CutsHaveTwoValues) {
   EXPECT_EQ(value(line, 0), 4);
 }
 
+// shows: G20 G41 G43
 TEST(Curve, SmoothReproducesParabolasBetweenUnevenEvents) {
   const auto f = [](double x) { return 3 * x * x - 7 * x + 2; };
   Track t;
@@ -94,6 +97,7 @@ TEST(Curve, SmoothReproducesParabolasBetweenUnevenEvents) {
   EXPECT_NEAR(value(track({event(0, 1.0), event(2, 5.0)}), 0.5), 2, 1e-12);  // two events: a straight line
 }
 
+// shows: G12 G37
 TEST(Curve, NeighboursEndAtCutsAndHolds) {
   // Between 1 and 2 with neighbours shut off on both sides, the phantom makes a straight line.
   Event cut = event(1, 0.0);
@@ -120,6 +124,7 @@ double basis(int i, int degree, double x) {
   if (degree == 0) return x >= i && x < i + 1 ? 1 : 0;
   return (x - i) / degree * basis(i, degree - 1, x) + (i + degree + 1 - x) / degree * basis(i + 1, degree - 1, x);
 }
+// shows: G37 G41 G46
 TEST(Curve, BsplineIsTheDefinition) {
   const double p[] = {1, -2, 5, 3, 8, 0};
   Track t;
@@ -152,6 +157,7 @@ TEST(Curve, BezierIsSolvedForTime) {
   EXPECT_EQ(bezier_factor(1, {1, 1, 0, 0}), 1);
 }
 
+// shows: G35
 TEST(Curve, HermiteTangentsArePerSecond) {
   const auto f = [](double x) { return x * x * x - 2 * x * x + 3; };  // a cubic is what hermite makes exactly
   const auto slope = [](double x) { return 3 * x * x - 4 * x; };
@@ -165,6 +171,7 @@ TEST(Curve, HermiteTangentsArePerSecond) {
   EXPECT_NEAR(value(track({event(0, 0.0, Twerper::hermite), event(1, 1.0)}), 0.25), 0.15625, 1e-12);  // 3u² - 2u³
 }
 
+// shows: G35
 TEST(Ease, IsATrapezoidOfSpeed) {
   const auto check = [](double out, double in, double a, double b) {  // asked for, and what fits
     EXPECT_EQ(ease(0, out, in), 0);
@@ -196,6 +203,7 @@ TEST(Ease, IsATrapezoidOfSpeed) {
   EXPECT_NEAR(value(t, 10), 8.5, 1e-12);
 }
 
+// shows: G51 G70
 TEST(Orientation, TakesTheShortWayAtConstantSpeed) {
   const double deg = pi / 180;
   const Quat a = axis_angle({0, 1, 0}, 0), b = axis_angle({0, 1, 0}, 20 * deg);
@@ -208,6 +216,7 @@ TEST(Orientation, TakesTheShortWayAtConstantSpeed) {
   for (int i = 0; i < 40; ++i) EXPECT_NEAR(angle_between(turn(wide, i * 0.1), turn(wide, (i + 1) * 0.1)), 4.25, 1e-5);
 }
 
+// shows: G43 G51
 TEST(Orientation, SquadPassesThroughItsKeysSmoothly) {
   const std::vector<Quat> keys{axis_angle({1, 0, 0}, 0.3), axis_angle({1, 2, 0}, 1.0), axis_angle({0, 1, 1}, 2.2),
                                axis_angle({1, 0, 1}, 1.4)};
@@ -270,6 +279,7 @@ TEST(Rotation, AnglesCountWholeTurns) {
   EXPECT_TRUE(c.orientation);
 }
 
+// shows: G24 G50
 TEST(Color, BlendsInLinearLight) {
   Track t = track({event(0, Color{0, 0, 0}), event(1, Color{1, 1, 1})});
   EXPECT_NEAR(value(t, 0.5, Type::color), 0.5, 1e-15);
@@ -293,6 +303,7 @@ TEST(Color, GoesThereAndBack) {
   EXPECT_EQ(to_linear(-0.5), -to_linear(0.5));
 }
 
+// shows: G31
 TEST(Extend, RepeatsAsDefined) {
   const auto f = [](double s) { return s * s - 3 * s; };
   Track t;
@@ -333,6 +344,7 @@ TEST(Extend, RepeatsAsDefined) {
   }
 }
 
+// shows: G48
 TEST(Keep, ChangesTheTwerperOnly) {
   Event keep = event(1, 0.0, Twerper::hold);
   keep.keep = true;
@@ -343,6 +355,7 @@ TEST(Keep, ChangesTheTwerperOnly) {
   EXPECT_EQ(value(t, 4), 8);
 }
 
+// shows: G41 G69
 TEST(Steps, NeverBlendWhatCannotBeBlended) {
   Track b = track({event(0, true, Twerper::linear), event(1, false, Twerper::smooth), event(2, true)});
   b.global = Twerper::linear;
@@ -350,9 +363,9 @@ TEST(Steps, NeverBlendWhatCannotBeBlended) {
   EXPECT_EQ(value(b, 1.9, Type::boolean), 0);
   EXPECT_EQ(value(b, 2, Type::boolean), 1);
   const Steps texts(track({event(0, Text(std::string("a"))), event(1, Text(std::string("b")))}), Type::text);
-  EXPECT_EQ(texts.at(at(0.999)).a, 0U);
-  EXPECT_EQ(texts.at(at(0.999)).s, 0);
-  EXPECT_EQ(texts.at(at(1)).a, 1U);
+  EXPECT_EQ(texts.at(at(0.999), {}).a, 0U);
+  EXPECT_EQ(texts.at(at(0.999), {}).s, 0);
+  EXPECT_EQ(texts.at(at(1), {}).a, 1U);
 }
 
 TEST(Steps, CutsHaveTwoValues) {
@@ -360,7 +373,7 @@ TEST(Steps, CutsHaveTwoValues) {
   cut.detail.edit().before = Value(ObjectId{2});
   const Steps s(track({event(0, ObjectId{1}, Twerper::linear), cut, event(2, ObjectId{4})}), Type::shape);
   const auto between = [&](double t) {
-    const Between b = s.at(at(t));
+    const Between b = s.at(at(t), {});
     return std::tuple{std::get<ObjectId>(s.values()[b.a]).index, std::get<ObjectId>(s.values()[b.b]).index, b.s};
   };
   EXPECT_EQ(between(0.5), (std::tuple{1U, 2U, 0.5}));
@@ -370,6 +383,7 @@ TEST(Steps, CutsHaveTwoValues) {
   EXPECT_EQ(between(-7), (std::tuple{1U, 1U, 0.0}));
 }
 
+// shows: G44 G102
 TEST(Twerpers, TheGlobalOneAlwaysWins) {
   Track t = track({event(0, 0.0, Twerper::hold), event(1, 1.0, Twerper::smooth), event(2, 8.0, Twerper::hold)});
   t.global = Twerper::linear;
