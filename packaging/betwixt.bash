@@ -10,8 +10,8 @@ _betwixt() {
     --style) words='shaded wireframe hidden-line' ;;
     --samples) words='1 4 9 16' ;;
     --size) words='320x180 640x360 960x540 1280x720 1920x1080 3840x2160' ;;
-    --at | --frames | --jobs) return ;;
-    -o | --output)
+    --at | --frames | --jobs | --listen) return ;;
+    -o | --output | --record)
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
       ;;
@@ -20,7 +20,7 @@ _betwixt() {
     case $command in
       render) words='-o --output --frames --size --style --samples --jobs --no-overwrite --stats' ;;
       frame) words='-o --output --at --size --style --samples --no-overwrite' ;;
-      play) words='--terminal --frames --loop --size --style --samples' ;;
+      play) words='--terminal --frames --loop --listen --record --overwrite --size --style --samples' ;;
       eval) words='--at --json' ;;
       plot) words='-o --output --frames' ;;
       tidy) words='--write' ;;

@@ -170,6 +170,8 @@ Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
     return fail(Code::range, fmt::format("--listen: there is no address {}", host));
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, ::freeaddrinfo);
   const int s = ::socket(found->ai_family, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const int room = 1 << 20;  // for what comes between two pictures; the system may give less
+  if (s >= 0) ::setsockopt(s, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
   if (s < 0 || ::bind(s, found->ai_addr, found->ai_addrlen) != 0) {
     const int error = errno;
     if (s >= 0) ::close(s);
