@@ -510,7 +510,8 @@ Frame Program::frame(Time t) const {
   const Scene& scene = code_->document.scene();
   if (scene.background) f.background = to_linear(*scene.background);
   for (auto& [when, text] : code_->document.notes(t, t)) f.notes.push_back(text);
-  f.problems = std::move(asking.problems);
+  f.problems = code_->notices;
+  f.problems.insert(f.problems.end(), asking.problems.begin(), asking.problems.end());
   return f;
 }
 
