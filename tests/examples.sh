@@ -2,7 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# examples.sh PROGRAM: renders every example small; each film must hold as many frames as its range says.
+# examples.sh PROGRAM: renders every example small; each film must hold as many frames as its range says. Then
+# looks at the numbers of some: what they are examples of must be so.
+# shows: G3 G5 G12 G21 G54 G55 G56 G58 G82 G83 G96 G97 G105
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 program=$1 folder=$(mktemp -d) passed=0 failed=0
 trap 'rm -rf "$folder"' EXIT
@@ -23,5 +25,35 @@ for script in "$root"/examples/*.bx; do
     failed=$((failed + 1))
   fi
 done
+
+# holds WHAT CONDITION SCRIPT TIMES TARGETS…: whether the condition, in awk, is true of v[1], v[2] …, all numbers that
+# eval gives, in the order of times and targets.
+holds() {
+  local what=$1 condition=$2 script=$root/examples/$3.bx times=$4 values
+  shift 4
+  values=$("$program" eval "$script" --at "$times" "$@" | sed -E '/^[0-9.]+f \(/d; s/^ *[^ ]+ +//; s/[a-z]{2,}//g' | tr -c '0-9.e-' ' ')
+  if [ -n "$values" ] && awk -v all="$values" "function same(a, b) { return a - b < 1e-4 && b - a < 1e-4 }
+      BEGIN { split(all, v); exit !($condition) }"; then
+    passed=$((passed + 1))
+  else
+    printf 'FAILED %s: %s\n' "$what" "$values"
+    failed=$((failed + 1))
+  fi
+}
+holds 'the twin mirrors the ball' 'same(v[1], v[4]) && same(v[2], -v[5]) && same(v[7], v[10]) && same(v[8], -v[11])' \
+  mirror 10f,100f ball.position twin.position
+holds 'the third bounce is the second, seven metres on' 'same(v[1] + 7, v[4]) && same(v[2], v[5])' \
+  mirror 63f,111f ball.position
+holds 'four balls, a quarter turn between them' \
+  'same(v[4], v[3]) && same(v[5], v[2]) && same(v[7], -v[1]) && same(v[9], -v[3]) && same(v[10], -v[3])' \
+  four-balls 70f ball1.position ball2.position ball3.position ball4.position
+holds 'nothing jumps when the hand opens' 'same(v[4], v[20]) && same(v[8], v[24]) && same(v[12], v[28]) && same(v[1], v[17])' \
+  grab 59.99999f,60f ball.world
+holds 'the kid goes along' 'same(v[4], v[20]) && same(v[8], v[24]) && same(v[12], v[28] + 0.6)' grab 70f ball/kid.world ball.world
+holds 'the ball falls, as from rest, by g/2 t^2' 'same(v[2], 4 - 9.81 / 2 / 4)' grab 72f ball.position
+holds 'a stiff knee' 'same(v[1], 1.85) && v[2] < -50 && same(v[3], 1.69) && same(v[4], -12)' \
+  limp 31f,55f man.position.y man/right/knee.rotation.z
+holds 'the small gear turns twice as fast the other way' 'same(v[1], 60) && same(v[4], -120) && v[5] == 2' \
+  clockwork 49f big.rotation.z small.rotation count.text
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]
