@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <deque>
 
 #include "procedure/machine.h"
 #include "procedure/nested.h"
@@ -28,7 +29,7 @@ bool has_lines(const std::string& source) { return source.find('\n') != std::str
 
 // Machines of this thread, one for each level of nesting: so every level has the whole of Lua's own stack, and what a
 // procedure can do does not depend on who asks it.
-thread_local std::vector<std::unique_ptr<Machine>> machines;
+thread_local std::deque<std::unique_ptr<Machine>> machines;  // a call within a call adds one: others stay in place
 
 std::unique_ptr<Machine>& machine() {
   const auto level = static_cast<std::size_t>(Nested::level());
