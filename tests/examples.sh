@@ -5,6 +5,7 @@
 # examples.sh PROGRAM: renders every example small; each film must hold as many frames as its range says. Then
 # looks at the numbers of some: what they are examples of must be so.
 # shows: G3 G5 G12 G21 G54 G55 G56 G58 G82 G83 G96 G97 G105
+# shows: G4 G52 G63
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 program=$1 folder=$(mktemp -d) passed=0 failed=0
 trap 'rm -rf "$folder"' EXIT
@@ -29,8 +30,9 @@ done
 # holds WHAT CONDITION SCRIPT TIMES TARGETS…: whether the condition, in awk, is true of v[1], v[2] …, all numbers that
 # eval gives, in the order of times and targets.
 holds() {
-  local what=$1 condition=$2 script=$root/examples/$3.bx times=$4 values
+  local what=$1 condition=$2 script=$3 times=$4 values
   shift 4
+  [[ $script == /* ]] || script=$root/examples/$script.bx
   values=$("$program" eval "$script" --at "$times" "$@" | sed -E '/^[0-9.]+f \(/d; s/^ *[^ ]+ +//; s/[a-z]{2,}//g' | tr -c '0-9.e-' ' ')
   if [ -n "$values" ] && awk -v all="$values" "function same(a, b) { return a - b < 1e-4 && b - a < 1e-4 }
       BEGIN { split(all, v); exit !($condition) }"; then
@@ -55,5 +57,24 @@ holds 'a stiff knee' 'same(v[1], 1.85) && v[2] < -50 && same(v[3], 1.69) && same
   limp 31f,55f man.position.y man/right/knee.rotation.z
 holds 'the small gear turns twice as fast the other way' 'same(v[1], 60) && same(v[4], -120) && v[5] == 2' \
   clockwork 49f big.rotation.z small.rotation count.text
+# Half a second on air, then g/2 t^2; and what a fall wrote are events, which can be moved.
+cat >"$folder/air.bx" <<'END'
+create late sphere position=(0 20 0)
+at 1f fall late delay=0.5s
+create moved like late
+move moved.position.y 1f..300f by 24f
+END
+holds 'the law begins late' 'same(v[1], 20) && same(v[2], 20 - 9.81 / 2 / 4)' "$folder/air.bx" 10f,25f late.position.y
+holds 'a fall is plain events' 'same(v[1], v[4]) && same(v[2], 20)' \
+  "$folder/air.bx" 25f,49f late.position.y moved.position.y
+# A geometry is switched, and nothing else.
+cat >"$folder/switch.bx" <<'END'
+create form7 box
+create thing sphere position=(1 2 3) color=red
+at 1f thing.geometry none
+at 12f thing.geometry shape(form7)
+END
+holds 'only the geometry is switched' 'v[1] == v[4] && v[2] == v[5] && v[3] == v[6] && v[1] == 1 && v[7] == 7' \
+  "$folder/switch.bx" 6f,13f thing.position thing.geometry
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]
