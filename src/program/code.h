@@ -75,9 +75,11 @@ struct Asking {
   struct Found {
     Value value;
     std::uint64_t cost = 0;
+    std::vector<std::int32_t> asked;  // lives it took, itself among them: while one is open the answer may be another
   };
-  std::vector<std::int32_t> open;  // lives being worked out
-  std::size_t cut = SIZE_MAX;      // how deep in `open` the outermost cut reached
+  std::vector<std::int32_t> open;   // lives being worked out
+  std::vector<std::int32_t> asked;  // lives that what is being worked out has taken so far
+  std::size_t cut = SIZE_MAX;       // how deep in `open` the outermost cut reached
   std::map<std::pair<std::int32_t, std::int64_t>, Found> found;
   std::uint64_t cost = 0;
   std::vector<std::string> problems;

@@ -292,7 +292,8 @@ struct Worker {
       const auto* a = std::get_if<Angles>(&anchor);
       return normalize(quat(sum.data()) * (q ? *q : from_angles(a ? a->xyz : Vec3{})));
     }
-    const auto both = add_scaled(anchor, value_of(sum.data(), part.component >= 0 ? Type::scalar : part.type, false), 1);
+    const auto both =
+        add_scaled(anchor, value_of(sum.data(), part.component >= 0 ? Type::scalar : part.type, false), 1);
     return both ? *both : anchor;
   }
 
@@ -419,17 +420,32 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking) 
   }
   const auto key = std::pair(index, t.flicks);
   if (const auto known = asking.found.find(key); known != asking.found.end()) {
+    const auto open = [&](std::int32_t i) {
+      return std::find(asking.open.begin(), asking.open.end(), i) != asking.open.end();
+    };
+    if (std::any_of(known->second.asked.begin(), known->second.asked.end(), open)) {
+      asking.found.erase(known);
+      return live_value(index, t, asking);
+    }
     asking.cost += known->second.cost;
+    asking.asked.insert(asking.asked.end(), known->second.asked.begin(), known->second.asked.end());
     return known->second.value;
   }
   const std::uint64_t before = asking.cost;
   const std::size_t depth = asking.open.size(), outer_cut = asking.cut;
   asking.cut = SIZE_MAX;
+  const auto first = static_cast<std::ptrdiff_t>(asking.asked.size());
   asking.open.push_back(index);
+  asking.asked.push_back(index);
   Value v = worker.value(t);
   asking.open.pop_back();
+  std::sort(asking.asked.begin() + first, asking.asked.end());
+  asking.asked.erase(std::unique(asking.asked.begin() + first, asking.asked.end()), asking.asked.end());
   const bool whole = asking.cut >= depth;  // nothing outside us was cut for it
-  if (whole && asking.found.size() < 100'000) asking.found.emplace(key, Asking::Found{v, asking.cost - before});
+  if (whole && asking.found.size() < 100'000)
+    asking.found.emplace(key,
+                         Asking::Found{v, asking.cost - before, {asking.asked.begin() + first, asking.asked.end()}});
+  if (asking.open.empty()) asking.asked.clear();
   asking.cut = std::min(outer_cut, whole ? SIZE_MAX : asking.cut);
   return v;
 }
