@@ -75,8 +75,10 @@ class Tidier {
       }
       flush_rows();
       settings(line);
-      in_sheet_ = line.tokens.size() == 1 && line.tokens[0].text.find('.') != std::string::npos &&
-                  !looks_like_number(line.tokens[0].text);
+      // TARGET, or on LAYER TARGET
+      const bool target = line.tokens.size() == 1 || (line.tokens.size() == 3 && line.tokens[0].text == "on");
+      const std::string& last = line.tokens.back().text;
+      in_sheet_ = target && last.find('.') != std::string::npos && last[0] != '"' && !looks_like_number(last);
       put_lead(line.lead, "");
       out_ += joined(line.tokens, 0) + (line.comment.empty() ? "" : "  " + line.comment) + "\n";
     }

@@ -28,6 +28,12 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
   }
   const Binding& b = find(object, target.function);
   const Type type = spec_of(document.scene(), target.function).type;
+  if (type == Type::attachment) {  // before its first event it is what holds from the beginning
+    Attachment now;
+    for (const Attached& a : attachments(document.scene().objects[object]))
+      if (a.from <= t) now = a.to;
+    return now;
+  }
   if (b.live >= 0) return part(live_value(b.live, t, asking), target.component);
   if (b.channels == 0) {
     if (type == Type::aim && b.steps >= 0) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "language/script.h"
+#include "scene/functions.h"
 
 namespace betwixt {
 namespace {
@@ -359,6 +360,15 @@ TEST(Attachment, RemovingAParentFreesItsChildren) {
     EXPECT_TRUE(s.program.frame({}).problems.empty());
     EXPECT_EQ(write(load_text(write(s.loaded.document), "w.bx").document), write(s.loaded.document));
   }
+}
+
+// shows: G84
+TEST(Attachment, BeforeTheFirstEventIsWhatHoldsFromTheBeginning) {
+  const Document d = read("create h group\ncreate b sphere\nat 20f couple b to h\n").document;
+  const Program p = Program::compile(d);
+  const Target t{d.find("b"), fn::attachment};
+  EXPECT_EQ(std::get<Attachment>(p.read(t, d.rate().frame(12))), Attachment{});
+  EXPECT_EQ(std::get<Attachment>(p.read(t, d.rate().frame(20))), (Attachment{Hold::couple, d.find("h"), false}));
 }
 
 }  // namespace
