@@ -277,7 +277,7 @@ void remove_objects(Scene& s, const std::vector<ObjectId>& ids) {
     slot->track->events.each([&](const Event& e) { any = any || held(e.value); });
     if (!any) continue;
     Slot& mine = s.objects.edit(i).slot(fn::attachment);
-    if (mine.set && held(*mine.set)) mine.set = Attachment{};
+    if (mine.set && held(*mine.set)) mine.set.reset();
     mine.track.edit().events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
       if (held(e.value)) e.value = Attachment{};
     });

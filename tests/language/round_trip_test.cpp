@@ -321,7 +321,7 @@ TEST(Tidy, ByteOrderMarkGoes) { EXPECT_EQ(tidy("\xEF\xBB\xBFrate  25\n"), "rate 
 
 // shows: G58
 TEST(Tidy, KeepsTheSheetsOfLayers) {
-  const std::string script = "create a sphere\nlayer l add\non l a.position\n  1f (0 0 0)\n  9f (1 2 3) linear\n";
+  const std::string script = "create a sphere\nlayer l add\non l a.position\n  1f  (0 0 0)\n  9f  (1 2 3)  linear\n";
   EXPECT_EQ(tidy(script), script);
   EXPECT_EQ(read(tidy(script)).document, read(script).document);
 }
