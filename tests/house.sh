@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The house stands: no room includes a lower one, public headers include no third party, every file says its licence.
+# The house stands: no room includes a lower one, public headers include no third party, every file says its licence,
+# and the page of what the tests show is that of these tests.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
 rooms=(base track scene program procedure exchange language render film app)
 passed=0 failed=0
@@ -41,5 +42,6 @@ verdict "a file without its licence" "$(
       head -n 3 "$file" | grep -q '^# SPDX-License-Identifier: Apache-2.0$' || echo "$file"
     done
 )"
+verdict "what the tests show" "$(tools/coverage.sh --check 2>&1)"
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]

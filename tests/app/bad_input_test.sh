@@ -4,23 +4,9 @@
 #
 # Everything that can be wrong with what the program is given: a clear message, the right exit code, nothing half-written.
 #   bad_input_test.sh PROGRAM
-set -u
-program=$(realpath "${1:?which program?}")
-work=$(mktemp -d)
-cd "$work" || exit 3
-passed=0 failed=0
+. "$(dirname -- "$0")/support.sh" || exit 3
 out=$work.out err=$work.err
-trap 'umount "$work/disk" 2>/dev/null; rm -rf "$work" "$out" "$err"' EXIT
 
-verdict() { # NAME yes|… EXPLANATION
-  if [ "$2" = yes ]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf 'FAILED %s: %s\n' "$1" "$3"
-  fi
-}
-is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }
 # call NAME EXIT-CODE TEXT ARGUMENT…: TEXT must be among what is said on stderr, and stdout stays empty unless the code is 0.
 call() {
   local name=$1 code=$2 text=$3 got
@@ -201,7 +187,7 @@ t.rotation
 BX
 "$program" eval bounce.bx --at 24f,12f,-1s,0.1s ball.position ball.world ball.position.y 't.*' eye.look-at 'nobody*.color' --json >"$out" 2>"$err"
 is 'eval' "$?" 0
-verdict 'warnings go to stderr' "$(grep -q warning "$err" && echo yes)" "$(cat "$err")"
+has 'warnings go to stderr' "$(cat "$err")" warning
 if command -v python3 >/dev/null; then
   verdict 'eval answers in JSON' "$(python3 -m json.tool "$out" >/dev/null 2>"$err" && echo yes)" "$(cat "$err" "$out")"
 fi
@@ -272,5 +258,4 @@ is 'an answer that cannot be written' "$?" 3
 is 'a tidy script that cannot be written' "$?" 3
 verdict 'nothing half-written' "$(! find . -name '*partial*' -o -name 'a.[mgws]*' | grep -q . && echo yes)" "$(find . -name '*partial*' -o -name 'a.[mgws]*')"
 
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed = 0 ]
+summary

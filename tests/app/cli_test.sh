@@ -5,12 +5,7 @@
 # render, frame, plot and play from outside: exit codes, messages, and what lies in the folder afterwards.
 #   cli_test.sh PROGRAM
 # shows: G8 G13 G36 G56 G89 G91
-set -u
-program=$(realpath "${1:?which program?}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 3
-passed=0 failed=0
+. "$(dirname -- "$0")/support.sh" || exit 3
 
 # check NAME EXIT-CODE TEXT ARGUMENT…: runs the program; TEXT (a fixed string) must be among what it says.
 check() {
@@ -20,15 +15,6 @@ check() {
   local got=$?
   verdict "$name" "$([ $got = "$code" ] && [[ ${said,,} == *"${text,,}"* ]] && echo yes)" "exit code $got (not $code?), said: $said"
 }
-verdict() { # NAME yes|… EXPLANATION
-  if [ "$2" = yes ]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf 'FAILED %s: %s\n' "$1" "$3"
-  fi
-}
-is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }
 frames() { ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=nb_read_frames -of csv=p=0 "$1" | tr -d ,; }
 leftovers() { find . -name '.*partial*' | wc -l; }
 
@@ -82,7 +68,7 @@ check 'play without a terminal' 2 'standard output is none' play bounce.bx --ter
 # The input.
 check 'no such script' 1 'none.bx' render none.bx -o a.mp4
 check 'script with errors' 1 'wrong.bx:1:' render wrong.bx -o a.mp4
-verdict 'all its errors' "$([[ $said == *wrong.bx:2:* ]] && echo yes)" "$said"
+has 'all its errors' "$said" wrong.bx:2:
 check 'binary script' 1 'binary.bx' render binary.bx -o a.mp4
 is 'nothing was made of these' "$(ls -A | tr '\n' ' ')" 'binary.bx bounce.bx empty.bx wrong.bx '
 
@@ -118,11 +104,11 @@ check 'plot of an object' 0 '' plot bounce.bx ball -o ball.svg
 ln -s "$(command -v true)" ./true
 said=$(PATH=$work "$program" render bounce.bx -o gone.mp4 $small 2>&1)
 is 'without ffmpeg' "$?" 3
-verdict 'without ffmpeg, what to do' "$([[ $said == *'sudo apt-get install ffmpeg'* ]] && echo yes)" "$said"
+has 'without ffmpeg, what to do' "$said" 'sudo apt-get install ffmpeg'
 mkdir bin && printf '#!/bin/sh\nhead -c 9000 >/dev/null\nkill -9 $$\n' >bin/ffmpeg && chmod +x bin/ffmpeg
 said=$(PATH=$work/bin:$PATH "$program" render bounce.bx -o gone.mp4 $small 2>&1)
 is 'ffmpeg is killed' "$?" 3
-verdict 'ffmpeg is killed, in words' "$([[ $said == *'signal 9'* ]] && echo yes)" "$said"
+has 'ffmpeg is killed, in words' "$said" 'signal 9'
 mkdir disk
 if mount -t tmpfs -o size=4k tmpfs disk 2>/dev/null; then
   for o in film.mp4 film.gif 'p%d.png'; do
@@ -159,5 +145,4 @@ if command -v script >/dev/null; then
   verdict 'a progress bar' "$(grep -q 'frames/s' bar && echo yes)" "$(cat bar)"
 fi
 
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed = 0 ]
+summary

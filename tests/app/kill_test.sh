@@ -8,12 +8,8 @@
 # the process at the chosen one: before it, half through it (a write), or behind it, before the answer can be given.
 # Some sessions are killed from outside instead, at any time. What must be there is found by sessions nobody kills.
 # shows: G22
-set -u
-program=$(realpath "${1:?which program?}")
+. "$(dirname -- "$0")/support.sh" || exit 3
 sessions=${2:-60} seed=${3:-1}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 3
 RANDOM=$seed
 
 cat >shim.c <<'C'
@@ -87,7 +83,7 @@ play() {
   { [ "$2" = 0 ] || printf '%s\n' "${lines[@]:0:$2}"; printf 'save\nquit\n'; } | (cd "$1" && "$program" shell film.bx) >/dev/null 2>&1
 }
 
-passed=0 failed=0 killed=0 acknowledged=0 lost=0 ahead=0 between=0
+killed=0 acknowledged=0 lost=0 ahead=0
 for ((session = 1; session <= sessions; session++)); do
   script
   rm -rf run want next
@@ -118,18 +114,18 @@ for ((session = 1; session <= sessions; session++)); do
   play want "$before"
   play next $((at + 1))
   printf 'save\nquit\n' | (cd run && "$program" shell film.bx --recover) >recovered 2>&1
-  if cmp -s run/film.bx want/film.bx; then
-    passed=$((passed + 1))
-  elif cmp -s run/film.bx next/film.bx; then # on the disk, and killed before it could be said
-    passed=$((passed + 1)) ahead=$((ahead + 1))
-  else
-    failed=$((failed + 1)) lost=$((lost + 1))
-    printf 'FAILED session %d (seed %d): %d acknowledged; recovery said: %s\n' $session "$seed" "$oks" "$(cat recovered)"
-    diff want/film.bx run/film.bx
+  kept=yes
+  if ! cmp -s run/film.bx want/film.bx; then
+    if cmp -s run/film.bx next/film.bx; then # on the disk, and killed before it could be said
+      ahead=$((ahead + 1))
+    else
+      kept=no lost=$((lost + 1))
+    fi
   fi
-  [ ! -e run/.film.bx.journal ] || { echo "FAILED session $session: the journal is still there" && failed=$((failed + 1)); }
+  verdict "session $session (seed $seed)" $kept \
+    "$oks acknowledged; recovery said: $(cat recovered; diff want/film.bx run/film.bx)"
+  [ ! -e run/.film.bx.journal ] || verdict "session $session (seed $seed)" no 'the journal is still there'
 done
 printf '%d sessions, %d left a journal; %d commands acknowledged, %d lost; killed between a write and its answer: %d\n' \
   "$sessions" $killed $acknowledged $lost $ahead
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed = 0 ]
+summary

@@ -6,22 +6,7 @@
 #   live_test.sh PROGRAM
 # The controls are the shell's own: it writes packets of OSC to /dev/udp.
 # shows: G57
-set -u
-program=$(realpath "${1:?which program?}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 3
-passed=0 failed=0
-verdict() { # NAME yes|… EXPLANATION
-  if [ "$2" = yes ]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf 'FAILED %s: %s\n' "$1" "$3"
-  fi
-}
-is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }
-has() { verdict "$1" "$([[ $2 == *"$3"* ]] && echo yes)" "'$3' is not in: ${2: -600}"; }
+. "$(dirname -- "$0")/support.sh" || exit 3
 
 # A port that nobody has.
 for ((port = 20000 + RANDOM % 20000; ; ++port)); do
@@ -136,5 +121,4 @@ await '/r 0.75'
 end
 has 'recorded beside the script' "$(cat film-recorded.bx 2>&1)" '0.75 linear'
 
-printf '%d passed, %d failed\n' "$passed" "$failed"
-[ "$failed" = 0 ]
+summary

@@ -5,22 +5,9 @@
 # The shell from outside: piped sessions, wrong words, its questions, recovery, two shells on one file, a terminal.
 #   shell_test.sh PROGRAM
 # shows: G7 G22 G59 G60
-set -u
-program=$(realpath "${1:?which program?}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 3
+. "$(dirname -- "$0")/support.sh" || exit 3
 export XDG_STATE_HOME=$work/state
-passed=0 failed=0
-verdict() { # NAME yes|… EXPLANATION
-  if [ "$2" = yes ]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf 'FAILED %s: %s\n' "$1" "$3"
-  fi
-}
-is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }
+
 # session NAME EXIT-CODE TEXT ARGUMENTS LINES…: TEXT must be among what is said.
 session() {
   local name=$1 code=$2 text=$3 arguments=$4 got
@@ -61,7 +48,7 @@ session 'no folder' 1 'no folder' none/film.bx quit
 session 'help' 0 'usage: copy TARGET' '' 'help copy'
 session 'list' 0 'ball  sphere' film.bx 'list b*'
 printf 'rate 25\n\377\n' | "$program" shell >out 2>&1
-verdict 'bytes that are no text' "$(grep -q 'not a text' out && echo yes)" "$(cat out)"
+has 'bytes that are no text' "$(cat out)" 'not a text'
 rm -f .betwixt.journal
 
 # Questions.
@@ -151,5 +138,4 @@ film.bx*>'
   verdict 'history' "$(grep -q 'radius' "$work/state/betwixt/history" && echo yes)" "$(ls -R "$work/state")"
   screen kill-server 2>/dev/null
 fi
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed = 0 ]
+summary

@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What the tests of the program from outside have in common, sourced by each with its own arguments: $program is the
+# first of them; the test goes on in an empty folder, $work, that goes away with all beside it that is named $work.…
+# A test ends with `summary`.
+set -u
+program=$(realpath -- "${1:?which program?}") || exit 3
+[ -x "$program" ] || { echo "there is no program $program" >&2; exit 3; }
+work=$(mktemp -d)
+trap 'umount "$work/disk" 2>/dev/null; rm -rf "$work" "$work".*' EXIT # $work/disk: a small disk, where one was mounted
+cd "$work" || exit 3
+passed=0 failed=0
+
+verdict() { # NAME yes|… EXPLANATION
+  if [ "$2" = yes ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED %s: %s\n' "$1" "$3"
+  fi
+}
+is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }                       # NAME VALUE WANTED
+has() { verdict "$1" "$([[ $2 == *"$3"* ]] && echo yes)" "'$3' is not in: $(tail -c 600 <<<"$2")"; } # NAME TEXT PART
+# The line that ./test counts, and the exit code: whether all has passed.
+summary() {
+  printf '%d passed, %d failed\n' "$passed" "$failed"
+  [ "$failed" = 0 ]
+}
