@@ -98,10 +98,10 @@ TEST(Commands, CreateAndLike) {
       "create twin like ball7\nset twin.radius 3\nball7.position.x\n 1f 8\n");
   EXPECT_EQ(s.loaded.document.names().size(), 103u);
   EXPECT_EQ(s.loaded.document.names()[99], "ball100");
-  expect_numbers(s, "ball100.radius", "1f", {2});
-  expect_numbers(s, "twin.position.x", "1f", {7});
-  expect_numbers(s, "twin.radius", "1f", {3});
-  expect_numbers(s, "ball7.radius", "1f", {2});
+  expect_numbers(s, {{"ball100.radius", "1f", {2}},
+                     {"twin.position.x", "1f", {7}},
+                     {"twin.radius", "1f", {3}},
+                     {"ball7.radius", "1f", {2}}});
 }
 
 // shows: G26 G28
@@ -114,9 +114,7 @@ TEST(Commands, EveryKindHasItsParameters) {
       "create k points points=((0 0 1)) size=1\ncreate l text text=\"x\"\ncreate m light\ncreate n camera\n");
   EXPECT_EQ(s.loaded.document.names().size(), 14u);
   EXPECT_EQ(s.program.frame({}).items.size(), 11u);
-  expect_numbers(s, "f.tube", "1f", {0.3});
-  expect_numbers(s, "n.lens", "1f", {35});
-  expect_numbers(s, "m.range", "1f", {20});
+  expect_numbers(s, {{"f.tube", "1f", {0.3}}, {"n.lens", "1f", {35}}, {"m.range", "1f", {20}}});
 }
 
 TEST(Commands, SetIsTheValueWithoutEvents) {
@@ -220,9 +218,8 @@ TEST(Commands, StaggerAndSpread) {
   expect_track(s, "b1.radius", 1, {1, 2, 3, 4, 5});
   expect_track(s, "b2.radius", 1, {1, 1, 1, 2, 3, 4, 5});
   expect_track(s, "b3.radius", 1, {1, 1, 1, 1, 1, 2, 3, 4, 5});
-  expect_numbers(s, "b1.position", "1f", {0, 0, 0});
-  expect_numbers(s, "b2.position", "1f", {5, 10, 0});
-  expect_numbers(s, "b3.position", "1f", {10, 20, 0});
+  expect_numbers(
+      s, {{"b1.position", "1f", {0, 0, 0}}, {"b2.position", "1f", {5, 10, 0}}, {"b3.position", "1f", {10, 20, 0}}});
   const char* random = "create b{1..20} sphere\nb*.radius\n 1f 1 hold\n 2f 2\nstagger b*.radius by 1f random 7\n";
   EXPECT_EQ(read(random).document, read(random).document);
   // The same starts, in another order: at frame 12 the eleven that have started are among any eleven.
@@ -266,13 +263,12 @@ TEST(Commands, LookThroughShowHide) {
   const Script s(
       "create a camera position=(1 0 0)\ncreate b camera position=(2 0 0)\nat 5f look through b\nat 9f look through a\n"
       "create ball sphere\nat 5f hide ball\nat 9f show ball\ncreate gone sphere\nhide gone\n");
-  const auto frame = [&](const char* t) { return s.program.frame(*parse_time(t, s.loaded.document)); };
-  EXPECT_EQ(frame("4f").camera.world(0, 3), 1);
-  EXPECT_EQ(frame("5f").camera.world(0, 3), 2);
-  EXPECT_EQ(frame("9f").camera.world(0, 3), 1);
+  EXPECT_EQ(s.frame("4f").camera.world(0, 3), 1);
+  EXPECT_EQ(s.frame("5f").camera.world(0, 3), 2);
+  EXPECT_EQ(s.frame("9f").camera.world(0, 3), 1);
   expect_numbers(s, "ball.display", "5f", {0});
-  EXPECT_EQ(frame("6f").items.size(), 0u);
-  EXPECT_EQ(frame("9f").items.size(), 1u);
+  EXPECT_EQ(s.frame("6f").items.size(), 0u);
+  EXPECT_EQ(s.frame("9f").items.size(), 1u);
 }
 
 // shows: G64 G65 G66 G67
@@ -282,16 +278,16 @@ TEST(Commands, PatternsAndAliases) {
       "set wheel*.color red\ncreate wheel4 sphere\nset wheels.radius 5\nset wheel[12].shininess 0.5\n"
       "set car/*.transparency 0.5\nset wheel?.position.{x,y} 3\ncreate spare sphere\nset wheels.pivot (1 1 1)\n");
   EXPECT_FALSE(has_errors(s.loaded.diagnostics));
-  expect_numbers(s, "wheel3.color", "1f", {1, 0, 0});
-  expect_numbers(s, "wheel4.color", "1f", {1, 1, 1});      // made after
-  expect_numbers(s, "car/wheel1.color", "1f", {1, 1, 1});  // * does not cross /
-  expect_numbers(s, "wheel4.radius", "1f", {5});           // read at each use
-  expect_numbers(s, "spare.radius", "1f", {1});
-  expect_numbers(s, "spare.pivot", "1f", {1, 1, 1});
-  expect_numbers(s, "wheel2.shininess", "1f", {0.5});
-  expect_numbers(s, "wheel3.shininess", "1f", {0});
-  expect_numbers(s, "car/wheel1.transparency", "1f", {0.5});
-  expect_numbers(s, "wheel1.position", "1f", {3, 3, 0});
+  expect_numbers(s, {{"wheel3.color", "1f", {1, 0, 0}},
+                     {"wheel4.color", "1f", {1, 1, 1}},      // made after
+                     {"car/wheel1.color", "1f", {1, 1, 1}},  // * does not cross /
+                     {"wheel4.radius", "1f", {5}},           // read at each use
+                     {"spare.radius", "1f", {1}},
+                     {"spare.pivot", "1f", {1, 1, 1}},
+                     {"wheel2.shininess", "1f", {0.5}},
+                     {"wheel3.shininess", "1f", {0}},
+                     {"car/wheel1.transparency", "1f", {0.5}},
+                     {"wheel1.position", "1f", {3, 3, 0}}});
   const auto nothing = read("set nobody*.color red\nnobody*.color\n  1f red\n  what ever\nat 3f nobody?.color blue\n");
   EXPECT_FALSE(has_errors(nothing.diagnostics)) << said(nothing.diagnostics);
   ASSERT_FALSE(nothing.diagnostics.empty());
@@ -318,12 +314,12 @@ TEST(Commands, Define) {
       "define label text \"x\"\ndefine turn orientation\ncreate b sphere heat=30\ncreate c sphere\nb.wind\n 1f (0 0 0) "
       "linear\n"
       " 3f (2 4 6)\nat 2f b.wind.y 9\nset c.lit off\n");
-  expect_numbers(s, "b.heat", "1f", {30});
-  expect_numbers(s, "c.heat", "1f", {20});
-  expect_numbers(s, "b.wind", "2f", {1, 9, 3});
-  expect_numbers(s, "c.glow", "1f", {1, 0, 0});
-  expect_numbers(s, "b.lit", "1f", {1});
-  expect_numbers(s, "c.lit", "1f", {0});
+  expect_numbers(s, {{"b.heat", "1f", {30}},
+                     {"c.heat", "1f", {20}},
+                     {"b.wind", "2f", {1, 9, 3}},
+                     {"c.glow", "1f", {1, 0, 0}},
+                     {"b.lit", "1f", {1}},
+                     {"c.lit", "1f", {0}}});
   EXPECT_EQ(s.text("c.label", "1f"), "x");
 }
 

@@ -12,8 +12,6 @@
 namespace betwixt {
 namespace {
 
-Frame frame(const Script& s, const char* time) { return s.program.frame(*parse_time(time, s.loaded.document)); }
-
 // shows: G54 G55 R-T11
 TEST(Procedures, ReadAnyTrackAtAnyTime) {
   const Script s(
@@ -23,13 +21,13 @@ TEST(Procedures, ReadAnyTrackAtAnyTime) {
       "at 1f a.n = \"value('a.position.velocity').x + value('.position.y', 1)\"\n"
       "at 1f b.n = \"value('b.world')[4] + value('b.world')[12]\"\n"
       "at 1f b.position.y = \"0.5 * math.sin(tau * t)\"\n");
-  expect_numbers(s, "b.radius", "1f", {3});
-  expect_numbers(s, "b.radius", "25f", {5});
-  expect_numbers(s, "b.radius", "45f", {6});  // past the end
-  expect_numbers(s, "a.n", "13f", {3});
-  expect_numbers(s, "b.n", "25f", {3});  // x from a, z its own
-  expect_numbers(s, "b.position", "7f", {0, 0.5, 1});
-  EXPECT_NEAR(translation_of(frame(s, "7f").items[1].world).y, 0.5 + 0.25, 1e-12);
+  expect_numbers(s, {{"b.radius", "1f", {3}},
+                     {"b.radius", "25f", {5}},
+                     {"b.radius", "45f", {6}},  // past the end
+                     {"a.n", "13f", {3}},
+                     {"b.n", "25f", {3}},  // x from a, z its own
+                     {"b.position", "7f", {0, 0.5, 1}}});
+  EXPECT_NEAR(translation_of(s.frame("7f").items[1].world).y, 0.5 + 0.25, 1e-12);
 }
 
 // shows: G54 G52
@@ -39,11 +37,11 @@ TEST(Procedures, WriteTextsAndStandAmongEvents) {
       "at 1f c.text = \"string.format('%d of %s', math.floor(t * 24 + 1.5), self)\"\n"
       "a.n\n  1f 3 linear\n  25f = \"10 * t\"\n  49f 7 linear\n  73f = \"100 * t\"\n");
   EXPECT_EQ(s.text("c.text", "12f"), "12 of c");
-  EXPECT_EQ(**std::get_if<Text>(&static_cast<const Reading&>(s.read("c.text", "30f"))), "30 of c");
-  expect_numbers(s, "a.n", "13f", {6.5});  // towards what it says at its beginning: 10
-  expect_numbers(s, "a.n", "37f", {15});
-  expect_numbers(s, "a.n", "49f", {7});
-  expect_numbers(s, "a.n", "61f", {153.5});
+  EXPECT_EQ(s.text("c.text", "30f"), "30 of c");
+  expect_numbers(s, {{"a.n", "13f", {6.5}},  // towards what it says at its beginning: 10
+                     {"a.n", "37f", {15}},
+                     {"a.n", "49f", {7}},
+                     {"a.n", "61f", {153.5}}});
 }
 
 // shows: G15 G17 G103 G105
@@ -54,10 +52,10 @@ TEST(Procedures, OfAllRolesAreUsedLikeWhatIsBuiltIn) {
       "procedure row command lua \"for i = 1, 3 do run('create p' .. i .. ' sphere position=(' .. i .. ' 0 0)') end\"\n"
       "create a sphere\nrow\ndefine n number = \"twice(t)\"\n"
       "a.radius\n  1f 1 snap\n  25f 3\nfilter a.position lift by=0\nfilter a.scale.y lift by=2\n");
-  expect_numbers(s, "a.radius", "13f", {1.5});
-  expect_numbers(s, "p3.position", "1f", {3, 0, 0});
-  expect_numbers(s, "p2.n", "13f", {1});  // every object has it
-  expect_numbers(s, "a.scale", "13f", {1, 2, 1});
+  expect_numbers(s, {{"a.radius", "13f", {1.5}},
+                     {"p3.position", "1f", {3, 0, 0}},
+                     {"p2.n", "13f", {1}},  // every object has it
+                     {"a.scale", "13f", {1, 2, 1}}});
   // A command that fails does nothing at all.
   const auto bad = errors(read("procedure row command lua \"run('create p sphere') run('create q nothing')\"\nrow\n"));
   ASSERT_EQ(bad.size(), 1U);
@@ -89,7 +87,7 @@ TEST(Procedures, CirclesAreCutTheSameWhateverIsAskedFirst) {
     for (std::size_t k = 0; k < 6; ++k) ASSERT_EQ(numbers(all[k])[0], wanted[order[k]].second);
     EXPECT_EQ(problems.size(), 6U);
   } while (std::next_permutation(order.begin(), order.end()));
-  const Frame f = frame(s, "10f");
+  const Frame f = s.frame("10f");
   EXPECT_NE(std::find(f.problems.begin(), f.problems.end(),
                       "a.n reads itself in a circle: inside, its last value without a procedure counts"),
             f.problems.end());
@@ -101,7 +99,7 @@ TEST(Procedures, ThatErrOrNeverEndAreNamedAndTheFrameComes) {
       "rate 24\ncreate a sphere radius=3\ncreate b sphere\na.radius\n  1f 4\n  5f = \"nothing.x\"\n"
       "at 1f b.scale = \"(function() while true do end end)()\"\nat 1f b.shininess = \"value('nobody.radius')\"\n"
       "at 1f b.transparency = \"0 / 0\"\nat 1f b.position = \"'up'\"\n");
-  const Frame f = frame(s, "10f");
+  const Frame f = s.frame("10f");
   ASSERT_EQ(f.items.size(), 2U);
   EXPECT_EQ(f.items[0].shape->radius, 4);  // the last value that no procedure makes
   EXPECT_EQ(f.items[1].world, Mat4{});
@@ -145,11 +143,9 @@ TEST(Procedures, RenamingReachesIntoThem) {
       "create a sphere\nprocedure r lua \"return value(\\\"ball.radius\\\") + value('balloon.radius')\"\n"
       "at 1f a.radius = \"r() + value('ball.radius') \"\nset a.shininess = \"value('ball.radius') / 10\"\n"
       "at 1f a.position.x = \"value('ball.radius')\"\nrename ball moon\n");
-  expect_numbers(s, "a.radius", "3f", {11});
-  expect_numbers(s, "a.shininess", "3f", {0.3});
-  expect_numbers(s, "a.n", "3f", {3});
-  expect_numbers(s, "a.position.x", "3f", {3});
-  EXPECT_TRUE(frame(s, "3f").problems.empty());
+  expect_numbers(
+      s, {{"a.radius", "3f", {11}}, {"a.shininess", "3f", {0.3}}, {"a.n", "3f", {3}}, {"a.position.x", "3f", {3}}});
+  EXPECT_TRUE(s.frame("3f").problems.empty());
   EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document);
 }
 

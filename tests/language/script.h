@@ -42,6 +42,7 @@ struct Script {
   std::string text(std::string_view target, std::string_view time) const {
     return **std::get_if<Text>(&static_cast<const Reading&>(read(target, time)));
   }
+  Frame frame(std::string_view time) const { return program.frame(*parse_time(time, loaded.document)); }
   Loaded loaded;
   Program program;
 };
@@ -52,6 +53,14 @@ inline void expect_numbers(const Script& s, std::string_view target, std::string
   ASSERT_EQ(is.size(), wanted.size()) << target << " at " << time;
   for (std::size_t i = 0; i < is.size(); ++i)
     EXPECT_NEAR(is[i], wanted[i], within) << target << " at " << time << ", number " << i;
+}
+
+struct Wanted {
+  std::string_view target, time;
+  std::vector<double> numbers;
+};
+inline void expect_numbers(const Script& s, const std::vector<Wanted>& table) {
+  for (const Wanted& w : table) expect_numbers(s, w.target, w.time, w.numbers);
 }
 
 // "line:column: message" of every error.
