@@ -15,6 +15,12 @@ namespace betwixt {
 using Reading =
     std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure, Mat4>;
 
+// How an object goes through the world at a time.
+struct Bearing {
+  Vec3 place, speed;  // of its origin, in the world; speed per second, coming from before where there is a break
+  Mat4 carries;       // the linear part of what takes values of its position track to the world
+};
+
 class Program {
  public:
   static Program compile(const Document&);
@@ -27,6 +33,8 @@ class Program {
   std::vector<Reading> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;
   // What procedures looked at to give this value, in the order they looked.
   std::vector<Target> reads(const Target&, Time) const;
+
+  Bearing bearing(ObjectId, Time) const;
 
   const Document& document() const;
 

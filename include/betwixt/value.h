@@ -93,6 +93,7 @@ enum class Type : std::uint8_t {
   attachment,   // Attachment
 };
 std::string_view to_string(Type);  // in the author's words: "a number", "a vector", …
+bool has_velocity(Type);           // whether values of the type have a rate of change
 
 using Value =
     std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure>;

@@ -36,6 +36,21 @@ bool has_errors(const Diagnostics& all) {
   return std::any_of(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
+bool has_velocity(Type type) {
+  switch (type) {
+    case Type::scalar:
+    case Type::angle:
+    case Type::pair:
+    case Type::vector:
+    case Type::color:
+    case Type::rotation:
+    case Type::orientation:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::string_view to_string(Type type) {
   switch (type) {
     case Type::scalar:

@@ -66,8 +66,7 @@ bool Reader::twerper(Cursor& c, const Selected& to, Twerper& out, std::array<dou
       if (!c.number(v)) return false;
     if (!c.close()) return false;
     if (bezier[0] < 0 || bezier[0] > 1 || bezier[2] < 0 || bezier[2] > 1)
-      return c.fail(Code::range, "the x of a bezier's control points is from 0 to 1",
-                    {start, static_cast<std::size_t>(c.at - start)});
+      return c.fail(Code::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
   } else if (bracket) {
     return c.fail_here(Code::syntax, fmt::format("'{}' takes nothing in brackets", w));
   }
@@ -87,7 +86,7 @@ bool Reader::tangent(Cursor& c, const Selected& to, std::string_view key, Event&
   const char* start = c.at;
   if (!values(c).value(free, to.component, v)) return false;
   if (std::holds_alternative<Quat>(v))
-    return c.fail(Code::type, "tangents of orientations mean nothing", {start, static_cast<std::size_t>(c.at - start)});
+    return c.fail(Code::type, "tangents of orientations mean nothing", c.since(start));
   if (key != "tangent-out") e.detail.edit().tangent_in = v;
   if (key != "tangent-in") e.detail.edit().tangent_out = v;
   return true;
@@ -111,9 +110,7 @@ bool Reader::rate_of_change(Cursor& c, const Selected& to, Value& out) {
       const char* start = c.at;
       for (int i = 0; i < 3; ++i)
         if (!c.number(v[i])) return false;
-      if (v == Vec3{})
-        return c.fail(Code::range, "an axis needs a direction; 0 0 0 has none",
-                      {start, static_cast<std::size_t>(c.at - start)});
+      if (v == Vec3{}) return c.fail(Code::range, "an axis needs a direction; 0 0 0 has none", c.since(start));
     }
     if (!c.angle(angle) || !c.close()) return false;
     out = angle * normalize(v);
@@ -204,9 +201,7 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
         return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", w), fmt::format("as in {}=4f", w));
       Time length;
       if (!c.length(length)) return false;
-      if (length < Time{})
-        return c.fail(Code::range, "an ease cannot be shorter than nothing",
-                      {start, static_cast<std::size_t>(c.at - start)});
+      if (length < Time{}) return c.fail(Code::range, "an ease cannot be shorter than nothing", c.since(start));
       (w == "ease-in" ? e.detail.edit().ease_in : e.detail.edit().ease_out) = length;
       continue;
     }
@@ -318,8 +313,9 @@ bool Reader::at(Cursor& c) {
     for (const Verb& v : verbs())
       if (v.word == w) return c.fail(Code::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
     if (const auto why = not_yet(w); !why.empty()) return c.fail(Code::name, fmt::format("'{}' {}", w, why), w);
+    const std::string near = did_you_mean(w, {std::begin(timed_verbs), std::end(timed_verbs)});
     return c.fail(Code::syntax, fmt::format("a target or a command is wanted here, not '{}'", w.substr(0, 40)), w,
-                  "as in at 24f ball.position (1 2 3)");
+                  near.empty() ? "as in at 24f ball.position (1 2 3)" : near);
   }
   return command(c);
 }
@@ -431,51 +427,6 @@ bool Reader::note_command(Cursor& c) {
       std::upper_bound(notes.begin(), notes.end(), time_, [](Time t, const auto& n) { return t < n.first; });
   notes.insert(at, {time_, std::move(text)});
   return true;
-}
-
-void Reader::masked_events() {
-  for (auto& [key, d] : velocities_) {
-    const Object* o = find_object(s, {key.first});
-    const Slot* slot = o ? o->find(key.second) : nullptr;
-    if (!slot) continue;
-    const Type type = spec_of(s, key.second).type;
-    const Document document(std::make_shared<const Scene>(s));
-    std::string said;
-    std::size_t count = 0;
-    const auto look = [&](const Track& primary, const Track& velocity, int component) {
-      std::optional<Time> from;
-      const auto until = [&](Time end) {
-        for (const Event& e : primary.events.between({from->flicks + 1}, end)) {
-          if (e.time == end && end.flicks != INT64_MAX) continue;
-          if (++count > 3) continue;
-          said += fmt::format("{}{} at {}", count > 1 ? ", " : "",
-                              document.name(Target{{key.first}, key.second, component}), format_time(e.time, document));
-        }
-      };
-      velocity.events.each([&](const Event& e) {
-        if (e.release && from) {
-          until(e.time);
-          from.reset();
-        } else if (!e.release && !from) {
-          from = e.time;
-        }
-      });
-      if (from) until({INT64_MAX});
-    };
-    if (slot->components.empty() && slot->velocity.components.empty()) {
-      look(*slot->track, *slot->velocity.track, -1);
-    } else {
-      const Strand a = split_into_components(*slot, type), b = split_into_components(slot->velocity, type);
-      for (std::size_t i = 0; i < a.components.size(); ++i)
-        look(*a.components[i], *b.components[i], static_cast<int>(i));
-    }
-    if (count == 0) continue;
-    d.what.message = fmt::format("a velocity has priority: {} event{} masked ({}{})", count,
-                                 count == 1 ? " is" : "s are", said, count > 3 ? " …" : "");
-    d.what.hint = "at TIME TARGET.velocity release ends its reign";
-    diagnostics_.push_back(std::move(d));
-  }
-  velocities_.clear();
 }
 
 bool Reader::notes(Cursor& c) {

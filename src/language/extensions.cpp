@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands that go beyond plain tracks: layers, filters, procedures, falling, live input.
+// Words of others: procedures and commands of the author's own, and what plug-ins bring.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,8 +18,6 @@ namespace betwixt {
 namespace {
 
 constexpr int deepest_command = 20;  // commands of the author's that run each other
-
-std::string_view since(const char* start, const Cursor& c) { return {start, static_cast<std::size_t>(c.at - start)}; }
 
 // What plug-ins brought, for all scripts of this process.
 struct Brought {
@@ -54,10 +52,9 @@ Value value_of_numbers(Type type, const std::vector<double>& n) {
 Status use_plugin(const std::string& path) {
   auto plugin = load_plugin(path);
   if (!plugin) return plugin.error();
-  static constexpr std::pair<std::string_view, Type> types[] = {{"number", Type::scalar},     {"scalar", Type::scalar},
-                                                                {"angle", Type::angle},       {"vector", Type::vector},
-                                                                {"color", Type::color},       {"boolean", Type::boolean},
-                                                                {"rotation", Type::rotation}};
+  static constexpr std::pair<std::string_view, Type> types[] = {
+      {"number", Type::scalar}, {"scalar", Type::scalar},   {"angle", Type::angle},      {"vector", Type::vector},
+      {"color", Type::color},   {"boolean", Type::boolean}, {"rotation", Type::rotation}};
   Brought& all = brought();
   const std::lock_guard lock(all.mutex);
   for (PluginItem& item : plugin->items) {
@@ -66,11 +63,14 @@ Status use_plugin(const std::string& path) {
     all.procedures.push_back({item.name, item.role, item.code});
   }
   for (const PluginFunction& f : plugin->functions) {
-    const auto type = std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == f.type; });
+    const auto type =
+        std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == f.type; });
     if (type == std::end(types) || !is_name(f.name))
-      return fail(Code::type, fmt::format("{}: the function '{}' has no type that is known: '{}'", path, f.name, f.type));
+      return fail(Code::type,
+                  fmt::format("{}: the function '{}' has no type that is known: '{}'", path, f.name, f.type));
     std::erase_if(all.functions, [&](const FunctionSpec& s) { return s.name == f.name; });
-    all.functions.push_back({f.name, type->second, value_of_numbers(type->second, f.numbers), 0xffffffff, Unit::none, {}});
+    all.functions.push_back(
+        {f.name, type->second, value_of_numbers(type->second, f.numbers), 0xffffffff, Unit::none, {}});
   }
   return Nothing{};
 }
@@ -82,168 +82,6 @@ void adopt_plugins(Scene& s) {
     if (!find_procedure(s, p.name)) s.procedures.edit().push_back(p);
   for (const FunctionSpec& f : all.functions)
     if (!find_function(s, Kind::group, f.name)) s.defined.edit().push_back(f);
-}
-
-bool Reader::layer(Cursor& c) {
-  c.space();
-  const std::string_view word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "a name is missing here");
-  if (!free_name(c, std::string(word), word)) return false;
-  c.space();
-  const std::string_view mode = c.word();
-  if (mode != "add" && mode != "mix")
-    return c.fail(Code::syntax, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
-                  mode.empty() ? std::string_view(c.at, 0) : mode,
-                  "add lays its values on top; mix goes over to them by its weight");
-  Object object;
-  object.name = word;
-  object.kind = Kind::layer;
-  object.slot(fn::mode).set = Text(std::string(mode));
-  if (!parameters(c, object)) return false;
-  add_object(s, std::move(object));
-  return true;
-}
-
-bool Reader::on_layer(Cursor& c) {
-  ObjectId id;
-  c.space();
-  const std::string_view word = c.peek_word();
-  if (!values(c).object(id)) return false;
-  if (s.objects[id.index].kind != Kind::layer)
-    return c.fail(Code::type, fmt::format("'{}' is no layer", word), word, fmt::format("layer NAME add makes one"));
-  if (layer_) return c.fail(Code::syntax, "one layer is enough", word);
-  c.space();
-  if (c.at_line_end())
-    return c.fail_here(Code::syntax, "a command is missing here", "as in on sway set ball.position (0 1 0)");
-  static constexpr std::string_view allowed[] = {"set",     "at",     "copy",      "move",   "stretch",
-                                                 "reverse", "scale",  "translate", "rotate", "clear",
-                                                 "stagger", "spread", "twerper",   "extend", "filter"};
-  const std::string_view verb = c.peek_word();
-  if (verb.find('.') == std::string_view::npos &&
-      std::find(std::begin(allowed), std::end(allowed), verb) == std::end(allowed))
-    return c.fail(Code::syntax, fmt::format("'{}' works on no layer", verb.substr(0, 40)), verb,
-                  "on a layer go events, set, filters and track operations");
-  layer_ = id;
-  if (timed_ && verb.find('.') != std::string_view::npos) {  // at T on LAYER TARGET VALUE
-    c.space();
-    const std::string_view w = c.word();
-    Selected to;
-    if (!targets(c, w, to)) return false;
-    if (to.spec) return event(c, to, time_);
-    c.at = after_line(w.data());
-    if (c.at > w.data() && c.at[-1] == '\n') --c.at;
-    return true;
-  }
-  return command(c);
-}
-
-// key=value behind a filter's name: numbers, lengths of time, vectors and texts.
-bool Reader::filter(Cursor& c) {
-  Selected on;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, on)) return false;
-  if (on.velocity) return c.fail(Code::type, "filters stand on values, not on velocities", word);
-  c.space();
-  const std::string_view name = c.word();
-  Filter made;
-  made.name = name;
-  const FilterSpec* spec = find_filter(name);
-  const NamedProcedure* own = find_procedure(s, name);
-  if (own && own->role != Role::filter) own = nullptr;
-  const bool none = name == "none";
-  if (!spec && !own && !none) {
-    std::vector<std::string_view> words;
-    std::string all = "filters are";
-    for (const FilterSpec& f : built_in_filters()) words.push_back(f.name), all += " " + std::string(f.name);
-    for (const NamedProcedure& p : *s.procedures)
-      if (p.role == Role::filter) words.push_back(p.name);
-    const std::string hint = did_you_mean(name, words);
-    return c.fail(Code::name,
-                  name.empty() ? "the name of a filter is missing here"
-                               : fmt::format("there is no filter '{}'", name.substr(0, 40)),
-                  name.empty() ? std::string_view(c.at, 0) : name, hint.empty() ? all : hint);
-  }
-  if (own) made.code = own->code;
-  const Type type = on.spec ? on.type() : Type::vector;
-  if (type == Type::attachment || type == Type::names || type == Type::points ||
-      (spec && !own && on.spec && !suits(*spec, type)))
-    return c.fail(Code::type, fmt::format("'{}' means nothing for {}", name, to_string(type)), word);
-  while (!c.at_line_end()) {
-    const char* start = c.at;
-    const char ch = c.peek();
-    if ((ch >= '0' && ch <= '9') || ch == '-' || ch == '+' || ch == '.') {
-      Time from, to;
-      if (!c.segment(from, to)) return false;
-      made.segment = {from, to};
-      continue;
-    }
-    const std::string_view key = c.word();
-    if (key.empty() || !c.accept('='))
-      return c.fail(Code::syntax,
-                    fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
-                    since(start, c), "key=value, or a segment A..B");
-    const FilterParameter* known = nullptr;
-    if (spec && !own) {
-      std::vector<std::string_view> words;
-      for (const FilterParameter& p : spec->parameters) {
-        words.push_back(p.name);
-        if (p.name == key) known = &p;
-      }
-      if (!known)
-        return c.fail(Code::name, fmt::format("'{}' has no '{}'", name, key.substr(0, 40)), key,
-                      did_you_mean(key, words));
-    }
-    c.space();
-    const char* at = c.at;
-    Value v;
-    if (c.peek() == '"') {
-      std::string text;
-      if (!c.text(text)) return false;
-      v = Text(std::move(text));
-    } else if (c.peek() == '(') {
-      Vec3 three;
-      if (!values(c).vector(3, three)) return false;
-      v = three;
-    } else if (known && known->time) {
-      Time length;
-      if (!c.length(length)) return false;
-      v = length.seconds();
-    } else {
-      double d = 0;
-      if (!c.number(d)) return false;
-      const std::string_view unit = c.unit();
-      if (!unit.empty()) {  // a length of time is seconds, an angle radians
-        c.at = at;
-        Time length;
-        if (unit == "deg" || unit == "rad" || unit == "turn") {
-          if (!c.angle(d)) return false;
-        } else if (!c.length(length)) {
-          return false;
-        } else {
-          d = length.seconds();
-        }
-      }
-      v = d;
-    }
-    if (const auto* d = std::get_if<double>(&v); known && d && !(*d >= known->low && *d <= known->high))
-      return c.fail(Code::range,
-                    *d < known->low ? fmt::format("{} is at least {}", key, write_number(known->low))
-                                    : fmt::format("{} is at most {}", key, write_number(known->high)),
-                    since(at, c));
-    if (known && !std::holds_alternative<double>(v) && !(key == "amount" && std::holds_alternative<Vec3>(v)))
-      return c.fail(Code::type, fmt::format("{} is a number", key), since(at, c));
-    made.parameters.emplace_back(std::string(key), std::move(v));
-  }
-  for (const Target& t : on.targets) {
-    Slot& slot = s.objects.edit(t.object.index).slot(t.function, t.layer);
-    made.component = t.component;
-    if (!none)
-      slot.filters.push_back(made);
-    else
-      std::erase_if(slot.filters, [&](const Filter& f) { return t.component < 0 || f.component == t.component; });
-  }
-  return true;
 }
 
 bool Reader::procedure(Cursor& c) {
@@ -263,7 +101,7 @@ bool Reader::procedure(Cursor& c) {
   const char* start = c.at;
   std::string source;
   if (!c.text(source)) return false;
-  const std::string_view about = since(start, c);
+  const std::string_view about = c.since(start);
   if (!finish(c)) return false;
   const auto taken = [&](const char* what) {
     return c.fail(Code::name, fmt::format("'{}' is {} already", name, what), name);
@@ -338,12 +176,12 @@ bool Reader::own_command(Cursor& c, const NamedProcedure& p) {
         ++c.at;
       }
       if (c.at < c.end && *c.at == ')') ++c.at;
-      words.emplace_back(since(at, c));
+      words.emplace_back(c.since(at));
       continue;
     }
     const std::string_view w = c.word();
     if (w.empty()) ++c.at;
-    words.emplace_back(since(at, c));
+    words.emplace_back(c.since(at));
   }
   if (commands_deep_ >= deepest_command)
     return c.fail(Code::range, fmt::format("commands run each other more than {} deep", deepest_command),
@@ -370,174 +208,6 @@ bool Reader::own_command(Cursor& c, const NamedProcedure& p) {
   s = before;
   return c.fail(done.error().code, fmt::format("{}: {}", name, done.error().message),
                 {start - name.size(), name.size()}, done.error().hint);
-}
-
-// dial /address to TARGET [from A B to C D]
-bool Reader::dial(Cursor& c) {
-  c.space();
-  const char* start = c.at;
-  while (c.at < c.end && !std::isspace(static_cast<unsigned char>(*c.at)) && *c.at != ',') ++c.at;
-  Dial made;
-  made.address = since(start, c);
-  if (made.address.size() < 2 || made.address[0] != '/')
-    return c.fail(Code::syntax, "an address begins with '/'", since(start, c),
-                  "as in dial /fader/1 to ball.position.y");
-  const auto at = [&] {
-    return std::find_if(s.dials->begin(), s.dials->end(), [&](const Dial& d) { return d.address == made.address; });
-  };
-  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' is missing here");
-  if (c.accept_word("none")) {
-    if (!finish(c)) return false;
-    if (at() != s.dials->end()) {
-      const auto i = at() - s.dials->begin();
-      s.dials.edit().erase(s.dials.edit().begin() + i);
-    }
-    return true;
-  }
-  Selected to;
-  c.space();
-  const std::string_view word = c.word();
-  if (!targets(c, word, to)) return false;
-  if (to.velocity) return c.fail(Code::type, "a dial turns a value, not a velocity", word);
-  if (to.targets.size() != 1)
-    return c.fail(Code::name, "a dial turns one target", word, "a group or a function of your own can turn many");
-  made.target = to.targets[0];
-  switch (to.type()) {
-    case Type::scalar:
-    case Type::angle:
-    case Type::boolean:
-    case Type::vector:
-    case Type::pair:
-    case Type::color:
-    case Type::rotation:
-    case Type::text:
-      break;
-    default:
-      return c.fail(Code::type, fmt::format("no dial can turn {}", to_string(to.type())), word);
-  }
-  if (c.accept_word("from")) {
-    if (!c.number(made.low) || !c.number(made.high)) return false;
-    if (made.low == made.high) return c.fail_here(Code::range, "the dial's own range has no width");
-    if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and two values are missing here");
-    const FunctionSpec free = unbounded(*to.spec);
-    if (!values(c).value(free, to.component, made.from) || !values(c).value(free, to.component, made.to)) return false;
-    if (!add_scaled(made.from, made.to, 1))
-      return c.fail(Code::type, fmt::format("{} has no range", to_string(to.type())), word);
-    made.mapped = true;
-  }
-  if (!finish(c)) return false;
-  if (at() != s.dials->end()) {
-    const auto i = static_cast<std::size_t>(at() - s.dials->begin());
-    s.dials.edit()[i] = std::move(made);
-  } else {
-    s.dials.edit().push_back(std::move(made));
-  }
-  return true;
-}
-
-bool Reader::record(Cursor& c) {
-  c.space();
-  const std::string_view w = c.word();
-  if (w != "on" && w != "off") return c.fail(Code::syntax, "recording is on or off", w);
-  if (!finish(c)) return false;
-  s.recording = w == "on";
-  return true;
-}
-
-// A fall by the laws of cartoons: the object goes on as it went for the delay, then drops, and bounces. What comes of
-// it are plain events on plain tracks. (G4, G52)
-bool Reader::fall(Cursor& c) {
-  std::string_view word;
-  std::vector<ObjectId> things;
-  if (!timed_) return c.fail_here(Code::syntax, "a fall needs a time", "as in at 24f fall ball");
-  if (!objects(c, word, things)) return false;
-  Time delay, length{10 * flicks_per_second};
-  double gravity = 9.81, ground = 0, bounce = 0;
-  while (!c.at_line_end()) {
-    const char* start = c.at;
-    const std::string_view key = c.word();
-    if (key == "for") {
-      if (!c.length(length)) return false;
-      if (!(length > Time{})) return c.fail(Code::range, "a fall takes some time", since(start, c));
-      continue;
-    }
-    if (key != "delay" && key != "gravity" && key != "ground" && key != "bounce")
-      return c.fail(Code::name, fmt::format("a fall has no '{}'", key.empty() ? std::string_view(start, 1) : key),
-                    since(start, c), "delay= gravity= ground= bounce= and for LENGTH");
-    if (!c.accept('=')) return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", key));
-    if (key == "delay") {
-      if (!c.length(delay)) return false;
-      if (delay < Time{}) return c.fail(Code::range, "a delay cannot be shorter than nothing", since(start, c));
-      continue;
-    }
-    double& number = key == "gravity" ? gravity : key == "ground" ? ground : bounce;
-    if (!values(c).scalar(number, key == "ground" ? Unit::metres : Unit::none)) return false;
-    if (key == "gravity" && !(gravity > 0))
-      return c.fail(Code::range, "gravity pulls down by more than 0", since(start, c));
-    if (key == "bounce" && !(bounce >= 0 && bounce < 1))
-      return c.fail(Code::range, "bounce is at least 0 and less than 1", since(start, c));
-  }
-  const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
-  const Time begin = time_ + delay, end = begin + length;
-  for (const ObjectId id : things) {
-    Target where{id, fn::position}, rate = where;
-    rate.velocity = true;
-    const Vec3 p = std::get<Vec3>(program.read(where, time_)), v = std::get<Vec3>(program.read(rate, time_));
-    // Along the ground it goes on as it went.
-    struct Mark {
-      Time time;
-      double height, in, out;
-    };
-    std::vector<Mark> marks;
-    if (delay > Time{}) marks.push_back({time_, p.y, 0, 0});
-    double y = p.y, speed = delay > Time{} ? 0 : v.y;
-    double t = begin.seconds();
-    Time now = begin;
-    double came = 0;
-    for (int hops = 0; hops < 200; ++hops) {
-      marks.push_back({now, y, came, speed});
-      // y + speed·d - g/2·d² = ground
-      const double root = speed * speed + 2 * gravity * (y - ground);
-      if (!(root > 0) || (y <= ground && speed <= 0)) {
-        marks.back().out = 0;
-        break;
-      }
-      const double d = (speed + std::sqrt(root)) / gravity, left = end.seconds() - t;
-      if (d >= left) {
-        marks.push_back({end, y + speed * left - gravity / 2 * left * left, speed - gravity * left, 0});
-        break;
-      }
-      t += d;
-      now = from_seconds(t);
-      came = speed - gravity * d;
-      y = ground;
-      speed = -came * bounce;
-      if (speed * speed / (2 * gravity) < 1e-4) speed = 0;  // hops nobody sees
-    }
-    const Time last = marks.back().time;
-    for (int axis = 0; axis < 3; ++axis) {
-      Target part = where;
-      part.component = axis;
-      Track* track = edit_track(s, part);
-      track->events.erase(time_, last);
-      const auto put = [&](Time time, double value, double in, double out) {
-        Event e;
-        e.time = time;
-        e.value = value;
-        e.twerper = Twerper::hermite;
-        e.detail.edit().tangent_in = in;
-        e.detail.edit().tangent_out = out;
-        track->events.put(std::move(e));
-      };
-      if (axis == 1) {
-        for (const Mark& m : marks) put(m.time, m.height, m.in, m.out);
-      } else {
-        put(time_, p[axis], v[axis], v[axis]);
-        put(last, p[axis] + v[axis] * (last - time_).seconds(), v[axis], 0);
-      }
-    }
-  }
-  return true;
 }
 
 }  // namespace betwixt

@@ -90,7 +90,42 @@ Value part(const Value& v, int component) {
   return component < 0 || std::holds_alternative<double>(v) ? v : Value(component_of(v, component));
 }
 
+Track component_of(const Track& track, int component) {
+  Track out = track;
+  out.events = {};
+  track.events.each([&](Event e) {
+    if (!e.keep && !e.release) e.value = component_of(e.value, component);
+    if (e.detail && e.detail->before) e.detail.edit().before = component_of(*e.detail->before, component);
+    out.events.put(std::move(e));
+  });
+  return out;
+}
+
 }  // namespace
+
+// One track, or the tracks of its components, of what stood before, onto another. How many events came of it.
+Result<std::size_t> Reader::copy_track(const Scene& before, const Target& from, const Target& to, const Copying& how) {
+  std::vector<Track> originals;
+  for (const Track* t : tracks_of(before, from)) originals.push_back(*t);
+  std::size_t made = 0;
+  for (std::size_t k = 0; k < originals.size(); ++k) {
+    if (originals[k].events.count(how.segment.from, how.segment.to) == 0) continue;
+    Target place = to;
+    if (originals.size() > 1) place.component = static_cast<int>(k);
+    const auto tracks = edit_tracks(s, place);
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      // A whole value onto tracks of components: each takes its own.
+      const bool apart = tracks.size() > 1;
+      const int component = apart ? static_cast<int>(i) : originals.size() > 1 ? static_cast<int>(k) : -1;
+      const Track source = apart ? component_of(originals[k], component) : originals[k];
+      const auto shift = how.shift ? std::optional<Value>(part(*how.shift, component)) : std::nullopt;
+      const auto done = copy_segment(source, how.segment, *tracks[i], how.start, shift, how.times);
+      if (!done) return done.error();
+      made += done->events;
+    }
+  }
+  return made;
+}
 
 bool Reader::copy(Cursor& c) {
   Selected from, into;
@@ -120,8 +155,7 @@ bool Reader::copy(Cursor& c) {
       const char* at = c.at;
       if (!values(c).value(free, from.component, v)) return false;
       if (!add_scaled(v, v, 1))
-        return c.fail(Code::type, fmt::format("{} cannot be shifted", to_string(from.type())),
-                      {at, static_cast<std::size_t>(c.at - at)});
+        return c.fail(Code::type, fmt::format("{} cannot be shifted", to_string(from.type())), c.since(at));
       shift = std::move(v);
     } else {
       return c.fail_here(Code::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
@@ -149,49 +183,21 @@ bool Reader::copy(Cursor& c) {
   const Scene before = s;
   std::size_t made = 0;
   for (std::size_t i = 0; i < into.targets.size(); ++i) {
-    const Target source = source_of(i);
-    const Slot* slot = before.objects[source.object.index].find(source.function, source.layer);
-    const bool split = slot && source.component < 0 && tracks_of(before, source).size() > 1;
-    std::vector<Track> originals;
-    if (split) {
-      for (const Track* t : tracks_of(before, source)) originals.push_back(*t);
-    } else {
-      for (const Track* t : tracks_of(before, source)) originals.push_back(*t);
-    }
-    if (originals.empty()) continue;
-    const auto put = [&](const Track& track, const Target& t, const std::optional<Value>& by) {
-      const auto tracks = edit_tracks(s, t);
-      for (std::size_t k = 0; k < tracks.size(); ++k) {
-        Track source_part = track;
-        if (tracks.size() > 1) {  // onto tracks of components: each takes its own
-          const int component = static_cast<int>(k);
-          source_part.events = {};
-          track.events.each([&](const Event& e) {
-            Event p = e;
-            if (!e.keep && !e.release) p.value = component_of(e.value, component);
-            if (e.detail && e.detail->before) p.detail.edit().before = component_of(*e.detail->before, component);
-            source_part.events.put(std::move(p));
-          });
-        }
-        const auto part_shift = by && tracks.size() > 1 ? std::optional<Value>(part(*by, static_cast<int>(k))) : by;
-        const auto done = copy_segment(source_part, segment, *tracks[k], start, part_shift, static_cast<int>(times));
-        if (!done) {
-          s = before;
-          return c.fail(done.error().code, done.error().message, word);
-        }
-        made += done->events;
-      }
-      return true;
+    Target source = source_of(i), to = into.targets[i];
+    const auto put = [&](const std::optional<Value>& by) {
+      return copy_track(before, source, to, {segment, start, by, static_cast<int>(times)});
     };
-    if (!split) {
-      if (!put(originals[0], into.targets[i], shift)) return false;
-      continue;
+    Result<std::size_t> done = put(shift);
+    if (done && !source.velocity && has_velocity(from.type())) {  // what goes on beside it, unshifted (R-T10)
+      made += *done;
+      source.velocity = to.velocity = true;
+      done = put(std::nullopt);
     }
-    for (std::size_t k = 0; k < originals.size(); ++k) {
-      Target t = into.targets[i];
-      t.component = static_cast<int>(k);
-      if (!put(originals[k], t, shift ? std::optional<Value>(part(*shift, t.component)) : std::nullopt)) return false;
+    if (!done) {
+      s = before;
+      return c.fail(done.error().code, done.error().message, word);
     }
+    made += *done;
   }
   if (made == 0) note(Severity::notice, fmt::format("there are no events of '{}' there", from.text), word);
   return true;
@@ -219,8 +225,7 @@ bool Reader::stretch(Cursor& c) {
   const char* at = c.at;
   if (!c.number(factor)) return false;
   if (!(factor > 0))
-    return c.fail(Code::range, "time is stretched by more than 0; 'reverse' turns it round",
-                  {at, static_cast<std::size_t>(c.at - at)});
+    return c.fail(Code::range, "time is stretched by more than 0; 'reverse' turns it round", c.since(at));
   return operate(c, on, word, true, [&](Track& t, int, bool velocity) -> Result<Changed> {
     // What takes longer goes slower.
     if (velocity)

@@ -139,6 +139,13 @@ class Reader {
   bool use(Cursor& c);
 
   // operations.cpp
+  struct Copying {
+    Segment segment;
+    Time start;
+    std::optional<Value> shift;
+    int times = 1;
+  };
+  Result<std::size_t> copy_track(const Scene& before, const Target& from, const Target& to, const Copying&);
   bool copy(Cursor& c);
   bool move(Cursor& c);
   bool stretch(Cursor& c);

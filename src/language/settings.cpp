@@ -47,8 +47,7 @@ bool Reader::range(Cursor& c) {
   if (!c.time(from)) return false;
   if (c.peek() == '.' && c.end - c.at > 1 && c.at[1] == '.') c.at += 2;  // range 1f..72f is a segment too
   if (!c.time(to)) return false;
-  if (to < from)
-    return c.fail(Code::range, "the range ends before it begins", {start, static_cast<std::size_t>(c.at - start)});
+  if (to < from) return c.fail(Code::range, "the range ends before it begins", c.since(start));
   if (!finish(c)) return false;
   s.range = {from, to};
   return true;

@@ -116,9 +116,10 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
         if (component.empty()) {
           parts.push_back(-1);
         } else {
+          const std::string near = has_velocity(spec.type) ? did_you_mean(component, {"velocity"}) : std::string();
           if (component_count(spec.type) == 0)
             return c.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
-                          component);
+                          component, near);
           const auto words = expand_braces(component, 100);
           if (!words) return c.fail(words.error().code, words.error().message, component);
           for (const auto& w : *words)
@@ -128,9 +129,10 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
           if (parts.empty())
             return c.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, component.substr(0, 40)),
                           component,
-                          spec.type == Type::color  ? "components are r, g and b"
-                          : spec.type == Type::pair ? "components are x and y"
-                                                    : "components are x, y and z");
+                          !near.empty()              ? near
+                          : spec.type == Type::color ? "components are r, g and b"
+                          : spec.type == Type::pair  ? "components are x and y"
+                                                     : "components are x, y and z");
         }
         if (!out.spec) out.spec = &spec, out.component = parts[0];
         if (!world_too && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {

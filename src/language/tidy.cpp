@@ -161,14 +161,18 @@ class Tidier {
         out += "  ";
       else if (i > first && t != ")" && t != "=" && last != "(" && last != "=" && !(t == "(" && function(tokens, i)))
         out += " ";
-      else if (i > first && (t == "=" || last == "=") && spaced_equals(tokens))
+      else if (i > first && ((t == "=" && spaced_equals(tokens, i)) || (last == "=" && spaced_equals(tokens, i - 1))))
         out += " ";
       out += t;
     }
     return out;
   }
-  // alias NAME = …, procedures: there the sign stands by itself.
-  static bool spaced_equals(const std::vector<Token>& tokens) { return tokens[0].text == "alias"; }
+  // alias NAME = …, a target or a time and its procedure: there the sign stands by itself; behind a key it does not.
+  static bool spaced_equals(const std::vector<Token>& tokens, std::size_t i) {
+    if (i == 0 || tokens[0].text == "alias" || tokens[0].text == "define") return true;
+    const auto& left = tokens[i - 1].text;
+    return left.find('.') != std::string::npos || std::isdigit(static_cast<unsigned char>(left[0]));
+  }
   // rgb(…), euler(…), shape(…): no space before the bracket. Verbs and keys are words too, so the names are listed.
   static bool function(const std::vector<Token>& tokens, std::size_t i) {
     static constexpr std::string_view names[] = {"rgb",       "hsv",    "euler", "axis",   "quat", "shape", "bezier",

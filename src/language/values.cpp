@@ -13,7 +13,7 @@
 namespace betwixt {
 namespace {
 
-std::string_view since(const char* start, const Cursor& c) { return {start, static_cast<std::size_t>(c.at - start)}; }
+std::string_view since(const char* start, const Cursor& c) { return c.since(start); }
 
 int hex(char c) {
   if (c >= '0' && c <= '9') return c - '0';

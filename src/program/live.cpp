@@ -241,7 +241,7 @@ struct Worker {
     if (near.empty()) return event_value(part.rest, part, t, t);
     if (!last) return event_value(near[0]->value, part, t, near[0]->time);
     const Twerper twerper = part.track.global != Twerper::unset ? part.track.global : last->twerper;
-    const bool alone = near.back() == last || twerper == Twerper::hold || !channeled(part.type) ||
+    const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||
                        (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
     if (alone && !last->keep) return event_value(last->value, part, t, t);
     Track few;
@@ -260,7 +260,6 @@ struct Worker {
     small.evaluate(curve, t, n.data());
     return as_written(part, n.data(), curve.orientation);
   }
-  static bool channeled(Type type) { return has_velocity(type); }  // can be blended
 
   Value as_written(const LivePart& part, double* n, bool orientation) const {
     if (part.type == Type::color)

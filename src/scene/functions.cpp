@@ -103,21 +103,6 @@ int component_count(Type type) {
   }
 }
 
-bool has_velocity(Type type) {
-  switch (type) {
-    case Type::scalar:
-    case Type::angle:
-    case Type::pair:
-    case Type::vector:
-    case Type::color:
-    case Type::rotation:
-    case Type::orientation:
-      return true;
-    default:
-      return false;
-  }
-}
-
 Type component_type(Type type) { return type == Type::rotation ? Type::angle : Type::scalar; }
 
 std::string_view component_name(Type type, int component) {

@@ -88,7 +88,5 @@ std::string_view component_name(Type type, int component);
 // else 0.
 int component_count(Type type);
 Type component_type(Type type);
-// Whether values of the type have a rate of change.
-bool has_velocity(Type type);
 
 }  // namespace betwixt

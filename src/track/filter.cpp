@@ -293,21 +293,9 @@ const FilterSpec* find_filter(std::string_view name) {
 }
 
 bool suits(const FilterSpec& spec, Type type) {
-  switch (type) {
-    case Type::scalar:
-    case Type::angle:
-    case Type::pair:
-    case Type::vector:
-    case Type::color:
-    case Type::rotation:
-      return true;
-    case Type::orientation:
-      return spec.orientations;
-    case Type::attachment:
-      return false;  // who holds an object is no value through time
-    default:
-      return spec.any_type;
-  }
+  if (type == Type::orientation) return spec.orientations;
+  if (has_velocity(type)) return true;
+  return spec.any_type && type != Type::attachment;  // who holds an object is no value through time
 }
 
 Result<Value> apply(const Filter& filter, Input& input, double seconds) {

@@ -4,7 +4,8 @@
 #
 # The shell from outside: piped sessions, wrong words, its questions, recovery, two shells on one file, a terminal.
 #   shell_test.sh PROGRAM
-# shows: G7 G22 G59 G60
+# shows: G7 G14 G19 G22 G59 G60
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$(dirname -- "$0")/support.sh" || exit 3
 export XDG_STATE_HOME=$work/state
 
@@ -102,6 +103,14 @@ exec 9>&-
 wait $first
 is 'the first goes on' "$(tail -n 1 film.bx)" 'rate 25'
 
+# Code that is loaded while it runs.
+author
+"${CC:-cc}" -shared -fPIC -I"$root/include" -o all.so "$root/tests/procedure/plugins/all.c" || exit 3
+session 'a word that nobody has brought' 1 'power' film.bx 'ball.radius' '  1f 1 power' quit discard
+session 'load' 0 "saved 'film.bx'" film.bx 'load all.so' 'ball.radius' '  1f 1 power' '  25f 3' 'set ball.wind.y 7' save
+is 'a twerper of a plug-in' "$("$program" eval film.bx --load ./all.so --at 13f ball.radius)" 'ball.radius  1.5'
+is 'a function of a plug-in' "$("$program" eval film.bx --load ./all.so --at 1f ball.wind)" 'ball.wind  (1 7 3)'
+
 # Pictures of values, and a terminal.
 author
 session 'plot' 0 "drawn in 'p.svg'" film.bx 'plot ball.position -> p.svg'
@@ -131,6 +140,24 @@ film.bx*>'
   screen send-keys Up Up Enter
   shown 'recalled' '> set ball.radius 2
 film.bx*>'
+  # The picture, a change, and the picture again. What is typed before the prompt is there may be dropped.
+  prompted() { for _ in $(seq 50); do [[ "$(screen capture-pane -p)" == *"$1"$'\nfilm.bx*>' ]] && return; sleep 0.1; done; }
+  picture() { # in its colours
+    screen send-keys 'play 1f..1f' Enter
+    wait_for '= 1/1'
+    screen capture-pane -e -p
+    screen send-keys q
+    prompted 'play 1f..1f'
+  }
+  with=$(picture)
+  verdict 'terminal: a picture' "$([[ $with == *'= 1/1'* ]] && echo yes)" "$with"
+  screen send-keys 'hide ball' Enter
+  prompted 'hide ball'
+  without=$(picture)
+  verdict 'terminal: what is changed is seen' "$([ "$with" != "$without" ] && echo yes)" "$with"
+  screen send-keys 'undo' Enter
+  prompted 'undone: hide ball'
+  is 'terminal: and seen again' "$(picture)" "$with"
   screen send-keys C-d
   shown 'Ctrl-D is guarded' '2 commands are not saved: save, discard or stay?'
   screen send-keys 'discard' Enter

@@ -359,6 +359,7 @@ TEST(Attachment, RemovingAParentFreesItsChildren) {
     EXPECT_EQ(world(s, "ball", 10)[7], 0) << how;
     EXPECT_TRUE(s.program.frame({}).problems.empty());
     EXPECT_EQ(write(load_text(write(s.loaded.document), "w.bx").document), write(s.loaded.document));
+    EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document) << how;  // nothing of it is left
   }
 }
 

@@ -65,6 +65,26 @@ TEST(Filters, KeepToTheirSegmentAndComponent) {
   expect_numbers(Script(twice + "filter a.radius limit low=3\nfilter a.radius none\n"), "a.radius", "25f", {2});
 }
 
+// shows: G16
+TEST(Filters, AreLimitsThatAnObjectBringsAlong) {
+  const Script s(
+      "rate 24\ncreate arm group\ncreate elbow group\nfilter elbow.rotation.z limit low=0 high=150deg\n"
+      "filter elbow.position limit low=-1 high=1\ncreate other like elbow\nrename elbow human-elbow\n"
+      "*.rotation.z\n  1f -30deg linear\n  73f 330deg\nset *.position (-2 0.5 2)\n");
+  const double degree = std::acos(-1.0) / 180;
+  const auto z = [&](const char* name, const char* time) {
+    return s.numbers(std::string(name) + ".rotation.z", time)[0] / degree;
+  };
+  for (const char* name : {"human-elbow", "other"}) {
+    EXPECT_EQ(z(name, "1f"), 0) << name;
+    EXPECT_NEAR(z(name, "25f"), 90, 1e-9) << name;
+    EXPECT_NEAR(z(name, "73f"), 150, 1e-9) << name;
+    expect_numbers(s, std::string(name) + ".position", "9f", {-1, 0.5, 1});
+  }
+  EXPECT_NEAR(z("arm", "73f"), 330, 1e-9);  // what has none goes on
+  expect_numbers(s, "arm.position", "9f", {-2, 0.5, 2});
+}
+
 // shows: G22 G27
 TEST(Layers, UnknownNamesAreSaid) {
   const auto message = [](const std::string& line) {

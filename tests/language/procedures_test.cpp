@@ -44,6 +44,15 @@ TEST(Procedures, WriteTextsAndStandAmongEvents) {
                      {"a.n", "61f", {153.5}}});
 }
 
+// shows: G54
+TEST(Procedures, StandWhereAValueIsSet) {
+  const Script s(
+      "rate 24\ncreate a sphere\ncreate b sphere\nset a.radius = \"1 + t\"\nset b.position = \"vec(t, 2 * t, 3 * t)\"\n"
+      "b.position.y\n  25f 7 linear\n  49f 9\n");
+  expect_numbers(s, "a.radius", "25f", {2});
+  expect_numbers(s, "b.position", "37f", {1.5, 8, 4.5});  // a component has events, the others have the procedure
+}
+
 // shows: G15 G17 G103 G105
 TEST(Procedures, OfAllRolesAreUsedLikeWhatIsBuiltIn) {
   const Script s(
@@ -149,6 +158,19 @@ TEST(Procedures, RenamingReachesIntoThem) {
   EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document);
 }
 
+// shows: G12 G5
+TEST(Fall, StandsBesideLinesAndCurvesOnOneTrack) {
+  const Script s(
+      "rate 24\ncreate ball sphere\nball.position.y\n  1f 2 linear\n  25f 8 linear\n  49f 6\n  73f 8\n  97f 14 hold\n"
+      "  121f 10\nat 121f fall ball gravity=10 for 1s\n");
+  const auto y = [&](const char* time, double wanted) { expect_numbers(s, "ball.position.y", time, {wanted}, 1e-9); };
+  y("7f", 3.5), y("19f", 6.5), y("31f", 7.5), y("43f", 6.5);  // lines, with a corner between them
+  y("61f", 6.5);                                              // curves: from rest at 49f on
+  y("85f", 10.75);                                            // no further than to the hold
+  y("109f", 14);
+  y("121f", 10), y("133f", 8.75), y("145f", 5);  // and a fall
+}
+
 // shows: G4 G3 G5 G52
 TEST(Fall, IsHalfATSquaredAfterItsDelay) {
   const Script s(
@@ -170,6 +192,34 @@ TEST(Fall, IsHalfATSquaredAfterItsDelay) {
   expect_numbers(s, "ball.position.x", "2s", {4}, 1e-9);
   // Plain events: no procedure is left.
   EXPECT_EQ(write(s.loaded.document).find("= \""), std::string::npos);
+}
+
+// shows: G4 G71
+TEST(Fall, EndsTheReignOfAVelocityAndGoesOnWithIt) {
+  const Script s("rate 24\ncreate ball sphere\nset ball.position (0 10 0)\nat 1f ball.position.velocity (2 3 0)\n"
+                 "at 25f fall ball gravity=10\n");
+  EXPECT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
+  for (const double t : {0.0, 0.25, 0.5, 1.0, 1.5}) {
+    const double x = 2 * (1 + t), y = 13 + 3 * t - 5 * t * t;
+    expect_numbers(s, "ball.position", fmt::format("{}s", 1 + t), {x, y, 0}, 1e-8);
+  }
+}
+
+// shows: G82 G83
+TEST(Fall, AfterLetgoIsThrownThroughTheWorldWhateverHeldIt) {
+  const Script s("rate 24\ncreate hand group position=(0 8 0) rotation=euler(0 0 90deg) scale=(2 2 2)\n"
+                 "at 1f hand.position.x 0 linear\nat 49f hand.position.x 6\n"
+                 "create ball sphere\nset ball.position (1 0 0)\ncouple ball to hand\n"
+                 "at 25f letgo ball\nat 25f fall ball gravity=10\n");
+  ASSERT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
+  // The pin is 2 above the hand, which goes 3 a second.
+  for (const double t : {0.0, 0.25, 0.5, 1.0, 1.25}) {
+    const Reading r = s.read("ball.world", fmt::format("{}s", 1 + t));
+    const Vec3 at = translation_of(std::get<Mat4>(r));
+    EXPECT_NEAR(at.x, 3 * (1 + t), 1e-6);
+    EXPECT_NEAR(at.y, 10 - 5 * t * t, 1e-6);
+    EXPECT_NEAR(at.z, 0, 1e-6);
+  }
 }
 
 }  // namespace

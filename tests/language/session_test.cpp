@@ -115,6 +115,45 @@ TEST(Session, NoCommandSwitchesAContext) {
   EXPECT_EQ(s.text(),
             "create a sphere\ncreate b box\nset a.radius 2\nset b.size (1 2 3)\nat 5f a.position (1 0 0)\n"
             "at 5f b.position (0 1 0)\n");
+  // Neither does looking, between the rows of a sheet.
+  std::string wanted = s.text() + "a.color\n";
+  expect_done(s, "a.color");
+  for (const char* look : {"list", "describe b", "help set", "help", "notes", "list a*"}) {
+    const std::string row = fmt::format("  {}f red", wanted.size());
+    expect_done(s, row);
+    expect_done(s, look);
+    wanted += row + "\n";
+  }
+  EXPECT_EQ(s.text(), wanted);
+}
+
+// shows: G7
+TEST(Session, WhatIsShownIsTheFilmAsItIsByThen) {
+  const Folder folder;
+  std::optional<Document> shown;
+  std::string asked;
+  Session::Doors doors = answering({});
+  doors.play = [&](const Document& d, const std::string& frames) {
+    shown = d, asked = frames;
+    return Status(Nothing{});
+  };
+  doors.plot = [&](const Document& d, const std::string& target, const std::string&) {
+    shown = d, asked = target;
+    return Status(Nothing{});
+  };
+  Session s(std::move(doors));
+  folder.put("film.bx", author);
+  s.open(folder / "film.bx");
+  for (const char* line : {"hide ball", "show ball", "undo", "undo", "redo", "ball.position", "  9f (1 2 3)"}) {
+    expect_done(s, line);
+    for (const auto& [look, words] : {std::pair("play 1f..9f", "1f..9f"), {"plot ball.position", "ball.position"}}) {
+      shown.reset();
+      expect_done(s, look);
+      ASSERT_TRUE(shown) << line << ", " << look;
+      EXPECT_TRUE(*shown == s.document()) << line << ", " << look;
+      EXPECT_EQ(asked, words);
+    }
+  }
 }
 
 // shows: G22

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where things are: what they hang on, what was let go, cameras that look at something. (rules, section 5)
+#include <algorithm>
+#include <cmath>
+
+#include "program/code.h"
+
+namespace betwixt {
+namespace {
+
+// What the tracks of one object say about its place.
+struct Said {
+  Quat turn;
+  Vec3 scale, pivot, position, attach;
+};
+
+// Scale and rotation about the pivot, then the move (R-H7).
+Mat4 local(const Said& said) {
+  Mat4 m = rotation(said.turn);
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 3; ++i) m(i, c) *= said.scale[c];
+  const Vec3 move = said.position + said.pivot - transform_vector(m, said.pivot);
+  m(0, 3) = move.x, m(1, 3) = move.y, m(2, 3) = move.z;
+  return m;
+}
+
+Mat4 linear_part(Mat4 m) {
+  m(0, 3) = m(1, 3) = m(2, 3) = 0;
+  return m;
+}
+
+}  // namespace
+
+// None where the matrix is singular.
+std::optional<Mat4> inverse(const Mat4& m) {
+  const auto column = [&](int c) { return Vec3{m(0, c), m(1, c), m(2, c)}; };
+  const Vec3 a = column(0), b = column(1), c = column(2);
+  const double det = dot(a, cross(b, c));
+  if (!(std::abs(det) > 1e-12 * length(a) * length(b) * length(c))) return std::nullopt;
+  const Vec3 rows[] = {1 / det * cross(b, c), 1 / det * cross(c, a), 1 / det * cross(a, b)};
+  Mat4 out;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) out(i, k) = rows[i][k];
+  const Vec3 move = -transform_vector(out, translation_of(m));
+  out(0, 3) = move.x, out(1, 3) = move.y, out(2, 3) = move.z;
+  return out;
+}
+
+namespace {
+
+Mat4 held_turn(Hold hold, const Placed& parent) {
+  return hold == Hold::couple ? linear_part(parent.world) : hold == Hold::attach ? rotation(parent.turn) : Mat4{};
+}
+
+// R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.
+Placed hang(const Said& said, const Hand* hand, const Frozen* frozen, const Placed* parent) {
+  Mat4 m = local(said);
+  Quat turn = said.turn;
+  if (!hand || hand->hold == Hold::detach || (hand->hold == Hold::letgo && !frozen->held)) return {m, turn};
+  Vec3 attach = said.attach;
+  if (frozen) m = frozen->before * m, turn = frozen->before_turn * turn;
+  Mat4 turn3, above;
+  Quat above_turn;
+  if (hand->hold == Hold::letgo) {
+    turn3 = frozen->turn3, above = frozen->parent, above_turn = frozen->parent_turn, attach = frozen->attach;
+  } else {
+    turn3 = held_turn(hand->hold, *parent), above = parent->world;
+    if (hand->hold != Hold::hang) above_turn = parent->turn;
+  }
+  const Vec3 place = transform_point(above, translation_of(m) + attach);
+  Mat4 world = turn3 * linear_part(m);
+  world(0, 3) = place.x, world(1, 3) = place.y, world(2, 3) = place.z;
+  return {world, above_turn * turn};
+}
+
+Said said_by(const Node& n, const double* numbers) {
+  const double* r = numbers + n.rotation;
+  return {n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r)), vec3(numbers + n.scale),
+          vec3(numbers + n.pivot), vec3(numbers + n.position), vec3(numbers + n.attach)};
+}
+
+}  // namespace
+
+const Hand* Program::Compiled::hand(const Node& n, Time t) const {
+  const Hand *first = hands.data() + n.first_hand, *last = first + n.hands;
+  const Hand* next = std::upper_bound(first, last, t, [](Time time, const Hand& h) { return time < h.from; });
+  return next == first ? nullptr : next - 1;
+}
+
+// What a letgo or a keep-world keeps: worked out once, from the world at its time.
+void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
+  Frozen& f = frozen[static_cast<std::size_t>(index)];
+  if (f.state != Frozen::asleep) return;
+  f.state = Frozen::busy;
+  const Node& n = nodes[f.node];
+  const Hand& now = hands[n.first_hand + static_cast<std::uint32_t>(f.hand)];
+  const Hand* before = f.hand > 0 ? &now - 1 : nullptr;
+  const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
+  const auto numbers = [&](FunctionId function, double* out) {
+    evaluate(find(n.object, function), t, asking, out);
+    return vec3(out);
+  };
+  double r[4] = {}, x[4] = {};
+  Said said;
+  numbers(fn::rotation, r);
+  said.turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
+  said.scale = numbers(fn::scale, x), said.pivot = numbers(fn::pivot, x), said.position = numbers(fn::position, x);
+  said.attach = numbers(fn::attach_position, x);
+  const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
+  if (kept) thaw(before->frozen, asking);
+  Placed old_parent;
+  if (before && before->hold >= Hold::hang)
+    old_parent = placement(static_cast<std::uint32_t>(before->parent), t, asking);
+  if (now.hold == Hold::letgo) {
+    if (before && before->hold == Hold::letgo) {  // nobody holds it: what was kept stays
+      const auto hand = f.hand;
+      f = *kept;
+      f.hand = hand;
+    } else if (before && before->hold >= Hold::hang) {
+      f.held = true;
+      if (kept) f.before = kept->before, f.before_turn = kept->before_turn;
+      f.turn3 = held_turn(before->hold, old_parent);
+      f.parent = old_parent.world;
+      if (before->hold != Hold::hang) f.parent_turn = old_parent.turn;
+      f.attach = said.attach;
+    }
+  } else {
+    const Placed was = hang(said, before, kept, &old_parent);
+    const Placed parent = placement(static_cast<std::uint32_t>(now.parent), t, asking);
+    const auto turned = inverse(held_turn(now.hold, parent)), above = inverse(parent.world);
+    const auto own = inverse(local(said));
+    if (turned && above && own) {
+      Mat4 wanted = *turned * linear_part(was.world);
+      const Vec3 place = transform_point(*above, translation_of(was.world)) - said.attach;
+      wanted(0, 3) = place.x, wanted(1, 3) = place.y, wanted(2, 3) = place.z;
+      f.before = wanted * *own;
+      const Quat above_turn = now.hold == Hold::hang ? Quat{} : parent.turn;
+      f.before_turn = normalize(conjugate(above_turn) * was.turn * conjugate(said.turn));
+    }
+  }
+  f.state = Frozen::done;
+}
+
+Mat4 look_at(Vec3 eye, Vec3 target) {
+  const Vec3 back = normalize(eye - target);
+  const Vec3 up = std::abs(back.y) > 1 - 1e-12 ? Vec3{0, 0, back.y > 0 ? -1.0 : 1.0} : Vec3{0, 1, 0};
+  const Vec3 right = normalize(cross(up, back)), over = cross(back, right);
+  Mat4 m = translation(eye);
+  for (int i = 0; i < 3; ++i) m(i, 0) = right[i], m(i, 1) = over[i], m(i, 2) = back[i];
+  return m;
+}
+
+// Where all nodes are. For each one up to the root and, unwinding, down again; nothing is worked out twice (G85, G86).
+// A camera that looks at something turns with it, and so does what hangs on the camera: cameras take their turn in this
+// order, each seeing the ones before it already turned.
+std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers, Asking& asking) const {
+  constexpr std::int32_t unknown = -2;
+  std::vector<Placed> w(nodes.size());
+  std::vector<std::int32_t> above(nodes.size(), unknown);
+  std::vector<std::uint32_t> order, chain;
+  order.reserve(nodes.size());
+  const auto put = [&](std::uint32_t i) {
+    const Hand* h = hand(nodes[i], t);
+    const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
+    w[i] = hang(said_by(nodes[i], numbers), h, f, above[i] >= 0 ? &w[static_cast<std::size_t>(above[i])] : nullptr);
+  };
+  for (std::uint32_t start = 0; start < nodes.size(); ++start) {
+    for (std::int32_t i = static_cast<std::int32_t>(start); i >= 0 && above[static_cast<std::size_t>(i)] == unknown;) {
+      const auto at = static_cast<std::uint32_t>(i);
+      const Hand* h = hand(nodes[at], t);
+      chain.push_back(at);
+      i = above[at] = h && h->hold >= Hold::hang ? h->parent : -1;
+    }
+    for (; !chain.empty(); chain.pop_back()) {
+      put(chain.back());
+      order.push_back(chain.back());
+    }
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t eye = order[i];
+    if (nodes[eye].kind != Kind::camera) continue;
+    const auto target = aim(nodes[eye].object, t, numbers, &w, asking);
+    if (!target || *target == translation_of(w[eye].world)) continue;
+    w[eye].world = look_at(translation_of(w[eye].world), *target);
+    w[eye].turn = from_matrix(w[eye].world);
+    std::vector<bool> below(nodes.size());
+    below[eye] = true;
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const std::int32_t p = above[order[k]];
+      if (p < 0 || !below[static_cast<std::size_t>(p)]) continue;
+      below[order[k]] = true;
+      put(order[k]);
+    }
+  }
+  return w;
+}
+
+std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers, Asking& asking) const {
+  const auto all = placements(t, numbers, asking);
+  std::vector<Mat4> w(all.size());
+  for (std::size_t i = 0; i < w.size(); ++i) w[i] = all[i].world;
+  return w;
+}
+
+Placed Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) const {
+  std::vector<std::uint32_t> chain;
+  for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
+    const Node& n = nodes[static_cast<std::size_t>(i)];
+    chain.push_back(static_cast<std::uint32_t>(i));
+    if (n.kind == Kind::camera && &find(n.object, fn::look_at) != &defaults[fn::look_at])
+      return placements(t, at(t, asking).data(), asking)[node];  // it turns with what it looks at
+    const Hand* h = hand(n, t);
+    i = h && h->hold >= Hold::hang ? h->parent : -1;
+  }
+  Placed placed;
+  for (; !chain.empty(); chain.pop_back()) {
+    const Node& n = nodes[chain.back()];
+    const Hand* h = hand(n, t);
+    if (h && h->frozen >= 0) thaw(h->frozen, asking);
+    double x[4] = {};
+    const auto numbers = [&](FunctionId f) {
+      evaluate(find(n.object, f), t, asking, x);
+      return vec3(x);
+    };
+    Said said;
+    numbers(fn::rotation);
+    said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
+    said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
+    said.attach = numbers(fn::attach_position);
+    placed = hang(said, h, h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr, &placed);
+  }
+  return placed;
+}
+
+Bearing Program::bearing(ObjectId object, Time t) const {
+  Asking asking;
+  const Compiled& code = *code_;
+  const std::uint32_t node = code.node_of[object.index];
+  const Node& n = code.nodes[node];
+  const auto place = [&](Time when) { return translation_of(code.placement(node, when, asking).world); };
+  Bearing b;
+  b.place = place(t);
+  const Hand* h = code.hand(n, t);
+  const bool held = h && h->hold >= Hold::hang;
+  if (held) b.carries = linear_part(code.placement(static_cast<std::uint32_t>(h->parent), t, asking).world);
+  if (h && h->frozen >= 0) {
+    const Frozen& f = code.frozen[static_cast<std::size_t>(h->frozen)];
+    if (!held) b.carries = linear_part(f.parent);
+    b.carries = b.carries * linear_part(f.before);
+  }
+  // Its track says how fast it goes; what carries it, or carried it up to now, is looked at as it goes by.
+  if (held || (h && h->from == t)) {
+    constexpr Time look{flicks_per_second / 2000};
+    b.speed = 1000 * (3.0 * b.place - 4.0 * place(t - look) + place(t - look - look));
+  } else {
+    Target rate{object, fn::position};
+    rate.velocity = true;
+    b.speed = transform_vector(b.carries, std::get<Vec3>(read(rate, t)));
+  }
+  return b;
+}
+
+}  // namespace betwixt
