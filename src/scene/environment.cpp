@@ -77,30 +77,32 @@ Environment Environment::compile(std::vector<EnvironmentEvent> events) {
   const auto key = [](const EnvironmentEvent& e) { return Key{e.tick, e.number}; };
   std::stable_sort(events.begin(), events.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   Environment e;
-  for (EnvironmentEvent& event : events) {
-    if (const Status good = e.check(event))
-      e.apply(event);
-    else
-      e.problems_.edit().push_back({event.number, Severity::error, good.error()});
-    e.events_.push(std::move(event));
-  }
+  for (const EnvironmentEvent& event : events) e.take(event);
   return e;
 }
 
-Status Environment::add(const EnvironmentEvent& event) {
-  const Key key{event.tick, event.number};
-  if (events_.empty() || key >= Key{events_.back().tick, events_.back().number}) {
-    if (Status good = check(event); !good) return good;
+// Keeps an event that means nothing, too: another one before it may give it a meaning.
+void Environment::take(const EnvironmentEvent& event) {
+  if (const Status good = check(event))
     apply(event);
-    events_.push(event);
+  else
+    problems_.edit().push_back({event.number, Severity::error, good.error()});
+  events_.push(event);
+}
+
+Status Environment::add(const EnvironmentEvent& event) {
+  const auto after = [&](const EnvironmentEvent& e) { return Key{e.tick, e.number} > Key{event.tick, event.number}; };
+  if (events_.empty() || !after(events_.back())) {
+    if (Status good = check(event); !good) return good;
+    take(event);
     return Nothing{};
   }
-  std::vector<EnvironmentEvent> all;
-  for (std::size_t i = 0; i < size(); ++i) all.push_back(events_[i]);
-  all.push_back(event);
-  Environment again = compile(std::move(all));
-  for (const Problem& p : *again.problems_)
-    if (p.number == event.number && p.severity == Severity::error) return p.what;
+  Environment again;
+  std::size_t i = 0;
+  while (!after(events_[i])) again.take(events_[i++]);
+  if (Status good = again.check(event); !good) return good;
+  again.take(event);
+  while (i < size()) again.take(events_[i++]);
   *this = std::move(again);
   return Nothing{};
 }

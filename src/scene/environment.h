@@ -54,7 +54,7 @@ struct EnvironmentEvent {
   };
   std::int64_t tick = 0;
   std::uint64_t number = 0;  // the order of events in one tick; its starts and stops have it, too
-  std::variant<Animate, Halt, Kill, Cancel> what;
+  std::variant<Halt, Kill, Cancel, Animate> what;
   friend bool operator==(const EnvironmentEvent&, const EnvironmentEvent&) = default;
 };
 
@@ -163,6 +163,7 @@ class Environment {
   static void halt(Now&, Key, Output&);
   static void run(Now&, const Scheduled&, Output&);
   Status check(const EnvironmentEvent&) const;
+  void take(const EnvironmentEvent&);
   void apply(const EnvironmentEvent&);
   void animate(Key, const EnvironmentEvent::Animate&, Output&);
   void wait(Now&, Key, const Scheduled&, Output&) const;
