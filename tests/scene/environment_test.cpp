@@ -45,6 +45,7 @@ std::string refused(Environment e, const Event& event) {
   return s ? "" : s.error().message;
 }
 
+// shows: C42 C43 C53 C82 C110 R-E2 R-E5 R-E6
 TEST(Environment, BeginsAsTheIdentityThenIsEachPowerForOneInterval) {
   const Environment e = Environment::compile({{10, 1, every(3, step)}});
   EXPECT_EQ(e.at(0, 9), Mat4{});
@@ -62,6 +63,7 @@ TEST(Environment, BeginsAsTheIdentityThenIsEachPowerForOneInterval) {
   EXPECT_EQ(e.at(7, 50), Mat4{});
 }
 
+// shows: C59 R-E2
 TEST(Environment, OfEqualIntervalsNestAsAProductOfPowers) {
   const Environment outer = Environment::compile({{0, 1, every(2, step)}});
   const Environment inner = Environment::compile({{0, 1, every(2, turn)}});
@@ -72,6 +74,7 @@ TEST(Environment, OfEqualIntervalsNestAsAProductOfPowers) {
   }
 }
 
+// shows: R-E3
 TEST(Environment, ANewMotionActsInTheAxesOfTheMovedObject) {
   // A quarter turn, then steps along x: the object's own x axis looks along y by now.
   const Environment e = Environment::compile({{0, 1, every(100, turn)}, {5, 2, every(1, step)}});
@@ -79,6 +82,7 @@ TEST(Environment, ANewMotionActsInTheAxesOfTheMovedObject) {
   EXPECT_LT(difference(e.at(0, 8), turn * translation({3, 0, 0})), 1e-15);
 }
 
+// shows: C86 C87 R-E4
 TEST(Environment, AnotherAnimateKeepsWhereItIsAndForgetsWhatIsLeftOfTheInterval) {
   const Environment e = Environment::compile({{0, 1, every(10, step)}, {14, 2, every(4, translation({0, 1, 0}))}});
   EXPECT_EQ(translation_of(e.at(0, 17)), (Vec3{2, 0, 0}));
@@ -91,6 +95,7 @@ TEST(Environment, AnotherAnimateKeepsWhereItIsAndForgetsWhatIsLeftOfTheInterval)
   EXPECT_EQ(k.next_due(20), 24);
 }
 
+// shows: R-E4
 TEST(Environment, IsWarnedAboutOnceWhenAnimatesComeTooFast) {
   std::vector<Event> events;
   for (std::int64_t t = 0; t < 100; ++t) events.push_back({t, static_cast<std::uint64_t>(t), every(2, step)});
@@ -108,6 +113,7 @@ TEST(Environment, IsWarnedAboutOnceWhenAnimatesComeTooFast) {
   EXPECT_TRUE(kept.problems().empty());
 }
 
+// shows: C88 C90 C91 C92 R-E1b R-E9
 TEST(Environment, UpdatesComeBeforeTheEventsOfTheirTick) {
   const Environment e = Environment::compile({{0, 1, every(5, step)}, {10, 2, Halt{}}, {30, 3, every(5, step)}});
   EXPECT_EQ(x_at(e, 9), 2);
@@ -119,6 +125,7 @@ TEST(Environment, UpdatesComeBeforeTheEventsOfTheirTick) {
   EXPECT_EQ(e.interval(20), 5);
 }
 
+// shows: C88 C92 C138 R-E9b
 TEST(Environment, AHaltedOneRemembersTheIntervalThatRan) {
   Animate slower = every(2, step);
   slower.timing = {2, 1, 30, 6};
@@ -134,6 +141,7 @@ TEST(Environment, AHaltedOneRemembersTheIntervalThatRan) {
   EXPECT_EQ(stopped.interval(500), 6);
 }
 
+// shows: C94 C95 C96 R-E9
 TEST(Environment, AKilledNameMayBeUsedAgainAndTheOldStays) {
   const Environment e =
       Environment::compile({{0, 1, every(1, step)}, {5, 2, Kill{}}, {8, 3, every(1, translation({0, 1, 0}))}});
@@ -156,6 +164,7 @@ TEST(Environment, AKilledNameMayBeUsedAgainAndTheOldStays) {
   EXPECT_EQ(Environment().bind(0), std::nullopt);
 }
 
+// shows: C143 C144 C145 R-E11
 TEST(Environment, StartsAndStopsLater) {
   const Environment e = Environment::compile({{10, 1, between(20, 26, every(2, step))}});
   EXPECT_EQ(e.generation_at(10), 0);
@@ -187,6 +196,7 @@ TEST(Environment, StartsAndStopsLater) {
   EXPECT_EQ(x_at(cancelled, 40), 6);
 }
 
+// shows: R-E15
 TEST(Environment, ARotationIsRightAfterAThousandMillionTicks) {
   const Mat4 seven = rotation(axis_angle({0, 0, 1}, 7 * degree));
   const Environment e = Environment::compile({{0, 1, every(1, seven)}});
@@ -194,6 +204,7 @@ TEST(Environment, ARotationIsRightAfterAThousandMillionTicks) {
   EXPECT_LT(difference(e.at(0, 1'000'000'000), rotation(axis_angle({0, 0, 1}, left * degree))), 1e-9);
 }
 
+// shows: R-E1d
 TEST(Environment, SmoothMotionGoesThroughTheSteps) {
   const Environment e = Environment::compile({{0, 1, every(4, step)}, {40, 2, every(2, scaling({2, 1, 1}))}});
   EXPECT_EQ(e.smooth(0, -0.5), Mat4{});
@@ -273,6 +284,7 @@ TEST(Environment, CopiesGoTheirOwnWays) {
   }
 }
 
+// shows: R-E14
 TEST(Environment, IsReadWhileItsSuccessorsAreMade) {
   Environment e = Environment::compile({{0, 0, between(1'000'000, {}, every(1, turn))}, {0, 0, every(1, step)}});
   std::vector<std::thread> readers;
@@ -449,6 +461,7 @@ void play(unsigned seed, Tally& tally) {
   if (refused != a.refused || starved != a.starved) ++tally.wrong;
 }
 
+// shows: C54 C135 C143 R-E4 R-E9 R-E11
 TEST(Environment, RandomHistoriesAreThoseOfTheThesis) {
   const char* asked = std::getenv("BETWIXT_HISTORIES");
   const unsigned histories = asked ? static_cast<unsigned>(std::strtoul(asked, nullptr, 10)) : 10000;
@@ -464,6 +477,7 @@ TEST(Environment, RandomHistoriesAreThoseOfTheThesis) {
 }
 
 // Whatever way the events came in, the track is the same to the bit.
+// shows: R-E12
 TEST(Environment, EventsMayComeOneByOneAndInAnyOrder) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     Dice dice(seed);

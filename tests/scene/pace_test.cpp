@@ -53,6 +53,7 @@ void compare(const Timing& t, std::int64_t until, std::optional<std::int64_t> fi
   }
 }
 
+// shows: C135 C136 R-E10
 TEST(Pace, RowsAreThoseOfTheRules) {
   using Row = Pace::Row;
   const std::vector<Row> slower{{0, 0, 2}, {30, 15, 3}, {60, 25, 4}, {92, 33, 5}, {122, 39, 6, true}};
@@ -61,6 +62,7 @@ TEST(Pace, RowsAreThoseOfTheRules) {
   EXPECT_EQ(rows(pace({5, -1, 30}), 1000), faster);
 }
 
+// shows: C46 C111 R-E7
 TEST(Pace, WithoutChangeItIsADivision) {
   for (std::int64_t d : {1LL, 2LL, 30LL, 31LL, 1000LL}) {
     const Pace p = pace({d});
@@ -72,6 +74,7 @@ TEST(Pace, WithoutChangeItIsADivision) {
   }
 }
 
+// shows: C135 C137 C138 R-E10
 TEST(Pace, EveryParameterSetIsThatOfATickLoop) {
   int sets = 0;
   for (std::int64_t interval = 1; interval <= 30; ++interval)
@@ -94,6 +97,7 @@ TEST(Pace, OtherCeilingsAndWhatIsLeftOfAnOlderInterval) {
           }
 }
 
+// shows: C138
 TEST(Pace, ACeilingThatIsReachedAtOnceLeavesNothingToDo) {
   const Pace p = pace({40, 1, 5});
   EXPECT_EQ(p.count(1'000'000), 0);
@@ -102,6 +106,7 @@ TEST(Pace, ACeilingThatIsReachedAtOnceLeavesNothingToDo) {
   EXPECT_EQ(pace({40, -1, 5}).due(0), 40);
 }
 
+// shows: R-E7
 TEST(Pace, LargeNumbersDoNotOverflow) {
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max(), large = Pace::largest;
   EXPECT_EQ(pace({most}).due(0), most);

@@ -51,6 +51,7 @@ class Dice {
   std::mt19937 engine_;
 };
 
+// shows: C31 R-E15
 TEST(Power, KindsAreTold) {
   EXPECT_EQ(Power().kind(), Power::Kind::identity);
   EXPECT_EQ(Power(Mat4{}).kind(), Power::Kind::identity);
@@ -67,6 +68,7 @@ TEST(Power, KindsAreTold) {
   EXPECT_EQ(Power(projective).kind(), Power::Kind::general);
 }
 
+// shows: R-E15
 TEST(Power, ATurnByDegreesIsThatForThousandsOfMillionsOfSteps) {
   double worst = 0;
   for (Vec3 axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{1, 2, 3}, Vec3{-0.3, 0.7, 0.1}})
@@ -82,6 +84,7 @@ TEST(Power, ATurnByDegreesIsThatForThousandsOfMillionsOfSteps) {
   EXPECT_LT(worst, 1e-8);  // 2^-65 of a turn each step
 }
 
+// shows: R-E15
 TEST(Power, AnyTurnIsRightToAMillionthAfterAThousandMillionSteps) {
   Dice dice(1);
   double worst = 0;
@@ -96,6 +99,7 @@ TEST(Power, AnyTurnIsRightToAMillionthAfterAThousandMillionSteps) {
   EXPECT_LT(worst, 1e-6);
 }
 
+// shows: C41 C47 C48 C50 R-E15
 TEST(Power, SimilaritiesAreTheirLiteralProducts) {
   Dice dice(2);
   double worst = 0;
@@ -147,6 +151,7 @@ TEST(Power, SmallTurnsHaveFarCentresAndKeepTheirDigits) {
   }
 }
 
+// shows: C49 R-E13 R-E15
 TEST(Power, GrowthIsAboutTheFixedPointAndAdvancesAsASumOfPowers) {
   const double s = 1.001;
   const Power power(translation({0, 0, 2}) * rotation(axis_angle({0, 0, 1}, 0.3)) * scaling({s, s, s}));
@@ -157,6 +162,7 @@ TEST(Power, GrowthIsAboutTheFixedPointAndAdvancesAsASumOfPowers) {
   EXPECT_LT(length(transform_point(shrink(50), {100, 100, 100}) - fixed), 1e-12);
 }
 
+// shows: C85 R-E15
 TEST(Power, GeneralMatricesClimbTheLadder) {
   Dice dice(4);
   for (int i = 0; i < 200; ++i) {
@@ -178,6 +184,7 @@ TEST(Power, GeneralMatricesClimbTheLadder) {
   EXPECT_EQ(flat(std::numeric_limits<std::int64_t>::max()), scaling({1, 1, 0}));
 }
 
+// shows: R-E15
 TEST(Power, NothingGrowsWithoutBound) {
   const Power grow(scaling({2, 2, 2}));
   EXPECT_FALSE(grow.clamped(59));
@@ -198,6 +205,7 @@ TEST(Power, NothingGrowsWithoutBound) {
     for (double e : Power(wild)(n).m) EXPECT_LE(std::abs(e), 1e18);
 }
 
+// shows: R-E15
 TEST(Power, NearlyRigidMatricesAreMadeRigid) {
   Mat4 m = about({1, 2, 3}, {1, 1, 0}, 0.4);
   for (double& e : m.m) e = static_cast<float>(e);
@@ -219,6 +227,7 @@ TEST(Power, NearlyRigidMatricesAreMadeRigid) {
   EXPECT_NEAR(slow(1'000'000)(2, 2), std::pow(1.000001, 1e6), 1e-9);
 }
 
+// shows: R-E1d
 TEST(Power, BetweenTheStepsMotionIsSmooth) {
   Dice dice(5);
   for (int i = 0; i < 200; ++i) {
