@@ -5,7 +5,17 @@
 //
 //     cc -std=c99 -O2 -shared -fPIC -I ../../include -o example.so example.c
 //
-// (where Betwixt is installed without the -I), then `load example.so` in a script.
+// (where Betwixt is installed without the -I), then start the program with it, or load it in the shell:
+//
+//     betwixt play film.bx --load ./example.so
+//     betwixt shell film.bx        and there: load ./example.so
+//
+// and write in the film
+//
+//     ball.position
+//       1f  (0 0 0) overshoot
+//       24f (4 0 0)
+//     filter ball.color stairs step=0.5
 #include <betwixt/plugin.h>
 #include <math.h>
 
@@ -15,7 +25,7 @@ static double overshoot(double u, void* user) {
   return 1 + v * v * ((more + 1) * v + more);
 }
 
-static int quantise(const struct betwixt_input* input, const struct betwixt_parameter* parameters, size_t count,
+static int stairs(const struct betwixt_input* input, const struct betwixt_parameter* parameters, size_t count,
                     struct betwixt_value* out, void* user) {
   double step = 0.25;
   size_t i;
@@ -35,6 +45,6 @@ static int quantise(const struct betwixt_input* input, const struct betwixt_para
 
 BETWIXT_PLUGIN(host) {
   host->register_twerper(host, "overshoot", "goes a tenth beyond the end and comes back", overshoot, 0);
-  host->register_filter(host, "quantise", "moves in steps: step=0.25", quantise, 0);
+  host->register_filter(host, "stairs", "moves in steps: step=0.25", stairs, 0);
   return 0;
 }

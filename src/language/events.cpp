@@ -15,10 +15,12 @@ namespace betwixt {
 namespace {
 
 // Twerpers, and what else may stand behind a value: for near misses.
-std::vector<std::string_view> twerper_words() {
+std::vector<std::string_view> twerper_words(const Scene& s) {
   std::vector<std::string_view> words(twerper_names.begin() + 1, twerper_names.end());
   for (const char* w : {"release", "ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "cut"})
     words.push_back(w);
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::twerper) words.push_back(p.name);
   return words;
 }
 
@@ -48,10 +50,12 @@ bool Reader::twerper(Cursor& c, const Selected& to, Twerper& out, std::array<dou
     std::string why;
     return fits(out, to.type(), &why) || c.fail(Code::type, why, w);
   }
-  if (at == twerper_names.end())
-    return c.fail(Code::name,
-                  w.empty() ? "a twerper is missing here" : fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
-                  did_you_mean(w, twerper_words()));
+  if (at == twerper_names.end()) {
+    if (w.empty()) return c.fail_here(Code::name, "a twerper is missing here");
+    const std::string near = did_you_mean(w, twerper_words(s));
+    return c.fail(Code::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
+                  near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
+  }
   out = static_cast<Twerper>(at - twerper_names.begin());
   std::string why;
   if (!fits(out, to.type(), &why)) return c.fail(Code::type, why, w);

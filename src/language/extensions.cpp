@@ -1,88 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Words of others: procedures and commands of the author's own, and what plug-ins bring.
+// Procedures and commands of the author's own.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "base/names.h"
 #include "betwixt/program.h"
+#include "language/plugins.h"
 #include "language/reader.h"
 #include "procedure/lua.h"
-#include "procedure/plugins.h"
 
 namespace betwixt {
 namespace {
 
 constexpr int deepest_command = 20;  // commands of the author's that run each other
 
-// What plug-ins brought, for all scripts of this process.
-struct Brought {
-  std::mutex mutex;
-  std::vector<NamedProcedure> procedures;
-  std::vector<FunctionSpec> functions;
-};
-Brought& brought() {
-  static Brought b;
-  return b;
-}
-
-Value value_of_numbers(Type type, const std::vector<double>& n) {
-  const auto at = [&](std::size_t i) { return i < n.size() ? n[i] : 0.0; };
-  const Vec3 v{at(0), at(1), at(2)};
-  switch (type) {
-    case Type::vector:
-      return v;
-    case Type::color:
-      return Color{v.x, v.y, v.z};
-    case Type::boolean:
-      return v.x != 0;
-    case Type::rotation:
-      return Angles{v};
-    default:
-      return v.x;
-  }
-}
-
 }  // namespace
-
-Status use_plugin(const std::string& path) {
-  auto plugin = load_plugin(path);
-  if (!plugin) return plugin.error();
-  static constexpr std::pair<std::string_view, Type> types[] = {
-      {"number", Type::scalar}, {"scalar", Type::scalar},   {"angle", Type::angle},      {"vector", Type::vector},
-      {"color", Type::color},   {"boolean", Type::boolean}, {"rotation", Type::rotation}};
-  Brought& all = brought();
-  const std::lock_guard lock(all.mutex);
-  for (PluginItem& item : plugin->items) {
-    if (!is_name(item.name)) return fail(Code::name, fmt::format("{}: '{}' cannot be a name", path, item.name));
-    std::erase_if(all.procedures, [&](const NamedProcedure& p) { return p.name == item.name; });
-    all.procedures.push_back({item.name, item.role, item.code});
-  }
-  for (const PluginFunction& f : plugin->functions) {
-    const auto type =
-        std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == f.type; });
-    if (type == std::end(types) || !is_name(f.name))
-      return fail(Code::type,
-                  fmt::format("{}: the function '{}' has no type that is known: '{}'", path, f.name, f.type));
-    std::erase_if(all.functions, [&](const FunctionSpec& s) { return s.name == f.name; });
-    all.functions.push_back(
-        {f.name, type->second, value_of_numbers(type->second, f.numbers), 0xffffffff, Unit::none, {}});
-  }
-  return Nothing{};
-}
-
-void adopt_plugins(Scene& s) {
-  Brought& all = brought();
-  const std::lock_guard lock(all.mutex);
-  for (const NamedProcedure& p : all.procedures)
-    if (!find_procedure(s, p.name)) s.procedures.edit().push_back(p);
-  for (const FunctionSpec& f : all.functions)
-    if (!find_function(s, Kind::group, f.name)) s.defined.edit().push_back(f);
-}
 
 bool Reader::procedure(Cursor& c) {
   c.space();
@@ -103,13 +39,8 @@ bool Reader::procedure(Cursor& c) {
   if (!c.text(source)) return false;
   const std::string_view about = c.since(start);
   if (!finish(c)) return false;
-  const auto taken = [&](const char* what) {
+  if (const std::string_view what = taken_by(name, role); !what.empty())
     return c.fail(Code::name, fmt::format("'{}' is {} already", name, what), name);
-  };
-  for (const Verb& v : verbs())
-    if (v.word == name) return taken("a command");
-  if (std::find(twerper_names.begin(), twerper_names.end(), name) != twerper_names.end()) return taken("a twerper");
-  if (find_filter(name)) return taken("a filter");
   auto code = make_lua(role, std::move(source));
   if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
   NamedProcedure made{std::string(name), role, *std::move(code)};

@@ -198,6 +198,16 @@ constexpr std::string_view what(HelpGroup g) {
                          : "a twerper";
 }
 
+// What a procedure is, and what whoever made it says.
+std::string about(const NamedProcedure& p) {
+  static constexpr std::string_view roles[] = {"A procedure", "A twerper", "A filter", "A command"};
+  const bool plugin = p.code && p.code->language == "plug-in";
+  std::string out = fmt::format("{} {}", roles[static_cast<std::size_t>(p.role)],
+                                plugin ? fmt::format("of the plug-in {}", p.code->source) : "of this film");
+  if (const std::string says = plugin ? plugin_help(p.name) : ""; !says.empty()) out += ": " + says;
+  return out + ".";
+}
+
 }  // namespace
 
 std::span<const HelpEntry> help_entries() { return entries; }
@@ -211,10 +221,10 @@ std::string help_overview(const Scene& scene) {
     for (const HelpEntry& e : entries)
       if (e.group == group && there(e)) out += fmt::format("  {:16} {}\n", e.word, e.sentence);
   }
-  if (!scene.defined->empty() || !scene.procedures->empty()) out += "\nOf this film\n";
+  if (!scene.defined->empty() || !scene.procedures->empty()) out += "\nOf this film and of plug-ins\n";
   for (const FunctionSpec& f : *scene.defined)
     out += fmt::format("  {:16} A function: {}.\n", f.name, to_string(f.type));
-  for (const NamedProcedure& p : *scene.procedures) out += fmt::format("  {:16} A procedure.\n", p.name);
+  for (const NamedProcedure& p : *scene.procedures) out += fmt::format("  {:16} {}\n", p.name, about(p));
   return out + "\nhelp WORD says more and gives an example.\n";
 }
 
@@ -243,8 +253,14 @@ std::string help_text(std::string_view word, const Scene& scene) {
       if (verb_word == word) out += fmt::format("{}, a command\n  usage: {}\n", verb_word, how);
   for (const FunctionSpec& f : *scene.defined)
     if (f.name == word) out += fmt::format("{}, a function of this film: {}\n", f.name, to_string(f.type));
-  for (const NamedProcedure& p : *scene.procedures)
-    if (p.name == word) out += fmt::format("{}, a procedure of this film\n", p.name);
+  for (const NamedProcedure& p : *scene.procedures) {
+    if (p.name != word) continue;
+    out += fmt::format("{}: {}\n", p.name, about(p));
+    static constexpr std::string_view examples[] = {"set ball.radius = \"{0}()\"", "at 12f ball.radius 2 {0}",
+                                                    "filter ball.radius {0}", "{0}"};
+    out +=
+        fmt::format("  example: {}\n", fmt::format(fmt::runtime(examples[static_cast<std::size_t>(p.role)]), p.name));
+  }
   return out;
 }
 

@@ -88,7 +88,8 @@ bool Reader::filter(Cursor& c) {
     return c.fail(Code::name,
                   name.empty() ? "the name of a filter is missing here"
                                : fmt::format("there is no filter '{}'", name.substr(0, 40)),
-                  name.empty() ? std::string_view(c.at, 0) : name, hint.empty() ? all : hint);
+                  name.empty() ? std::string_view(c.at, 0) : name,
+                  hint.empty() ? all + "; of a plug-in: --load PLUGIN" : hint);
   }
   if (own) made.code = own->code;
   const Type type = on.spec ? on.type() : Type::vector;

@@ -262,7 +262,9 @@ bool Reader::command(Cursor& c) {
   if (starts_like_time(w[0]))
     return c.fail(Code::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
                   "rows are indented under a line that is only a target, as in ball.position");
-  if (const auto why = not_yet(w); !why.empty()) return c.fail(Code::name, fmt::format("'{}' {}", w, why), w);
+  if (const auto why = not_yet(w); !why.empty())
+    return c.fail(Code::name, fmt::format("'{}' {}", w, why), w,
+                  w == "load" ? "who shows the film loads it: betwixt play --load PLUGIN FILE" : "");
   if (c.at_line_end() && !timed_) source_.sheet.open = source_.sheet.broken = true;  // meant as a target, it seems
   std::vector<std::string_view> words;
   for (const Verb& v : verbs()) words.push_back(v.word);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "betwixt/language.h"
+#include "language/plugins.h"
 #include "language/values.h"
 #include "track/operations.h"
 
@@ -28,9 +29,6 @@ struct Selected {
 
 // Where the dot between an object's name and its function is; dots inside braces ({1..100}) are not.
 std::size_t first_dot(std::string_view word);
-
-// Gives the scene the words that plug-ins brought.
-void adopt_plugins(Scene&);
 
 class Reader {
  public:

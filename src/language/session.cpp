@@ -339,6 +339,8 @@ struct Session::State {
     tally.save();
     if (!(load_text(all, file, options).document == document()))
       said += "warning: what was saved loads as another film; a file that it uses has changed or is not beside it\n";
+    for (const std::string& path : plugins_for(all))
+      said += fmt::format("words of a plug-in are in it: it is shown by betwixt play --load {} {}\n", path, name);
     return done(said + fmt::format("saved '{}'\n", name));
   }
 

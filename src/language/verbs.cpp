@@ -68,6 +68,7 @@ std::string_view Reader::not_yet(std::string_view verb) {
                                                "play", "stop", "save",     "open", "load", "quit"};
   if (std::find(std::begin(later), std::end(later), verb) != std::end(later))
     return "is not in this version of Betwixt";
+  if (verb == "load") return "is no word of a script: plug-ins are programs, which a script must not start";
   if (std::find(std::begin(shell), std::end(shell), verb) != std::end(shell))
     return "is a word of the shell; a script does not need it";
   return {};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "procedure/lua.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <deque>
@@ -219,6 +220,22 @@ Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
   lua->serial = ++serials;
   lua->role = role;
   return std::shared_ptr<const Routine>(std::move(lua));
+}
+
+bool known_to_lua(std::string_view name) {
+  static constexpr std::string_view words[] = {
+      "and", "break", "do", "else",   "elseif", "end",  "false", "for",   "function", "goto", "if",   "in",  "local",
+      "nil", "not",   "or", "repeat", "return", "then", "true",  "until", "while",    "t",    "self", "_ENV"};
+  if (std::find(std::begin(words), std::end(words), name) != std::end(words)) return true;
+  const Nested nested;
+  Machine& m = *machine();
+  lua_State* l = m.state;
+  lua_pushglobaltable(l);
+  lua_pushlstring(l, name.data(), name.size());
+  const bool known = lua_gettable(l, -2) != LUA_TNIL;  // nobody is asked for procedures: no call is running
+  m.lenient = true;
+  lua_settop(l, 0);
+  return known;
 }
 
 }  // namespace betwixt

@@ -20,11 +20,15 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "track/procedure.h"
 
 namespace betwixt {
 
 Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source);
+
+// A name that means something in every procedure already, so that no procedure's name is heard there.
+bool known_to_lua(std::string_view name);
 
 }  // namespace betwixt

@@ -39,11 +39,11 @@ TEST(Plugins, TheExample) {
   for (int i = 0; i <= 1000; ++i) most = std::max(most, *overshoot.code->blend(i / 1000.0));
   EXPECT_NEAR(most, 1.1, 1e-4);
   FakeInput in;  // 10 t
-  const auto& quantise = *item(*p, "quantise").code;
-  EXPECT_EQ(std::get<double>(*quantise.filter(in, 0.161, {})), 1.5);
-  EXPECT_EQ(std::get<double>(*quantise.filter(in, 0.161, {{"step", Value(1.0)}})), 2);
-  EXPECT_EQ(quantise.filter(in, 0, {{"step", Value(-1.0)}}).error().message, "the step must be more than 0");
-  EXPECT_EQ(quantise.blend(0).error().message, "this procedure is no twerper");
+  const auto& stairs = *item(*p, "stairs").code;
+  EXPECT_EQ(std::get<double>(*stairs.filter(in, 0.161, {})), 1.5);
+  EXPECT_EQ(std::get<double>(*stairs.filter(in, 0.161, {{"step", Value(1.0)}})), 2);
+  EXPECT_EQ(stairs.filter(in, 0, {{"step", Value(-1.0)}}).error().message, "the step must be more than 0");
+  EXPECT_EQ(stairs.blend(0).error().message, "this procedure is no twerper");
 }
 
 // shows: G14 G15 G19 G54 G55
