@@ -5,6 +5,7 @@
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(fmt REQUIRED)
+pkg_check_modules(HWY REQUIRED QUIET IMPORTED_TARGET libhwy)
 pkg_check_modules(EGL REQUIRED QUIET IMPORTED_TARGET egl epoxy)
 pkg_check_modules(TYPE REQUIRED QUIET IMPORTED_TARGET freetype2 harfbuzz fontconfig glu)
 pkg_check_modules(ASSIMP REQUIRED QUIET IMPORTED_TARGET assimp)

@@ -140,7 +140,7 @@ bool is_affine(const Mat4& m) { return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) =
 // The point c across the axis with c = s e^(i turn) c + slide, i standing for the quarter turn about the axis.
 void find_centre(Power::Similarity& f) {
   const Circle at = circle(f.turns);
-  const double re = (1 - f.scale) + f.scale * at.versine, im = -f.scale * at.sine;
+  const double re = f.scale * at.versine - std::expm1(f.log_scale), im = -f.scale * at.sine;
   const double size = re * re + im * im;
   f.centred = size > 0;
   if (!f.centred) return;
@@ -232,7 +232,7 @@ Mat4 Power::closed(double n, std::uint64_t turns, bool odd) const {
   const Vec3 across = f.centred ? (scale * at.versine - growth) * f.centre - (scale * at.sine) * f.side : n * f.slide;
   // Along it: the sum of the first n powers of what one step does there.
   const double steps = f.mirrored     ? (flip ? 2 + growth : -growth) / (1 + f.scale)
-                       : f.scale != 1 ? growth / (f.scale - 1)
+                       : f.scale != 1 ? growth / std::expm1(f.log_scale)  // scale - 1 has lost digits when near 0
                                       : n;
   const Vec3 shift = across + (f.advance * steps) * a;
   r(0, 3) = shift.x, r(1, 3) = shift.y, r(2, 3) = shift.z;
