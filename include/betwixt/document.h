@@ -19,7 +19,11 @@ namespace betwixt {
 struct Scene;  // src/scene/document.h
 
 // A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole).
-inline constexpr std::uint16_t world_function = 0xffff;  // the full matrix: can be asked for, not set
+// What can be asked for, not set: the full matrix, of an environment its A; and an environment's M, interval in ticks
+// and number of updates.
+inline constexpr std::uint16_t world_function = 0xffff, motion_function = 0xfffe, interval_function = 0xfffd,
+                               count_function = 0xfffc;
+constexpr bool only_asked(std::uint16_t function) { return function >= count_function; }
 struct Target {
   constexpr Target() = default;
   constexpr Target(ObjectId o, std::uint16_t f, int c = -1) : object(o), function(f), component(c) {}

@@ -31,7 +31,8 @@ enum class Kind : std::uint8_t {
   mesh,
   light,
   camera,
-  layer  // no object of the scene: what it holds is laid over the tracks of others
+  layer,       // no object of the scene: what it holds is laid over the tracks of others
+  environment  // no object of the scene: a matrix that others are moved by
 };
 
 // What an object looks like in its own space, as a description; src/render turns it into triangles.

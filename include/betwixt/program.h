@@ -15,6 +15,8 @@ namespace betwixt {
 using Reading =
     std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure, Mat4>;
 
+Reading reading_of(const Value&);
+
 // How an object goes through the world at a time.
 struct Bearing {
   Vec3 place, speed;  // of its origin, in the world; speed per second, coming from before where there is a break

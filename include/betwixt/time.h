@@ -43,6 +43,15 @@ struct Rate {
     return {static_cast<std::int64_t>(
         std::llroundl(static_cast<long double>(n) * static_cast<long double>(whole) / static_cast<long double>(num)))};
   }
+  // How many whole spans have gone by at t: the n with span(n) <= t < span(n + 1).
+  std::int64_t whole(Time t) const {
+    const long double n = std::floor(static_cast<long double>(t.flicks) * static_cast<long double>(num) /
+                                     (static_cast<long double>(flicks_per_second) * static_cast<long double>(den)));
+    const auto guess = static_cast<std::int64_t>(n);
+    for (const std::int64_t k : {guess + 1, guess})
+      if (span(static_cast<double>(k)) <= t) return k;
+    return guess - 1;
+  }
   // Frame n; frame 1 is time 0.
   Time frame(double n) const { return span(n - 1); }
   // The frame number at t; whole at frames.

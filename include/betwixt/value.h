@@ -55,6 +55,7 @@ struct Shared {
 using Text = Shared<std::string>;
 using Points = Shared<std::vector<Vec3>>;
 using Names = Shared<std::vector<std::string>>;
+using Matrix = Shared<Mat4>;  // affine
 
 // What an object hangs on, and how (rules, section 5).
 //   hang    its position only is moved by the parent    attach  the parent turns it too, its scale does not
@@ -91,11 +92,12 @@ enum class Type : std::uint8_t {
   points,       // Points
   names,        // Names
   attachment,   // Attachment
+  transform,    // Matrix
 };
 std::string_view to_string(Type);  // in the author's words: "a number", "a vector", …
 bool has_velocity(Type);           // whether values of the type have a rate of change
 
 using Value =
-    std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure>;
+    std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure, Matrix>;
 
 }  // namespace betwixt

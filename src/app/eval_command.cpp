@@ -73,6 +73,7 @@ std::string plain(const Reading& r, const Target& t, const Document& d) {
     for (double n : numbers(r)) out += (out.back() == '(' ? "" : " ") + write_number(n);
     return out + ")";
   }
+  if (const auto* n = std::get_if<double>(&r); n && only_asked(t.function)) return write_number(*n);
   Value v;
   std::visit(
       [&](const auto& x) {
@@ -105,7 +106,7 @@ int eval(const Asked& asked) {
   }
   const Program program = Program::compile(*document);
   const auto type_of = [&](const Target& t) {
-    if (t.function == world_function) return Type::vector;
+    if (only_asked(t.function)) return t.function >= motion_function ? Type::vector : Type::scalar;
     const Type whole = spec_of(document->scene(), t.function).type;
     return t.component < 0 ? whole : component_type(whole);
   };

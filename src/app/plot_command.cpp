@@ -92,7 +92,7 @@ Stroke events(const Number& n, const Document& document, const Target& target, c
 
 // The curves of a target; none where it is not made of numbers.
 std::vector<Curve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
-  if (target.function == world_function) return {};  // a matrix
+  if (only_asked(target.function)) return {};  // a matrix
   const Document& document = program.document();
   const Type type = spec_of(document.scene(), target.function).type;
   const std::size_t count = numbers(program.read(target, frames.first)).size();

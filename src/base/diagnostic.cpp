@@ -81,6 +81,8 @@ std::string_view to_string(Type type) {
       return "a list of names";
     case Type::attachment:
       return "an attachment";
+    case Type::transform:
+      return "a transform";
   }
   return "a value";
 }

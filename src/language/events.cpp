@@ -145,6 +145,7 @@ bool Reader::computed(Cursor& c, const Selected& to, Value& out) {
     case Type::points:
     case Type::names:
     case Type::attachment:
+    case Type::transform:
       return c.fail(Code::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
     default:
       break;
@@ -296,8 +297,9 @@ bool Reader::at(Cursor& c) {
   c.space();
   const char* start = c.at;
   const std::string_view w = c.word();
-  static constexpr std::string_view timed_verbs[] = {"note",   "look",   "show",  "hide", "couple", "hang",
-                                                     "attach", "detach", "letgo", "fall", "on"};
+  static constexpr std::string_view timed_verbs[] = {"note", "look",    "show",   "hide",  "couple",
+                                                     "hang", "attach",  "detach", "letgo", "fall",
+                                                     "on",   "animate", "halt",   "kill",  "cancel"};
   if (w.empty()) return c.fail_here(Code::syntax, "a target or a command is missing here");
   if (w.find('.') != std::string_view::npos) {
     Selected to;

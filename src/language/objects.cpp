@@ -157,6 +157,9 @@ bool Reader::create(Cursor& c) {
     if (kind == Kind::layer)
       return c.fail(Code::name, "a layer is made by a command of its own", kind_word,
                     fmt::format("layer {} add", word.substr(0, 40)));
+    if (kind == Kind::environment)
+      return c.fail(Code::name, "an environment is made by a command of its own", kind_word,
+                    fmt::format("animate {} every 1t by rotate(6deg, z)", word.substr(0, 40)));
     if (!kind) {
       std::string hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
       if (hint.empty()) {
@@ -272,9 +275,9 @@ bool Reader::attachment(Cursor& c, const std::vector<ObjectId>& children, const 
   const Scene before = s;
   for (ObjectId child : children) {
     if (to.hold >= Hold::hang) {
-      if (s.objects[to.parent.index].kind == Kind::layer || s.objects[child.index].kind == Kind::layer) {
+      if (!placed(s.objects[to.parent.index].kind) || !placed(s.objects[child.index].kind)) {
         s = before;
-        return c.fail(Code::type, "a layer is no object that anything can hang on", about);
+        return c.fail(Code::type, "layers and environments are no objects that hang on anything", about);
       }
       // Until the track says otherwise.
       Time until{INT64_MAX};

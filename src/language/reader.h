@@ -127,6 +127,17 @@ class Reader {
   bool record(Cursor& c);
   bool fall(Cursor& c);
 
+  // environments.cpp
+  bool animate(Cursor& c);
+  bool halt(Cursor& c) { return to_environments(c, EnvironmentEvent::Halt{}); }
+  bool kill(Cursor& c) { return to_environments(c, EnvironmentEvent::Kill{}); }
+  bool cancel(Cursor& c) { return to_environments(c, EnvironmentEvent::Cancel{}); }
+  bool to_environments(Cursor& c, const decltype(EnvironmentEvent::what)& what);
+  bool add_to(Cursor& c, const std::vector<std::string>& names, const decltype(EnvironmentEvent::what)& what,
+              std::string_view about);
+  bool whole_ticks(Cursor& c, std::int64_t& out);
+  std::int64_t tick() const;
+
   // settings.cpp
   bool rate(Cursor& c) { return rate_of(c, s.rate, c.frames_read, "frames"); }
   bool ticks(Cursor& c) { return rate_of(c, s.ticks, c.ticks_read, "ticks"); }

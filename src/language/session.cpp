@@ -122,7 +122,7 @@ std::string written(const Reading& r, const Target& t, const Document& d) {
   return std::visit(
       [&](const auto& x) -> std::string {
         if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Mat4>)
-          return "";
+          return write_matrix(x);
         else
           return write_value(Value(x), spec_of(d.scene(), t.function), t.component,
                              [&](ObjectId id) { return id ? d.name(id) : std::string(); });
@@ -624,7 +624,7 @@ struct Session::State {
 
   std::string track_lines(const Target& t) const {
     std::string said = document().name(t) + "\n";
-    if (t.function == world_function) return said;
+    if (only_asked(t.function)) return said;
     const FunctionSpec& spec = spec_of(scene(), t.function);
     for (const Track* track : tracks_of(scene(), t))
       track->events.each([&](const Event& e) {

@@ -91,9 +91,10 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
     if (!braces) return c.fail(braces.error().code, braces.error().message, function);
     wanted = std::move(*braces);
   }
-  if (function == "world" && component.empty()) {
-    if (!world_too) return c.fail(Code::type, "'world' can be asked for, not set", function);
-    for (ObjectId id : objects) out.targets.push_back({id, world_function, -1});
+  if (const auto asked = find_asked(s.objects[objects[0].index].kind, function); asked && component.empty()) {
+    if (!world_too) return c.fail(Code::type, fmt::format("'{}' can be asked for, not set", function), function);
+    for (ObjectId id : objects)
+      if (find_asked(s.objects[id.index].kind, function)) out.targets.push_back({id, *asked, -1});
     return true;
   }
   for (ObjectId id : objects) {
@@ -154,7 +155,7 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
     note(Severity::notice, fmt::format("'{}' names nothing", word), word);
     return true;
   }
-  static constexpr std::string_view later[] = {"environments", "motion"};
+  static constexpr std::string_view later[] = {"motion"};
   if (std::find(std::begin(later), std::end(later), function) != std::end(later))
     return c.fail(Code::name, fmt::format("'{}' is not in this version of Betwixt", function), function);
   const Object& o = s.objects[objects[0].index];

@@ -418,8 +418,18 @@ bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, Fun
       out = std::move(p);
       return true;
     }
-    case Type::names:
-      break;
+    case Type::names: {
+      Names list;
+      if (!names(list)) return false;
+      out = std::move(list);
+      return true;
+    }
+    case Type::transform: {
+      Mat4 m;
+      if (!transform(m)) return false;
+      out = Matrix(m);
+      return true;
+    }
   }
   return c.fail_here(Code::type, missing(type));
 }

@@ -33,6 +33,11 @@ struct ValueReader {
   bool points(Points& out);
   bool object(ObjectId& out);  // a name that exists
   bool axis(Vec3& out);        // x, y, z or (x y z)
+  // translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), one behind the other:
+  // the leftmost is applied last.
+  bool transform(Mat4& out);
+  // Plain names, also of what is not there yet: (spin drift), or one of them.
+  bool names(Names& out);
 };
 
 // The reverse. `name_of` gives names to objects.
@@ -40,6 +45,7 @@ std::string write_number(double v);          // shortest form that reads back to
 std::string write_text(const std::string&);  // quoted
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);
+std::string write_matrix(const Mat4&);  // row by row
 std::string write_value(const Value&, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of);
 

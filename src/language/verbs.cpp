@@ -50,6 +50,11 @@ const std::vector<Reader::Verb>& Reader::verbs() {
       {"fall", "at TIME fall A [delay=L] [gravity=G] [ground=Y] [bounce=K] [for L]", &Reader::fall},
       {"dial", "dial ADDRESS to TARGET [from A B to C D]", &Reader::dial},
       {"record", "record on or record off", &Reader::record},
+      {"animate", "animate ENV every L by TRANSFORM [slower|faster L per L] [limit L] [from L] [until L] [keep-phase]",
+       &Reader::animate},
+      {"halt", "at TIME halt ENV", &Reader::halt},
+      {"kill", "at TIME kill ENV", &Reader::kill},
+      {"cancel", "at TIME cancel ENV", &Reader::cancel},
       {"policy", "policy translate|ignore|ask", &Reader::policy},
       {"use", "use FILE", &Reader::use},
   };
@@ -63,11 +68,8 @@ std::vector<std::pair<std::string_view, std::string_view>> Reader::words() {
 }
 
 std::string_view Reader::not_yet(std::string_view verb) {
-  static constexpr std::string_view later[] = {"animate", "halt", "kill", "cancel"};
   static constexpr std::string_view shell[] = {"help", "list", "describe", "undo", "redo", "plot",
                                                "play", "stop", "save",     "open", "load", "quit"};
-  if (std::find(std::begin(later), std::end(later), verb) != std::end(later))
-    return "is not in this version of Betwixt";
   if (verb == "load") return "is no word of a script: plug-ins are programs, which a script must not start";
   if (std::find(std::begin(shell), std::end(shell), verb) != std::end(shell))
     return "is a word of the shell; a script does not need it";

@@ -146,6 +146,7 @@ struct Writer {
       if (!s.objects[i].removed) living.push_back(i);
     for (std::uint32_t i : living) {
       const Object& o = s.objects[i];
+      if (o.kind == Kind::environment) continue;  // made by their first animate
       const bool layer = o.kind == Kind::layer;
       out += (layer ? "layer " : "create ") + flat_name(o.name) + " ";
       out +=
@@ -159,6 +160,8 @@ struct Writer {
     }
     // A name with a slash may belong to anything by now, and its namesake above may be gone: such objects get their
     // names last.
+    for (std::uint32_t i : living)
+      if (s.objects[i].environment) environment(flat_name(s.objects[i].name), *s.objects[i].environment);
     for (std::uint32_t i : living)
       if (flat_name(s.objects[i].name) != s.objects[i].name)
         out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
@@ -175,6 +178,26 @@ struct Writer {
         strand(slot.velocity, t);
         for (const Filter& f : slot.filters) filter(f, {{i}, slot.function, f.component}, slot.layer);
       }
+  }
+
+  void environment(const std::string& name, const Environment& e) {
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      const EnvironmentEvent& event = e.event(i);
+      const auto* a = std::get_if<EnvironmentEvent::Animate>(&event.what);
+      static constexpr std::string_view verbs[] = {"halt", "kill", "cancel", "animate"};
+      out += fmt::format("at {}t {} {}", event.tick, verbs[event.what.index()], name);
+      if (a) {
+        const Timing& t = a->timing;
+        out += fmt::format(" every {}t by {}", t.interval, write_matrix(a->motion));
+        if (t.change != 0)
+          out += fmt::format(" {} {}t per {}t", t.change > 0 ? "slower" : "faster", std::abs(t.change), t.period);
+        if (t.ceiling != Timing{}.ceiling) out += fmt::format(" limit {}t", t.ceiling);
+        if (a->from) out += fmt::format(" from {}t", *a->from);
+        if (a->until) out += fmt::format(" until {}t", *a->until);
+        if (a->keep_phase) out += " keep-phase";
+      }
+      out += "\n";
+    }
   }
 
   std::string on(ObjectId layer) const { return layer ? "on " + name_of(layer) + " " : ""; }

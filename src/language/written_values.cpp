@@ -56,6 +56,13 @@ std::string write_angle(double radians) {
 
 }  // namespace
 
+std::string write_matrix(const Mat4& m) {
+  std::string out = "matrix(";
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) out += (row + column ? " " : "") + write_number(m(row, column));
+  return out + ")";
+}
+
 std::string write_value(const Value& v, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of) {
   const Type type = component < 0 ? spec.type : component_type(spec.type);
@@ -89,6 +96,7 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
     if (a->hold >= Hold::hang) out += name_of(a->parent) + (a->keep_world ? " keep-world" : "");
     return out;
   }
+  if (const auto* m = std::get_if<Matrix>(&v)) return write_matrix(**m);
   if (const auto* p = std::get_if<Procedure>(&v)) return "= " + write_text(p->code->source);
   std::string out = "(";
   for (const auto& n : *std::get<Names>(v)) out += (out.size() > 1 ? " " : "") + n;

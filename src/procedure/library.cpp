@@ -220,7 +220,7 @@ int input_at(lua_State* l, Machine& m) {
   if (!std::isfinite(at) || (!lua_isnoneornil(l, 1) && !lua_isnumber(l, 1)))
     return fail_with(l, "input: the time is no number");
   const Value v = m.call->input->at(at);
-  return push_reading(l, "input", std::visit([](const auto& x) { return Result<Reading>(Reading(x)); }, v));
+  return push_reading(l, "input", Result<Reading>(reading_of(v)));
 }
 int input(lua_State* l) {
   const int results = guarded<input_at>(l);
@@ -267,7 +267,7 @@ int call_routine(lua_State* l, Machine& m) {
   }
   const auto result = routine->value(*m.call->questions, arguments, m.call->steps);
   if (!result) return fail_with(l, name + ": " + result.error().message);
-  return push_reading(l, name, std::visit([](const auto& x) { return Result<Reading>(Reading(x)); }, *result));
+  return push_reading(l, name, Result<Reading>(reading_of(*result)));
 }
 int call(lua_State* l) {
   const int results = guarded<call_routine>(l);

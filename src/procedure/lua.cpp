@@ -158,7 +158,7 @@ class Lua final : public Routine {
  private:
   // What has no word in Lua is nil.
   static void push_value(lua_State* l, const Value& v) {
-    if (!lua::push(l, std::visit([](const auto& x) { return Reading(x); }, v))) lua_pushnil(l);
+    if (!lua::push(l, reading_of(v))) lua_pushnil(l);
   }
 
   static int call_function(Machine& m, int arguments) {

@@ -6,6 +6,7 @@
 // wanted.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <mutex>
 
@@ -88,10 +89,16 @@ struct Asking {
   void say(std::string problem);
 };
 
-// Where a node is in the world, and the part of that which children take on when scales stay out (R-H2).
+// Where a node is within the environments that enclose it, and the part of that which children take on when scales
+// stay out (R-H2, R-H7).
 struct Placed {
   Mat4 world;
   Quat turn;
+};
+// The same, and those environments' matrix.
+struct Sited : Placed {
+  Mat4 around;
+  Mat4 in_world() const { return around * world; }
 };
 
 // An attachment in force from a time on.
@@ -108,6 +115,7 @@ struct Frozen {
   Mat4 before;  // applied to what the tracks say, before the parent
   Quat before_turn;
   Mat4 turn3, parent;  // letgo: B and the parent's matrix, as they were
+  Mat4 around;         // letgo: the environments that the parent was in
   Quat parent_turn;
   Vec3 attach;
   bool held = false;  // letgo: there was a parent
@@ -119,7 +127,23 @@ struct Node {
   Kind kind = Kind::group;
   bool orientation = false;
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0, attach = 0, display = 0, color = 0;  // offsets
+  std::int32_t around = -1, drive = -1;                                                                // sitings
+  bool transform = false;                                                                              // it has one
   std::shared_ptr<const Shape> shape;  // where nothing of it varies
+};
+
+// The environments that something is in, the outermost first, and since when. Which generation of a name that is was
+// settled when the event that says so came (R-E9).
+struct Site {
+  std::uint32_t environment = 0;
+  int generation = 0;
+};
+struct Siting {
+  struct Change {
+    Time from;
+    std::vector<Site> sites;
+  };
+  std::vector<Change> changes;  // by time; the first one counts before it too
 };
 
 struct Program::Compiled {
@@ -139,6 +163,9 @@ struct Program::Compiled {
   std::vector<Node> nodes;
   std::vector<Hand> hands;             // by node, then time
   mutable std::vector<Frozen> frozen;  // all done when compiling ends
+  std::vector<std::shared_ptr<const Environment>> environments;
+  std::vector<Siting> sitings;
+  bool sited = false;                  // some node is in an environment
   std::vector<std::string> notices;    // attachments that had to be ignored
   std::vector<std::uint32_t> node_of;  // per object; its order is that of the objects
 
@@ -155,12 +182,16 @@ struct Program::Compiled {
   Reading read(const Target&, Time t, Asking&) const;
 
   const Hand* hand(const Node& n, Time t) const;  // null: it never hangs on anything
-  std::vector<Placed> placements(Time t, const double* numbers, Asking&) const;
+  // `around`: the environments of each; stays empty where nothing is in any.
+  std::vector<Placed> placements(Time t, const double* numbers, Asking&, std::vector<Mat4>& around) const;
+  Mat4 product(std::int32_t siting, Time t) const;  // of its environments
+  std::optional<Mat4> driven(const Node&, Time t, Asking&) const;
   std::vector<Mat4> worlds(Time t, const double* numbers, Asking&) const;
-  Placed placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
+  Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;
-  std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers, const std::vector<Placed>* placed,
-                          Asking&) const;
+  // `place`: of a node, in the world.
+  std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers,
+                          const std::function<Vec3(std::uint32_t)>& place, Asking&) const;
   Between between(const Binding& b, Time t) const { return steps[static_cast<std::size_t>(b.steps)].at(t, set); }
   Value value(const Binding& b, Time t, Asking&) const;  // the one that holds at t
   void thaw(std::int32_t frozen, Asking&) const;

@@ -328,6 +328,35 @@ struct Compiler {
     return false;
   }
 
+  // The environments that a function of the object's names, from the event on that names them.
+  std::int32_t siting(const Object& o, FunctionId f) {
+    const Slot* slot = o.find(f);
+    if (!slot) return -1;
+    Siting made;
+    const auto change = [&](Time from, const Value& v) {
+      Siting::Change c{from, {}};
+      const std::int64_t tick = from.flicks == INT64_MIN ? -Environment::furthest : scene.ticks.whole(from);
+      for (const std::string& name : *std::get<Names>(v))
+        for (const ObjectId id : select(scene, name))  // an alias is many
+          if (const auto& track = scene.objects[id.index].environment)
+            if (const auto generation = track->bind(tick)) c.sites.push_back({environment_of(id.index), *generation});
+      made.changes.push_back(std::move(c));
+    };
+    slot->track->events.each([&](const Event& e) {
+      if (!e.keep) change(e.time, e.value);
+    });
+    if (made.changes.empty() && slot->set) change({INT64_MIN}, *slot->set);
+    if (made.changes.empty()) return -1;
+    code.sitings.push_back(std::move(made));
+    return static_cast<std::int32_t>(code.sitings.size()) - 1;
+  }
+  std::uint32_t environment_of(std::uint32_t object) {
+    const auto [at, fresh] = environment_index.emplace(object, static_cast<std::uint32_t>(code.environments.size()));
+    if (fresh) code.environments.push_back(scene.objects[object].environment);
+    return at->second;
+  }
+  std::unordered_map<std::uint32_t, std::uint32_t> environment_index{};
+
   void node(std::uint32_t object) {
     const Object& o = scene.objects[object];
     Node n;
@@ -338,6 +367,9 @@ struct Compiler {
     n.pivot = offset(fn::pivot), n.attach = offset(fn::attach_position), n.display = offset(fn::display),
     n.color = offset(fn::color);
     n.orientation = code.find(object, fn::rotation).orientation;
+    n.around = siting(o, fn::environments), n.drive = siting(o, fn::drive);
+    n.transform = o.find(fn::transform) != nullptr;
+    code.sited = code.sited || n.around >= 0;
     if (drawn(o.kind) && !shape_varies(object)) {
       Asking asking;
       n.shape = std::make_shared<const Shape>(code.shape(object, {}, code.rest.data(), asking));

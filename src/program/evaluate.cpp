@@ -47,14 +47,14 @@ Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
 }
 
 std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
-                                           const std::vector<Placed>* placed, Asking& asking) const {
+                                           const std::function<Vec3(std::uint32_t)>& place, Asking& asking) const {
   const Binding& b = find(camera, fn::look_at);
   if (b.channels == 3 && b.live < 0) return vec3(numbers + b.offset);
   const auto point = [&](const Value& v) -> std::optional<Vec3> {
     if (const auto* p = std::get_if<Vec3>(&v)) return *p;
     const auto* id = std::get_if<ObjectId>(&v);
     if (!id || !find_object(document.scene(), *id)) return std::nullopt;
-    return translation_of((*placed)[node_of[id->index]].world);
+    return place(node_of[id->index]);
   };
   if (b.live >= 0) return point(live_value(b.live, t, asking));
   if (b.steps < 0) return point(b.constant);

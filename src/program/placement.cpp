@@ -14,7 +14,18 @@ namespace {
 struct Said {
   Quat turn;
   Vec3 scale, pivot, position, attach;
+  std::optional<Mat4> own;  // what moves it in its own space first
 };
+
+// The turning part of a matrix that turns and scales.
+Quat turn_of(const Mat4& m) {
+  Mat4 r;
+  for (int c = 0; c < 3; ++c) {
+    const Vec3 axis = normalize({m(0, c), m(1, c), m(2, c)}, {c == 0 ? 1.0 : 0, c == 1 ? 1.0 : 0, c == 2 ? 1.0 : 0});
+    r(0, c) = axis.x, r(1, c) = axis.y, r(2, c) = axis.z;
+  }
+  return from_matrix(r);
+}
 
 // Scale and rotation about the pivot, then the move (R-H7).
 Mat4 local(const Said& said) {
@@ -23,7 +34,7 @@ Mat4 local(const Said& said) {
     for (int i = 0; i < 3; ++i) m(i, c) *= said.scale[c];
   const Vec3 move = said.position + said.pivot - transform_vector(m, said.pivot);
   m(0, 3) = move.x, m(1, 3) = move.y, m(2, 3) = move.z;
-  return m;
+  return said.own ? m * *said.own : m;
 }
 
 Mat4 linear_part(Mat4 m) {
@@ -57,7 +68,7 @@ Mat4 held_turn(Hold hold, const Placed& parent) {
 // R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.
 Placed hang(const Said& said, const Hand* hand, const Frozen* frozen, const Placed* parent) {
   Mat4 m = local(said);
-  Quat turn = said.turn;
+  Quat turn = said.own ? said.turn * turn_of(*said.own) : said.turn;
   if (!hand || hand->hold == Hold::detach || (hand->hold == Hold::letgo && !frozen->held)) return {m, turn};
   Vec3 attach = said.attach;
   if (frozen) m = frozen->before * m, turn = frozen->before_turn * turn;
@@ -77,8 +88,12 @@ Placed hang(const Said& said, const Hand* hand, const Frozen* frozen, const Plac
 
 Said said_by(const Node& n, const double* numbers) {
   const double* r = numbers + n.rotation;
-  return {n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r)), vec3(numbers + n.scale),
-          vec3(numbers + n.pivot), vec3(numbers + n.position), vec3(numbers + n.attach)};
+  return {n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r)),
+          vec3(numbers + n.scale),
+          vec3(numbers + n.pivot),
+          vec3(numbers + n.position),
+          vec3(numbers + n.attach),
+          {}};
 }
 
 }  // namespace
@@ -107,10 +122,10 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   numbers(fn::rotation, r);
   said.turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
   said.scale = numbers(fn::scale, x), said.pivot = numbers(fn::pivot, x), said.position = numbers(fn::position, x);
-  said.attach = numbers(fn::attach_position, x);
+  said.attach = numbers(fn::attach_position, x), said.own = driven(n, t, asking);
   const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
   if (kept) thaw(before->frozen, asking);
-  Placed old_parent;
+  Sited old_parent;
   if (before && before->hold >= Hold::hang)
     old_parent = placement(static_cast<std::uint32_t>(before->parent), t, asking);
   if (now.hold == Hold::letgo) {
@@ -122,13 +137,17 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
       f.held = true;
       if (kept) f.before = kept->before, f.before_turn = kept->before_turn;
       f.turn3 = held_turn(before->hold, old_parent);
-      f.parent = old_parent.world;
+      f.parent = old_parent.world, f.around = old_parent.around;
       if (before->hold != Hold::hang) f.parent_turn = old_parent.turn;
       f.attach = said.attach;
     }
   } else {
-    const Placed was = hang(said, before, kept, &old_parent);
-    const Placed parent = placement(static_cast<std::uint32_t>(now.parent), t, asking);
+    Placed was = hang(said, before, kept, &old_parent);
+    const Sited parent = placement(static_cast<std::uint32_t>(now.parent), t, asking);
+    if (sited) {  // from the environments that enclosed it to those that will
+      const Mat4 own = product(n.around, t), old = kept && kept->held ? kept->around : old_parent.around;
+      if (const auto out = inverse(parent.around * own)) was.world = *out * old * own * was.world;
+    }
     const auto turned = inverse(held_turn(now.hold, parent)), above = inverse(parent.world);
     const auto own = inverse(local(said));
     if (turned && above && own) {
@@ -152,20 +171,58 @@ Mat4 look_at(Vec3 eye, Vec3 target) {
   return m;
 }
 
+Mat4 Program::Compiled::product(std::int32_t siting, Time t) const {
+  Mat4 m;
+  if (siting < 0) return m;
+  const auto& changes = sitings[static_cast<std::size_t>(siting)].changes;
+  auto at = std::upper_bound(changes.begin(), changes.end(), t, [](Time x, const auto& c) { return x < c.from; });
+  if (at != changes.begin()) --at;
+  const std::int64_t tick = document.scene().ticks.whole(t);
+  bool first = true;
+  for (const Site& site : at->sites) {
+    const Mat4 a = environments[site.environment]->at(site.generation, tick);
+    m = first ? a : m * a;
+    first = false;
+  }
+  return m;
+}
+
+// What moves it in its own space: its transform, then the environments that drive it.
+std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& asking) const {
+  if (!n.transform && n.drive < 0) return std::nullopt;
+  Mat4 m = product(n.drive, t);
+  if (n.transform)
+    if (const Value v = value(find(n.object, fn::transform), t, asking); const auto* own = std::get_if<Matrix>(&v))
+      m = m * **own;
+  return m;
+}
+
 // Where all nodes are. For each one up to the root and, unwinding, down again; nothing is worked out twice (G85, G86).
 // A camera that looks at something turns with it, and so does what hangs on the camera: cameras take their turn in this
 // order, each seeing the ones before it already turned.
-std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers, Asking& asking) const {
+std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers, Asking& asking,
+                                                  std::vector<Mat4>& around) const {
   constexpr std::int32_t unknown = -2;
   std::vector<Placed> w(nodes.size());
   std::vector<std::int32_t> above(nodes.size(), unknown);
   std::vector<std::uint32_t> order, chain;
   order.reserve(nodes.size());
+  around.clear();
+  if (sited) around.resize(nodes.size());
   const auto put = [&](std::uint32_t i) {
     const Hand* h = hand(nodes[i], t);
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
-    w[i] = hang(said_by(nodes[i], numbers), h, f, above[i] >= 0 ? &w[static_cast<std::size_t>(above[i])] : nullptr);
+    Said said = said_by(nodes[i], numbers);
+    said.own = driven(nodes[i], t, asking);
+    w[i] = hang(said, h, f, above[i] >= 0 ? &w[static_cast<std::size_t>(above[i])] : nullptr);
+    if (!sited) return;
+    const Mat4* outer = above[i] >= 0  ? &around[static_cast<std::size_t>(above[i])]
+                        : f && f->held ? &f->around
+                                       : nullptr;
+    around[i] = product(nodes[i].around, t);
+    if (outer) around[i] = *outer * around[i];
   };
+  const auto in_world = [&](std::uint32_t i) { return sited ? around[i] * w[i].world : w[i].world; };
   for (std::uint32_t start = 0; start < nodes.size(); ++start) {
     for (std::int32_t i = static_cast<std::int32_t>(start); i >= 0 && above[static_cast<std::size_t>(i)] == unknown;) {
       const auto at = static_cast<std::uint32_t>(i);
@@ -181,10 +238,14 @@ std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers,
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint32_t eye = order[i];
     if (nodes[eye].kind != Kind::camera) continue;
-    const auto target = aim(nodes[eye].object, t, numbers, &w, asking);
-    if (!target || *target == translation_of(w[eye].world)) continue;
-    w[eye].world = look_at(translation_of(w[eye].world), *target);
+    const auto target = aim(
+        nodes[eye].object, t, numbers, [&](std::uint32_t node) { return translation_of(in_world(node)); }, asking);
+    const Vec3 place = translation_of(in_world(eye));
+    if (!target || *target == place) continue;
+    w[eye].world = look_at(place, *target);
     w[eye].turn = from_matrix(w[eye].world);
+    if (sited)  // it stands upright in the world, whatever encloses it
+      if (const auto back = inverse(around[eye])) w[eye].world = *back * w[eye].world;
     std::vector<bool> below(nodes.size());
     below[eye] = true;
     for (std::size_t k = i + 1; k < order.size(); ++k) {
@@ -198,23 +259,29 @@ std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers,
 }
 
 std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers, Asking& asking) const {
-  const auto all = placements(t, numbers, asking);
+  std::vector<Mat4> around;
+  const auto all = placements(t, numbers, asking, around);
   std::vector<Mat4> w(all.size());
-  for (std::size_t i = 0; i < w.size(); ++i) w[i] = all[i].world;
+  for (std::size_t i = 0; i < w.size(); ++i) w[i] = sited ? around[i] * all[i].world : all[i].world;
   return w;
 }
 
-Placed Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) const {
+Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) const {
   std::vector<std::uint32_t> chain;
   for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
     const Node& n = nodes[static_cast<std::size_t>(i)];
     chain.push_back(static_cast<std::uint32_t>(i));
-    if (n.kind == Kind::camera && &find(n.object, fn::look_at) != &defaults[fn::look_at])
-      return placements(t, at(t, asking).data(), asking)[node];  // it turns with what it looks at
+    if (n.kind == Kind::camera &&
+        &find(n.object, fn::look_at) != &defaults[fn::look_at]) {  // it turns with what it looks at
+      std::vector<Mat4> around;
+      Sited found{placements(t, at(t, asking).data(), asking, around)[node], {}};
+      if (sited) found.around = around[node];
+      return found;
+    }
     const Hand* h = hand(n, t);
     i = h && h->hold >= Hold::hang ? h->parent : -1;
   }
-  Placed placed;
+  Sited placed;
   for (; !chain.empty(); chain.pop_back()) {
     const Node& n = nodes[chain.back()];
     const Hand* h = hand(n, t);
@@ -228,8 +295,12 @@ Placed Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) 
     numbers(fn::rotation);
     said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
     said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
-    said.attach = numbers(fn::attach_position);
-    placed = hang(said, h, h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr, &placed);
+    said.attach = numbers(fn::attach_position), said.own = driven(n, t, asking);
+    const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
+    const bool held = h && h->hold >= Hold::hang;
+    if (!held) placed.around = f && f->held ? f->around : Mat4{};
+    static_cast<Placed&>(placed) = hang(said, h, f, &placed);
+    if (n.around >= 0) placed.around = placed.around * product(n.around, t);
   }
   return placed;
 }
@@ -239,17 +310,19 @@ Bearing Program::bearing(ObjectId object, Time t) const {
   const Compiled& code = *code_;
   const std::uint32_t node = code.node_of[object.index];
   const Node& n = code.nodes[node];
-  const auto place = [&](Time when) { return translation_of(code.placement(node, when, asking).world); };
+  const auto place = [&](Time when) { return translation_of(code.placement(node, when, asking).in_world()); };
   Bearing b;
   b.place = place(t);
   const Hand* h = code.hand(n, t);
   const bool held = h && h->hold >= Hold::hang;
   if (held) b.carries = linear_part(code.placement(static_cast<std::uint32_t>(h->parent), t, asking).world);
+  const Mat4 around = linear_part(code.placement(node, t, asking).around);
   if (h && h->frozen >= 0) {
     const Frozen& f = code.frozen[static_cast<std::size_t>(h->frozen)];
     if (!held) b.carries = linear_part(f.parent);
     b.carries = b.carries * linear_part(f.before);
   }
+  b.carries = around * b.carries;
   // Its track says how fast it goes; what carries it, or carried it up to now, is looked at as it goes by.
   if (held || (h && h->from == t)) {
     constexpr Time look{flicks_per_second / 2000};

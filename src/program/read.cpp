@@ -14,14 +14,36 @@ Reading part(const Value& v, int component) {
     if (const auto* q = std::get_if<Quat>(&v)) return to_angles(*q)[component];
     if (numeric(v)) return component_of(v, component);
   }
-  return std::visit([](const auto& x) -> Reading { return x; }, v);
+  return reading_of(v);
 }
 
 }  // namespace
 
+Reading reading_of(const Value& v) {
+  return std::visit(
+      [](const auto& x) -> Reading {
+        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Matrix>)
+          return *x;
+        else
+          return x;
+      },
+      v);
+}
+
 Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
   const std::uint32_t object = target.object.index;
-  if (target.function == world_function) return placement(node_of[object], t, asking).world;
+  const Object& what = document.scene().objects[object];
+  if (what.environment && only_asked(target.function)) {
+    const Environment& e = *what.environment;
+    const std::int64_t tick = document.scene().ticks.whole(t);
+    // Of the generation alive then; its last A where it has been killed.
+    const int generation = e.generation_at(tick).value_or(std::max(0, e.bind(tick).value_or(e.generations()) - 1));
+    if (target.function == motion_function) return e.matrix(tick).value_or(Mat4{});
+    if (target.function == interval_function) return static_cast<double>(e.interval(tick).value_or(0));
+    if (target.function == count_function) return static_cast<double>(e.count(generation, tick));
+    return e.at(generation, tick);
+  }
+  if (target.function == world_function) return placement(node_of[object], t, asking).in_world();
   if (target.velocity) {
     const auto v = velocity(object, target.function, t, asking);
     return part(v.value_or(Value(0.0)), target.component);
@@ -40,8 +62,9 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
       const Between w = between(b, t);
       if (w.a != w.b) {
         const auto all = at(t, asking);
-        const auto placed = placements(t, all.data(), asking);
-        if (const auto p = aim(object, t, all.data(), &placed, asking)) return part(*p, target.component);
+        const auto w = worlds(t, all.data(), asking);
+        const auto place = [&](std::uint32_t node) { return translation_of(w[node]); };
+        if (const auto p = aim(object, t, all.data(), place, asking)) return part(*p, target.component);
       }
     }
     if (type == Type::points && b.steps >= 0) return shape(object, t, at(t, asking).data(), asking).points;
@@ -85,7 +108,9 @@ std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t,
   std::vector<Reading> out;
   out.reserve(targets.size());
   std::vector<Mat4> worlds;  // many worlds are cheaper all at once
-  const auto wants_world = [](const Target& x) { return x.function == world_function; };
+  const auto wants_world = [&](const Target& x) {
+    return x.function == world_function && !code_->document.scene().objects[x.object.index].environment;
+  };
   if (std::count_if(targets.begin(), targets.end(), wants_world) > 4)
     worlds = code_->worlds(t, code_->at(t, asking).data(), asking);
   for (const Target& target : targets)

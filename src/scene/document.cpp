@@ -195,6 +195,15 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
   return {};
 }
 
+namespace {
+constexpr std::string_view asked_names[] = {"world", "by", "every", "count"};
+}
+std::optional<FunctionId> find_asked(Kind kind, std::string_view name) {
+  for (FunctionId i = 0; i < std::size(asked_names); ++i)
+    if (asked_names[i] == name && (i == 0 || kind == Kind::environment)) return static_cast<FunctionId>(0xffff - i);
+  return std::nullopt;
+}
+
 Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self) {
   const auto no = [&](const std::string& why, std::string hint = {}) {
     return fail(Code::name, "value('" + std::string(text.substr(0, 60)) + "'): " + why, std::move(hint));
@@ -211,9 +220,10 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
     if (next == std::string_view::npos) break;
     rest.remove_prefix(next + 1);
   }
-  if (words[0] == "world") {
-    t.function = world_function;
-    return words.size() == 1 ? Result<Target>(t) : no("a world has no parts; it is a table of 16 numbers, with x y z");
+  if (const auto asked = find_asked(s.objects[t.object.index].kind, words[0])) {
+    t.function = *asked;
+    return words.size() == 1 ? Result<Target>(t)
+                             : no("this has no parts; a matrix is a table of 16 numbers, with x y z");
   }
   const Kind kind = s.objects[t.object.index].kind;
   const auto f = find_function(s, kind, words[0]);
@@ -402,8 +412,16 @@ struct Compare {
     }
     return true;
   }
+  // Their numbers are how they came to be; what they say is the same in the same order.
+  static bool environments(const std::shared_ptr<const Environment>& x, const std::shared_ptr<const Environment>& y) {
+    if (!x || !y || x == y) return x == y;
+    if (x->size() != y->size()) return false;
+    for (std::size_t i = 0; i < x->size(); ++i)
+      if (x->event(i).tick != y->event(i).tick || x->event(i).what != y->event(i).what) return false;
+    return true;
+  }
   bool objects(const Object& x, const Object& y) const {
-    if (x.name != y.name || x.kind != y.kind) return false;
+    if (x.name != y.name || x.kind != y.kind || !environments(x.environment, y.environment)) return false;
     static const Slot nothing;
     const auto rank = [](const Ranks& r, const Slot& s) { return std::pair(s.function, r(s.layer).index + 1); };
     auto p = x.slots.begin(), q = y.slots.begin();
@@ -481,7 +499,7 @@ std::string Document::name(ObjectId id) const {
 }
 
 std::string Document::name(const Target& t) const {
-  if (t.function == world_function) return name(t.object) + ".world";
+  if (only_asked(t.function)) return name(t.object) + "." + std::string(asked_names[0xffff - t.function]);
   const FunctionSpec& spec = spec_of(*scene_, t.function);
   std::string out = name(t.object) + "." + spec.name;
   if (t.component >= 0) out += "." + std::string(component_name(spec.type, t.component));

@@ -11,6 +11,7 @@
 
 #include "base/cow.h"
 #include "betwixt/document.h"
+#include "scene/environment.h"
 #include "scene/functions.h"
 #include "track/filter.h"
 #include "track/track.h"
@@ -35,8 +36,9 @@ struct Object {
   std::string name;
   Kind kind = Kind::group;
   bool removed = false;
-  bool leads = false;       // something has been attached to it: it may be part of a circle
-  std::vector<Slot> slots;  // sorted by function, then layer (the object's own first)
+  bool leads = false;                              // something has been attached to it: it may be part of a circle
+  std::vector<Slot> slots;                         // sorted by function, then layer (the object's own first)
+  std::shared_ptr<const Environment> environment;  // of Kind::environment
 
   const Slot* find(FunctionId f, ObjectId layer = {}) const;
   Slot& slot(FunctionId f, ObjectId layer = {});  // made where there is none
@@ -109,8 +111,9 @@ struct Scene {
   Cow<std::vector<std::pair<Time, std::string>>> notes;                       // sorted by time
   Cow<std::vector<NamedProcedure>> procedures;  // events speak of twerpers by their place here
   Cow<std::vector<Dial>> dials;
-  bool recording = false;              // what dials say becomes events
-  Cow<std::map<Time, ObjectId>> cuts;  // which camera is looked through from when on
+  std::uint64_t environment_events = 0;  // so far: the order of those in one tick
+  bool recording = false;                // what dials say becomes events
+  Cow<std::map<Time, ObjectId>> cuts;    // which camera is looked through from when on
   // What files held when they were named, by the path as the author wrote it.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;
@@ -125,6 +128,8 @@ inline const Object* find_object(const Scene& s, ObjectId id) {
   return id.index < s.objects.size() && !s.objects[id.index].removed ? &s.objects[id.index] : nullptr;
 }
 
+// "world", and of environments "by", "every" and "count".
+std::optional<FunctionId> find_asked(Kind, std::string_view name);
 // Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left
 // out.
 std::vector<ObjectId> select(const Scene&, std::string_view word);

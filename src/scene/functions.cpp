@@ -10,7 +10,7 @@ namespace betwixt {
 namespace {
 
 constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
-constexpr std::uint32_t all = 0xffffffff & ~bit(Kind::layer);
+constexpr std::uint32_t all = 0xffffffff & ~bit(Kind::layer) & ~bit(Kind::environment);
 
 std::vector<FunctionSpec> make() {
   std::vector<FunctionSpec> f(fn::count);
@@ -64,6 +64,9 @@ std::vector<FunctionSpec> make() {
   set(fn::attachment, {"attachment", Type::attachment, Attachment{}, all, Unit::none, {}});
   set(fn::weight, {"weight", Type::scalar, 1.0, bit(Kind::layer), Unit::none, {}, 0, 1});
   set(fn::mode, {"mode", Type::text, Text(std::string("add")), bit(Kind::layer), Unit::none, "add|mix"});
+  set(fn::environments, {"environments", Type::names, Names(), all, Unit::none, {}});
+  set(fn::drive, {"drive", Type::names, Names(), all, Unit::none, {}});
+  set(fn::transform, {"transform", Type::transform, Matrix(), all, Unit::none, {}});
   return f;
 }
 

@@ -71,15 +71,22 @@ enum : FunctionId {
   attachment,
   weight,
   mode,
+  environments,
+  drive,
+  transform,
   count
 };
 }
 
-inline constexpr std::array<std::string_view, 16> kind_names{
+inline constexpr std::array<std::string_view, 17> kind_names{
     "group",   "sphere",   "box",    "cylinder", "cone", "torus", "plane",  "disc",
-    "polygon", "polyline", "points", "text",     "mesh", "light", "camera", "layer"};
+    "polygon", "polyline", "points", "text",     "mesh", "light", "camera", "layer", "environment"};
 std::optional<Kind> find_kind(std::string_view name);
-inline bool drawn(Kind k) { return k != Kind::group && k != Kind::light && k != Kind::camera && k != Kind::layer; }
+inline bool drawn(Kind k) {
+  return k != Kind::group && k != Kind::light && k != Kind::camera && k != Kind::layer && k != Kind::environment;
+}
+// Whether objects of the kind are somewhere; the others are only spoken of.
+inline bool placed(Kind k) { return k != Kind::layer && k != Kind::environment; }
 
 // Names of components: x y z, or r g b for colours. -1: no such component of this type.
 int find_component(Type type, std::string_view name);

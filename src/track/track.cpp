@@ -8,7 +8,8 @@ namespace betwixt {
 
 bool fits(Twerper twerper, Type type, std::string* why) {
   const bool orientation = type == Type::orientation || type == Type::rotation;
-  const bool steps = type == Type::boolean || type == Type::attachment || type == Type::text || type == Type::names;
+  const bool steps = type == Type::boolean || type == Type::attachment || type == Type::text || type == Type::names ||
+                     type == Type::transform;
   const auto no = [&](std::string reason) {
     if (why) *why = std::move(reason);
     return false;

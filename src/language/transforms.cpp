@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Transforms in text, and lists of names.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::string_view factors[] = {"translate", "rotate", "scale", "matrix"};
+
+// What `m` does, done about a point.
+Mat4 about(const Mat4& m, Vec3 centre) { return translation(centre) * m * translation(-centre); }
+
+}  // namespace
+
+bool ValueReader::transform(Mat4& out) {
+  const auto numbers = [&](int count, double* n) {
+    for (int i = 0; i < count; ++i) {
+      c.space();
+      if (c.peek() == ')')
+        return c.fail_here(Code::syntax, fmt::format("{} numbers are wanted here, not {}", count, i));
+      if (!scalar(n[i], count == 16 ? Unit::none : Unit::metres)) return false;
+    }
+    return true;
+  };
+  // Behind '@', in brackets of its own or not.
+  const auto point = [&](Vec3& p) {
+    c.space();
+    if (c.peek() == '(') return vector(3, p, Unit::metres);
+    double n[3];
+    if (!numbers(3, n)) return false;
+    p = {n[0], n[1], n[2]};
+    return true;
+  };
+  Mat4 product;
+  int count = 0;
+  for (;; ++count) {
+    c.space();
+    if (count > 0) c.accept('*');
+    const std::string_view word = c.peek_word();
+    if (std::find(std::begin(factors), std::end(factors), word) == std::end(factors)) break;
+    c.space();
+    c.word();
+    if (!c.open()) return false;
+    Mat4 m;
+    double n[16];
+    Vec3 centre;
+    bool centred = false;
+    if (word == "translate") {
+      if (!numbers(3, n)) return false;
+      m = translation({n[0], n[1], n[2]});
+    } else if (word == "rotate") {
+      double angle = 0;
+      Vec3 axis_of{0, 0, 1};
+      if (!c.angle(angle) || !axis(axis_of)) return false;
+      m = rotation(axis_angle(axis_of, angle));
+    } else if (word == "scale") {
+      c.space();
+      if (!scalar(n[0])) return false;
+      n[1] = n[2] = n[0];
+      c.space();
+      if (c.peek() != ')' && c.peek() != '@' && (!scalar(n[1]) || !scalar(n[2]))) return false;
+      m = scaling({n[0], n[1], n[2]});
+    } else {
+      const char* start = (c.space(), c.at);
+      if (!numbers(16, n)) return false;
+      for (int i = 0; i < 16; ++i) m(i / 4, i % 4) = n[i];
+      if (n[12] != 0 || n[13] != 0 || n[14] != 0 || n[15] != 1)
+        return c.fail(Code::range, "the last row of a matrix is 0 0 0 1", c.since(start),
+                      "16 numbers row by row; a translation stands in the last column");
+    }
+    c.space();
+    const bool inside = c.accept('@');
+    if (inside && !point(centre)) return false;
+    if (!c.close()) return false;
+    centred = inside;
+    c.space();
+    if (!inside && c.accept('@')) {
+      if (!vector(3, centre, Unit::metres)) return false;
+      centred = true;
+    }
+    if (centred && word == "matrix")
+      return c.fail(Code::syntax, "a matrix has its centre in it", word, "rotate and scale take @ (x y z)");
+    product = product * (centred ? about(m, centre) : m);
+  }
+  if (count == 0) {
+    const std::string_view word = c.peek_word();
+    std::string hint = did_you_mean(word, {std::begin(factors), std::end(factors)});
+    return c.fail_here(Code::syntax, "a transform is wanted here",
+                       hint.empty() ? "translate(x y z), rotate(90deg, z) @ (x y z), scale(x y z) or matrix(…)" : hint);
+  }
+  for (const double n : product.m)
+    if (!std::isfinite(n)) return c.fail_here(Code::range, "this transform grows beyond all numbers");
+  out = product;
+  return true;
+}
+
+bool ValueReader::names(Names& out) {
+  std::vector<std::string> list;
+  c.space();
+  const bool brackets = c.peek() == '(';
+  if (brackets && !c.open()) return false;
+  if (!brackets && c.accept_word("none")) return out = Names(), true;
+  for (c.space(); brackets ? c.peek() != ')' && c.at < c.end : list.empty(); c.space()) {
+    const std::string_view word = c.word();
+    if (!is_name(word))
+      return c.fail(Code::syntax,
+                    word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
+                    word.empty() ? std::string_view(c.at, c.at < c.end ? 1 : 0) : word,
+                    "as in (drift spin), or none; the first is the outermost");
+    list.emplace_back(word);
+    if (list.size() > 1000) return c.fail(Code::range, "no more than 1000 names", word);
+  }
+  if (brackets && !c.close()) return false;
+  out = Names(std::move(list));
+  return true;
+}
+
+}  // namespace betwixt
