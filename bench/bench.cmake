@@ -2,3 +2,5 @@
 # SPDX-License-Identifier: Apache-2.0
 add_executable(bench_parse bench/parse.cpp)
 target_link_libraries(bench_parse PRIVATE betwixt_language)
+add_executable(bench_environments bench/environments.cpp)
+target_link_libraries(bench_environments PRIVATE betwixt_program)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/environment_kernels.h"
 
+#include <hwy/cache_control.h>
+
 #include <numbers>
 
 // This file is compiled once for each kind of machine.
@@ -23,6 +25,8 @@ using U = hn::RebindToUnsigned<D>;
 using V = hn::Vec<D>;
 using VI = hn::Vec<I>;
 using VU = hn::Vec<U>;
+
+constexpr double log_bound = 18 * std::numbers::ln10;  // of Power::bound
 
 HWY_INLINE V number(double x) { return hn::Set(D(), x); }
 
@@ -106,13 +110,23 @@ struct Input {
     return hn::Max(hn::Sub(hn::Set(i, step), hn::BitCast(i, (*this)[0])), hn::Zero(i));
   }
 };
+// Going through to memory is for whole lines of the cache only.
+constexpr bool whole_lines = hn::MaxLanes(D()) == lanes;
+template <bool through>
 struct Output {
   Block* block;
   std::size_t lane;
-  HWY_INLINE void put(std::size_t element, V v) const { hn::Store(v, D(), block->m[element].data() + lane); }
+  HWY_INLINE void put(std::size_t element, V v) const {
+    double* const at = block->m[element].data() + lane;
+    if constexpr (through && whole_lines)
+      hn::Stream(v, D(), at);
+    else
+      hn::Store(v, D(), at);
+  }
 };
 
-HWY_INLINE void store_turn(const Output& out, Vector a, V sine, V cosine, V versine) {
+template <class Out>
+HWY_INLINE void store_turn(const Out& out, Vector a, V sine, V cosine, V versine) {
   const V vx = hn::Mul(versine, a.x), vy = hn::Mul(versine, a.y), vz = hn::Mul(versine, a.z);
   const V xy = hn::Mul(vx, a.y), yz = hn::Mul(vy, a.z), zx = hn::Mul(vz, a.x);
   const V sx = hn::Mul(sine, a.x), sy = hn::Mul(sine, a.y), sz = hn::Mul(sine, a.z);
@@ -128,7 +142,8 @@ HWY_INLINE void store_turn(const Output& out, Vector a, V sine, V cosine, V vers
 }
 
 // across * centre - sine * (axis x centre) + along * axis
-HWY_INLINE void store_shift(const Output& out, Vector a, Vector c, V across, V sine, V along) {
+template <class Out>
+HWY_INLINE void store_shift(const Out& out, Vector a, Vector c, V across, V sine, V along) {
   const auto element = [&](V here, V along_axis, V u1, V v1, V u2, V v2) {
     const V side = hn::Sub(hn::Mul(u1, v1), hn::Mul(u2, v2));
     return hn::Add(hn::Sub(hn::Mul(across, here), hn::Mul(sine, side)), hn::Mul(along, along_axis));
@@ -138,8 +153,8 @@ HWY_INLINE void store_shift(const Output& out, Vector a, Vector c, V across, V s
   out.put(11, element(c.z, a.z, a.x, c.y, a.y, c.x));
 }
 
-template <Form form>
-HWY_INLINE void apply(std::int64_t step, const Input& in, const Output& out) {
+template <Form form, class Out>
+HWY_INLINE void apply(std::int64_t step, const Input& in, const Out& out) {
   const D d;
   const VI exponent = in.exponent(step);
   if constexpr (form == Form::translation) {
@@ -156,31 +171,39 @@ HWY_INLINE void apply(std::int64_t step, const Input& in, const Output& out) {
     store_turn(out, axis, at.sine, at.cosine, at.versine);
     store_shift(out, axis, in.vector(5), at.versine, at.sine, hn::Mul(hn::ConvertTo(d, exponent), in[8]));
   } else if constexpr (form == Form::similarity) {
-    const Growth size = exponential(hn::Mul(hn::ConvertTo(d, exponent), in[9]));
+    // The first application is the M that later ones begin with: only those are held.
+    const V n = hn::ConvertTo(d, exponent), log_scale = in[9];
+    const V later = hn::Max(hn::Mul(hn::Sub(n, number(1)), log_scale), number(-log_bound));
+    const Growth size = exponential(hn::IfThenElseZero(hn::Gt(n, number(0)), hn::Add(later, log_scale)));
     const V sine = hn::Mul(size.scale, at.sine), versine = hn::Mul(size.scale, at.versine);
     store_turn(out, axis, sine, hn::Mul(size.scale, at.cosine), versine);
     store_shift(out, axis, in.vector(5), hn::Sub(versine, size.growth), sine, hn::Mul(size.growth, in[8]));
   }
 }
 
-template <Form form>
+template <Form form, bool through>
 void apply_all(std::int64_t step, const Row* in, std::size_t blocks, Block* out) {
   for (std::size_t b = 0; b < blocks; ++b)
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(D()))
-      apply<form>(step, Input{in + b * rows(form), lane}, Output{out + b, lane});
+      apply<form>(step, Input{in + b * rows(form), lane}, Output<through>{out + b, lane});
 }
 
-void evaluate_here(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out) {
+template <bool through>
+void evaluate_form(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out) {
   switch (form) {
     case Form::translation:
-      return apply_all<Form::translation>(step, in, blocks, out);
+      return apply_all<Form::translation, through>(step, in, blocks, out);
     case Form::spin:
-      return apply_all<Form::spin>(step, in, blocks, out);
+      return apply_all<Form::spin, through>(step, in, blocks, out);
     case Form::screw:
-      return apply_all<Form::screw>(step, in, blocks, out);
+      return apply_all<Form::screw, through>(step, in, blocks, out);
     case Form::similarity:
-      return apply_all<Form::similarity>(step, in, blocks, out);
+      return apply_all<Form::similarity, through>(step, in, blocks, out);
   }
+}
+
+void evaluate_here(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out, bool through) {
+  through ? evaluate_form<true>(form, step, in, blocks, out) : evaluate_form<false>(form, step, in, blocks, out);
 }
 
 }  // namespace
@@ -193,9 +216,11 @@ namespace betwixt::environments {
 
 HWY_EXPORT(evaluate_here);
 
-void evaluate(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out) {
-  HWY_DYNAMIC_DISPATCH(evaluate_here)(form, step, in, blocks, out);
+void evaluate(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out, bool through) {
+  HWY_DYNAMIC_DISPATCH(evaluate_here)(form, step, in, blocks, out, through);
 }
+
+void settle() { hwy::FlushStream(); }
 
 }  // namespace betwixt::environments
 #endif

@@ -35,8 +35,12 @@ struct alignas(64) Block {
   std::array<std::array<double, lanes>, 12> m{};
 };
 
-// A = M^(step - first), the identity before `first`. `in` has rows(form) rows for each block. Numbers far beyond
-// Power::bound are not looked after.
-void evaluate(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out);
+// A = M^(step - first), the identity before `first`. `in` has rows(form) rows for each block. What shrinks is held at
+// 1 / Power::bound as environments are; numbers beyond Power::bound are not looked after.
+//
+// `through`: matrices go to memory past the caches, for sets that are larger than these, where a line of the cache
+// would be read only to be written over. Whoever lets another thread read them calls settle() before.
+void evaluate(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out, bool through);
+void settle();
 
 }  // namespace betwixt::environments

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <functional>
 #include <limits>
+#include <ranges>
 #include <tuple>
 
 namespace betwixt {
@@ -34,6 +35,7 @@ namespace {
 
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 constexpr std::int64_t horizon = 2 * Environment::furthest;  // as for environments
+constexpr std::size_t cache = std::size_t{4} << 20;          // bytes; what is larger hardly stays in one
 constexpr double large = 1e-2 * Power::bound;                // so far no number is held at the bound
 
 std::int64_t step_at(std::int64_t tick, std::int64_t interval, std::int64_t phase) {
@@ -41,6 +43,7 @@ std::int64_t step_at(std::int64_t tick, std::int64_t interval, std::int64_t phas
   return steps * interval > tick - phase ? steps - 1 : steps;
 }
 
+std::size_t blocks_for(std::size_t count) { return (count + lanes - 1) / lanes; }
 double largest(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // Nothing for what is not of any form.
@@ -61,7 +64,8 @@ double safe_powers(const Power& power, Form form) {
   if (form == Form::translation) return large / (1 + largest(f.slide));
   const double reach = 1 + 4 * largest(f.centre) + std::abs(rise(f));
   if (form == Form::screw) return (large - 4 * largest(f.centre)) / (1 + std::abs(f.advance));
-  return std::log(f.log_scale > 0 ? large / reach : large) / std::abs(f.log_scale) - (reach < large ? 0 : large);
+  if (reach > large) return 0;
+  return f.log_scale < 0 ? large : std::log(large / reach) / f.log_scale;
 }
 
 void fill(const Power& power, Form form, std::int64_t first, Row* rows, std::size_t lane) {
@@ -111,21 +115,30 @@ EnvironmentSet::EnvironmentSet(std::vector<Member> members) : members_(std::move
   std::sort(all.begin(), all.end(), [](const Steady& a, const Steady& b) {
     return std::tuple(a.group(), a.safe, a.member) < std::tuple(b.group(), b.safe, b.member);
   });
-  for (auto first = all.cbegin(); first != all.cend();) {
-    const auto last = std::find_if(first, all.cend(), [&](const Steady& s) { return s.group() != first->group(); });
-    add_group(first, last);
-    first = last;
+  const auto end_of = [&](Iterator first) {
+    return std::find_if(first, all.cend(), [&](const Steady& s) { return s.group() != first->group(); });
+  };
+  std::size_t blocks = 0, rows = 0;
+  for (auto first = all.cbegin(); first != all.cend(); first = end_of(first)) {
+    const std::size_t more = blocks_for(static_cast<std::size_t>(end_of(first) - first));
+    blocks += more;
+    rows += more * environments::rows(first->form);
   }
+  blocks_.reserve(blocks);
+  rows_.reserve(rows);
+  member_at_.reserve(blocks * lanes + others_.size());
+  for (auto first = all.cbegin(); first != all.cend(); first = end_of(first)) add_group(first, end_of(first));
   for (std::size_t i = 0; i < others_.size(); ++i) {
     slot_of_[others_[i].member] = static_cast<std::uint32_t>(steady_slots() + i);
     member_at_.push_back(static_cast<std::uint32_t>(others_[i].member));
   }
+  large_ = blocks_.size() * sizeof(Block) > cache;
   seek(-horizon);
 }
 
 void EnvironmentSet::add_group(Iterator first, Iterator last) {
   const auto count = static_cast<std::size_t>(last - first);
-  const std::size_t height = environments::rows(first->form), slots = (count + lanes - 1) / lanes * lanes;
+  const std::size_t height = environments::rows(first->form), slots = blocks_for(count) * lanes;
   Group g{first->interval, first->phase(), first->tick,  first->safe,
           blocks_.size(),  slots / lanes,  rows_.size(), first->form};
   Block identity;
@@ -179,16 +192,19 @@ void EnvironmentSet::evaluate(std::size_t what) {
 
 void EnvironmentSet::evaluate(const Group& g) {
   const std::int64_t step = step_at(tick_, g.interval, g.phase);
-  environments::evaluate(g.form, step, &rows_[g.rows], g.blocks, &blocks_[g.first]);
+  environments::evaluate(g.form, step, &rows_[g.rows], g.blocks, &blocks_[g.first], large_);
   if (step > g.safe) hold_bounds(g, step);
 }
 
 // The members of a group stand in the order in which they come near the bound.
 void EnvironmentSet::hold_bounds(const Group& g, std::int64_t step) {
-  for (std::size_t slot = g.first * lanes; slot < (g.first + g.blocks) * lanes; ++slot) {
-    if (member_at_[slot] == nobody) return;
+  const auto slots = std::views::iota(g.first * lanes, (g.first + g.blocks) * lanes);
+  const auto end = std::ranges::partition_point(slots, [&](std::size_t slot) {
+    const auto m = member(slot);
+    return m && steady(members_[*m], *m)->safe < step;
+  });
+  for (std::size_t slot : std::ranges::subrange(slots.begin(), end)) {
     const Member& m = members_[member_at_[slot]];
-    if (step <= steady(m, member_at_[slot])->safe) return;
     const Mat4 a = m.environment->at(m.generation, tick_);
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 4; ++c) blocks_[slot / lanes].m[static_cast<std::size_t>(4 * r + c)][slot % lanes] = a(r, c);
@@ -216,6 +232,7 @@ void EnvironmentSet::seek(std::int64_t tick) {
     if (const auto next = due(what, tick_)) queue_.push_back({*next, what});
   }
   std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
+  environments::settle();
 }
 
 void EnvironmentSet::touch(Range r) {
@@ -245,6 +262,7 @@ std::span<const EnvironmentSet::Range> EnvironmentSet::advance(std::int64_t tick
       std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
   }
+  environments::settle();
   return changed_;
 }
 

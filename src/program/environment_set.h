@@ -21,6 +21,7 @@
 
 #include "betwixt/math.h"
 #include "program/environment_kernels.h"
+#include "program/large_pages.h"
 #include "scene/environment.h"
 
 namespace betwixt {
@@ -96,12 +97,13 @@ class EnvironmentSet {
   std::vector<Member> members_;
   std::vector<Group> groups_;
   std::vector<Other> others_;
-  std::vector<environments::Row> rows_;
-  std::vector<environments::Block> blocks_;
+  std::vector<environments::Row, LargePages<environments::Row>> rows_;
+  std::vector<environments::Block, LargePages<environments::Block>> blocks_;
   std::vector<std::uint32_t> slot_of_, member_at_;
   std::vector<Due> queue_;  // a heap, the next one in front
   std::vector<Range> changed_;
   std::int64_t tick_ = 0;
+  bool large_ = false;
 };
 
 }  // namespace betwixt

@@ -23,6 +23,7 @@ using Random = std::mt19937_64;
 
 constexpr double degree = pi / 180;
 const Mat4 step = translation({1, 0, 0});
+const Mat4 turn_about_z = rotation(axis_angle({0, 0, 1}, 1.234));
 
 Member member(std::vector<Event> events, int generation = 0) {
   return {std::make_shared<const Environment>(Environment::compile(std::move(events))), generation};
@@ -184,7 +185,20 @@ TEST(EnvironmentSet, FarTimesAndBoundsAreThoseOfTheEnvironment) {
   }
 }
 
-// shows: C91 R-E7
+TEST(EnvironmentSet, WhatShrinksIsHeldWhereTheEnvironmentHoldsIt) {
+  const std::vector<Member> all{steady(0, 1, even(0.5)), steady(0, 1, turn_about_z * even(0.99))};
+  EnvironmentSet s(all);
+  for (std::int64_t tick : {10, 58, 59, 60, 61, 62, 1000, 4000, 4124, 4200, 1'000'000}) {
+    s.seek(tick);
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t k : {0, 1, 5, 10}) {
+        const double want = asked(all[i], tick).m[k];
+        EXPECT_NEAR(s.matrix(i).m[k], want, 1e-12 * std::abs(want)) << i << " at " << tick;
+      }
+  }
+}
+
+// shows: C115 R-E7 R-E8
 TEST(EnvironmentSet, AdvancingGivesTheBitsOfSeekingAndTouchesWhatIsDue) {
   const std::vector<Member> all = many(500, any, 5);
   EnvironmentSet played(all), sought(all);
@@ -219,7 +233,7 @@ TEST(EnvironmentSet, GoingBackIsSeeking) {
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(same_bits(s.matrix(i), other.matrix(i)));
 }
 
-// shows: C91 R-E7
+// shows: C114 C115 C116 C117
 TEST(EnvironmentSet, OnlyGroupsThatAreDueAreTouched) {
   std::vector<Member> all;
   for (int i = 0; i < 8; ++i) all.push_back(steady(0, 10, step));
