@@ -4,6 +4,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <numbers>
 
 // This file is compiled once for each kind of machine.
@@ -181,11 +182,19 @@ HWY_INLINE void apply(std::int64_t step, const Input& in, const Out& out) {
   }
 }
 
+// Blocks are small pieces of memory with work between them, which the processor alone does not foresee.
+constexpr std::size_t ahead = 4;
+
 template <Form form, bool through>
 void apply_all(std::int64_t step, const Row* in, std::size_t blocks, Block* out) {
-  for (std::size_t b = 0; b < blocks; ++b)
+  for (std::size_t b = 0; b < blocks; ++b) {
+    if constexpr (through) {
+      const Row* const soon = in + std::min(b + ahead, blocks - 1) * rows(form);
+      for (std::size_t row = 0; row < rows(form); ++row) hwy::Prefetch(soon + row);
+    }
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(D()))
       apply<form>(step, Input{in + b * rows(form), lane}, Output<through>{out + b, lane});
+  }
 }
 
 template <bool through>
