@@ -27,6 +27,7 @@ void add_eval(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_tidy(CLI::App&, int& exit_code);
 void add_shell(CLI::App&, int& exit_code);
+void add_serve(CLI::App&, int& exit_code);
 
 // Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
 int complain(const Error&, int otherwise);

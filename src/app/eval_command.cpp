@@ -4,12 +4,12 @@
 // betwixt eval: what values are at what times.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
 #include <tuple>
 
 #include "app/command.h"
 #include "betwixt/program.h"
+#include "language/json.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -20,51 +20,6 @@ struct Asked {
   std::vector<std::string> times, targets;
   bool json = false;
 };
-
-std::string json_text(const std::string& s) {
-  std::string out = "\"";
-  for (char c : s) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (c == '\n')
-      out += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
-// JSON knows no numbers beyond all numbers.
-std::string json_number(double n) { return std::isfinite(n) ? write_number(n) : "null"; }
-
-std::string list(const std::vector<double>& numbers) {
-  std::string out = "[";
-  for (double n : numbers) out += (out.size() > 1 ? "," : "") + json_number(n);
-  return out + "]";
-}
-
-std::string json(const Reading& r, Type type, const Document& d) {
-  if (const auto* n = std::get_if<double>(&r)) return json_number(*n);
-  if (const auto* b = std::get_if<bool>(&r)) return *b ? "true" : "false";
-  if (const auto* id = std::get_if<ObjectId>(&r)) return *id ? json_text(d.name(*id)) : "null";
-  if (const auto* t = std::get_if<Text>(&r)) return json_text(**t);
-  if (const auto* points = std::get_if<Points>(&r)) {
-    std::string out = "[";
-    for (Vec3 p : **points) out += (out.size() > 1 ? "," : "") + list({p.x, p.y, p.z});
-    return out + "]";
-  }
-  if (const auto* a = std::get_if<Attachment>(&r))
-    return json_text(write_value(*a, spec_of(d.scene(), fn::attachment), -1, [&](ObjectId id) { return d.name(id); }));
-  if (const auto* names = std::get_if<Names>(&r)) {
-    std::string out = "[";
-    for (const auto& n : **names) out += (out.size() > 1 ? "," : "") + json_text(n);
-    return out + "]";
-  }
-  auto n = numbers(r);
-  if (type == Type::pair) n.resize(2);
-  return list(n);
-}
 
 // As it would be written in a script; matrices row by row.
 std::string plain(const Reading& r, const Target& t, const Document& d) {
@@ -105,11 +60,6 @@ int eval(const Asked& asked) {
       if (named.insert({t.object.index, t.function, t.component, t.velocity}).second) targets.push_back(t);
   }
   const Program program = Program::compile(*document);
-  const auto type_of = [&](const Target& t) {
-    if (only_asked(t.function)) return t.function >= motion_function ? Type::vector : Type::scalar;
-    const Type whole = spec_of(document->scene(), t.function).type;
-    return t.component < 0 ? whole : component_type(whole);
-  };
   Problems problems;
   const auto read = [&](Time t) {
     std::vector<std::string> said;
@@ -125,7 +75,7 @@ int eval(const Asked& asked) {
       const auto values = read(times[i].second);
       for (std::size_t k = 0; k < targets.size(); ++k)
         out += fmt::format("{}{}:{}", k ? "," : "", json_text(document->name(targets[k])),
-                           json(values[k], type_of(targets[k]), *document));
+                           json(values[k], targets[k], *document));
       out += "}}";
     }
     fmt::print("{}]}}\n", out);

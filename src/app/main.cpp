@@ -50,7 +50,8 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(28);
   app.footer("Example:\n  betwixt render examples/bounce.bx -o bounce.mp4");
   app.require_subcommand(0, 1);
-  for (const auto& add : {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy, add_shell})
+  for (const auto& add :
+       {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy, add_shell, add_serve})
     add(app, exit_code);
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
     sub->set_help_flag("-h,--help", "this help");

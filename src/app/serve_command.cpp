@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <memory>
+
+#include "app/command.h"
+#include "app/terminal.h"
+#include "film/output.h"
+#include "language/journal.h"
+#include "server/serve.h"
+
+namespace betwixt {
+namespace {
+
+struct Call {
+  std::string file, socket, tcp, token_file, to, save, rate, priority;
+  RenderOptions picture{960, 540, 1};
+  Imaging::Options imaging;
+  ServeOptions serve;
+  bool anywhere = false, overwrite = false;
+};
+
+// Pictures as characters, for whoever sits before the server.
+class TerminalScreen final : public Screen {
+ public:
+  TerminalScreen(std::unique_ptr<Terminal> terminal, std::unique_ptr<Renderer> renderer)
+      : terminal_(std::move(terminal)), renderer_(std::move(renderer)) {}
+  Status draw(const Frame& frame) override {
+    if (Status s = renderer_->render(frame, picture_); !s) return s;
+    const TerminalSize size = terminal_->size();
+    if (!(size == size_)) text_ = "\x1b[2J", size_ = size;
+    const double shape = static_cast<double>(picture_.width) / picture_.height / size.cell_aspect;
+    const int columns = std::clamp(static_cast<int>(std::lround(size.rows * shape)), 1, size.columns);
+    const int rows = std::clamp(static_cast<int>(std::lround(columns / shape)), 1, size.rows);
+    text_ += "\x1b[?2026h" +
+             characters(picture_, 1 + (size.columns - columns) / 2, 1 + (size.rows - rows) / 2, columns, rows) +
+             "\x1b[?2026l";
+    return Nothing{};
+  }
+  Status show(const Shown&) override {
+    if (!terminal_->write(std::exchange(text_, {}))) return fail(Code::machine, "the terminal has gone away");
+    return Nothing{};
+  }
+
+ private:
+  std::unique_ptr<Terminal> terminal_;
+  std::unique_ptr<Renderer> renderer_;
+  TerminalSize size_{0, 0, 0};
+  Picture picture_;
+  std::string text_;
+};
+
+Result<NewScreen> screen_of(const Call& call, Rate rate) {
+  const RenderOptions picture = call.picture;
+  if (call.to.empty() || call.to == "nowhere") return NewScreen();
+  if (call.to.starts_with("film:"))
+    return film_screen(call.to.substr(5), picture, rate, [](const Error& e) { complain(e, wrong_call); });
+  if (call.to.starts_with("ring:")) return ring_screen(call.to.substr(5), picture);
+  if (call.to == "terminal")
+    return NewScreen([picture]() -> Result<std::unique_ptr<Screen>> {
+      auto renderer = make_renderer(picture);
+      if (!renderer) return renderer.error();
+      auto terminal = Terminal::open();
+      if (!terminal) return terminal.error();
+      return std::unique_ptr<Screen>(std::make_unique<TerminalScreen>(*std::move(terminal), *std::move(renderer)));
+    });
+  return fail(Code::range, fmt::format("--to: frames cannot go to \"{}\"", call.to),
+              "nowhere, film:OUT.mp4, ring:NAME or terminal");
+}
+
+// "120", "30000/1001"
+Result<Rate> rate_of(const std::string& text, Rate otherwise) {
+  if (text.empty()) return otherwise;
+  long long num = 0, den = 1;
+  int used = 0;
+  const bool plain = std::sscanf(text.c_str(), "%9lld%n", &num, &used) == 1 && used == static_cast<int>(text.size());
+  const bool ratio = !plain && std::sscanf(text.c_str(), "%9lld/%9lld%n", &num, &den, &used) == 2 &&
+                     used == static_cast<int>(text.size());
+  if (!plain) den = ratio ? den : 0;
+  if (num < 1 || den < 1 || num > 1000 * den)
+    return fail(Code::range, fmt::format("--rate: \"{}\" is no rate", text),
+                "frames a second, such as 120 or 30000/1001");
+  return Rate{num, den};
+}
+
+Result<std::string> token_of(const Call& call) {
+  if (call.token_file.empty()) return new_token();
+  const auto text = read_script(call.token_file);
+  if (!text) return text.error();
+  std::string token = text->value_or("");
+  while (!token.empty() && (token.back() == '\n' || token.back() == '\r')) token.pop_back();
+  if (token.size() < 16 || token.find('\n') != std::string::npos)
+    return fail(Code::file, fmt::format("--token-file: '{}' holds no token", call.token_file),
+                "one line of at least 16 characters that nobody can guess");
+  return token;
+}
+
+Result<Listener> listen(const Call& call) {
+  if (!call.tcp.empty()) return Listener::tcp(call.tcp, call.anywhere);
+  const std::string path = call.socket.empty() ? default_socket() : call.socket;
+  if (path.empty()) return fail(Code::range, "there is no folder for sockets", "--socket PATH or --tcp HOST:PORT");
+  return Listener::unix_socket(path);
+}
+
+// Stops come as a file, so that none is missed; all threads inherit this.
+int stops() {
+  sigset_t set;
+  ::sigemptyset(&set);
+  for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&set, s);
+  ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  return ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+int serve(Call& call) {
+  call.serve.stop = stops();
+  call.imaging.load = load_options();
+  // The clock is asked for its figures while hosts are served; it begins after what it shows.
+  std::unique_ptr<FrameClock> clock;
+  call.imaging.stats = [&] { return clock ? clock->stats() : std::string(); };
+  Imaging imaging(call.imaging);
+  const auto begun = imaging.begin(call.file, call.save, call.overwrite, monotonic_now());
+  if (!begun) return complain(begun.error(), wrong_input);
+  for (const Diagnostic& d : *begun)
+    if (d.severity != Severity::notice) std::fputs(to_string(d).c_str(), stderr);
+  if (has_errors(*begun)) return wrong_input;
+
+  const auto rate = rate_of(call.rate, imaging.document().rate());
+  if (!rate) return complain(rate.error(), wrong_call);
+  auto screen = screen_of(call, *rate);
+  if (!screen) return complain(screen.error(), wrong_call);
+  std::vector<Listener> doors;
+  if (!call.tcp.empty()) {
+    auto token = token_of(call);
+    if (!token) return complain(token.error(), wrong_call);
+    call.serve.token = *token;
+  }
+  auto door = listen(call);
+  if (!door) return complain(door.error(), wrong_call);
+  doors.push_back(*std::move(door));
+
+  FrameClock::Options options;
+  options.rate = *rate;
+  options.screen = *std::move(screen);
+  for (const Priority p : {Priority::fifo, Priority::nice, Priority::ordinary})
+    if (call.priority == to_string(p)) options.priority = p;
+  auto started = FrameClock::start(std::move(options));
+  if (!started) return complain(started.error(), wrong_call);
+  clock = *std::move(started);
+
+  if (doors[0].asks() && call.token_file.empty()) fmt::print(stderr, "token {}\n", call.serve.token);
+  fmt::print(stderr, "serving at {}; frames at {:g} a second, class {}{}\n", doors[0].name(), rate->per_second(),
+             to_string(clock->priority()), clock->why().empty() ? "" : " (" + clock->why() + ")");
+  const Status served = betwixt::serve(imaging, *clock, doors, call.serve);
+  clock.reset();  // what it showed is finished
+  ::close(call.serve.stop);
+  return served ? static_cast<int>(all_done) : complain(served.error(), machine_failed);
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, int& exit_code) {
+  const auto call = std::make_shared<Call>();
+  CLI::App* sub = app.add_subcommand("serve", "shows a document that other programs change while it runs");
+  sub->add_option("FILE", call->file, "the script it begins with")->type_name("");
+  auto* socket =
+      sub->add_option("--socket", call->socket, "hosts come in there; $XDG_RUNTIME_DIR/betwixt.sock if not said");
+  socket->type_name("PATH");
+  sub->add_option("--tcp", call->tcp, "hosts come in there, with a token")->type_name("HOST:PORT")->excludes(socket);
+  sub->add_flag("--anywhere", call->anywhere, "--tcp may be an address that other machines can reach");
+  sub->add_option("--token-file", call->token_file, "holds the token; if not said, one is made and printed")
+      ->type_name("FILE");
+  sub->add_option("--to", call->to, "where frames go: nowhere, film:OUT.mp4, ring:NAME, terminal")->type_name("PLACE");
+  sub->add_option("--rate", call->rate, "frames a second; the script's if not said")->type_name("N");
+  add_picture_options(*sub, call->picture);
+  sub->add_option("--class", call->priority, "fifo, nice or ordinary; the best that is granted if not said")
+      ->type_name("CLASS")
+      ->check(CLI::IsMember({"fifo", "nice", "ordinary"}).description(""));
+  sub->add_flag("--wait", call->imaging.wait, "time stands at 0 until a host says start");
+  sub->add_option("--latency", call->imaging.latency, "ticks from a command to its effect; 1 if not said")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000).description(""));
+  sub->add_option("--save", call->save, "keeps the history there: every command, before it is answered")
+      ->type_name("FILE");
+  sub->add_flag("--overwrite", call->overwrite, "--save may replace a file");
+  sub->add_option("--hosts", call->serve.hosts, "at once; 1000 if not said")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000).description(""));
+  sub->add_option("--ceiling", call->imaging.ceiling, "environments; 2000000 if not said")->type_name("N");
+  sub->footer("Example:\n  betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal");
+  sub->callback([call, &exit_code] { exit_code = serve(*call); });
+}
+
+}  // namespace betwixt

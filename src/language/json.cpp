@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+std::string list(const std::vector<double>& numbers) {
+  std::string out = "[";
+  for (double n : numbers) out += (out.size() > 1 ? "," : "") + json_number(n);
+  return out + "]";
+}
+
+// How many bytes the character at i takes; 0: they are no UTF-8.
+std::size_t character(std::string_view s, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < s.size() ? static_cast<unsigned char>(s[k]) : 0u; };
+  const unsigned first = byte(i);
+  if (first < 0x80) return 1;
+  const std::size_t more = first >= 0xF5 ? 0 : first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC2 ? 1 : 0;
+  for (std::size_t k = 1; k <= more; ++k)
+    if ((byte(i + k) & 0xC0) != 0x80) return 0;
+  const unsigned second = byte(i + 1);
+  const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+                     (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
+  return more == 0 || wrong ? 0 : more + 1;
+}
+
+}  // namespace
+
+std::string json_text(std::string_view s) {
+  std::string out = "\"";
+  for (std::size_t i = 0; i < s.size();) {
+    const std::size_t n = character(s, i);
+    const char c = s[i];
+    if (n == 0)
+      out += "\uFFFD";
+    else if (n > 1)
+      out += s.substr(i, n);
+    else if (c == '"' || c == '\\')
+      out += '\\', out += c;
+    else if (c == '\n')
+      out += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+    i += n == 0 ? 1 : n;
+  }
+  return out + "\"";
+}
+
+std::string json_number(double n) { return std::isfinite(n) ? write_number(n) : "null"; }
+
+std::string json(const Reading& r, const Target& target, const Document& d) {
+  if (const auto* n = std::get_if<double>(&r)) return json_number(*n);
+  if (const auto* b = std::get_if<bool>(&r)) return *b ? "true" : "false";
+  if (const auto* id = std::get_if<ObjectId>(&r)) return *id ? json_text(d.name(*id)) : "null";
+  if (const auto* t = std::get_if<Text>(&r)) return json_text(**t);
+  if (const auto* points = std::get_if<Points>(&r)) {
+    std::string out = "[";
+    for (Vec3 p : **points) out += (out.size() > 1 ? "," : "") + list({p.x, p.y, p.z});
+    return out + "]";
+  }
+  if (const auto* a = std::get_if<Attachment>(&r))
+    return json_text(write_value(*a, spec_of(d.scene(), fn::attachment), -1, [&](ObjectId id) { return d.name(id); }));
+  if (const auto* names = std::get_if<Names>(&r)) {
+    std::string out = "[";
+    for (const auto& n : **names) out += (out.size() > 1 ? "," : "") + json_text(n);
+    return out + "]";
+  }
+  auto n = numbers(r);
+  const bool whole = !only_asked(target.function) && target.component < 0;
+  if (whole && spec_of(d.scene(), target.function).type == Type::pair) n.resize(2);
+  return list(n);
+}
+
+}  // namespace betwixt

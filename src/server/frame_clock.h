@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The clock: a thread that makes every frame at its moment, whatever hosts and the rest of the process do. Moments are
+// absolute; nothing is ever counted, so that what is late is late once. Where nothing changes it sleeps.
+//
+// Source: Animation Imaging Model 3.3.2, 3.3.3 (its two processes; R-E1, R-E14).
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "server/histogram.h"
+#include "server/screen.h"
+
+namespace betwixt {
+
+// How the system treats a thread. fifo: before all ordinary ones; nice: with the largest share of them.
+enum class Priority { fifo, nice, ordinary };
+std::string_view to_string(Priority);
+
+Nanos monotonic_now();
+
+class FrameClock {
+ public:
+  struct Options {
+    Rate rate;
+    std::optional<Priority> priority;  // none: the best that is granted
+    NewScreen screen;                  // none: frames go nowhere
+  };
+  // What is to be shown from now on.
+  struct Edition {
+    Program program;
+    Transport transport;
+    bool look = false;  // somebody is told of frames
+  };
+
+  // Errors: the screen's, machine (no thread).
+  static Result<std::unique_ptr<FrameClock>> start(Options);
+  ~FrameClock();
+  FrameClock(const FrameClock&) = delete;
+  FrameClock& operator=(const FrameClock&) = delete;
+
+  // One pointer is swapped: the thread never waits for us, nor sees half of it. From one thread.
+  void publish(Edition);
+  // Frames that were shown since, where `look` says so; at most some, the rest is lost. A file becomes readable when
+  // there are any.
+  std::vector<Shown> shown();
+  int shown_file() const { return told_; }
+
+  Priority priority() const { return priority_; }
+  const std::string& why() const { return why_; }  // it is not what was asked for; may be empty
+  // A screen that could not go on; once.
+  std::optional<Error> trouble();
+  std::string stats() const;  // members of a JSON object
+
+ private:
+  explicit FrameClock(Options);
+  struct Posted {
+    Edition edition;
+    Posted* next = nullptr;  // among those that have had their time
+  };
+  struct Plan {
+    std::int64_t number = 0;
+    Time time;
+    Nanos deadline = 0;
+  };
+  void run();
+  void take_priority();
+  void take_post();
+  std::optional<Plan> plan(Nanos now);
+  void count_between(std::int64_t from, std::int64_t to);
+  bool doze(std::optional<Nanos> until);
+  void make(const Plan&);
+  std::optional<Time> next_change(Time after) const;
+  Time time_of(std::int64_t number) const { return options_.rate.frame(static_cast<double>(number)); }
+  std::int64_t number_at(Time t) const { return options_.rate.whole(t) + 1; }  // the last one not after t
+  std::int64_t number_from(Time t) const {                                     // the first one not before t
+    const std::int64_t n = number_at(t);
+    return time_of(n) == t ? n : n + 1;
+  }
+
+  const Options options_;
+  const Nanos period_;
+  Priority priority_ = Priority::ordinary;
+  std::string why_;
+  int wake_ = -1, told_ = -1;  // eventfd
+  std::atomic<Posted*> post_{nullptr}, done_{nullptr};
+  std::atomic<bool> dozing_{false}, stop_{false};
+
+  // Of the thread.
+  std::unique_ptr<Screen> screen_;
+  std::unique_ptr<Posted> current_;
+  Transport transport_;
+  bool fresh_ = false;  // what is published has not been shown yet
+  std::optional<std::int64_t> last_;
+  Nanos cost_ = 0;  // of drawing, as of late
+
+  // What was shown, on its way to the other thread: one writes, one reads.
+  static constexpr std::size_t most_told = 1024;
+  std::array<Shown, most_told> belt_;
+  std::atomic<std::uint64_t> put_{0}, taken_{0};
+  std::mutex trouble_mutex_;
+  std::optional<Error> trouble_;
+
+  std::atomic<std::uint64_t> due_{0}, made_{0}, missed_{0}, idle_{0}, wakes_{0}, untold_{0};
+  Histogram late_;
+  std::thread thread_;
+};
+
+}  // namespace betwixt

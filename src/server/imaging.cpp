@@ -1,0 +1,581 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "server/imaging.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/names.h"
+#include "betwixt/session.h"
+#include "language/help.h"
+#include "language/journal.h"
+#include "language/json.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_bundle = 16 << 20;  // bytes
+constexpr int most_open_lines = 10'000;           // of one command
+constexpr int slots = 30;                         // of the source's counter (C97)
+
+bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
+bool indented(std::string_view line) { return !line.empty() && blank(line[0]); }
+
+// Words between blanks; a comment is none.
+std::vector<std::string> split(std::string_view line) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < line.size();) {
+    if (blank(line[i])) {
+      ++i;
+      continue;
+    }
+    if (line[i] == '#' && (i + 1 == line.size() || blank(line[i + 1]))) break;
+    const std::size_t start = i;
+    while (i < line.size() && !blank(line[i]) && line[i] != '\n') ++i;
+    words.emplace_back(line.substr(start, i - start));
+    if (i < line.size() && line[i] == '\n') break;
+  }
+  return words;
+}
+
+std::string_view first_word(std::string_view line) {
+  std::size_t from = 0, to = 0;
+  while (from < line.size() && blank(line[from])) ++from;
+  for (to = from; to < line.size() && !blank(line[to]) && line[to] != '\n';) ++to;
+  return line.substr(from, to - from);
+}
+
+// Commands about environments that give no time happen when they come, and say so in the history.
+bool happens_now(std::string_view line) {
+  const std::string_view verb = first_word(line);
+  return verb == "animate" || verb == "halt" || verb == "kill" || verb == "cancel";
+}
+
+std::string said(const std::string& text) { return text.empty() ? "" : ",\"said\":" + json_text(text); }
+
+Error one_word_too_many(const std::string& word, std::string_view usage) {
+  return fail(Code::syntax, fmt::format("'{}' is one word too many", word.substr(0, 60)),
+              fmt::format("usage: {}", usage));
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
+}
+
+fs::path folder(const std::string& file) {
+  std::error_code ignored;
+  return fs::weakly_canonical(file, ignored).parent_path();
+}
+
+// Environments that have not been killed for good.
+std::size_t environments(const Scene& s) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    if (!o.removed && o.environment && o.environment->generation_at(Environment::furthest)) ++n;
+  }
+  return n;
+}
+
+}  // namespace
+
+// A flick is 625/441 of a nanosecond.
+Time Transport::time(Nanos now) const {
+  if (!running) return at;
+  __extension__ using Wide = __int128;
+  return at + Time{static_cast<std::int64_t>(static_cast<Wide>(now - since) * 441 / 625)};
+}
+Nanos Transport::when(Time t) const {
+  __extension__ using Wide = __int128;
+  return since + static_cast<Nanos>((static_cast<Wide>((t - at).flicks) * 625 + 440) / 441);
+}
+
+Imaging::Imaging(Options options) : options_(std::move(options)), history_(options_.undo) {}
+
+Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& save, bool overwrite, Nanos now) {
+  std::error_code ignored;
+  const bool goes_on =
+      !save.empty() && (file.empty() ? fs::exists(save, ignored) && !overwrite : same_file(file, save));
+  const std::string from = goes_on ? save : file;
+  std::string text;
+  if (!from.empty()) {
+    const auto there = read_script(from);
+    if (!there) return there.error();
+    if (!*there && !goes_on) return fail(Code::file, fmt::format("there is no file '{}'", from));
+    text = there->value_or("");
+  }
+  if (!save.empty() && !from.empty() && folder(from) != folder(save))
+    return fail(Code::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
+                "the paths of files in a script count from its folder, so its history must be there too");
+  name_ = save.empty() ? from : save, save_ = save;
+  std::string cut;
+  Diagnostics all = history_.begin(std::move(text), name_, options_.load, cut);
+  if (has_errors(all)) return all;
+  if (!cut.empty())
+    all.push_back({Severity::warning,
+                   fail(Code::file, fmt::format("what stands at the end of '{}' was never finished and is left out: {}",
+                                                from, cut.substr(0, 200))),
+                   {},
+                   0});
+  if (!save.empty())
+    if (Status s = history_.keep_in(save, overwrite || goes_on); !s) return s.error();
+  transport_ = {!options_.wait, now, Time{}};
+  begun_ = now;
+  options_.load.read_anywhere = false;  // from here on strangers speak
+  return all;
+}
+
+Imaging::Host Imaging::arrive() {
+  hosts_.emplace(++last_host_, Visitor{});
+  return last_host_;
+}
+void Imaging::leave(Host host) { hosts_.erase(host); }
+
+std::int64_t Imaging::tick(Nanos now) const { return document().scene().ticks.whole(transport_.time(now)); }
+
+const Program& Imaging::program() {
+  if (compiled_ != version_) program_ = Program::compile(document()), compiled_ = version_;
+  return program_;
+}
+
+// ---- answers
+
+Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, const std::string& members, std::optional<std::int64_t> at) {
+  return {fmt::format("{{\"line\":{},\"ok\":true,\"tick\":{}{}}}\n", h.line, at.value_or(tick(now)), members), false};
+}
+
+Imaging::Reply Imaging::no(const Visitor& h, Nanos now, const Error& e, const std::string& members) {
+  ++refused_;
+  std::string more = members;
+  if (!e.hint.empty()) more = ",\"hint\":" + json_text(e.hint) + more;
+  if (e.place.column > 0) more += fmt::format(",\"column\":{}", e.place.column);
+  return {fmt::format("{{\"line\":{},\"ok\":false,\"tick\":{},\"error\":{}{}}}\n", h.line, tick(now),
+                      json_text(e.message), more),
+          false};
+}
+
+// ---- lines
+
+Imaging::Reply Imaging::enter_too_long(Host host, Nanos now) {
+  Visitor& h = hosts_.at(host);
+  ++h.line, ++lines_;
+  h.open.clear(), h.open_lines = 0;
+  const Error e = fail(Code::range, fmt::format("a line is at most {} bytes long", longest_line));
+  if (!h.bundling) return no(h, now, e);
+  if (!h.bundle_broken) h.bundle_broken = fail(e.code, fmt::format("line {}: {}", h.line, e.message));
+  return {};
+}
+
+Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
+  Visitor& h = hosts_.at(host);
+  bytes_ += line.size();
+  while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
+  if (line.size() > longest_line) return enter_too_long(host, now);
+  ++h.line, ++lines_;
+  if (h.bundling) return collect(host, h, line, now);
+  if (h.open.empty() && !Session::needs_more(line)) return enter_whole(host, h, line, now);
+  // A bracket or a """ is open: the command goes on in the next line.
+  h.open += (h.open_lines++ > 0 ? "\n" : "") + std::string(line);
+  if (h.open.size() > longest_line || h.open_lines > most_open_lines) {
+    h.open.clear(), h.open_lines = 0;
+    return no(h, now, fail(Code::range, "this command goes on for too long", "a bracket or a \"\"\" is never closed"));
+  }
+  if (Session::needs_more(h.open)) return yes(h, now, ",\"more\":true");
+  const std::string whole = std::exchange(h.open, {});
+  h.open_lines = 0;
+  return enter_whole(host, h, whole, now);
+}
+
+Imaging::Reply Imaging::enter_whole(Host host, Visitor& h, std::string_view line, Nanos now) {
+  const bool row = indented(line) && !h.sheet.empty();
+  const std::string_view verb = row ? std::string_view() : first_word(line);
+  if (verb == "bundle" || verb == "quit") {
+    const auto all = split(line);
+    if (all.size() > 1) return no(h, now, one_word_too_many(all[1], verb));
+    if (verb == "quit") return {yes(h, now, "").line, true};
+    h.bundling = true;
+    return {};
+  }
+  for (const Word& w : words()) {
+    if (w.word != verb) continue;
+    const auto all = split(line);
+    if (verb == "notes" && all.size() > 1) break;  // `notes off` is of the language
+    const auto done = (this->*w.run)(h, all, now);
+    return done ? yes(h, now, *done) : no(h, now, done.error());
+  }
+  return command(host, h, line, now);
+}
+
+// A command on a copy. `sheet`: what the host's rows stand below.
+Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::string& sheet, std::string_view line,
+                                         std::int64_t stamp) const {
+  Deed deed;
+  const bool row = !sheet.empty() && indented(line);
+  const std::size_t size = line.size();
+  while (!row && indented(line)) line.remove_prefix(1);
+  const auto indent = static_cast<int>(size - line.size());
+  const std::string prefix = !row && happens_now(line) ? fmt::format("at {}t ", stamp) : "";
+  deed.line = prefix + std::string(line);
+  deed.remark = split(line).empty();
+  deed.sheet = row ? sheet : "";
+  if (deed.remark) return deed;
+
+  const std::string before = deed.sheet + "\n";  // a line that begins the text could be taken for "#!"
+  const int above = static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+  Scene scene = from.document.scene();
+  Diagnostics all;
+  Reader reader(scene, all, options_.load);
+  reader.carry(from.carried, name_);
+  reader.read_text(before + deed.line + "\n", name_);
+  for (const Diagnostic& d : all) {
+    Error e = d.what;
+    const bool here = e.place.file == name_;
+    if (here && e.place.line <= above && d.severity != Severity::error) continue;  // said when the sheet was opened
+    if (!here && e.place.line > 0)
+      e.message = fmt::format("{}:{}:{}: {}", e.place.file, e.place.line, e.place.column, e.message);
+    const int first = above + 1;
+    if (!here || e.place.line < first) e.place = {};
+    if (e.place.line == first) e.place.column = std::max(1, e.place.column - static_cast<int>(prefix.size()) + indent);
+    if (d.severity == Severity::error) return e;
+    deed.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
+  }
+  deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
+  deed.opens = !row && deed.after.carried.sheet_open;
+  deed.changes = !deed.opens;
+  if (Status s = within_ceiling(from.document.scene(), deed.after.document.scene()); !s) return s.error();
+  return deed;
+}
+
+// Objects only ever join at the end, so that nothing is counted where none has.
+Status Imaging::within_ceiling(const Scene& before, const Scene& after) const {
+  if (after.objects.size() == before.objects.size() || after.objects.size() <= options_.ceiling) return Nothing{};
+  if (environments(after) <= options_.ceiling || environments(after) <= environments(before)) return Nothing{};
+  return fail(Code::range, fmt::format("there would be more than {} environments", options_.ceiling),
+              "kill some that are not needed any more");
+}
+
+Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Nanos now) {
+  const std::int64_t at = stamp(now);
+  Result<Deed> deed = carry_out(history_.now(), h.sheet, line, at);
+  if (!deed) {
+    Error e = deed.error();
+    if (!(indented(line) && !h.sheet.empty())) h.sheet.clear();
+    if (e.message.starts_with("there is no command") && e.hint.empty()) {
+      std::vector<std::string_view> known;
+      for (const Word& w : words()) known.push_back(w.word);
+      e.hint = did_you_mean(first_word(line), known);
+    }
+    return no(h, now, e);
+  }
+  if (deed->remark) return yes(h, now, "");
+  if (deed->opens) {
+    h.sheet = deed->line;
+    return yes(h, now, said(deed->said));
+  }
+  h.sheet = deed->sheet;
+  if (Status s = history_.take(std::move(deed->after), {deed->line}, deed->sheet); !s) return no(h, now, s.error());
+  ++commands_;
+  changed(host, deed->line, now);
+  return yes(h, now, said(deed->said), happens_now(line) ? std::optional(at) : std::nullopt);
+}
+
+void Imaging::changed(Host by, const std::string& line, Nanos now) {
+  ++version_;
+  std::string told;
+  for (const auto& [host, visitor] : hosts_) {
+    if (!(visitor.topics & changes)) continue;
+    if (told.empty())
+      told = fmt::format("{{\"event\":\"change\",\"tick\":{},\"host\":{},\"commands\":{}}}\n", tick(now), by,
+                         json_text(line));
+    events_.push_back({host, told});
+  }
+}
+
+// ---- bundles: all or none
+
+Imaging::Reply Imaging::collect(Host host, Visitor& h, std::string_view line, Nanos now) {
+  const auto all = split(line);
+  const bool lone = all.size() == 1 && (h.bundle.empty() || !Session::needs_more(h.bundle.back().second));
+  if (lone && all[0] == "end") return end_bundle(host, h, now);
+  if (lone && all[0] == "bundle" && !h.bundle_broken)
+    h.bundle_broken = fail(Code::syntax, fmt::format("line {}: a bundle is open already", h.line));
+  h.bundle_size += line.size() + 64;
+  if (h.bundle_size > largest_bundle && !h.bundle_broken)
+    h.bundle_broken = fail(Code::range, fmt::format("a bundle is at most {} bytes long", largest_bundle));
+  if (h.bundle_broken) {
+    h.bundle.clear();
+    return {};
+  }
+  std::string* const before = h.bundle.empty() ? nullptr : &h.bundle.back().second;
+  if (before && before->size() <= longest_line && Session::needs_more(*before))
+    *before += "\n" + std::string(line);
+  else
+    h.bundle.emplace_back(h.line, line);
+  return {};
+}
+
+Imaging::Reply Imaging::end_bundle(Host host, Visitor& h, Nanos now) {
+  const auto lines = std::exchange(h.bundle, {});
+  const auto broken = std::exchange(h.bundle_broken, {});
+  h.bundling = false, h.bundle_size = 0, h.sheet.clear();
+  if (broken) return no(h, now, *broken);
+  const std::int64_t at = stamp(now);
+  History::Point point = history_.now();
+  std::string sheet, warnings, errors, all;
+  std::optional<Error> first;
+  std::vector<std::string> kept;
+  bool stamped = false;
+  for (const auto& [number, line] : lines) {
+    const std::string_view verb = first_word(line);
+    const bool row = indented(line) && !sheet.empty();
+    const auto word = std::find_if(words().begin(), words().end(), [&](const Word& w) { return w.word == verb; });
+    Result<Deed> deed = !row && (verb == "quit" || (word != words().end() && split(line).size() == 1))
+                            ? fail(Code::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
+                                   "a bundle holds commands of the language")
+                            : carry_out(point, sheet, line, at);
+    if (!deed) {
+      Error e = deed.error();
+      errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number,
+                            json_text(e.message), e.hint.empty() ? "" : ",\"hint\":" + json_text(e.hint),
+                            e.place.column > 0 ? fmt::format(",\"column\":{}", e.place.column) : "");
+      e.message = fmt::format("line {}: {}", number, e.message), e.place = {};
+      if (!first) first = e;
+      if (!row) sheet.clear();
+      continue;
+    }
+    if (deed->remark) continue;
+    stamped = stamped || happens_now(line);
+    warnings += deed->said;
+    sheet = deed->opens ? deed->line : deed->sheet;
+    point = std::move(deed->after);
+    all += deed->line + "\n";
+    kept.push_back(std::move(deed->line));
+  }
+  if (first) return no(h, now, *first, ",\"errors\":[" + errors + "]");
+  if (kept.empty()) return yes(h, now, "");
+  point.carried.sheet_open = false;
+  if (Status s = history_.take(std::move(point), kept, ""); !s) return no(h, now, s.error());
+  commands_ += kept.size();
+  changed(host, all, now);
+  return yes(h, now, said(warnings), stamped ? std::optional(at) : std::nullopt);
+}
+
+// ---- what frames tell
+
+bool Imaging::frames_wanted() const {
+  return std::any_of(hosts_.begin(), hosts_.end(),
+                     [](const auto& h) { return (h.second.topics & ~unsigned{changes}) != 0; });
+}
+
+void Imaging::shown(const Shown& f) {
+  std::string frame, remarks;
+  if (f.time < told_) told_ = f.time - Time{1};
+  if (document().scene().notes_shown)
+    for (const auto& [time, words] : document().notes(told_ + Time{1}, f.time))
+      remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(time.seconds()),
+                             json_text(words));
+  told_ = f.time;
+  for (const auto& [host, visitor] : hosts_) {
+    if ((visitor.topics & notes) && !remarks.empty()) events_.push_back({host, remarks});
+    if (!(visitor.topics & frames)) continue;
+    if (frame.empty())
+      frame = fmt::format("{{\"event\":\"frame\",\"frame\":{},\"seconds\":{},\"late\":{:.1f}}}\n", f.number,
+                          json_number(f.time.seconds()), static_cast<double>(f.late) / 1000);
+    events_.push_back({host, frame});
+  }
+}
+
+// ---- words of the server
+
+const std::vector<Imaging::Word>& Imaging::words() {
+  static const std::vector<Word> all{
+      {"eval", "eval TARGET… [at TIME]", "Values, now or at a time.", &Imaging::eval},
+      {"help", "help [WORD]", "Explains a word; without one, lists all.", &Imaging::help},
+      {"time", "time", "The tick, the seconds and the slot of now.", &Imaging::time},
+      {"stats", "stats", "How the server is doing: frames, lateness, hosts.", &Imaging::stats},
+      {"history", "history", "The document as a script: every command that was accepted.", &Imaging::history_word},
+      {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", &Imaging::undo},
+      {"redo", "redo", "Does again what was taken back.", &Imaging::redo},
+      {"subscribe", "subscribe changes|notes|frames", "Events come by themselves from now on.", &Imaging::subscribe},
+      {"unsubscribe", "unsubscribe [changes|notes|frames]", "No events any more.", &Imaging::unsubscribe},
+      {"start", "start", "The time is 0 now, and goes on.", &Imaging::start},
+      {"pause", "pause", "The time stands.", &Imaging::pause},
+      {"go", "go", "The time goes on.", &Imaging::go},
+      {"seek", "seek TIME", "The time is another one now.", &Imaging::seek},
+      {"save", "save", "Says where the history is kept; everything answered is in it.", &Imaging::save},
+      {"end", "end", "Ends a bundle: all that stands in it is done, or nothing.", &Imaging::end},
+      {"open", "open", "", &Imaging::not_for_hosts},
+      {"load", "load", "", &Imaging::not_for_hosts},
+      {"plot", "plot", "", &Imaging::not_for_hosts},
+      {"play", "play", "", &Imaging::not_for_hosts},
+      {"stop", "stop", "", &Imaging::not_for_hosts},
+  };
+  return all;
+}
+
+Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::string>& w, Nanos) {
+  if (w[0] == "open") return fail(Code::name, "'open' is not for hosts: a server has one document");
+  if (w[0] == "load")
+    return fail(Code::name, "'load' is not for hosts: plug-ins are programs", "betwixt serve --load PLUGIN loads one");
+  if (w[0] == "plot") return fail(Code::name, "'plot' is not for hosts: they write no files here", "eval gives values");
+  return fail(Code::name, fmt::format("'{}' is not for hosts: a server always plays", w[0]),
+              "see start, pause, go, seek");
+}
+
+Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  std::size_t end = w.size();
+  Time t = transport_.time(now);
+  if (w.size() >= 3 && w[w.size() - 2] == "at") {
+    const std::string& text = w.back();
+    const bool bare = text.find_first_not_of("0123456789.-") == std::string::npos;
+    const auto asked = parse_time(bare ? text + "f" : text, document());
+    if (!asked) return asked.error();
+    t = *asked, end -= 2;
+  }
+  if (end < 2) return fail(Code::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
+  std::vector<Target> targets;
+  for (std::size_t i = 1; i < end; ++i) {
+    const auto found = find_targets(w[i], document());
+    if (!found) return found.error();
+    for (const Target& target : *found)
+      if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
+  }
+  std::vector<std::string> problems;
+  const std::vector<Reading> values = program().read(targets, t, &problems);
+  std::string out = fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()));
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    out += fmt::format("{}{}:{}", i ? "," : "", json_text(document().name(targets[i])),
+                       json(values[i], targets[i], document()));
+  return out + "}" + said(fmt::format("{}", fmt::join(problems, "\n")));
+}
+
+Result<std::string> Imaging::help(Visitor&, const std::vector<std::string>& w, Nanos) {
+  if (w.size() > 2) return one_word_too_many(w[2], "help [WORD]");
+  std::string out;
+  if (w.size() < 2) {
+    for (const Word& word : words())
+      if (!word.sentence.empty()) out += fmt::format("{:12} {}\n", word.word, word.sentence);
+    return said(out + "\n" + help_overview(document().scene()));
+  }
+  for (const Word& word : words())
+    if (word.word == w[1] && !word.sentence.empty())
+      return said(fmt::format("{}\n  usage: {}\n", word.sentence, word.usage));
+  if (out = help_text(w[1], document().scene()); !out.empty()) return said(out);
+  return fail(Code::name, fmt::format("there is no help about '{}'", w[1].substr(0, 60)));
+}
+
+Result<std::string> Imaging::time(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() > 1) return one_word_too_many(w[1], "time");
+  const Time t = transport_.time(now);
+  const std::int64_t slot = ((tick(now) % slots) + slots) % slots;
+  return fmt::format(",\"seconds\":{},\"slot\":{},\"running\":{}", json_number(t.seconds()), slot, transport_.running);
+}
+
+Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() > 1) return one_word_too_many(w[1], "stats");
+  std::string more = options_.stats ? options_.stats() : "";
+  if (!more.empty()) more = "," + more;
+  return fmt::format(
+      ",\"stats\":{{\"uptime\":{:.3f},\"hosts\":{},\"lines\":{},\"commands\":{},\"refused\":{},\"bytes\":{},"
+      "\"steps\":{}{}}}",
+      static_cast<double>(now - begun_) / 1e9, hosts_.size(), lines_, commands_, refused_, bytes_, history_.steps(),
+      more);
+}
+
+Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>& w, Nanos) {
+  if (w.size() > 1) return one_word_too_many(w[1], "history");
+  return ",\"said\":" + json_text(history_.text());
+}
+
+Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() > 1) return one_word_too_many(w[1], "undo");
+  if (Status s = history_.undo(); !s) return s.error();
+  changed(0, "undo", now);
+  return std::string();
+}
+
+Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() > 1) return one_word_too_many(w[1], "redo");
+  if (Status s = history_.redo(); !s) return s.error();
+  changed(0, "redo", now);
+  return std::string();
+}
+
+namespace {
+Result<unsigned> topics_of(const std::vector<std::string>& w) {
+  static constexpr std::string_view names[] = {"changes", "notes", "frames"};
+  unsigned topics = 0;
+  for (std::size_t i = 1; i < w.size(); ++i) {
+    const auto found = std::find(std::begin(names), std::end(names), w[i]);
+    if (found == std::end(names))
+      return fail(Code::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
+                  "changes, notes or frames");
+    topics |= 1u << (found - std::begin(names));
+  }
+  return topics;
+}
+}  // namespace
+
+Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
+  const auto topics = topics_of(w);
+  if (!topics) return topics.error();
+  if (*topics == 0) return fail(Code::syntax, "to what?", "usage: subscribe changes|notes|frames");
+  h.topics |= *topics;
+  return std::string();
+}
+
+Result<std::string> Imaging::unsubscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
+  const auto topics = topics_of(w);
+  if (!topics) return topics.error();
+  h.topics &= *topics == 0 ? 0u : ~*topics;
+  return std::string();
+}
+
+Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() > 1) return one_word_too_many(w[1], "start");
+  transport_ = {true, now, Time{}};
+  told_ = Time{-1};
+  changed(0, "start", now);
+  return std::string();
+}
+
+Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() > 1) return one_word_too_many(w[1], "pause");
+  transport_ = {false, now, transport_.time(now)};
+  changed(0, "pause", now);
+  return std::string();
+}
+
+Result<std::string> Imaging::go(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() > 1) return one_word_too_many(w[1], "go");
+  transport_ = {true, now, transport_.time(now)};
+  changed(0, "go", now);
+  return std::string();
+}
+
+Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() != 2) return fail(Code::syntax, "to which time?", "usage: seek TIME, as in seek 2.5s");
+  const auto to = parse_time(w[1], document());
+  if (!to) return to.error();
+  transport_.since = now, transport_.at = *to;
+  told_ = *to - Time{1};
+  changed(0, "seek " + w[1], now);
+  return std::string();
+}
+
+Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {
+  if (w.size() > 1) return fail(Code::name, "a host cannot choose the file", "betwixt serve --save FILE does");
+  if (save_.empty()) return fail(Code::name, "this server keeps no history", "betwixt serve --save FILE does");
+  return said(fmt::format("kept in '{}'", save_));
+}
+
+Result<std::string> Imaging::end(Visitor&, const std::vector<std::string>&, Nanos) {
+  return fail(Code::syntax, "no bundle is open");
+}
+
+}  // namespace betwixt

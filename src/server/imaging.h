@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The imaging server without its sockets and its clock: one document, any number of hosts, lines in, answers out. It
+// is given the time with every line, so that it can be asked about any.
+//
+// Source: Animation Imaging Model 3.2, 3.3; 3.3.3 (its locks are a pointer here: R-E14); 4.1.2 (simulated time).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/program.h"
+#include "server/history.h"
+
+namespace betwixt {
+
+using Nanos = std::int64_t;  // of a clock that only goes forward
+
+// How the document's time goes with the clock.
+struct Transport {
+  bool running = false;
+  Nanos since = 0;  // it has been running since then …
+  Time at;          // … and was here
+  Time time(Nanos now) const;
+  Nanos when(Time) const;  // the first moment at which the document's time is this
+  friend bool operator==(const Transport&, const Transport&) = default;
+};
+
+// A frame that was put where frames go.
+struct Shown {
+  std::int64_t number = 0;  // of the frame at the server's rate; the one at time 0 has number 1
+  Time time;
+  Nanos late = 0;
+  std::vector<std::string> problems;
+};
+
+class Imaging {
+ public:
+  struct Options {
+    std::int64_t latency = 1;         // ticks: a command about environments takes effect so long after it came
+    std::size_t ceiling = 2'000'000;  // environments; one more is refused, and changes nothing (R-E8)
+    std::size_t undo = 1000;          // commands that can be undone
+    bool wait = false;                // the clock stands at 0 until a host says `start`
+    LoadOptions load;
+    std::function<std::string()> stats;  // members of a JSON object, of what stands around
+  };
+  using Host = std::uint64_t;
+  struct Reply {
+    std::string line;  // one line of JSON with its end; empty inside a bundle
+    bool quit = false;
+  };
+  static constexpr std::size_t longest_line = 1 << 20;  // bytes
+
+  explicit Imaging(Options);
+
+  // Begins with a script, "" without; keeps the history in a file, "": does not.
+  Result<Diagnostics> begin(const std::string& file, const std::string& save, bool overwrite, Nanos now);
+
+  Host arrive();
+  void leave(Host);
+  // One line, with or without its end.
+  Reply enter(Host, std::string_view line, Nanos now);
+  // A line that is too long to be looked at.
+  Reply enter_too_long(Host, Nanos now);
+  // Everything that was answered is on the disk. An error: it may not be, and the server must end.
+  Status sync() { return history_.sync(); }
+
+  // What hosts that subscribed are told; taken away by asking.
+  struct Event {
+    Host to = 0;
+    std::string line;
+  };
+  std::vector<Event> events() { return std::exchange(events_, {}); }
+  void shown(const Shown&);
+  bool frames_wanted() const;  // a host has subscribed to something that frames tell
+
+  const Document& document() const { return history_.now().document; }
+  const Program& program();  // of this document
+  const Transport& transport() const { return transport_; }
+  std::uint64_t version() const { return version_; }  // another one: the document or the transport is another
+  std::string history() const { return history_.text(); }
+  std::int64_t tick(Nanos now) const;
+
+ private:
+  enum Topic : unsigned { changes = 1, notes = 2, frames = 4 };
+  struct Visitor {
+    std::int64_t line = 0;
+    std::string sheet;  // the line that opened it
+    std::string open;   // lines of a command that is not whole yet
+    int open_lines = 0;
+    bool bundling = false;
+    std::vector<std::pair<std::int64_t, std::string>> bundle;
+    std::size_t bundle_size = 0;
+    std::optional<Error> bundle_broken;
+    unsigned topics = 0;
+  };
+  // What a line did, on a copy.
+  struct Deed {
+    History::Point after;
+    std::string line;     // as it stands in the history
+    std::string sheet;    // a row's
+    std::string said;     // warnings
+    bool remark = false;  // a comment, or nothing
+    bool opens = false;   // a sheet
+    bool changes = false;
+  };
+  struct Word {
+    std::string_view word, usage, sentence;
+    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);
+  };
+  static const std::vector<Word>& words();
+
+  Result<Deed> carry_out(const History::Point& from, const std::string& sheet, std::string_view line,
+                         std::int64_t stamp) const;
+  Status within_ceiling(const Scene& before, const Scene& after) const;
+  Reply enter_whole(Host, Visitor&, std::string_view line, Nanos now);
+  Reply command(Host, Visitor&, std::string_view line, Nanos now);
+  Reply collect(Host, Visitor&, std::string_view line, Nanos now);
+  Reply end_bundle(Host, Visitor&, Nanos now);
+  Reply yes(const Visitor&, Nanos now, const std::string& members, std::optional<std::int64_t> tick = {});
+  Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
+  void changed(Host by, const std::string& line, Nanos now);
+  std::int64_t stamp(Nanos now) const { return tick(now) + options_.latency; }
+
+  Result<std::string> eval(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> help(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> time(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> stats(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> history_word(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> undo(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> redo(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> subscribe(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> unsubscribe(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> start(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> pause(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> go(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> seek(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> save(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> end(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> not_for_hosts(Visitor&, const std::vector<std::string>&, Nanos);
+
+  Options options_;
+  std::string name_, save_;
+  History history_;
+  Transport transport_;
+  std::uint64_t version_ = 1, compiled_ = 0;
+  Program program_;
+  std::map<Host, Visitor> hosts_;
+  Host last_host_ = 0;
+  Time told_;  // notes up to here have been told
+  std::vector<Event> events_;
+  Nanos begun_ = 0;
+  std::uint64_t lines_ = 0, commands_ = 0, refused_ = 0, bytes_ = 0;
+};
+
+}  // namespace betwixt

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "server/serve.h"
+
+#include <fmt/format.h>
+#include <sys/epoll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <unordered_map>
+
+#include "language/json.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t most_waiting = 4 << 20;         // bytes of answers that a host has not read
+constexpr std::size_t most_events_waiting = 1 << 20;  // … beyond which it is told of no more events
+constexpr std::size_t chunk = 1 << 16;                // bytes that are read of a host in one turn
+constexpr int turn_lines = 64;                        // of a host in one turn …
+constexpr Nanos turn_time = 4'000'000;                // … unless they take longer than this
+constexpr Nanos patience = 10'000'000'000;            // for a token
+constexpr std::size_t longest_token_line = 4096;
+constexpr int most_guesses = 3;
+
+struct Guest {
+  int file = -1;
+  std::optional<Imaging::Host> host;  // none: has not said the token yet
+  Nanos came = 0;
+  int guesses = 0;
+  std::string in;            // what has come and has not been looked at
+  std::size_t seen = 0;      // bytes of it that hold no end of a line
+  bool skipping = false;     // a line that is too long
+  bool last_word = false;    // nothing more is read; it goes when it has its answers
+  bool half_closed = false;  // it will say no more
+  bool stuck = false;        // it had not read all its answers when it was last looked at
+  std::string out;
+  std::size_t sent = 0;
+  std::uint64_t lost = 0;  // events that it was not told of
+  std::uint32_t watched = 0;
+};
+
+class Server {
+ public:
+  Server(Imaging& imaging, FrameClock& clock, const std::vector<Listener>& listeners, const ServeOptions& options)
+      : imaging_(imaging),
+        clock_(clock),
+        listeners_(listeners),
+        options_(options),
+        epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
+  ~Server() {
+    for (auto& [file, guest] : guests_) ::close(file);
+    if (epoll_ >= 0) ::close(epoll_);
+  }
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  Status run() {
+    if (epoll_ < 0) return fail(Code::machine, fmt::format("no server can be had: {}", std::strerror(errno)));
+    for (const Listener& l : listeners_) watch(l.file(), EPOLLIN, EPOLL_CTL_ADD);
+    if (options_.stop >= 0) watch(options_.stop, EPOLLIN, EPOLL_CTL_ADD);
+    watch(clock_.shown_file(), EPOLLIN, EPOLL_CTL_ADD);
+    publish();
+    while (!stop_) {
+      wait();
+      std::set<int> busy = std::exchange(busy_, {});
+      for (const int file : busy)
+        if (const auto found = guests_.find(file); found != guests_.end()) take_turn(found->second);
+      for (auto& e : imaging_.events()) tell(e);
+      if (Status s = imaging_.sync(); !s) return s;  // nothing is answered that is not safe
+      publish();
+      for (auto it = guests_.begin(); it != guests_.end();) {
+        const auto next = std::next(it);
+        if (waiting(it->second) > 0 || it->second.last_word || it->second.half_closed) send(it->second);
+        it = next;
+      }
+    }
+    return imaging_.sync();
+  }
+
+ private:
+  static std::size_t waiting(const Guest& g) { return g.out.size() - g.sent; }
+
+  void watch(int file, std::uint32_t events, int how) {
+    epoll_event e{};
+    e.events = events, e.data.fd = file;
+    ::epoll_ctl(epoll_, how, file, &e);
+  }
+
+  void wait() {
+    std::array<epoll_event, 256> events;
+    const int timeout = !busy_.empty() ? 0 : strangers_ > 0 || resting_ ? 500 : -1;
+    const int n = ::epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), timeout);
+    if (resting_) rest(false);
+    for (int i = 0; i < n; ++i) {
+      const int file = events[static_cast<std::size_t>(i)].data.fd;
+      if (file == options_.stop) {
+        stop_ = true;
+        continue;
+      }
+      if (file == clock_.shown_file()) {
+        hear_clock();
+        continue;
+      }
+      if (const auto guest = guests_.find(file); guest != guests_.end())
+        busy_.insert(file);
+      else
+        for (const Listener& l : listeners_)
+          if (l.file() == file) welcome(l);
+    }
+    if (strangers_ > 0) tire();
+  }
+
+  // ---- coming and going
+
+  void welcome(const Listener& at) {
+    for (int n = 0; n < 64; ++n) {
+      const int file = at.accept();
+      if (file < 0) {
+        if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS) rest(true);
+        return;
+      }
+      if (guests_.size() >= options_.hosts) {
+        const std::string no = fmt::format(
+            "{{\"line\":0,\"ok\":false,\"error\":\"there are {} hosts already\",\"hint\":\"betwixt serve "
+            "--hosts N lets more in\"}}\n",
+            options_.hosts);
+        ::send(file, no.data(), no.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        ::close(file);
+        continue;
+      }
+      Guest& g = guests_[file];
+      g.file = file, g.came = monotonic_now();
+      if (at.asks())
+        ++strangers_;
+      else
+        admit(g);
+      watch(file, g.watched = EPOLLIN, EPOLL_CTL_ADD);
+    }
+  }
+
+  // No more files are to be had: the door is shut for a moment, not knocked at in a loop.
+  void rest(bool on) {
+    resting_ = on;
+    for (const Listener& l : listeners_) watch(l.file(), on ? 0u : static_cast<std::uint32_t>(EPOLLIN), EPOLL_CTL_MOD);
+  }
+
+  void admit(Guest& g) {
+    g.host = imaging_.arrive();
+    files_[*g.host] = g.file;
+  }
+  void leave(Guest& g) {
+    if (g.host)
+      imaging_.leave(*g.host), files_.erase(*g.host);
+    else
+      --strangers_;
+    busy_.erase(g.file);
+    ::close(g.file);
+    guests_.erase(g.file);
+  }
+
+  // Who does not say the token in time goes.
+  void tire() {
+    const Nanos now = monotonic_now();
+    std::vector<int> late;
+    for (const auto& [file, g] : guests_)
+      if (!g.host && now - g.came > patience) late.push_back(file);
+    for (const int file : late) leave(guests_.at(file));
+  }
+
+  // ---- lines
+
+  // One host's turn: bounded, so that none waits long for another.
+  void take_turn(Guest& g) {
+    if (!g.last_word && !g.half_closed && g.seen == g.in.size() && !read(g)) return leave(g);
+    const Nanos until = monotonic_now() + turn_time;
+    for (int n = 0; n < turn_lines && monotonic_now() < until && !g.last_word; ++n)
+      if (!take_line(g)) {
+        if (g.half_closed) g.last_word = true;
+        if (g.half_closed && waiting(g) == 0) leave(g);
+        return;
+      }
+    if (!g.last_word) busy_.insert(g.file);
+  }
+
+  // What has come; false: it has gone for good.
+  bool read(Guest& g) {
+    std::array<char, chunk> bytes;
+    const ssize_t n = ::recv(g.file, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (n < 0) return errno == EAGAIN || errno == EINTR;
+    if (n == 0) {
+      g.half_closed = true;
+      return true;
+    }
+    const char* from = bytes.data();
+    const char* const end = from + n;
+    if (g.skipping) {
+      from = std::find(from, end, '\n');
+      if (from == end) return true;
+      g.skipping = false, ++from;
+    }
+    g.in.append(from, end);
+    return true;
+  }
+
+  // The next whole line; false: there is none yet.
+  bool take_line(Guest& g) {
+    const std::size_t end = g.in.find('\n', g.seen);
+    const std::size_t longest = g.host ? Imaging::longest_line : longest_token_line;
+    if (end == std::string::npos ? g.in.size() > longest : end > longest) {
+      g.skipping = end == std::string::npos;
+      drop(g, g.skipping ? g.in.size() : end + 1);
+      if (!g.host) return answer(g, {refuse_token(g), g.guesses >= most_guesses});
+      return answer(g, imaging_.enter_too_long(*g.host, monotonic_now()));
+    }
+    if (end == std::string::npos) {
+      g.seen = g.in.size();
+      return false;
+    }
+    const std::string line = g.in.substr(0, end);
+    drop(g, end + 1);
+    return answer(g, g.host ? imaging_.enter(*g.host, line, monotonic_now()) : meet(g, line));
+  }
+
+  static void drop(Guest& g, std::size_t bytes) {
+    g.in.erase(0, bytes), g.seen = 0;
+    if (g.in.empty() && g.in.capacity() > 2 * chunk) g.in = {};
+  }
+
+  bool answer(Guest& g, Imaging::Reply reply) {
+    g.out += reply.line;
+    if (reply.quit) g.last_word = true, g.in.clear();
+    return true;
+  }
+
+  Imaging::Reply meet(Guest& g, std::string_view line) {
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    constexpr std::string_view word = "token ";
+    if (!line.starts_with(word) || !same_token(line.substr(word.size()), options_.token))
+      return {refuse_token(g), g.guesses >= most_guesses};
+    admit(g);
+    --strangers_;
+    return {"{\"line\":0,\"ok\":true}\n", false};
+  }
+  static std::string refuse_token(Guest& g) {
+    ++g.guesses;
+    return "{\"line\":0,\"ok\":false,\"error\":\"this is not the token\",\"hint\":\"the first line is: token "
+           "TOKEN\"}\n";
+  }
+
+  // ---- answers and events
+
+  void tell(const Imaging::Event& e) {
+    const auto file = files_.find(e.to);
+    if (file == files_.end()) return;
+    Guest& g = guests_.at(file->second);
+    if (g.last_word) return;
+    if (waiting(g) > most_events_waiting) {
+      ++g.lost;
+      return;
+    }
+    if (g.lost > 0) g.out += fmt::format("{{\"event\":\"lost\",\"events\":{}}}\n", std::exchange(g.lost, 0));
+    g.out += e.line;
+  }
+
+  void send(Guest& g) {
+    while (waiting(g) > 0) {
+      const ssize_t n = ::send(g.file, g.out.data() + g.sent, waiting(g), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0 && errno != EAGAIN) return leave(g);
+      if (n < 0) break;
+      g.sent += static_cast<std::size_t>(n);
+    }
+    if (waiting(g) == 0) {
+      g.out.clear(), g.sent = 0;
+      if (g.out.capacity() > chunk) g.out.shrink_to_fit();
+      if (g.last_word) return leave(g);
+    } else if (g.sent > chunk) {
+      g.out.erase(0, g.sent), g.sent = 0;
+    }
+    // One answer may be larger than that; more must not gather behind it.
+    if (waiting(g) > most_waiting && g.stuck) {
+      fmt::print(stderr, "betwixt: a host that does not read its answers is cut off\n");
+      return leave(g);
+    }
+    g.stuck = waiting(g) > 0;
+    const std::uint32_t wanted = (g.last_word || g.half_closed ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
+                                 (waiting(g) > 0 ? static_cast<std::uint32_t>(EPOLLOUT) : 0u);
+    if (wanted != g.watched) watch(g.file, g.watched = wanted, EPOLL_CTL_MOD);
+  }
+
+  // ---- the clock
+
+  void hear_clock() {
+    for (const Shown& s : clock_.shown()) {
+      imaging_.shown(s);
+      for (const std::string& p : s.problems)
+        if (problems_.size() < 100 && problems_.insert(p).second) fmt::print(stderr, "betwixt: warning: {}\n", p);
+    }
+    if (const auto trouble = clock_.trouble())
+      fmt::print(stderr, "betwixt: frames go nowhere any more: {}\n", trouble->message);
+  }
+
+  void publish() {
+    const bool look = imaging_.frames_wanted();
+    if (published_ == imaging_.version() && look == looked_) return;
+    published_ = imaging_.version(), looked_ = look;
+    clock_.publish({imaging_.program(), imaging_.transport(), look});
+  }
+
+  Imaging& imaging_;
+  FrameClock& clock_;
+  const std::vector<Listener>& listeners_;
+  const ServeOptions& options_;
+  const int epoll_;
+  std::unordered_map<int, Guest> guests_;  // by their files
+  std::unordered_map<Imaging::Host, int> files_;
+  std::set<int> busy_;  // with lines that have not been looked at
+  std::size_t strangers_ = 0;
+  bool resting_ = false, stop_ = false, looked_ = false;
+  std::uint64_t published_ = 0;
+  std::set<std::string> problems_;
+};
+
+}  // namespace
+
+Status serve(Imaging& imaging, FrameClock& clock, const std::vector<Listener>& listeners, const ServeOptions& options) {
+  return Server(imaging, clock, listeners, options).run();
+}
+
+}  // namespace betwixt

@@ -1,0 +1,12 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The imaging server under abuse: random bytes, half commands, lines of a gigabyte, a thousand connections, clients
+# killed in mid-command. All the time one well-behaved host looks whether its frames come when they should.
+#   tools/abuse.sh [MINUTES] [PROGRAM]
+root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
+minutes=${1:-10} program=$(realpath -- "${2:-$root/build/release/bin/betwixt}")
+export PYTHONPATH=$root/clients/python PYTHONDONTWRITEBYTECODE=1
+ulimit -n 8192 2>/dev/null
+exec python3 "$root/tools/abuse.py" "$program" "$minutes"
