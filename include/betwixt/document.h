@@ -19,11 +19,11 @@ namespace betwixt {
 struct Scene;  // src/scene/document.h
 
 // A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole).
-// What can be asked for, not set: the full matrix, of an environment its A; and an environment's M, interval in ticks
-// and number of updates.
+// What can be asked for, not set: the full matrix, of an environment its A; an environment's M, interval in ticks
+// and number of updates; of a thing drawn what it touches, and whether any of it is in view.
 inline constexpr std::uint16_t world_function = 0xffff, motion_function = 0xfffe, interval_function = 0xfffd,
-                               count_function = 0xfffc;
-constexpr bool only_asked(std::uint16_t function) { return function >= count_function; }
+                               count_function = 0xfffc, touching_function = 0xfffb, in_view_function = 0xfffa;
+constexpr bool only_asked(std::uint16_t function) { return function >= in_view_function; }
 struct Target {
   constexpr Target() = default;
   constexpr Target(ObjectId o, std::uint16_t f, int c = -1) : object(o), function(f), component(c) {}

@@ -70,6 +70,9 @@ struct Item {
   double shininess = 0;                 // 0 dull to 1 a mirror's highlight
   Material material = Material::plastic;
   std::shared_ptr<const Picture> texture;  // null: the mesh's own, if any
+  // What it is one body with: the thing drawn that it hangs on in the end, or the whole that it is named as a part of
+  // (car/wheel on car); itself where there is none.
+  ObjectId body;
 };
 
 struct Light {

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "betwixt/contacts.h"
 #include "betwixt/document.h"
 #include "betwixt/frame.h"
 
@@ -37,6 +38,9 @@ class Program {
   std::vector<Target> reads(const Target&, Time) const;
 
   Bearing bearing(ObjectId, Time) const;
+
+  // What touches and what is in view: betwixt::contacts of the frame, without making all of it.
+  Contacts contacts(Time, const ContactOptions& = {}) const;
 
   const Document& document() const;
 

@@ -214,6 +214,30 @@ int value(lua_State* l) {
   return charge(l, 20), results;
 }
 
+// touching(A [, time]): a list of names; touching(A, B [, time]): whether they do.
+int touching_of(lua_State* l, Machine& m) {
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "touching: the name of an object comes first, in quotes");
+  const bool two = lua_type(l, 2) == LUA_TSTRING;
+  const int last = two ? 3 : 2;
+  const bool now = lua_isnoneornil(l, last);
+  if (!now && lua_type(l, last) != LUA_TNUMBER) return fail_with(l, "touching: the time is no number");
+  if (!m.call->questions) return fail_with(l, "touching: only values can ask what touches");
+  const double at = now ? m.call->seconds : lua_tonumber(l, last);
+  const auto ask = [&](int i) {
+    return m.call->questions->value(lua_tostring(l, i) + std::string(".touching"), at, m.call->steps);
+  };
+  const auto found = ask(1);
+  if (!found || !two) return push_reading(l, "touching", found);
+  if (const auto other = ask(2); !other) return push_reading(l, "touching", other);
+  const auto& names = *std::get<Names>(*found);
+  lua_pushboolean(l, std::find(names.begin(), names.end(), lua_tostring(l, 2)) != names.end());
+  return 1;
+}
+int touching(lua_State* l) {
+  const int results = guarded<touching_of>(l);
+  return charge(l, 20), results;
+}
+
 int input_at(lua_State* l, Machine& m) {
   if (!m.call->input) return fail_with(l, "input: only filters have one");
   const double at = lua_isnoneornil(l, 1) ? m.call->seconds : lua_tonumber(l, 1);
@@ -330,6 +354,7 @@ constexpr luaL_Reg own[] = {{"vec", make<Kind::vector, 3>},
                             {"tostring", guarded<to_text>},
                             {"pairs", pairs},
                             {"value", value},
+                            {"touching", touching},
                             {"input", input},
                             {"run", run},
                             {"objects", objects},

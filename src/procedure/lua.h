@@ -6,7 +6,8 @@
 // What every one has: numbers, booleans, texts, lists; vec(x, y, z), rgb(r, g, b), euler(x, y, z), quat(w, x, y, z),
 // axis(x, y, z, angle) with arithmetic; length dot cross normalize; the functions of math with and without "math.";
 // tau pi noise random clamp mix smoothstep; string and table without patterns.
-//   value    t, self, ... (what it is called with), value(name [, time]), and every named procedure as a function
+//   value    t, self, ... (what it is called with), value(name [, time]), touching(name [, name] [, time]), and every
+//            named procedure as a function
 //   twerper  u; gives a number
 //   filter   t, input([time]), and each parameter by its name, dashes written as underscores
 //   command  args and ..., run("line"), value(name, time), objects(pattern)

@@ -82,6 +82,12 @@ struct Asking {
   std::vector<std::int32_t> asked;  // lives that what is being worked out has taken so far
   std::size_t cut = SIZE_MAX;       // how deep in `open` the outermost cut reached
   std::map<std::pair<std::int32_t, std::int64_t>, Found> found;
+  struct FoundContacts {
+    std::shared_ptr<const Contacts> contacts;
+    std::uint64_t cost = 0;
+    std::vector<std::int32_t> asked;
+  };
+  std::map<std::int64_t, FoundContacts> found_contacts;
   std::uint64_t cost = 0;
   std::vector<std::string> problems;
   std::vector<Target> read;  // what procedures looked at
@@ -173,6 +179,7 @@ struct Program::Compiled {
 
   // Evaluation. `numbers` is the array for the time.
   std::vector<double> at(Time t, Asking&) const;
+  std::vector<double> places_at(Time t, Asking&) const;  // only what says where things are and how large
   void evaluate(const CurveUse& use, Time t, double* out) const;
   // One binding alone: its numbers only.
   void evaluate(const Binding& b, Time t, Asking&, double* out) const;
@@ -196,6 +203,12 @@ struct Program::Compiled {
   Value value(const Binding& b, Time t, Asking&) const;  // the one that holds at t
   void thaw(std::int32_t frozen, Asking&) const;
 
+  // What contacts are worked out from: items without their looks, and the camera, if the film has one.
+  Frame solids(Time t, Asking&) const;
+  std::shared_ptr<const Contacts> contacts(Time t, Asking&) const;
+  void add_solids(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
+  std::vector<std::uint32_t> bodies(Time t) const;       // by node, nodes
+  std::optional<std::uint32_t> camera_at(Time t) const;  // the object looked through; none: the film has none
   void add_items(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
   void add_lights(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
   Camera camera(Time t, const double* numbers, const std::vector<Mat4>& worlds) const;

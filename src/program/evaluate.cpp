@@ -136,10 +136,11 @@ Material material_of(const std::string& word) {
 
 }  // namespace
 
-void Program::Compiled::add_items(Frame& frame, const double* numbers, const std::vector<Mat4>& w,
-                                  Asking& asking) const {
+void Program::Compiled::add_solids(Frame& frame, const double* numbers, const std::vector<Mat4>& w,
+                                   Asking& asking) const {
   const Scene& scene = document.scene();
   const Time t = frame.time;
+  const auto body = bodies(t);
   const auto shape_of = [&](std::uint32_t object) {
     const Node& n = nodes[node_of[object]];
     return n.shape ? n.shape : std::make_shared<const Shape>(shape(object, t, numbers, asking));
@@ -151,12 +152,7 @@ void Program::Compiled::add_items(Frame& frame, const double* numbers, const std
     Item item;
     item.id = {object};
     item.world = w[node_of[object]];
-    item.color = vec3(numbers + n.color);
-    item.transparency = std::clamp(numbers[find(object, fn::transparency).offset], 0.0, 1.0);
-    item.shininess = std::clamp(numbers[find(object, fn::shininess).offset], 0.0, 1.0);
-    item.material = material_of(*std::get<Text>(value(find(object, fn::material), t, asking)));
-    const auto picture = scene.pictures->find(*std::get<Text>(value(find(object, fn::texture), t, asking)));
-    if (picture != scene.pictures->end()) item.texture = picture->second;
+    item.body = {nodes[body[node_of[object]]].object};
 
     // Its own shape, another object's, or on the way between two.
     const auto look = [&](const Value& v) {
@@ -174,6 +170,22 @@ void Program::Compiled::add_items(Frame& frame, const double* numbers, const std
       if (b.a != b.b && b.s != 0) item.toward = look(values[b.b]), item.blend = b.s;
     }
     frame.items.push_back(std::move(item));
+  }
+}
+
+void Program::Compiled::add_items(Frame& frame, const double* numbers, const std::vector<Mat4>& worlds,
+                                  Asking& asking) const {
+  const Scene& scene = document.scene();
+  const Time t = frame.time;
+  add_solids(frame, numbers, worlds, asking);
+  for (Item& item : frame.items) {
+    const std::uint32_t object = item.id.index;
+    item.color = vec3(numbers + nodes[node_of[object]].color);
+    item.transparency = std::clamp(numbers[find(object, fn::transparency).offset], 0.0, 1.0);
+    item.shininess = std::clamp(numbers[find(object, fn::shininess).offset], 0.0, 1.0);
+    item.material = material_of(*std::get<Text>(value(find(object, fn::material), t, asking)));
+    const auto picture = scene.pictures->find(*std::get<Text>(value(find(object, fn::texture), t, asking)));
+    if (picture != scene.pictures->end()) item.texture = picture->second;
   }
 }
 
@@ -197,16 +209,19 @@ void Program::Compiled::add_lights(Frame& frame, const double* numbers, const st
   }
 }
 
-Camera Program::Compiled::camera(Time t, const double* numbers, const std::vector<Mat4>& w) const {
+std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
   const Scene& scene = document.scene();
-  ObjectId through;
   const auto cut = scene.cuts->upper_bound(t);
-  if (cut != scene.cuts->begin()) through = std::prev(cut)->second;
-  for (std::uint32_t object = 0; !through && object < node_of.size(); ++object)
-    if (node_of[object] != ObjectId::nothing && nodes[node_of[object]].kind == Kind::camera) through = {object};
-  if (!through) return own_camera();
+  if (cut != scene.cuts->begin() && std::prev(cut)->second) return std::prev(cut)->second.index;
+  for (const Node& n : nodes)
+    if (n.kind == Kind::camera) return n.object;
+  return std::nullopt;
+}
 
-  const std::uint32_t object = through.index;
+Camera Program::Compiled::camera(Time t, const double* numbers, const std::vector<Mat4>& w) const {
+  const auto through = camera_at(t);
+  if (!through) return own_camera();
+  const std::uint32_t object = *through;
   const auto number = [&](FunctionId f) { return numbers[find(object, f).offset]; };
   Camera c;
   const Mat4& m = w[node_of[object]];

@@ -43,6 +43,12 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
     if (target.function == count_function) return static_cast<double>(e.count(generation, tick));
     return e.at(generation, tick);
   }
+  if (target.function == touching_function) {
+    std::vector<std::string> names;
+    for (const ObjectId id : contacts(t, asking)->touching(target.object)) names.push_back(document.name(id));
+    return Names(std::move(names));
+  }
+  if (target.function == in_view_function) return contacts(t, asking)->sight(target.object) != Sight::out;
   if (target.function == world_function) return placement(node_of[object], t, asking).in_world();
   if (target.velocity) {
     const auto v = velocity(object, target.function, t, asking);

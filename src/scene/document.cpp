@@ -196,11 +196,12 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
 }
 
 namespace {
-constexpr std::string_view asked_names[] = {"world", "by", "every", "count"};
+constexpr std::string_view asked_names[] = {"world", "by", "every", "count", "touching", "in-view"};
 }
 std::optional<FunctionId> find_asked(Kind kind, std::string_view name) {
   for (FunctionId i = 0; i < std::size(asked_names); ++i)
-    if (asked_names[i] == name && (i == 0 || kind == Kind::environment)) return static_cast<FunctionId>(0xffff - i);
+    if (asked_names[i] == name && (i == 0 || (i < 4 ? kind == Kind::environment : drawn(kind))))
+      return static_cast<FunctionId>(0xffff - i);
   return std::nullopt;
 }
 

@@ -128,7 +128,7 @@ inline const Object* find_object(const Scene& s, ObjectId id) {
   return id.index < s.objects.size() && !s.objects[id.index].removed ? &s.objects[id.index] : nullptr;
 }
 
-// "world", and of environments "by", "every" and "count".
+// "world", of environments "by", "every" and "count", of what is drawn "touching" and "in-view".
 std::optional<FunctionId> find_asked(Kind, std::string_view name);
 // Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left
 // out.

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "betwixt/contacts.h"
+
+namespace betwixt {
+
+// The swept test, from boxes found already.
+Contacts swept(const Contacts& before, const Contacts& after, const ContactOptions&);
+
+}  // namespace betwixt

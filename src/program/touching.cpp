@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Contacts as a function of time, for whoever asks; procedures of the film among them. Only what says where things are
+// is worked out, so a colour may ask what touches: only what moves things cannot, and is cut like any circle.
+#include <algorithm>
+
+#include "program/code.h"
+
+namespace betwixt {
+namespace {
+
+// Whether the whole that is named is the holder's: car/wheel on car.
+bool part_of(const std::string& name, const std::string& whole) {
+  return name.size() > whole.size() && name[whole.size()] == '/' && name.starts_with(whole);
+}
+
+bool says_place(FunctionId f) {
+  switch (f) {
+    case fn::color:
+    case fn::shininess:
+    case fn::transparency:
+    case fn::material:
+    case fn::texture:
+    case fn::range:
+    case fn::intensity:
+    case fn::shines:
+    case fn::weight:
+    case fn::mode:
+      return false;
+    default:
+      return f < fn::count;
+  }
+}
+
+}  // namespace
+
+std::vector<double> Program::Compiled::places_at(Time t, Asking& asking) const {
+  std::vector<double> numbers = rest;
+  for (const CurveUse& use : curves) evaluate(use, t, &numbers[use.offset]);
+  if (!lives.empty())
+    for (const Binding& b : bindings)
+      if (b.live >= 0 && b.channels > 0 && says_place(b.function)) evaluate(b, t, asking, &numbers[b.offset]);
+  return numbers;
+}
+
+std::vector<std::uint32_t> Program::Compiled::bodies(Time t) const {
+  constexpr std::uint32_t unknown = 0xffffffff;
+  std::vector<std::uint32_t> body(nodes.size(), unknown), chain;
+  const auto holder = [&](std::uint32_t i) -> std::uint32_t {  // itself: nothing that it is one with holds it
+    const Hand* h = hand(nodes[i], t);
+    if (!h || h->hold < Hold::hang) return i;
+    const auto parent = static_cast<std::uint32_t>(h->parent);
+    const auto name = [&](std::uint32_t node) -> const std::string& {
+      return document.scene().objects[nodes[node].object].name;
+    };
+    return drawn(nodes[parent].kind) || part_of(name(i), name(parent)) ? parent : i;
+  };
+  for (std::uint32_t start = 0; start < nodes.size(); ++start) {
+    std::uint32_t i = start;
+    while (body[i] == unknown) {
+      const std::uint32_t above = holder(i);
+      if (above == i) {
+        body[i] = i;
+      } else {
+        chain.push_back(i);
+        i = above;
+      }
+    }
+    for (; !chain.empty(); chain.pop_back()) body[chain.back()] = body[i];
+  }
+  return body;
+}
+
+Frame Program::Compiled::solids(Time t, Asking& asking) const {
+  Frame f;
+  f.time = t;
+  for (const Node& n : nodes)  // while attachments are still being worked out
+    if (const Hand* h = hand(n, t); h && h->frozen >= 0) thaw(h->frozen, asking);
+  const auto numbers = places_at(t, asking);
+  const auto w = worlds(t, numbers.data(), asking);
+  add_solids(f, numbers.data(), w, asking);
+  if (camera_at(t)) f.camera = camera(t, numbers.data(), w);
+  return f;
+}
+
+std::shared_ptr<const Contacts> Program::Compiled::contacts(Time t, Asking& asking) const {
+  const auto open = [&](std::int32_t i) {
+    return std::find(asking.open.begin(), asking.open.end(), i) != asking.open.end();
+  };
+  const auto known = asking.found_contacts.find(t.flicks);
+  if (known != asking.found_contacts.end() &&
+      std::none_of(known->second.asked.begin(), known->second.asked.end(), open)) {
+    asking.cost += known->second.cost;
+    asking.asked.insert(asking.asked.end(), known->second.asked.begin(), known->second.asked.end());
+    return known->second.contacts;
+  }
+  const std::uint64_t before = asking.cost;
+  const std::size_t depth = asking.open.size(), outer_cut = asking.cut;
+  asking.cut = SIZE_MAX;
+  const auto first = static_cast<std::ptrdiff_t>(asking.asked.size());
+  const Frame f = solids(t, asking);
+  auto made = std::make_shared<Contacts>(betwixt::contacts(f));
+  if (!camera_at(t))  // the camera of a film that has none sees all there is
+    for (ContactBox& b : made->boxes) b.sight = Sight::in;
+  asking.cost += 10 * f.items.size();
+  std::sort(asking.asked.begin() + first, asking.asked.end());
+  asking.asked.erase(std::unique(asking.asked.begin() + first, asking.asked.end()), asking.asked.end());
+  const bool whole = asking.cut >= depth;  // nothing outside us was cut for it
+  if (whole && asking.found_contacts.size() < 1000)
+    asking.found_contacts.insert_or_assign(
+        t.flicks,
+        Asking::FoundContacts{made, asking.cost - before, {asking.asked.begin() + first, asking.asked.end()}});
+  if (asking.open.empty()) asking.asked.clear();
+  asking.cut = std::min(outer_cut, whole ? SIZE_MAX : asking.cut);
+  return made;
+}
+
+Contacts Program::contacts(Time t, const ContactOptions& options) const {
+  Asking asking;
+  Frame f = code_->solids(t, asking);
+  if (!code_->camera_at(t)) f.camera = code_->own_camera();
+  return betwixt::contacts(f, options);
+}
+
+}  // namespace betwixt
