@@ -3,7 +3,7 @@
 _betwixt() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]} words
   if [ "$COMP_CWORD" = 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W 'play render frame eval plot check tidy shell --help --version' -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W 'play render frame eval plot check tidy shell help --help --version' -- "$current")
     return
   fi
   case $previous in

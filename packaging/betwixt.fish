@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-set -l commands play render frame eval plot check tidy shell
+set -l commands play render frame eval plot check tidy shell help
 complete -c betwixt -f
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a play -d 'play a film'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a render -d 'make a film'
@@ -10,6 +10,7 @@ complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a plot -d 'd
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a check -d 'report errors and warnings'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a tidy -d 'print a script in its canonical form'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a shell -d 'make a film line by line'
+complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a help -d 'explain a command, or a word of the language'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -l version -d 'print the version'
 complete -c betwixt -s h -l help -d 'explain'
 complete -c betwixt -n "__fish_seen_subcommand_from $commands" -l load -r -d 'a plug-in: its words are the script'"'"'s'

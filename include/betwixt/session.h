@@ -19,9 +19,11 @@ namespace betwixt {
 
 class Session {
  public:
+  static constexpr std::string_view called_off = "\x03";  // Ctrl-C: nothing shall happen
+
   // What the session cannot do itself. All may be empty.
   struct Doors {
-    // The answer to a question; none where nobody answers any more.
+    // The answer to a question, or `called_off`; none where nobody answers any more.
     std::function<std::optional<std::string>(const std::string& question)> ask;
     std::function<Status(const Document&, const std::string& target, const std::string& file)> plot;
     std::function<Status(const Document&, const std::string& frames)> play;

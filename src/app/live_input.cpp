@@ -64,6 +64,7 @@ bool read_element(std::span<const std::uint8_t> bytes, int depth, std::vector<Li
 class Midi {
  public:
   Midi() {
+    if (::access("/dev/snd/seq", R_OK | W_OK) != 0) return;  // ALSA would say so on standard error, over the picture
     try {
       const unsigned ports = quiet()->getPortCount();
       for (unsigned i = 0; i < std::min(ports, 16u); ++i) {

@@ -7,6 +7,8 @@
 
 #include "app/command.h"
 #include "base/names.h"
+#include "language/help.h"
+#include "language/plugins.h"
 
 namespace betwixt {
 namespace {
@@ -42,6 +44,24 @@ std::string explain(const CLI::App& app, const CLI::ParseError& e) {
   return e.what();
 }
 
+// betwixt help [WORD]: a subcommand's help, or a word's of the language.
+int help(const CLI::App& app, const std::string& word) {
+  if (word.empty()) return fmt::print("{}", app.help()), all_done;
+  std::vector<std::string_view> known;
+  std::vector<std::string> commands;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (sub->get_name() == word && word != "help") return fmt::print("{}", sub->help()), all_done;
+    commands.push_back(sub->get_name());
+  }
+  Scene words;
+  adopt_plugins(words);
+  if (const std::string text = help_text(word, words); !text.empty()) return fmt::print("{}", text), all_done;
+  for (const HelpEntry& e : help_entries()) known.push_back(e.word);
+  known.insert(known.end(), commands.begin(), commands.end());
+  return complain(fail(Code::name, fmt::format("there is no help about '{}'", word), did_you_mean(word, known)),
+                  wrong_call);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Betwixt makes films from scripts: event-driven animation.", "betwixt");
   int exit_code = all_done;
@@ -53,6 +73,11 @@ int run(int argc, char** argv) {
   for (const auto& add :
        {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy, add_shell, add_serve})
     add(app, exit_code);
+  std::string word;
+  CLI::App* helping = app.add_subcommand("help", "explains a command, or a word of the language");
+  helping->add_option("WORD", word, "what is asked about; all commands if none is")->type_name("");
+  helping->footer("Example:\n  betwixt help copy");
+  helping->callback([&] { exit_code = help(app, word); });
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
     sub->set_help_flag("-h,--help", "this help");
     sub->add_flag("--read-anywhere", load_options().read_anywhere, "let the script read files outside its own folder");

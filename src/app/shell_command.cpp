@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <clocale>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "app/command.h"
 #include "betwixt/session.h"
@@ -149,7 +151,10 @@ class Keyboard : public Input {
     }
     return got;
   }
-  std::optional<std::string> answer(const std::string& question) override { return read(question); }
+  std::optional<std::string> answer(const std::string& question) override {
+    std::optional<std::string> got = read(question);
+    return called_off() ? std::string(Session::called_off) : got;
+  }
   bool called_off() override { return std::exchange(cancelled_, false); }
   bool person() const override { return true; }
 
@@ -194,13 +199,27 @@ class Keyboard : public Input {
       common.resize(n);
     }
     std::string more = common.substr(std::min(typed, common.size()));
-    if (all.size() == 1) more += ' ';
+    const bool inside = line->cursor < line->lastchar && *line->cursor != ' ';  // the word goes on behind it
+    if (all.size() == 1 && !inside && !wants_dot(before, common)) more += ' ';
     if (!more.empty()) return el_insertstr(edit_, more.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
     constexpr std::size_t shown = 200;
     fmt::print("\n{}{}\n", fmt::join(all.begin(), all.begin() + static_cast<long>(std::min(shown, all.size())), "  "),
                all.size() > shown ? fmt::format("  … {} more", all.size() - shown) : "");
     std::fflush(stdout);
     return CC_REDISPLAY;
+  }
+
+  // Whether an object's name is but the beginning of a target there.
+  bool wants_dot(const std::string& before, const std::string& word) const {
+    static constexpr std::string_view takes_objects[] = {"remove", "rename", "hang", "attach", "couple",   "detach",
+                                                         "letgo",  "look",   "show", "hide",   "fall",     "alias",
+                                                         "create", "on",     "list", "use",    "describe", "help"};
+    if (!session_.document().find(word)) return false;
+    std::istringstream words(before);
+    std::string verb;
+    words >> verb;
+    if (verb == "at") words >> verb >> verb;
+    return std::find(std::begin(takes_objects), std::end(takes_objects), verb) == std::end(takes_objects);
   }
 
   const Session& session_;

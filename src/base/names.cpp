@@ -84,6 +84,8 @@ bool is_pattern(std::string_view s) {
 }
 
 Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::size_t most) {
+  if (const auto set = pattern.rfind('['); set != pattern.npos && pattern.find(']', set + 2) == pattern.npos)
+    return fail(Code::syntax, fmt::format("the bracket in '{}' is not closed", pattern.substr(0, 60)));
   std::vector<std::string> done{std::string(pattern)};
   // The leftmost group of every string is replaced until none is left; each round keeps the order written.
   constexpr std::size_t most_characters = 64'000'000;

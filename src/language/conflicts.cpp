@@ -62,4 +62,20 @@ void Reader::masked_events() {
   velocities_.clear();
 }
 
+void Reader::idle_releases() {
+  for (Release& r : releases_) {
+    bool reigns = false;
+    if (find_object(s, r.target.object))
+      for (const Track* track : tracks_of(s, r.target)) {
+        bool open = false;
+        track->events.each([&](const Event& e) {
+          if (e.time < r.time) open = !e.release;
+        });
+        reigns = reigns || open;
+      }
+    if (!reigns) diagnostics_.push_back(std::move(r.idle));
+  }
+  releases_.clear();
+}
+
 }  // namespace betwixt

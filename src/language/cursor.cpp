@@ -312,4 +312,13 @@ bool Cursor::angle(double& radians) {
   return true;
 }
 
+bool stands_in(std::string_view text, std::string_view word) {
+  const auto inside = [](char c) { return letter(c) || digit(c) || c == '-' || c == '_'; };
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string_view::npos; ++at) {
+    const std::size_t behind = at + word.size();
+    if ((at == 0 || !inside(text[at - 1])) && (behind == text.size() || !inside(text[behind]))) return true;
+  }
+  return false;
+}
+
 }  // namespace betwixt

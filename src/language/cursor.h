@@ -65,4 +65,7 @@ class Cursor {
   bool clock(Time& out, const char* start, bool negative);
 };
 
+// Whether the word stands in the text, and not as a part of another.
+bool stands_in(std::string_view text, std::string_view word);
+
 }  // namespace betwixt

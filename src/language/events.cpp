@@ -58,7 +58,9 @@ bool Reader::twerper(Cursor& c, const Selected& to, Twerper& out, std::array<dou
   }
   out = static_cast<Twerper>(at - twerper_names.begin());
   std::string why;
-  if (!fits(out, to.type(), &why)) return c.fail(Code::type, why, w);
+  if (!fits(out, to.type(), &why))
+    return c.fail(Code::type, why, w,
+                  to.type() == Type::text ? "letters turn into others by geometry: at 24f A.geometry shape(B) …" : "");
   c.space();
   const bool bracket = c.peek() == '(';
   if (out == Twerper::bezier) {
@@ -138,6 +140,12 @@ bool Reader::computed(Cursor& c, const Selected& to, Value& out) {
   if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing here");
   c.space();
   const char* start = c.at;
+  if (c.peek() != '"') {
+    const auto line = static_cast<std::size_t>(line_end(start, c.end) - start);
+    return c.fail_here(
+        Code::syntax, "behind '=' stands a procedure, in quotes",
+        fmt::format("a plain value stands without '=': {}", std::string_view(start, std::min<std::size_t>(line, 60))));
+  }
   std::string source;
   if (!c.text(source)) return false;
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
@@ -184,6 +192,9 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
     e.keep = true;
     e.value = 0.0;
   } else {
+    if (c.peek_word() == "release" && has_velocity(to.type()))
+      return c.fail_here(Code::type, "release ends the reign of a velocity; this is no velocity",
+                         fmt::format("as in at 20f {}.velocity release", to.text.substr(0, 60)));
     if (!values(c).value(*to.spec, to.component, e.value, to.targets.empty() ? 0xffff : to.targets[0].function))
       return false;
     c.space();
@@ -232,6 +243,17 @@ bool Reader::put(const Selected& to, Event event, Cursor& c, std::string_view ab
     std::vector<ObjectId> children;
     for (const Target& t : to.targets) children.push_back(t.object);
     return attachment(c, children, std::get<Attachment>(event.value), event.time, about);
+  }
+  if (event.release) {
+    const auto before = diagnostics_.size();
+    note(Severity::notice,
+         fmt::format("no velocity reigns at {}: there is nothing to release",
+                     format_time(event.time, Document(std::make_shared<const Scene>(s)))),
+         about);
+    if (diagnostics_.size() > before && releases_.size() < 10'000) {
+      for (const Target& t : to.targets) releases_.push_back({t, event.time, diagnostics_.back()});
+      diagnostics_.pop_back();
+    }
   }
   if (to.velocity)
     for (const Target& t : to.targets) {

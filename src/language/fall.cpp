@@ -119,6 +119,11 @@ bool Reader::fall(Cursor& c) {
     if (!inward)
       return c.fail(Code::range,
                     fmt::format("{} is flattened by what it hangs on; it cannot fall", s.objects[id.index].name), word);
+    if (bearing.place.y < laws.ground)
+      note(Severity::notice,
+           fmt::format("{} is below the ground, y = {}: it does not fall", s.objects[id.index].name,
+                       write_number(laws.ground)),
+           word, "ground=Y says where the ground is");
     const std::vector<Mark> marks = path(time_, bearing.place, bearing.speed, laws);
     const Time last = marks.back().time;
     end_reign(s, id, time_, last);

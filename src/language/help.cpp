@@ -167,6 +167,36 @@ constexpr HelpEntry entries[] = {
      "at 12f hand.rotation axis(0 1 0, 90deg) slerp"},
     {twerper, "squad", "Through many orientations without a corner.", "",
      "at 12f hand.rotation axis(0 1 0, 90deg) squad"},
+
+    {filter, "smooth", "A mean over a window of time around each moment.", "width=0.5s",
+     "filter ball.position smooth width=0.3s"},
+    {filter, "spring", "As through a weight on a spring: comes late, and swings on.", "frequency=2 damping=0.3",
+     "filter ball.position spring frequency=3"},
+    {filter, "noise", "Wanders by chance, the same whenever it is asked.", "amount=1 frequency=1 seed=0",
+     "filter ball.position noise amount=(0.1 0.1 0) frequency=4"},
+    {filter, "wobble", "Adds a sine.", "amount=1 frequency=1 phase=0",
+     "filter ball.position wobble amount=(0 0.2 0) frequency=2"},
+    {filter, "delay", "Comes later; below 0 earlier.", "by=0.25s", "filter ball.position delay by=6f"},
+    {filter, "steps", "Holds each value until the next step.", "rate=12", "filter ball.position steps rate=8"},
+    {filter, "limit", "Never below, never above.", "low= high=", "filter ball.radius limit high=3"},
+    {filter, "quantise", "Whole multiples only.", "by=0.1", "filter ball.position quantise by=0.5"},
+
+    {option, "ease-in", "How long before its event a value slows down.", "ease-in=LENGTH",
+     "at 12f ball.radius 2 ease-in=4f"},
+    {option, "ease-out", "How long behind its event a value takes to come to speed.", "ease-out=LENGTH",
+     "at 12f ball.radius 2 ease-out=4f"},
+    {option, "cut", "A jump: the track comes to the first value and goes on from the second.", "VALUE cut VALUE",
+     "at 12f ball.radius 2 cut 1"},
+    {option, "keep", "The twerper changes, the value is what it would have been.", "keep TWERPER",
+     "at 12f ball.radius keep linear"},
+    {option, "tangent", "Where hermite comes from and goes to, per second; also tangent-in, tangent-out.",
+     "tangent=VALUE", "at 12f ball.radius 2 hermite tangent=1"},
+    {option, "velocity", "The speed of a target, a track beside its own; it reigns until a release.", "TARGET.velocity",
+     "at 12f ball.position.velocity (1 0 0)"},
+    {option, "release", "Ends the reign of a velocity; from here the track goes to its next event.",
+     "at TIME TARGET.velocity release", "at 12f ball.position.velocity (1 0 0)\nat 24f ball.position.velocity release"},
+    {option, "keep-world", "What is attached stays where it is in the world at that moment.",
+     "attach A to B keep-world", "at 20f attach ball to hand keep-world"},
 };
 
 bool there(const HelpEntry& e) {
@@ -188,6 +218,8 @@ constexpr std::pair<HelpGroup, std::string_view> groups[] = {
     {kind, "Kinds of objects (create NAME KIND …)"},
     {function, "Functions (NAME.function)"},
     {twerper, "Twerpers (from one event to the next)"},
+    {filter, "Filters (filter TARGET NAME …)"},
+    {option, "Words of events and attachments"},
 };
 
 constexpr std::string_view what(HelpGroup g) {
@@ -195,7 +227,9 @@ constexpr std::string_view what(HelpGroup g) {
          : g == verb     ? "a command"
          : g == kind     ? "a kind of object"
          : g == function ? "a function"
-                         : "a twerper";
+         : g == twerper  ? "a twerper"
+         : g == filter   ? "a filter"
+                         : "a word of events";
 }
 
 // What a procedure is, and what whoever made it says.

@@ -31,10 +31,22 @@ bool Reader::layer(Cursor& c) {
 }
 
 bool Reader::on_layer(Cursor& c) {
-  ObjectId id;
   c.space();
-  const std::string_view word = c.peek_word();
-  if (!values(c).object(id)) return false;
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the name of a layer is missing here");
+  const ObjectId id = s.names.find(word);
+  c.space();
+  const std::string_view next = c.peek_word();
+  // The rows of its sheet would have nowhere to go.
+  if (!timed_ && first_dot(next) != std::string_view::npos) source_.sheet.open = source_.sheet.broken = true;
+  if (!id) {
+    std::vector<std::string_view> layers;
+    for (std::size_t i = 0; i < s.objects.size(); ++i)
+      if (s.objects[i].kind == Kind::layer && !s.objects[i].removed) layers.push_back(s.objects[i].name);
+    const std::string near = did_you_mean(word, layers);
+    return c.fail(Code::name, fmt::format("there is no layer '{}'", word.substr(0, 40)), word,
+                  near.empty() ? fmt::format("layer {} add makes one", word.substr(0, 40)) : near);
+  }
   if (s.objects[id.index].kind != Kind::layer)
     return c.fail(Code::type, fmt::format("'{}' is no layer", word), word, fmt::format("layer NAME add makes one"));
   if (layer_) return c.fail(Code::syntax, "one layer is enough", word);
@@ -120,6 +132,12 @@ bool Reader::filter(Cursor& c) {
       if (!known)
         return c.fail(Code::name, fmt::format("'{}' has no '{}'", name, key.substr(0, 40)), key,
                       did_you_mean(key, words));
+    }
+    if (own && own->code->language == "lua") {  // a slip would be a nil in its code
+      std::string global(key);
+      std::replace(global.begin(), global.end(), '-', '_');
+      if (!stands_in(own->code->source, global))
+        return c.fail(Code::name, fmt::format("'{}' makes no use of '{}'", name, key.substr(0, 40)), key);
     }
     c.space();
     const char* at = c.at;

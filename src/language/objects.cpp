@@ -86,6 +86,8 @@ bool Reader::free_name(Cursor& c, const std::string& name, std::string_view abou
                   "a name starts with a letter; letters, digits, '-', '_' and '/' follow");
   if (name == "none") return c.fail(Code::name, "'none' means no object; it cannot be a name", about);
   if (s.names.find(name)) return c.fail(Code::name, fmt::format("there is a '{}' already", name), about);
+  if (s.aliases->contains(name))
+    return c.fail(Code::name, fmt::format("'{}' is an alias already", name), about, "an alias wins over an object");
   return true;
 }
 
@@ -104,9 +106,15 @@ bool Reader::parameters(Cursor& c, Object& object) {
   while (!c.at_line_end()) {
     const std::string_view key = c.word();
     if (key.empty()) return c.fail_here(Code::syntax, "key=value is wanted here");
-    if (!c.accept('='))
-      return c.fail(Code::syntax, fmt::format("'{}' needs a value", key.substr(0, 40)), key,
-                    fmt::format("as in {}=…", key.substr(0, 40)));
+    if (!c.accept('=')) {
+      const auto colon = key.find(':');
+      return c.fail(
+          Code::syntax, fmt::format("'{}' needs a value", key.substr(0, std::min<std::size_t>(colon, 40))), key,
+          key == "at" ? "a place is said by position=(0 0 0)"
+          : colon != std::string_view::npos
+              ? fmt::format("write {}={}", key.substr(0, std::min<std::size_t>(colon, 40)), key.substr(colon + 1, 40))
+              : fmt::format("as in {}=…", key.substr(0, 40)));
+    }
     const auto dot = key.find('.');
     const std::string_view name = key.substr(0, dot);
     const auto f = find_function(s, object.kind, name);
@@ -226,6 +234,9 @@ bool Reader::remove(Cursor& c) {
 
 bool Reader::rename(Cursor& c) {
   ObjectId id;
+  c.space();
+  if (is_pattern(c.peek_word()))
+    return c.fail_here(Code::syntax, "one object gets another name: a pattern is none", "as in rename ball planet");
   if (!values(c).object(id)) return false;
   c.space();
   const std::string_view word = c.word();
@@ -233,6 +244,14 @@ bool Reader::rename(Cursor& c) {
   if (word.empty()) return c.fail_here(Code::syntax, "the new name is missing here");
   if (!free_name(c, name, word) || !finish(c)) return false;
   const std::string old = s.objects[id.index].name;
+  const auto among = [&](std::string_view element) {
+    const auto all = select(s, element);
+    return std::find(all.begin(), all.end(), id) != all.end();
+  };
+  std::vector<std::pair<std::string, std::string>> meant;  // an alias, and the pattern in it that names the object
+  for (const auto& [alias, elements] : *s.aliases)
+    for (const std::string& e : elements)
+      if (is_pattern(e) && among(e)) meant.emplace_back(alias, e);
   s.names.erase(old);
   s.names.put(name, id);
   s.objects.edit(id.index).name = name;
@@ -241,6 +260,11 @@ bool Reader::rename(Cursor& c) {
     if (std::find(alias.second.begin(), alias.second.end(), old) == alias.second.end()) continue;
     for (auto& a : s.aliases.edit()) std::replace(a.second.begin(), a.second.end(), old, name);
     break;
+  }
+  for (const auto& [alias, pattern] : meant) {  // and what a pattern named stays, under its new name
+    if (among(alias)) continue;
+    auto& elements = s.aliases.edit()[alias];
+    elements.insert(std::find(elements.begin(), elements.end(), pattern) + 1, name);
   }
   return true;
 }

@@ -61,18 +61,6 @@ bool is_function(std::string_view name) {
   return name == "world" || name == "velocity";
 }
 
-// Whether the word stands in the text, and not as a part of another.
-bool stands_in(std::string_view text, std::string_view word) {
-  const auto inside = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-  };
-  for (std::size_t at = 0; (at = text.find(word, at)) != std::string_view::npos; ++at) {
-    const std::size_t behind = at + word.size();
-    if ((at == 0 || !inside(text[at - 1])) && (behind == text.size() || !inside(text[behind]))) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 std::string_view taken_by(std::string_view name, Role role) {

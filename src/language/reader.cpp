@@ -162,7 +162,7 @@ void Reader::read_text(std::string_view text, const std::string& name) {
   std::error_code ignored;
   if (root_.empty()) root_ = std::filesystem::weakly_canonical(source_.folder.empty() ? "." : source_.folder, ignored);
   if (sound_text(text)) run(text);
-  if (!outer.text.data()) masked_events();
+  if (!outer.text.data()) masked_events(), idle_releases();
   left_open_ = source_.sheet.open && !source_.sheet.broken;
   source_ = std::move(outer);
 }
@@ -275,6 +275,9 @@ bool Reader::command(Cursor& c) {
                   fmt::format("a sheet opens with a target, as in {}.position", w.substr(0, 40)));
   if (w.starts_with("//") || w.starts_with(";"))
     return c.fail(Code::syntax, "a comment starts with '#' and a space", w);
+  if (w == "mirror")
+    return c.fail(Code::name, "there is no command 'mirror'", w,
+                  "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)");
   c.space();
   if (c.peek() == '=')
     return c.fail(Code::name, fmt::format("there is no command '{}'", w.substr(0, 40)), w,

@@ -198,11 +198,18 @@ class Reader {
   int included_ = 0;
   std::size_t copied_ = 0;  // events made by copying
   Source source_;
-  void masked_events();  // what velocities keep from being seen, said when all is read
+  void masked_events();  // what velocities keep from being seen, said when all is read …
+  void idle_releases();  // … and which releases end nothing
   std::map<std::pair<std::uint32_t, FunctionId>, Diagnostic> velocities_;  // where each was first spoken of
-  ObjectId layer_;                                                         // the command is for this layer
-  int commands_deep_ = 0;                                                  // commands of the author's that run others
-  bool timed_ = false;                                                     // the command has an `at`
+  struct Release {
+    Target target;
+    Time time;
+    Diagnostic idle;  // what to say where no velocity reigns
+  };
+  std::vector<Release> releases_;
+  ObjectId layer_;         // the command is for this layer
+  int commands_deep_ = 0;  // commands of the author's that run others
+  bool timed_ = false;     // the command has an `at`
   Time time_;
   bool rows_read_frames_ = false, rows_read_ticks_ = false;
   bool left_open_ = false;  // a sheet, when the text ended

@@ -113,7 +113,15 @@ std::size_t events_of(const Strand& s) {
 }
 std::size_t events_of(const Object& o) {
   std::size_t n = 0;
-  for (const Slot& s : o.slots) n += events_of(s);
+  for (const Slot& s : o.slots)
+    if (!s.layer) n += events_of(s);
+  return n;
+}
+// What a layer holds of an object.
+std::size_t events_of(const Object& o, ObjectId layer) {
+  std::size_t n = 0;
+  for (const Slot& s : o.slots)
+    if (s.layer == layer) n += events_of(s);
   return n;
 }
 
@@ -183,6 +191,10 @@ struct Session::State {
     for (std::string q = question; doors.ask;) {
       const auto answer = doors.ask(q);
       if (!answer) break;
+      if (*answer == called_off) {  // the choice that changes nothing is the last, but where no choice is
+        if (choices.back() == "show") break;
+        return choices.size() - 1;
+      }
       const std::string_view word = trimmed(*answer);
       std::optional<std::size_t> found;
       for (std::size_t i = 0; i < choices.size(); ++i)
@@ -257,7 +269,9 @@ struct Session::State {
     std::optional<Step> step = carry_out(now(), line, answer.said);
     if (!step) {
       const auto words = split(line);
-      if (!row && !words.empty()) sheet_refused = words.size() == 1 || first_dot(words[0]) != std::string_view::npos;
+      const auto target = [&](std::size_t i) { return first_dot(words[i]) != std::string_view::npos; };
+      if (!row && !words.empty())
+        sheet_refused = words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2));
       answer.refused = true;
       return answer;
     }
@@ -562,8 +576,11 @@ struct Session::State {
     std::string said;
     for (ObjectId id : ids) {
       const Object& o = scene().objects[id.index];
+      std::size_t events = events_of(o);
+      if (o.kind == Kind::layer)
+        for (std::size_t i = 0; i < scene().objects.size(); ++i) events += events_of(scene().objects[i], id);
       said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, kind_names[static_cast<std::size_t>(o.kind)],
-                          count(events_of(o), "event"));
+                          count(events, "event"));
     }
     return done(said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said);
   }
@@ -582,7 +599,15 @@ struct Session::State {
       const auto targets = find_targets(word, document());
       if (!targets) return refused(targets.error());
       std::string said;
-      for (const Target& t : *targets) said += track_lines(t);
+      const Program program = Program::compile(document());
+      const Time first = document().range().first;
+      for (const Target& t : *targets) {
+        const std::string events = track_lines(t);
+        said += document().name(t);
+        if (const std::string now = written(program.read(t, first), t, document()); events.empty() && !now.empty())
+          said += "  " + now;
+        said += "\n" + events;
+      }
       return done(said);
     }
     const Program program = Program::compile(document());
@@ -619,11 +644,18 @@ struct Session::State {
       said += "\n";
     }
     if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
+    if (o.kind == Kind::layer)
+      for (std::size_t i = 0; i < scene().objects.size(); ++i)
+        for (const Slot& slot : scene().objects[i].slots)
+          if (slot.layer == id)
+            said +=
+                fmt::format("  on {:13} {}\n", document().name(Target{{static_cast<std::uint32_t>(i)}, slot.function}),
+                            count(events_of(slot), "event"));
     return said;
   }
 
   std::string track_lines(const Target& t) const {
-    std::string said = document().name(t) + "\n";
+    std::string said;
     if (only_asked(t.function)) return said;
     const FunctionSpec& spec = spec_of(scene(), t.function);
     for (const Track* track : tracks_of(scene(), t))
@@ -712,6 +744,10 @@ struct Session::State {
 
   Answer reopen(const std::string& name) {
     if (name.empty()) return refused("which file?", "usage: open FILE");
+    const auto there = read_script(name);  // before anything is asked
+    if (!there) return refused(there.error());
+    if (!*there)
+      return refused(fmt::format("there is no file '{}'", name), "a new film begins with: betwixt shell FILE");
     std::string said;
     if (leave(said, false) == Leave::stay) return {false, false, false, said + "not opened\n"};
     Answer answer = open(name, Earlier::ask);
@@ -753,7 +789,7 @@ std::vector<std::string> Session::complete(std::string_view line) const {
   const std::size_t blank_at = line.find_last_of(" \t,(=");
   const std::string_view last = blank_at == std::string_view::npos ? line : line.substr(blank_at + 1);
   const auto words = split(line.substr(0, line.size() - last.size()));
-  const bool row = indented(line) && !state_->now().sheet.empty();
+  const bool row = !state_->now().sheet.empty() && !line.empty() && (indented(line) || starts_like_time(line[0]));
   std::vector<std::string> all;
   if (const std::size_t dot = last.find('.'); dot != std::string_view::npos) {
     for (const ObjectId id : select(d.scene(), last.substr(0, dot)))
@@ -774,6 +810,16 @@ std::vector<std::string> Session::complete(std::string_view line) const {
     }
     if (verb != "help" && !(verb == "create" && words.size() < 3))
       for (const std::string& name : d.names()) all.push_back(name);
+    const auto own = [&](Role role) {
+      for (const NamedProcedure& p : *d.scene().procedures)
+        if (p.role == role) all.push_back(p.name);
+    };
+    if (row || verb == "at" || verb == "twerper") own(Role::twerper);
+    if (verb == "filter" && words.size() == 2) {
+      all = {"none"};
+      for (const FilterSpec& f : built_in_filters()) all.emplace_back(f.name);
+      own(Role::filter);
+    }
     if (verb == "save" || verb == "open" || verb == "use" || verb == "load") {
       all.clear();
       std::error_code why;

@@ -45,7 +45,13 @@ bool ValueReader::scalar(double& out, Unit unit) {
     return true;
   }
   if (c.peek() == '(') return c.fail(Code::type, "a number is wanted here, not a vector", {c.at, 1});
+  if (c.peek() == '"')
+    return c.fail_here(Code::type, "a number is wanted here, not a text",
+                       "without quotes; behind '=' quotes hold a procedure");
   if (!c.number(out)) return false;
+  if (c.peek() == '%' && c.at > start)
+    return c.fail(Code::type, "a part of 1 is wanted here, not a percentage", since(start, c),
+                  fmt::format("write {}", write_number(out / 100)));
   const std::string_view u = c.unit();
   if (u.empty()) return true;
   const double metres = u == "m" ? 1 : u == "cm" ? 0.01 : u == "mm" ? 0.001 : 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "procedure/machine.h"
+#include "procedure/nested.h"
 #include "procedure/noise.h"
 
 namespace betwixt::lua {
@@ -290,7 +291,11 @@ int call_routine(lua_State* l, Machine& m) {
     arguments.push_back(std::move(*v));
   }
   const auto result = routine->value(*m.call->questions, arguments, m.call->steps);
-  if (!result) return fail_with(l, name + ": " + result.error().message);
+  if (!result) {  // who call each other for ever are named once each
+    const std::string& why = result.error().message;
+    const bool round = why.ends_with(Nested::error().message) && why.find(name + ": ") != std::string::npos;
+    return fail_with(l, round ? why : name + ": " + why);
+  }
   return push_reading(l, name, Result<Reading>(reading_of(*result)));
 }
 int call(lua_State* l) {

@@ -171,7 +171,8 @@ class Lua final : public Routine {
   Error said(lua_State* l, int status) const {
     if (status == LUA_ERRMEM) return fail(Code::range, lua::too_much_memory);
     if (lua_type(l, -1) != LUA_TSTRING) return fail(Code::type, "it ended with an error that is no text");
-    return fail(Code::type, plain(lua_tostring(l, -1), has_lines(source)));
+    const std::string_view why = lua_tostring(l, -1);
+    return fail(Code::type, plain(why, has_lines(source) && !why.ends_with(Nested::error().message)));
   }
 };
 

@@ -187,6 +187,8 @@ struct Program::Compiled {
   // The rate of change per second, as the author would write it; nothing where that means nothing.
   std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&) const;
   Reading read(const Target&, Time t, Asking&) const;
+  // Each twerper that failed, named once among the problems.
+  void say(const TwerperFailures&, Asking&) const;
 
   const Hand* hand(const Node& n, Time t) const;  // null: it never hangs on anything
   // `around`: the environments of each; stays empty where nothing is in any.

@@ -295,6 +295,7 @@ Frame Program::frame(Time t) const {
   Frame f;
   f.time = t;
   Asking asking;
+  const TwerperFailures failed;
   const auto numbers = code_->at(t, asking);
   const auto worlds = code_->worlds(t, numbers.data(), asking);
   code_->add_items(f, numbers.data(), worlds, asking);
@@ -303,6 +304,7 @@ Frame Program::frame(Time t) const {
   const Scene& scene = code_->document.scene();
   if (scene.background) f.background = to_linear(*scene.background);
   for (auto& [when, text] : code_->document.notes(t, t)) f.notes.push_back(text);
+  code_->say(failed, asking);
   f.problems = code_->notices;
   f.problems.insert(f.problems.end(), asking.problems.begin(), asking.problems.end());
   return f;

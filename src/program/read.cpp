@@ -30,6 +30,12 @@ Reading reading_of(const Value& v) {
       v);
 }
 
+void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const {
+  for (const auto& [i, why] : failed.all)
+    asking.say("the twerper '" + (*document.scene().procedures)[i].name +
+               "' gives no number, and is linear there: " + why);
+}
+
 Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
   const std::uint32_t object = target.object.index;
   const Object& what = document.scene().objects[object];
@@ -111,6 +117,7 @@ Reading Program::read(const Target& target, Time t) const {
 std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t,
                                    std::vector<std::string>* problems) const {
   Asking asking;
+  const TwerperFailures failed;
   std::vector<Reading> out;
   out.reserve(targets.size());
   std::vector<Mat4> worlds;  // many worlds are cheaper all at once
@@ -122,6 +129,7 @@ std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t,
   for (const Target& target : targets)
     out.push_back(wants_world(target) && !worlds.empty() ? Reading(worlds[code_->node_of[target.object.index]])
                                                          : code_->read(target, t, asking));
+  code_->say(failed, asking);
   if (problems) *problems = std::move(asking.problems);
   return out;
 }

@@ -3,9 +3,12 @@
 #include "track/curve.h"
 
 #include <cmath>
+#include <utility>
 
 namespace betwixt {
 namespace {
+
+thread_local TwerperFailures* listening = nullptr;
 
 using Numbers = std::array<double, 4>;
 
@@ -87,7 +90,9 @@ double own_factor(const std::vector<std::shared_ptr<const Routine>>& own, Twerpe
   const auto i = static_cast<std::size_t>(t) - first_own_twerper;
   if (i >= own.size() || !own[i]) return s;
   const auto f = own[i]->blend(s);
-  return f && std::isfinite(*f) ? *f : s;
+  if (f && std::isfinite(*f)) return *f;
+  TwerperFailures::say(i, f ? "it gave a number that is not finite" : f.error().message);
+  return s;
 }
 
 double segment_factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) {
@@ -99,6 +104,12 @@ double segment_factor(Twerper t, double u, const CurveDetail* from, const CurveD
 }
 
 }  // namespace
+
+TwerperFailures::TwerperFailures() : outer_(std::exchange(listening, this)) {}
+TwerperFailures::~TwerperFailures() { listening = outer_; }
+void TwerperFailures::say(std::size_t twerper, const std::string& why) {
+  if (listening) listening->all.emplace(twerper, why);
+}
 
 int channels(Type type) {
   switch (type) {

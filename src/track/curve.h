@@ -5,7 +5,9 @@
 // light here, angles radians, orientations four numbers with signs chosen so that neighbours take the short way (R-T8).
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "track/procedure.h"
@@ -28,6 +30,21 @@ struct Curve {
   bool orientation = false;
   bool srgb = false;  // the numbers are as written and become light when evaluated
   Extend before = Extend::hold, after = Extend::hold;
+};
+
+// Hears, on this thread and while it stands, which twerpers of the author's give no number: the place of each among
+// CurveSet::own, and why.
+class TwerperFailures {
+ public:
+  TwerperFailures();
+  ~TwerperFailures();
+  TwerperFailures(const TwerperFailures&) = delete;
+  TwerperFailures& operator=(const TwerperFailures&) = delete;
+  static void say(std::size_t twerper, const std::string& why);
+  std::map<std::size_t, std::string> all;
+
+ private:
+  TwerperFailures* const outer_;
 };
 
 class CurveSet {

@@ -72,6 +72,30 @@ has 'all its errors' "$said" wrong.bx:2:
 check 'binary script' 1 'binary.bx' render binary.bx -o a.mp4
 is 'nothing was made of these' "$(ls -A | tr '\n' ' ')" 'binary.bx bounce.bx empty.bx wrong.bx '
 
+# What only frames tell, said by check.
+cat >procs.bx <<'BX'
+range 1f 200f
+create a sphere
+procedure broken twerper lua "nothing.x"
+a.radius
+  1f 1 broken
+  9f 2
+at 150f a.position.x = "lost.x"
+BX
+check 'check looks at frames' 0 "procs.bx: warning: the twerper 'broken' gives no number" check procs.bx
+has 'and says the target' "$said" 'a.position.x: the procedure "lost.x" gives no value'
+has 'each once' "$said" '0 errors, 2 warnings'
+printf 'create a sphere\nset a.radius = "(function() while true do end end)()"\nrange 1f 5000f\n' >slow.bx
+SECONDS=0
+check 'check ends soon' 0 'stopped: it took more than' check slow.bx
+verdict 'within seconds' "$([ $SECONDS -lt 8 ] && echo yes)" "$SECONDS s"
+rm procs.bx slow.bx
+check 'help of a subcommand' 0 'betwixt render examples/bounce.bx' help render
+check 'help alone' 0 'Usage:' help
+check 'help of a word' 0 'usage: copy TARGET' help copy
+check 'help of a filter' 0 'filter ball.position wobble' help wobble
+check 'help of no word' 2 "did you mean 'wobble'?" help wobbel
+
 # Films.
 for e in mp4 webm gif apng; do
   check "$e" 0 '12 frames in' render bounce.bx -o film.$e $small

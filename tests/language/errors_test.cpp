@@ -239,6 +239,39 @@ TEST(Errors, OfAttachmentsVelocitiesLayersFiltersAndProcedures) {
     expect_case(k);
 }
 
+// What newcomers write, and the way out that they are told.
+TEST(Errors, HintsForWhatOtherToolsTaught) {
+  for (const Case& k : std::vector<Case>{
+           {"set ball.color = red", 18, "behind '=' stands a procedure, in quotes",
+            "a plain value stands without '=': red"},
+           {"set ball.radius \"2\"", 17, "a number is wanted here, not a text", "without quotes"},
+           {"set ball.shininess 50%", 20, "a part of 1 is wanted here, not a percentage", "write 0.5"},
+           {"create s sphere radius:2", 17, "'radius' needs a value", "write radius=2"},
+           {"create s sphere at (0 0 0)", 17, "'at' needs a value", "a place is said by position=(0 0 0)"},
+           {"at 20f ball.position release", 22, "release ends the reign of a velocity; this is no velocity",
+            "as in at 20f ball.position.velocity release"},
+           {"at 20f word.text \"b\" linear", 22, "'linear' cannot blend a text: it changes at its events only",
+            "letters turn into others by geometry: at 24f A.geometry shape(B)"},
+           {"mirror ball.position", 1, "there is no command 'mirror'", "scale mirrors: scale ball.position 1f..24f"},
+           {"rename b* c", 8, "one object gets another name: a pattern is none", "as in rename ball planet"},
+           {"rename ball all", 13, "'all' is an alias already"},
+           {"create all sphere", 8, "'all' is an alias already"},
+           {"remove b[al", 8, "the bracket in 'b[al' is not closed"},
+           {"set b[al.radius 2", 5, "the bracket in 'b[al' is not closed"},
+           {"alias x = b[al", 11, "the bracket in 'b[al' is not closed"},
+           {"on swey ball.position", 4, "there is no layer 'swey'", "layer swey add makes one"},
+       })
+    expect_case(k);
+  EXPECT_EQ(errors(read("create ball sphere\nlayer sway add\non swey ball.position\n  1f (0 0 0)\n  2f (1 0 0)\n")),
+            (std::vector<std::string>{"3:4: there is no layer 'swey'"}));
+  EXPECT_EQ(
+      errors(read("create ball sphere\nlayer sway add\non sway ball.positon\n  1f (0 0 0)\nset ball.radius x\n")),
+      (std::vector<std::string>{"3:14: 'ball', a sphere, has no function 'positon'", "5:17: 'x' is not a number"}));
+  EXPECT_EQ(errors(read("create a sphere\nprocedure loud filter lua \"input() * my_gain\"\n"
+                        "filter a.radius loud my-gain=2\nfilter a.radius loud my-gian=2\n")),
+            (std::vector<std::string>{"4:22: 'loud' makes no use of 'my-gian'"}));
+}
+
 TEST(Errors, CirclesOfCouples) {
   const Loaded l = read("create a group\ncreate a/b group\ncreate c group\ncouple c to a/b\ncouple a to c\n");
   EXPECT_EQ(errors(l), (std::vector<std::string>{"5:8: this would go round in a circle: a → a/b → c → a"}));

@@ -92,7 +92,7 @@ TEST(Layers, UnknownNamesAreSaid) {
     return all.size() == 1 ? all[0] : fmt::format("{} errors", all.size());
   };
   EXPECT_EQ(message("on a set a.radius 2"), "3:4: 'a' is no layer");
-  EXPECT_EQ(message("on upp set a.radius 2"), "3:4: there is no object 'upp'");
+  EXPECT_EQ(message("on upp set a.radius 2"), "3:4: there is no layer 'upp'");
   EXPECT_EQ(message("on up create b sphere"), "3:7: 'create' works on no layer");
   EXPECT_EQ(message("on up on up set a.radius 2"), "3:7: 'on' works on no layer");
   EXPECT_EQ(message("layer up add"), "3:7: there is a 'up' already");

@@ -126,6 +126,44 @@ TEST(Procedures, ThatErrOrNeverEndAreNamedAndTheFrameComes) {
   for (const std::string& p : f.problems) EXPECT_LT(p.size(), 300U) << p;
 }
 
+// shows: G17
+TEST(Procedures, TwerpersThatErrOrNeverEndAreNamedAndLinear) {
+  const Script s(
+      "rate 24\ncreate a sphere\nprocedure broken twerper lua \"nothing.x\"\n"
+      "procedure endless twerper lua \"(function() while true do end end)()\"\n"
+      "procedure wild twerper lua \"1 / 0\"\n"
+      "a.radius\n  1f 2 broken\n  25f 4\na.position.x\n  1f 0 endless\n  25f 8\na.position.y\n  1f 0 wild\n  25f 8\n");
+  const Frame f = s.frame("13f");
+  EXPECT_EQ(f.items[0].shape->radius, 3);
+  EXPECT_EQ(translation_of(f.items[0].world), (Vec3{4, 4, 0}));
+  ASSERT_EQ(f.problems.size(), 3U) << fmt::format("{}", fmt::join(f.problems, "\n"));
+  EXPECT_TRUE(f.problems[0].starts_with("the twerper 'broken' gives no number, and is linear there: "))
+      << f.problems[0];
+  EXPECT_EQ(f.problems[1],
+            "the twerper 'endless' gives no number, and is linear there: stopped: it took more than 1000000 steps");
+  EXPECT_EQ(f.problems[2],
+            "the twerper 'wild' gives no number, and is linear there: it gave a number that is not finite");
+  std::vector<std::string> problems;
+  s.program.read(std::vector{find_targets("a.radius", s.loaded.document)->front()},
+                 *parse_time("13f", s.loaded.document), &problems);
+  EXPECT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(s.frame("1f").problems.empty() || s.frame("1f").problems.size() <= 3U);
+}
+
+// shows: G54
+TEST(Procedures, ThatCallEachOtherForEverAreNamedOnce) {
+  for (const char* form :
+       {"procedure ping lua \"pong()\"\nprocedure pong lua \"ping()\"\n",
+        "procedure ping lua \"\"\"local x = 1\nreturn pong()\"\"\"\nprocedure pong lua \"ping()\"\n"}) {
+    const Script s(std::string("create a sphere\n") + form + "set a.radius = \"ping()\"\n");
+    const Frame f = s.frame("1f");
+    ASSERT_EQ(f.problems.size(), 1U);
+    EXPECT_LT(f.problems[0].size(), 160U) << f.problems[0];
+    EXPECT_NE(f.problems[0].find("ping: pong: procedures read each other more than 300 deep"), std::string::npos)
+        << f.problems[0];
+  }
+}
+
 // shows: G55 R-T11
 TEST(Procedures, WhatTheyReadIsTraced) {
   const Script s(
@@ -196,8 +234,9 @@ TEST(Fall, IsHalfATSquaredAfterItsDelay) {
 
 // shows: G4 G71
 TEST(Fall, EndsTheReignOfAVelocityAndGoesOnWithIt) {
-  const Script s("rate 24\ncreate ball sphere\nset ball.position (0 10 0)\nat 1f ball.position.velocity (2 3 0)\n"
-                 "at 25f fall ball gravity=10\n");
+  const Script s(
+      "rate 24\ncreate ball sphere\nset ball.position (0 10 0)\nat 1f ball.position.velocity (2 3 0)\n"
+      "at 25f fall ball gravity=10\n");
   EXPECT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
   for (const double t : {0.0, 0.25, 0.5, 1.0, 1.5}) {
     const double x = 2 * (1 + t), y = 13 + 3 * t - 5 * t * t;
@@ -207,10 +246,11 @@ TEST(Fall, EndsTheReignOfAVelocityAndGoesOnWithIt) {
 
 // shows: G82 G83
 TEST(Fall, AfterLetgoIsThrownThroughTheWorldWhateverHeldIt) {
-  const Script s("rate 24\ncreate hand group position=(0 8 0) rotation=euler(0 0 90deg) scale=(2 2 2)\n"
-                 "at 1f hand.position.x 0 linear\nat 49f hand.position.x 6\n"
-                 "create ball sphere\nset ball.position (1 0 0)\ncouple ball to hand\n"
-                 "at 25f letgo ball\nat 25f fall ball gravity=10\n");
+  const Script s(
+      "rate 24\ncreate hand group position=(0 8 0) rotation=euler(0 0 90deg) scale=(2 2 2)\n"
+      "at 1f hand.position.x 0 linear\nat 49f hand.position.x 6\n"
+      "create ball sphere\nset ball.position (1 0 0)\ncouple ball to hand\n"
+      "at 25f letgo ball\nat 25f fall ball gravity=10\n");
   ASSERT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
   // The pin is 2 above the hand, which goes 3 a second.
   for (const double t : {0.0, 0.25, 0.5, 1.0, 1.25}) {

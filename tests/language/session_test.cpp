@@ -405,6 +405,66 @@ TEST(Session, CompletesWhatIsBegun) {
   EXPECT_EQ(one("set nobody.rad"), "0 of them");
 }
 
+// shows: G22
+TEST(Session, CompletesFiltersAndTwerpersWhereTheyStand) {
+  const Folder folder;
+  folder.put("film.bx", standard);
+  Session s;
+  s.open(folder / "film.bx");
+  expect_done(s, "procedure wobbly filter lua \"input()\"");
+  expect_done(s, "procedure springy twerper lua \"u\"");
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(s.complete("filter ball.position wob"), (Words{"wobble", "wobbly"}));
+  EXPECT_EQ(s.complete("filter ball.position sp"), (Words{"spring"}));
+  expect_done(s, "ball.radius");
+  for (const char* row : {"  1f 2 ", "1f 2 "}) {  // a person need not indent
+    EXPECT_EQ(s.complete(std::string(row) + "spr"), (Words{"springy"})) << row;
+    EXPECT_EQ(s.complete(std::string(row) + "bez"), (Words{"bezier"})) << row;
+  }
+}
+
+// shows: G22
+TEST(Session, CtrlCAtAQuestionStays) {
+  const Folder folder;
+  folder.put("other.bx", "rate 30\n");
+  Session s(answering({std::string(Session::called_off), std::string(Session::called_off), "discard"}));
+  s.open(folder / "film.bx");
+  expect_done(s, "rate 25");
+  EXPECT_FALSE(s.enter("quit").quit);
+  EXPECT_EQ(s.enter("save " + folder / "other.bx").said, "not saved\n");
+  EXPECT_EQ(folder.get("other.bx"), "rate 30\n");
+  EXPECT_EQ(s.unsaved(), 1u);
+  const auto missing = s.enter("open " + folder / "nowhere.bx");  // nothing is asked
+  EXPECT_EQ(missing.said.substr(0, missing.said.find('\n')), "error: there is no file '" + folder / "nowhere.bx" + "'");
+  EXPECT_EQ(s.unsaved(), 1u);
+  EXPECT_TRUE(s.enter("quit").quit);
+}
+
+// shows: G22 G104
+TEST(Session, LayersAreListedWithWhatIsOnThem) {
+  const Folder folder;
+  folder.put("film.bx",
+             "create ball sphere\nlayer sway add weight=0.5\non sway ball.position\n  1f (0 0 0)\n  9f (1 0 0)\n"
+             "at 1f sway.weight 0.25\n");
+  Session s;
+  s.open(folder / "film.bx");
+  EXPECT_EQ(s.enter("list").said, "ball  sphere    0 events\nsway  layer     3 events\n");
+  EXPECT_NE(s.enter("describe sway").said.find("  on ball.position 2 events\n"), std::string::npos);
+  EXPECT_EQ(s.enter("describe ball.radius").said, "ball.radius  1\n");
+  EXPECT_EQ(s.enter("describe sway.weight").said, "sway.weight\n  1f       0.25\n");
+  // Rows below a refused sheet of a layer have nowhere to go.
+  EXPECT_TRUE(s.enter("on swey ball.position").refused);
+  EXPECT_EQ(s.enter("  1f (0 0 0)").said, "error: this row has no sheet: the line that should open it was refused\n");
+}
+
+// shows: G59
+TEST(Session, RenamingKeepsWhatAPatternOfAnAliasMeant) {
+  const Script s(
+      "create b1 sphere\ncreate b2 sphere\ncreate c sphere\nalias all = b* c\nrename b1 moon\nset all.radius 3\n");
+  expect_numbers(s, {{"moon.radius", "1f", {3}}, {"b2.radius", "1f", {3}}, {"c.radius", "1f", {3}}});
+  EXPECT_EQ(s.loaded.document.scene().aliases->at("all"), (std::vector<std::string>{"b*", "moon", "c"}));
+}
+
 TEST(Session, LinesThatGoOn) {
   EXPECT_TRUE(Session::needs_more("set a.points ((0 0)"));
   EXPECT_TRUE(Session::needs_more("set a.text \"\"\"one"));

@@ -360,5 +360,27 @@ TEST(Velocity, RandomDocumentsAreWrittenAndReadBack) {
   }));
 }
 
+// shows: G74 R-T5
+TEST(Velocity, AReleaseWithoutAReignIsNoticed) {
+  const auto notices = [](const char* rows) {
+    std::string out;
+    for (const Diagnostic& d : read(fmt::format("rate 24\ncreate a sphere\na.radius.velocity\n{}", rows)).diagnostics)
+      out += fmt::format("{}: {}\n", d.what.place.line, d.what.message);
+    return out;
+  };
+  EXPECT_EQ(notices("  9f release\n"), "4: no velocity reigns at 9f: there is nothing to release\n");
+  EXPECT_EQ(notices("  9f release\n  1f 2\n"), "");  // rows come in any order
+  EXPECT_EQ(notices("  1f 2\n  5f release\n  9f release\n"),
+            "6: no velocity reigns at 9f: there is nothing to release\n");
+}
+
+// shows: G4 G52
+TEST(Fall, BelowTheGroundIsNoticed) {
+  const Loaded l = read("rate 24\ncreate b sphere\nat 1f fall b ground=2\n");
+  ASSERT_EQ(l.diagnostics.size(), 1U);
+  EXPECT_EQ(l.diagnostics[0].severity, Severity::notice);
+  EXPECT_EQ(l.diagnostics[0].what.message, "b is below the ground, y = 2: it does not fall");
+}
+
 }  // namespace
 }  // namespace betwixt
