@@ -124,6 +124,11 @@ if command -v tmux >/dev/null; then
   shown prompt 'film.bx>'
   screen send-keys 'des' Tab 'ba' Tab Enter
   shown 'completion' 'ball, a sphere'
+  screen send-keys 'set ba' Tab '.rad' Tab
+  shown 'completion on both sides of a dot' '> set ball.radius'
+  screen send-keys C-c
+  shown 'dropped' '> set ball.radius
+film.bx>'
   # What is typed before Ctrl-C is read is dropped by the terminal itself: wait for each.
   screen send-keys 'nonsense'
   shown 'what is typed' '> nonsense'
@@ -160,6 +165,11 @@ film.bx*>'
   is 'terminal: and seen again' "$(picture)" "$with"
   screen send-keys C-d
   shown 'Ctrl-D is guarded' '2 commands are not saved: save, discard or stay?'
+  screen send-keys C-c
+  shown 'Ctrl-C stays' 'save, discard or stay?
+film.bx*>'
+  screen send-keys C-d
+  shown 'asked again' $'*>\n2 commands are not saved: save, discard or stay?'
   screen send-keys 'discard' Enter
   verdict 'terminal: over' "$(for _ in $(seq 50); do screen has-session 2>/dev/null || { echo yes; break; }; sleep 0.1; done)" 'it is still there'
   verdict 'history' "$(grep -q 'radius' "$work/state/betwixt/history" && echo yes)" "$(ls -R "$work/state")"

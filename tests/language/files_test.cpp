@@ -90,7 +90,7 @@ TEST_F(Files, OnlyBelowTheFolderOfTheScript) {
   }
   EXPECT_EQ(l.document.names().size(), 0u);
   put("film/main.bx", "use link.bx\n");
-  EXPECT_EQ(load({true}).document.names(), (Lines{"other"}));
+  EXPECT_EQ(load({true, {}}).document.names(), (Lines{"other"}));
   // A folder whose name only begins the same is another folder.
   fs::create_directories(folder / "film2");
   put("film2/x.bx", "create x sphere\n");

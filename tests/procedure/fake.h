@@ -26,7 +26,7 @@ struct FakeQuestions : Questions {
       inner.time = seconds;
       auto v = p->second->value(inner, {}, cost);
       if (!v) return v.error();
-      return std::visit([](const auto& x) { return Reading(x); }, *v);
+      return reading_of(*v);
     }
     if (target == "nowhere") return fail(Code::name, "there is no 'nowhere'");
     return Reading(seconds * seconds);
