@@ -154,6 +154,9 @@ constexpr HelpEntry entries[] = {
     {function, "look-at", "What a camera looks at.", "a point or a name", "set eye.look-at ball"},
     {function, "weight", "How much of a layer counts, 0 to 1.", "a number", ""},
     {function, "mode", "Whether a layer is added or mixed in.", "\"add\" or \"mix\"", ""},
+    {function, "world", "Where it is in the world, a matrix; it can be asked for, not set.", "", ""},
+    {function, "touching", "The names of what it touches; it can be asked for, not set.", "", ""},
+    {function, "in-view", "Whether any of it is in view; it can be asked for, not set.", "", ""},
 
     {twerper, "hold", "Stays, then jumps at the next event.", "", "at 12f ball.radius 2 hold"},
     {twerper, "linear", "Straight to the next event.", "", "at 12f ball.radius 2 linear"},

@@ -63,74 +63,67 @@ Extent on_the_way(const Extent& a, const Extent& b, double w) {
   return e;
 }
 
-// What the camera sees, in its own space, as a convex set without an end: corners, and directions that go on for ever.
+// What the camera sees: a convex set without an end. All boxes lie along the same axes, so the directions along which
+// one of them and the set can be apart (R-E16: exactly) are the same for all, and so is what the set covers there.
 class Window {
  public:
-  Window(const Camera& c, double aspect) : camera_(c.world) {
+  Window(const Camera& c, double aspect) : eye_(translation_of(c.world)) {
     if (!(aspect > 0)) aspect = 1;
+    // In the camera's space: corners, and directions in which it goes on for ever.
+    std::vector<Vec3> corners{{0, 0, 0}}, ways{{0, 0, -1}}, faces, edges;
     if (c.orthographic) {
       const double y = std::max(c.height, 1e-9) / 2, x = y * aspect;
-      corners_ = {{-x, -y, 0}, {x, -y, 0}, {-x, y, 0}, {x, y, 0}};
-      ways_ = {{0, 0, -1}};
-      // Its edges lie along the camera's own axes, and so do the ways across its faces.
-      across_ = edges_ = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      corners = {{-x, -y, 0}, {x, -y, 0}, {-x, y, 0}, {x, y, 0}};
+      faces = edges = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     } else {
       const double x = std::tan(std::clamp(c.fov, 1e-5, pi - 1e-3) / 2), y = x / aspect;
-      corners_ = {{0, 0, 0}};
-      edges_ = ways_ = {{-x, -y, -1}, {x, -y, -1}, {-x, y, -1}, {x, y, -1}};
-      across_ = {{1, 0, -x}, {-1, 0, -x}, {0, 1, -y}, {0, -1, -y}};
+      edges = ways = {{-x, -y, -1}, {x, -y, -1}, {-x, y, -1}, {x, y, -1}};
+      faces = {{1, 0, -x}, {-1, 0, -x}, {0, 1, -y}, {0, -1, -y}};
+    }
+    // `flat`: a direction of the set across n, but for rounding.
+    const auto put = [&](Vec3 n, Vec3 flat) {
+      Way w{transform_vector(c.world, n), std::numeric_limits<double>::infinity(), 0};
+      w.high = -w.low;
+      for (const Vec3 p : corners) w.low = std::min(w.low, dot(n, p)), w.high = std::max(w.high, dot(n, p));
+      for (const Vec3 d : ways) {
+        const double along = d == flat ? 0 : dot(n, d);
+        if (along < 0) w.low = -std::numeric_limits<double>::infinity();
+        if (along > 0) w.high = std::numeric_limits<double>::infinity();
+      }
+      ways_.push_back(w);
+    };
+    for (const Vec3 n : faces) put(n, {});
+    faces_ = ways_.size();
+    // Two convex bodies are apart when they are across a face of one of them, or an edge of each.
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 axis = row(c.world, i);  // of the world
+      put(axis, {});
+      for (const Vec3 e : edges)
+        if (const Vec3 n = cross(e, axis); length(n) > 1e-9 * length(e)) put(n, e);
     }
   }
 
   Sight see(const ContactBox& b) const {
-    // The box in the camera's space: no longer along the axes.
-    Turned t;
-    const Vec3 from_eye = 0.5 * (b.low + b.high) - translation_of(camera_), half = 0.5 * (b.high - b.low);
-    const Vec3 axes[] = {row(camera_, 0), row(camera_, 1), row(camera_, 2)};
-    for (int i = 0; i < 3; ++i) {
-      t.middle[i] = from_eye.x * camera_(0, i) + from_eye.y * camera_(1, i) + from_eye.z * camera_(2, i);
-      t.axes[i] = half[i] * axes[i];
-    }
+    const Vec3 middle = 0.5 * (b.low + b.high) - eye_, half = 0.5 * (b.high - b.low);
     bool inside = true;
-    for (const Vec3 n : across_) {
-      const Side side = look(t, n, {});
-      if (side == Side::apart) return Sight::out;
-      inside = inside && side == Side::within;
-    }
-    if (inside) return Sight::in;
-    // Two convex bodies are apart when they are across a face of one of them or an edge of each.
-    for (const Vec3 u : axes) {
-      if (look(t, u, {}) == Side::apart) return Sight::out;
-      for (const Vec3 e : edges_) {
-        const Vec3 n = cross(e, u);
-        if (length(n) > 1e-9 * length(e) && look(t, n, e) == Side::apart) return Sight::out;
-      }
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      const Way& w = ways_[i];
+      const double at = dot(w.direction, middle), reach = dot_of_sizes(w.direction, half);
+      if (at + reach < w.low || at - reach > w.high) return Sight::out;
+      inside = inside && at - reach > w.low && at + reach < w.high;
+      if (inside && i + 1 == faces_) return Sight::in;
     }
     return Sight::boundary;
   }
 
  private:
-  struct Turned {
-    Vec3 middle, axes[3];
+  struct Way {
+    Vec3 direction;    // in the world
+    double low, high;  // of the set
   };
-  enum class Side { within, across, apart };
-  // Both as they lie along n. `flat`: a direction across n, but for rounding.
-  Side look(const Turned& t, Vec3 n, Vec3 flat) const {
-    const double middle = dot(n, t.middle);
-    const double reach = std::abs(dot(n, t.axes[0])) + std::abs(dot(n, t.axes[1])) + std::abs(dot(n, t.axes[2]));
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec3 c : corners_) low = std::min(low, dot(n, c)), high = std::max(high, dot(n, c));
-    for (const Vec3 w : ways_) {
-      const double d = w == flat ? 0 : dot(n, w);
-      if (d < 0) low = -std::numeric_limits<double>::infinity();
-      if (d > 0) high = std::numeric_limits<double>::infinity();
-    }
-    if (middle + reach < low || middle - reach > high) return Side::apart;
-    return middle - reach > low && middle + reach < high ? Side::within : Side::across;
-  }
-
-  Mat4 camera_;
-  std::vector<Vec3> corners_, ways_, across_, edges_;
+  Vec3 eye_;
+  std::vector<Way> ways_;  // across its faces first
+  std::size_t faces_ = 0;
 };
 
 // ---- Which boxes may overlap
