@@ -15,7 +15,7 @@ namespace betwixt {
 struct LoadOptions {
   bool read_anywhere = false;  // else a script reads files only below its own folder
   // A live host's commands about environments happen when they come: the time of those that give none.
-  std::optional<Time> now;
+  std::optional<Time> now = {};
 };
 
 // Loads a plug-in (include/betwixt/plugin.h) for good: from now on its twerpers, filters, commands and functions are

@@ -38,6 +38,9 @@ class Program {
   std::vector<Target> reads(const Target&, Time) const;
 
   Bearing bearing(ObjectId, Time) const;
+  // The first time after `t` at which a frame may differ from the one at `t`: `t` itself while something goes on moving,
+  // none if nothing ever will. Until then nothing need be evaluated or drawn.
+  std::optional<Time> next_change(Time t) const;
 
   // What touches and what is in view: betwixt::contacts of the frame, without making all of it.
   Contacts contacts(Time, const ContactOptions& = {}) const;

@@ -381,7 +381,17 @@ bool Reader::set(Cursor& c) {
       return c.fail(Code::type, "an orientation has no separate angles", w,
                     "set the whole of it as euler(x y z) first");
   }
-  for (const Target& t : to.targets) set_value(s, t, v);
+  for (const Target& t : to.targets) {
+    // A live host puts something into an environment as it is now, not as it was before (R-E9).
+    if (!options_.now || to.type() != Type::names) {
+      set_value(s, t, v);
+      continue;
+    }
+    Event e;
+    e.time = *options_.now;
+    e.value = v;
+    put_event(s, t, std::move(e));
+  }
   return true;
 }
 

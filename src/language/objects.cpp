@@ -37,8 +37,8 @@ std::string renamed(const std::string& source, const std::string& old, const std
   return out;
 }
 
-// `rename` keeps every reference, those in code too.
-void rename_in_procedures(Scene& s, const std::string& old, const std::string& name) {
+// `rename` keeps every reference, those in code and in lists of environments too.
+void rename_in_values(Scene& s, const std::string& old, const std::string& name) {
   const auto changed = [&](Role role, const std::shared_ptr<const Routine>& code) -> std::shared_ptr<const Routine> {
     if (!code || code->language != "lua" || code->source.find(old) == std::string::npos) return nullptr;
     const std::string source = renamed(code->source, old, name);
@@ -49,8 +49,15 @@ void rename_in_procedures(Scene& s, const std::string& old, const std::string& n
   const auto change = [&](Value& v) {
     if (auto* p = std::get_if<Procedure>(&v))
       if (auto code = changed(Role::value, p->code)) p->code = std::move(code);
+    if (auto* names = std::get_if<Names>(&v)) {
+      auto list = **names;
+      std::replace(list.begin(), list.end(), old, name);
+      *names = Names(std::move(list));
+    }
   };
   const auto speaks = [&](const Value& v) {
+    if (const auto* names = std::get_if<Names>(&v))
+      return std::find((*names)->begin(), (*names)->end(), old) != (*names)->end();
     const auto* p = std::get_if<Procedure>(&v);
     return p && changed(Role::value, p->code);
   };
@@ -255,7 +262,7 @@ bool Reader::rename(Cursor& c) {
   s.names.erase(old);
   s.names.put(name, id);
   s.objects.edit(id.index).name = name;
-  rename_in_procedures(s, old, name);
+  rename_in_values(s, old, name);
   for (const auto& alias : *s.aliases) {  // aliases speak of objects by name
     if (std::find(alias.second.begin(), alias.second.end(), old) == alias.second.end()) continue;
     for (auto& a : s.aliases.edit()) std::replace(a.second.begin(), a.second.end(), old, name);

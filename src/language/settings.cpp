@@ -30,7 +30,9 @@ bool Reader::rate_of(Cursor& c, Rate& rate, bool used, const char* what) {
   auto n = static_cast<std::int64_t>(num), d = static_cast<std::int64_t>(den);
   const auto common = std::gcd(n, d);
   const Rate fresh{n / common, d / common};
+  const bool smooth = &rate == &s.ticks && c.accept_word("smooth");
   if (!finish(c)) return false;
+  if (&rate == &s.ticks) s.smooth_ticks = smooth;
   if (used && !(fresh == rate))
     note(Severity::warning,
          fmt::format("times in {} above this line were read at {} per second and stay where they are", what,

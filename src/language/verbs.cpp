@@ -12,7 +12,7 @@ const std::vector<Reader::Verb>& Reader::verbs() {
   static const std::vector<Verb> table{
       {"rate", "rate N, as in rate 24 or rate 30000/1001", &Reader::rate},
       {"range", "range FROM TO, as in range 1f 72f", &Reader::range},
-      {"ticks", "ticks N, environment ticks per second", &Reader::ticks},
+      {"ticks", "ticks N [smooth], environment ticks per second", &Reader::ticks},
       {"background", "background COLOR", &Reader::background},
       {"create", "create NAME KIND [key=value …] or create NAME like OTHER", &Reader::create},
       {"remove", "remove NAME", &Reader::remove},

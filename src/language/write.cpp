@@ -105,7 +105,8 @@ struct Writer {
   void settings() {
     const auto rate = [](Rate r) { return r.den == 1 ? std::to_string(r.num) : fmt::format("{}/{}", r.num, r.den); };
     if (!(s.rate == Rate{})) out += "rate " + rate(s.rate) + "\n";
-    if (!(s.ticks == Rate{30, 1})) out += "ticks " + rate(s.ticks) + "\n";
+    if (!(s.ticks == Rate{30, 1}) || s.smooth_ticks)
+      out += "ticks " + rate(s.ticks) + (s.smooth_ticks ? " smooth\n" : "\n");
     if (s.range) out += "range " + point(s.range->first) + " " + point(s.range->second) + "\n";
     if (s.background) out += "background " + write_color(*s.background) + "\n";
     if (!s.notes_shown) out += "notes off\n";

@@ -177,10 +177,13 @@ Mat4 Program::Compiled::product(std::int32_t siting, Time t) const {
   const auto& changes = sitings[static_cast<std::size_t>(siting)].changes;
   auto at = std::upper_bound(changes.begin(), changes.end(), t, [](Time x, const auto& c) { return x < c.from; });
   if (at != changes.begin()) --at;
-  const std::int64_t tick = document.scene().ticks.whole(t);
+  const Scene& scene = document.scene();
+  const std::int64_t tick = scene.ticks.whole(t);
   bool first = true;
   for (const Site& site : at->sites) {
-    const Mat4 a = environments[site.environment]->at(site.generation, tick);
+    const Environment& e = *environments[site.environment];
+    const Mat4 a =
+        scene.smooth_ticks ? e.smooth(site.generation, scene.ticks.frame_number(t) - 1) : e.at(site.generation, tick);
     m = first ? a : m * a;
     first = false;
   }

@@ -436,7 +436,7 @@ struct Compare {
     return true;
   }
   bool all() const {
-    if (!(a.rate == b.rate && a.ticks == b.ticks && a.range == b.range && a.background == b.background &&
+    if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range && a.background == b.background &&
           a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases &&
           a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording))
       return false;

@@ -112,6 +112,7 @@ struct Scene {
   Cow<std::vector<NamedProcedure>> procedures;  // events speak of twerpers by their place here
   Cow<std::vector<Dial>> dials;
   std::uint64_t environment_events = 0;  // so far: the order of those in one tick
+  bool smooth_ticks = false;             // environments move between their ticks, where they can (R-E1d)
   bool recording = false;                // what dials say becomes events
   Cow<std::map<Time, ObjectId>> cuts;    // which camera is looked through from when on
   // What files held when they were named, by the path as the author wrote it.

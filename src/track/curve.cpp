@@ -541,4 +541,13 @@ Between Steps::at(Time time, const CurveSet& set) const {
   return {key.goes_on, next->comes_to, s};
 }
 
+std::optional<Time> Steps::next_change(Time t) const {
+  if (keys_.size() < 2) return std::nullopt;  // one value, always
+  if ((t < keys_.front().time ? before_ : after_) != Extend::hold) return t;
+  const auto next = std::upper_bound(keys_.begin(), keys_.end(), t, [](Time at, const Key& k) { return at < k.time; });
+  if (next == keys_.end()) return std::nullopt;
+  const bool blends = next != keys_.begin() && static_cast<Twerper>(next[-1].twerper) != Twerper::hold;
+  return blends ? t : next->time;
+}
+
 }  // namespace betwixt

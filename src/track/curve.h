@@ -104,6 +104,8 @@ class Steps {
   Steps(const Track& track, Type type);
   Between at(Time t, const CurveSet& set) const;
   std::span<const Value> values() const { return values_; }
+  // As Program::next_change.
+  std::optional<Time> next_change(Time t) const;
 
  private:
   struct Key {

@@ -193,16 +193,43 @@ TEST(Errors, Operations) {
 
 // What later versions bring is refused in words.
 TEST(Errors, NotYet) {
-  for (const char* verb : {"animate spin every 1t by rotate(1deg, y)", "halt spin", "kill spin", "cancel spin"}) {
-    const std::string word(verb, std::string_view(verb).find(' '));
-    const std::string message = fmt::format("'{}' is not in this version of Betwixt", word);
-    expect_case({verb, 1, message.c_str()});
-  }
   for (const Case& k : std::vector<Case>{
-           {"set ball.environments (spin drift)", 10, "'environments' is not in this version of Betwixt"},
            {"ball.motion", 6, "'motion' is not in this version of Betwixt"},
            {"undo", 1, "'undo' is a word of the shell; a script does not need it"},
            {"play", 1, "'play' is a word of the shell; a script does not need it"},
+       })
+    expect_case(k);
+}
+
+// shows: C79 C85 C98
+TEST(Errors, OfEnvironments) {
+  for (const Case& k : std::vector<Case>{
+           {"animate", 8, "the name of an environment is missing here"},
+           {"animate spin by rotate(1deg, z)", 14, "'every' and a length of time are missing here"},
+           {"animate spin every 1.5t by rotate(1deg, z)", 20, "this is not a whole number of ticks",
+            "the nearest are 1t and 2t"},
+           {"animate spin every 0t by rotate(1deg, z)", 20, "an interval is at least one tick"},
+           {"animate spin every 1t", 22, "'by' and a transform are missing here"},
+           {"animate spin every 1t by", 25, "a transform is wanted here"},
+           {"animate spin every 1t by rotat(1deg, z)", 26, "a transform is wanted here", "did you mean 'rotate'?"},
+           {"animate spin every 1t by rotate(90, z)", 33, "an angle needs a unit"},
+           {"animate spin every 1t by rotate(9deg)", 37, "an axis is missing here"},
+           {"animate spin every 1t by matrix(1 0 0 0 0 1 0 0 0 0 1 0 1 0 0 1)", 33,
+            "the last row of a matrix is 0 0 0 1"},
+           {"animate spin every 1t by translate(1 2)", 39, "3 numbers are wanted here, not 2"},
+           {"animate spin every 1t by scale(2) slowr 1t per 1s", 35, "'slowr' is not expected here",
+            "did you mean 'slower'?"},
+           {"animate spin every 1t by scale(2) slower 1t", 44, "'per' and a length of time are missing here"},
+           {"animate spin every 1t by scale(2) slower 0t per 1s", 35,
+            "an interval changes by whole ticks, at least one"},
+           {"animate spin every 1t by scale(2) from 9t until 3t", 9, "'spin': a stop has to come after its start"},
+           {"animate ball every 1t by scale(2)", 9, "'ball' is a sphere, not an environment"},
+           {"halt spin", 6, "there is no environment 'spin'"},
+           {"at 3t kill ball", 12, "'ball' is no environment"},
+           {"create spin environment", 13, "an environment is made by a command of its own"},
+           {"set ball.environments (1x)", 24, "'1x' cannot be a name"},
+           {"set ball.transform 3", 20, "a transform is wanted here"},
+           {"at 1f ball.transform = \"1\"", 24, "a transform cannot be computed"},
        })
     expect_case(k);
 }

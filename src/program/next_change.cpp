@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// When something will next be seen to change: where nothing is due, nobody need wake up. (Animation Imaging Model,
+// 3.3.1: an empty slot)
+#include <algorithm>
+
+#include "program/code.h"
+
+namespace betwixt {
+namespace {
+
+struct Next {
+  Time now;
+  std::optional<Time> at;
+  void may(Time t) {
+    if (t > now && (!at || t < *at)) at = t;
+  }
+};
+
+}  // namespace
+
+std::optional<Time> Program::next_change(Time t) const {
+  const Compiled& code = *code_;
+  const Scene& scene = code.document.scene();
+  if (!code.lives.empty()) return t;  // who knows what code looks at
+  Next next{t, std::nullopt};
+  for (const CurveUse& use : code.curves) {
+    const auto [first, last] = code.set.span(use.curve);
+    const Extend out = t < first ? use.curve.before : use.curve.after;
+    if (first <= t && t < last) return t;
+    if (out != Extend::hold && first < last) return t;
+    next.may(first);
+  }
+  for (const Steps& steps : code.steps)
+    if (const auto change = steps.next_change(t)) {
+      if (*change == t) return t;
+      next.may(*change);
+    }
+  if (!code.environments.empty()) {
+    const std::int64_t tick = scene.ticks.whole(t);
+    for (const auto& e : code.environments)
+      if (const auto due = e->next_due(tick)) {
+        if (scene.smooth_ticks) return t;
+        next.may(scene.ticks.span(static_cast<double>(*due)));
+      }
+  }
+  for (const Siting& siting : code.sitings)
+    for (const Siting::Change& change : siting.changes) next.may(change.from);
+  for (const Hand& hand : code.hands) next.may(hand.from);
+  if (const auto cut = scene.cuts->upper_bound(t); cut != scene.cuts->end()) next.may(cut->first);
+  for (const auto& note : *scene.notes) next.may(note.first);
+  return next.at;
+}
+
+}  // namespace betwixt

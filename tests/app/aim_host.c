@@ -1,0 +1,128 @@
+/* SPDX-FileCopyrightText: 2026 The Betwixt authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A host in C: says every call of the interface to a server, and looks at what comes back. Prints what failed. */
+#include <betwixt/aim.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int failed = 0, passed = 0;
+
+static void check(int good, const char* what) {
+  if (good)
+    ++passed;
+  else
+    ++failed, printf("FAILED: %s\n", what);
+}
+
+static int near(const double* a, const double* b, int n) {
+  for (int i = 0; i < n; ++i)
+    if (!(fabs(a[i] - b[i]) < 1e-9)) return 0;
+  return 1;
+}
+
+/* The rows of appendix A, written out. */
+static void matrices(void) {
+  const double c = cos(0.7), s = sin(0.7);
+  const double translate[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 2, 3, 4, 1};
+  const double scale[16] = {2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0, 0, 0, 0, 1};
+  const double x[16] = {1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1};
+  const double y[16] = {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, 0, 1};
+  const double z[16] = {c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  double m[16], t[16], r[16], p[3] = {1, 0, 0};
+  aim_translate(m, 2, 3, 4), check(near(m, translate, 16), "Translate (A.1)");
+  aim_scale(m, 2, 3, 4), check(near(m, scale, 16), "Scale (A.2)");
+  aim_rotate_x(m, 0.7), check(near(m, x, 16), "Rotate_x (A.3)");
+  aim_rotate_y(m, 0.7), check(near(m, y, 16), "Rotate_y (A.4)");
+  aim_rotate_z(m, 0.7), check(near(m, z, 16), "Rotate_z (A.5)");
+  /* S and then T is S T: the point is scaled first. */
+  aim_scale(m, 2, 2, 2), aim_translate(t, 1, 0, 0), aim_multiply(r, m, t), aim_transform(p, r);
+  check(fabs(p[0] - 3) < 1e-12, "a scale and then a translation is S T");
+}
+
+int main(int argc, char** argv) {
+  const double triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const double eye[3] = {0, 0, 10}, at[3] = {0, 0, 0};
+  double m[16], half[16], got[16];
+  long interval = 0, now = -1, later = -1;
+  int object = 0, scene = 0, spin = 0, drift = 0, tag = 0, slot = -1;
+  const char* said = 0;
+  matrices();
+  check(aim_connect("/nowhere/at/all", 0) == 0 && strstr(aim_error(0), "no server listens") != 0, "nobody listens");
+  aim* a = argc > 1 ? aim_connect(argv[1], argc > 2 ? argv[2] : 0) : 0;
+  if (!a) return printf("FAILED: connecting: %s\n", aim_error(0)), 1;
+#define OK(call) check((call) == AIM_OK, #call), (void)(aim_error(a)[0] && printf("  %s\n", aim_error(a)))
+
+  OK(aim_make_object(a, &object));
+  OK(aim_color(a, 1, 0.5, 0));
+  OK(aim_tag(a, &tag));
+  OK(aim_polygon(a, 3, triangle));
+  OK(aim_push_matrix(a));
+  aim_translate(m, 0, 0, 1);
+  OK(aim_multiply_matrix(a, m));
+  OK(aim_point(a, 0, 0, 0));
+  OK(aim_vector(a, eye, at));
+  OK(aim_pop_matrix(a));
+  OK(aim_text(a, "say \"spin\""));
+  OK(aim_close_object(a));
+  OK(aim_make_environment(a, &spin));
+  OK(aim_make_environment(a, &drift));
+  OK(aim_make_object(a, &scene));
+  OK(aim_view(a, eye, at));
+  OK(aim_perspective(a, 0.8));
+  OK(aim_begin_environment(a, drift));
+  OK(aim_begin_environment(a, spin));
+  OK(aim_call_object(a, object));
+  OK(aim_end_environment(a));
+  OK(aim_end_environment(a));
+  OK(aim_close_object(a));
+  OK(aim_start(a, scene));
+  aim_rotate_z(m, 0.1);
+  OK(aim_animate(a, spin, 1, m));
+  aim_translate(m, 0.25, 0, 0);
+  OK(aim_animate(a, drift, 3, m));
+  OK(aim_get_interval(a, drift, &interval));
+  check(interval == 3, "GetAniTime gives the interval");
+  OK(aim_get_matrix(a, drift, got));
+  check(near(got, m, 16), "GetAniMatrix gives M, in rows as it was given");
+  OK(aim_get_slot_counter(a, &slot));
+  check(slot >= 0 && slot < 30, "the slot counter is below 30");
+  OK(aim_get_tick(a, &now));
+  OK(aim_halt(a, drift));
+  OK(aim_get_interval(a, drift, &interval));
+  check(interval == 3, "a halted environment still says its interval");
+  /* Twice the speed: M squared. */
+  aim_rotate_z(half, 0.2);
+  aim_motion motion = aim_motion_of(2, half);
+  motion.change = 1, motion.period = 30, motion.ceiling = 6, motion.until = 900, motion.keep_phase = 1;
+  OK(aim_animate_motion(a, spin, &motion));
+  OK(aim_cancel(a, spin));
+  OK(aim_get_environment_matrix(a, spin, got));
+  check(fabs(got[0] * got[0] + got[1] * got[1] - 1) < 1e-9 && fabs(got[0] - got[5]) < 1e-9, "A is a turn");
+
+  OK(aim_edit_object(a, object));
+  OK(aim_replace(a, tag, 0));
+  OK(aim_polygon(a, 3, triangle));
+  OK(aim_close_object(a));
+
+  OK(aim_begin_bundle(a));
+  OK(aim_halt(a, spin));
+  OK(aim_kill(a, drift));
+  OK(aim_end_bundle(a));
+  check(aim_begin_bundle(a) == AIM_OK && aim_halt(a, spin) == AIM_OK && aim_halt(a, 77) == AIM_OK &&
+            aim_end_bundle(a) == AIM_E_REFUSED,
+        "a bundle with an error is refused as a whole");
+  OK(aim_get_tick(a, &later));
+  check(later >= now, "time goes on");
+  OK(aim_command(a, "help animate", &said));
+  check(said && strstr(said, "environment") != 0, "a line of the language is answered");
+
+  check(aim_halt(a, 4711) == AIM_E_REFUSED && strstr(aim_error(a), "there is no environment") != 0, "unknown names");
+  check(aim_point(a, 0, 0, 0) == AIM_E_CALL && strstr(aim_error(a), "no object is open") != 0, "no object is open");
+  check(aim_get_interval(a, drift, 0) == AIM_E_CALL, "null pointers");
+  OK(aim_delete_object(a, object));
+  aim_disconnect(a);
+  printf("%d passed, %d failed\n", passed, failed);
+  return failed != 0;
+}
