@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "betwixt/program.h"
+#include "program/environment_set.h"
 #include "scene/document.h"
 #include "scene/extent.h"
 #include "track/reign.h"
@@ -143,6 +144,7 @@ struct Node {
 struct Site {
   std::uint32_t environment = 0;
   int generation = 0;
+  std::uint32_t member = 0;  // of Compiled::many
 };
 struct Siting {
   struct Change {
@@ -171,6 +173,9 @@ struct Program::Compiled {
   mutable std::vector<Frozen> frozen;  // all done when compiling ends
   std::vector<std::shared_ptr<const Environment>> environments;
   std::vector<Siting> sitings;
+  // Where there are many, all of them go from tick to tick together; one question at a time. Few are asked one by one.
+  std::optional<EnvironmentSet> mutable many;
+  mutable std::mutex many_in_use;
   bool sited = false;                  // some node is in an environment
   std::vector<std::string> notices;    // attachments that had to be ignored
   std::vector<std::uint32_t> node_of;  // per object; its order is that of the objects
@@ -194,6 +199,7 @@ struct Program::Compiled {
   // `around`: the environments of each; stays empty where nothing is in any.
   std::vector<Placed> placements(Time t, const double* numbers, Asking&, std::vector<Mat4>& around) const;
   Mat4 product(std::int32_t siting, Time t) const;  // of its environments
+  Mat4 matrix(const Site&, Time t) const;           // A
   std::optional<Mat4> driven(const Node&, Time t, Asking&) const;
   std::vector<Mat4> worlds(Time t, const double* numbers, Asking&) const;
   Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on

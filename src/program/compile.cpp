@@ -339,7 +339,7 @@ struct Compiler {
       for (const std::string& name : *std::get<Names>(v))
         for (const ObjectId id : select(scene, name))  // an alias is many
           if (const auto& track = scene.objects[id.index].environment)
-            if (const auto generation = track->bind(tick)) c.sites.push_back({environment_of(id.index), *generation});
+            if (const auto generation = track->bind(tick)) c.sites.push_back(site(id.index, *generation));
       made.changes.push_back(std::move(c));
     };
     slot->track->events.each([&](const Event& e) {
@@ -350,12 +350,17 @@ struct Compiler {
     code.sitings.push_back(std::move(made));
     return static_cast<std::int32_t>(code.sitings.size()) - 1;
   }
-  std::uint32_t environment_of(std::uint32_t object) {
+  Site site(std::uint32_t object, int generation) {
     const auto [at, fresh] = environment_index.emplace(object, static_cast<std::uint32_t>(code.environments.size()));
     if (fresh) code.environments.push_back(scene.objects[object].environment);
-    return at->second;
+    const auto [member, first] =
+        member_index.emplace(std::pair(at->second, generation), static_cast<std::uint32_t>(members.size()));
+    if (first) members.push_back({code.environments[at->second], generation});
+    return {at->second, generation, member->second};
   }
   std::unordered_map<std::uint32_t, std::uint32_t> environment_index{};
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> member_index{};
+  std::vector<EnvironmentSet::Member> members{};
 
   void node(std::uint32_t object) {
     const Object& o = scene.objects[object];
@@ -382,6 +387,8 @@ struct Compiler {
     code.node_of.assign(scene.objects.size(), ObjectId::nothing);
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
       if (!scene.objects[i].removed) node(i);
+    constexpr std::size_t many = 1024;  // below, setting them up costs more than it saves
+    if (members.size() >= many && !scene.smooth_ticks) code.many.emplace(std::move(members));
     hands();
   }
 

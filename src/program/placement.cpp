@@ -171,19 +171,26 @@ Mat4 look_at(Vec3 eye, Vec3 target) {
   return m;
 }
 
+Mat4 Program::Compiled::matrix(const Site& site, Time t) const {
+  const Scene& scene = document.scene();
+  const Environment& e = *environments[site.environment];
+  if (scene.smooth_ticks) return e.smooth(site.generation, scene.ticks.frame_number(t) - 1);
+  const std::int64_t tick = scene.ticks.whole(t);
+  if (!many) return e.at(site.generation, tick);
+  const std::lock_guard lock(many_in_use);
+  if (many->tick() != tick) many->advance(tick);
+  return many->matrix(site.member);
+}
+
 Mat4 Program::Compiled::product(std::int32_t siting, Time t) const {
   Mat4 m;
   if (siting < 0) return m;
   const auto& changes = sitings[static_cast<std::size_t>(siting)].changes;
   auto at = std::upper_bound(changes.begin(), changes.end(), t, [](Time x, const auto& c) { return x < c.from; });
   if (at != changes.begin()) --at;
-  const Scene& scene = document.scene();
-  const std::int64_t tick = scene.ticks.whole(t);
   bool first = true;
   for (const Site& site : at->sites) {
-    const Environment& e = *environments[site.environment];
-    const Mat4 a =
-        scene.smooth_ticks ? e.smooth(site.generation, scene.ticks.frame_number(t) - 1) : e.at(site.generation, tick);
+    const Mat4 a = matrix(site, t);
     m = first ? a : m * a;
     first = false;
   }

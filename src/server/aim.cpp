@@ -250,8 +250,9 @@ aim_status aim_edit_object(aim* h, int object) {
 }
 aim_status aim_close_object(aim* h) {
   if (!h->open) return h->fail(AIM_E_CALL, "no object is open");
-  h->open = false;
-  return h->ask("close");
+  h->open = false;  // the next command that is not a row ends the rows
+  h->error.clear();
+  return AIM_OK;
 }
 aim_status aim_delete_object(aim* h, int object) { return h->ask(fmt::format("delete O{}", object)); }
 aim_status aim_call_object(aim* h, int object) { return h->row(fmt::format("call O{}", object)); }
