@@ -57,6 +57,14 @@ holds 'a stiff knee' 'same(v[1], 1.85) && v[2] < -50 && same(v[3], 1.69) && same
   limp 31f,55f man.position.y man/right/knee.rotation.z
 holds 'the small gear turns twice as fast the other way' 'same(v[1], 60) && same(v[4], -120) && v[5] == 2' \
   clockwork 49f big.rotation.z small.rotation count.text
+# shows: C63 C131
+# Numbers of a stack of matrices, by hand: 31 and 61 updates.
+holds 'two stars turn in opposite directions while the scene drifts' \
+  'same(v[4], 0.93) && same(v[17], -0.760406) && same(v[21], -0.649448) && same(v[33], -0.052336) && same(v[37], 0.99863)' \
+  two-stars 25f sky/drift-1.world sky/drift-1/right-1.world sky/drift-1/left-1.world
+holds 'a spinning frisbee follows its trajectory' \
+  'same(v[4], -2.916396) && same(v[8], 1.724549) && same(v[12], 1.10578) && same(v[1], 0.038124) && same(v[5], -0.230091)' \
+  frisbee 25f flight/roll-1/travel-1/rise-1/sink-1/spin-1/frisbee-1.world
 # Half a second on air, then g/2 t^2; and what a fall wrote are events, which can be moved.
 cat >"$folder/air.bx" <<'END'
 create late sphere position=(0 20 0)

@@ -105,6 +105,16 @@ constexpr Mat4 rotation(Quat q) {
   return r;
 }
 
+// A rigid motion: at `eye`, the -z axis towards `target`, y up as far as may be.
+inline Mat4 look_at(Vec3 eye, Vec3 target) {
+  const Vec3 back = normalize(eye - target);
+  const Vec3 up = std::abs(back.y) > 1 - 1e-12 ? Vec3{0, 0, back.y > 0 ? -1.0 : 1.0} : Vec3{0, 1, 0};
+  const Vec3 right = normalize(cross(up, back)), over = cross(back, right);
+  Mat4 m = translation(eye);
+  for (int i = 0; i < 3; ++i) m(i, 0) = right[i], m(i, 1) = over[i], m(i, 2) = back[i];
+  return m;
+}
+
 // Of a rotation's matrix.
 inline Quat from_matrix(const Mat4& m) {
   const double t[] = {m(0, 0) + m(1, 1) + m(2, 2), m(0, 0), m(1, 1), m(2, 2)};

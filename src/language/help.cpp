@@ -98,6 +98,39 @@ constexpr HelpEntry entries[] = {
     {verb, "kill", "Stops an environment and forgets what it has done.", "", "kill wind"},
     {verb, "cancel", "Drops the future starts and stops of an environment.", "", "cancel wind"},
 
+    {verb, "make", "Opens a new display list; its commands are the indented rows below.", "",
+     "make star\n  color gold\n  polygon (0 1) (-0.3 0) (0.3 0)\nstart star"},
+    {verb, "edit", "Opens a display list again: rows are added, or replace others.", "",
+     "make star\n  tag first\n  color gold\nedit star\n  replace first\n  color red"},
+    {verb, "delete", "Takes a display list out of the film.", "", "make star\n  point (0 0)\ndelete star"},
+    {verb, "start", "Shows a display list with all that it calls: it is the main object.", "",
+     "make star\n  point (0 0)\nstart star"},
+
+    {row, "point", "Draws points.", "", "make list\n  point (0 0) (1 0 0)"},
+    {row, "vector", "Draws a line through points.", "", "make list\n  vector (0 0 0) (1 1 1)"},
+    {row, "polygon", "Draws a filled outline.", "", "make list\n  polygon (0 0) (2 0) (1 2)"},
+    {row, "text", "Draws letters.", "", "make list\n  text \"Hello\""},
+    {row, "color", "The color of what is drawn from here on.", "", "make list\n  color gold\n  point (0 0)"},
+    {row, "texture", "The picture on what is drawn from here on; \"\" is none.", "", "make list\n  texture \"\""},
+    {row, "font", "The font of letters from here on.", "", "make list\n  font \"DejaVu Sans\"\n  text \"Hello\""},
+    {row, "push", "Keeps the matrix, until the pop that belongs to it.", "",
+     "make list\n  push\n  translate(1 0 0)\n  point (0 0)\n  pop"},
+    {row, "pop", "Goes back to the matrix of the last push.", "",
+     "make list\n  push\n  scale(2)\n  point (1 0)\n  pop"},
+    {row, "multiply", "Moves what is drawn from here on; what is said last is done first.", "",
+     "make list\n  multiply translate(1 0 0)\n  rotate(90deg, z)\n  point (1 0)"},
+    {row, "call", "Draws another list: an instance, which keeps its matrices and colors to itself.", "",
+     "make star\n  point (0 0)\nmake list\n  call star\n  translate(1 0 0)\n  call star"},
+    {row, "begin", "What is drawn from here on is in an environment, until its end.", "",
+     "make list\n  begin wind\n  point (0 0)\n  end"},
+    {row, "end", "Ends the environment that was begun last.", "", "make list\n  begin wind\n  end"},
+    {row, "view", "Where the main list is seen from, and where to.", "", "make list\n  view from (0 2 9) to (0 0 0)"},
+    {row, "perspective", "The horizontal angle that is seen.", "", "make list\n  perspective 50deg"},
+    {row, "orthographic", "Sees without perspective, so much from bottom to top.", "", "make list\n  orthographic 10"},
+    {row, "tag", "Labels the row that comes next, for replace.", "", "make list\n  tag place\n  translate(0 0 0)"},
+    {row, "replace", "The rows below replace those from a tag on.", "",
+     "make list\n  tag place\n  translate(0 0 0)\nedit list\n  replace place\n  translate(1 0 0)"},
+
     {kind, "group", "No shape; things hang on it.", "", "create hand2 group position=(0 1 0)"},
     {kind, "sphere", "A ball.", "radius=1", "create s sphere radius=2"},
     {kind, "box", "A box.", "size=(1 1 1)", "create b box size=(2 1 1)"},
@@ -222,8 +255,8 @@ bool there(const HelpEntry& e) {
 }
 
 std::string usage(const HelpEntry& e) {
-  if (e.group == verb)
-    for (const auto& [word, usage] : Reader::words())
+  if (e.group == verb || e.group == row)
+    for (const auto& [word, usage] : e.group == verb ? Reader::words() : Reader::row_words())
       if (word == e.word) return std::string(usage);
   return std::string(e.usage);
 }
@@ -231,6 +264,7 @@ std::string usage(const HelpEntry& e) {
 constexpr std::pair<HelpGroup, std::string_view> groups[] = {
     {shell, "Words of the shell"},
     {verb, "Commands"},
+    {row, "Rows of display lists (make NAME)"},
     {kind, "Kinds of objects (create NAME KIND …)"},
     {function, "Functions (NAME.function)"},
     {twerper, "Twerpers (from one event to the next)"},
@@ -241,6 +275,7 @@ constexpr std::pair<HelpGroup, std::string_view> groups[] = {
 constexpr std::string_view what(HelpGroup g) {
   return g == shell      ? "a word of the shell"
          : g == verb     ? "a command"
+         : g == row      ? "a row of a display list"
          : g == kind     ? "a kind of object"
          : g == function ? "a function"
          : g == twerper  ? "a twerper"
@@ -289,7 +324,7 @@ std::string help_text(std::string_view word, const Scene& scene) {
       continue;
     }
     if (const std::string how = usage(e); !how.empty())
-      out += fmt::format("  {}: {}\n", e.group == verb || e.group == shell ? "usage" : "written", how);
+      out += fmt::format("  {}: {}\n", e.group <= row ? "usage" : "written", how);
     if (!e.example.empty()) {
       std::string lines(e.example);
       for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 12)

@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-enum class HelpGroup { shell, verb, kind, function, twerper, filter, option };
+enum class HelpGroup { shell, verb, row, kind, function, twerper, filter, option };
 
 struct HelpEntry {
   HelpGroup group;

@@ -95,7 +95,21 @@ bool Reader::free_name(Cursor& c, const std::string& name, std::string_view abou
   if (s.names.find(name)) return c.fail(Code::name, fmt::format("there is a '{}' already", name), about);
   if (s.aliases->contains(name))
     return c.fail(Code::name, fmt::format("'{}' is an alias already", name), about, "an alias wins over an object");
+  if (s.lists->empty()) return true;
+  if (s.lists->contains(name))
+    return c.fail(Code::name, fmt::format("there is a display list '{}' already", name), about);
+  for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
+    if (const std::string above = name.substr(0, slash); s.lists->contains(above))
+      return c.fail(Code::name, fmt::format("names that begin with '{}/' are for what that display list draws", above),
+                    about);
   return true;
+}
+
+// What display lists draw is changed by their rows only.
+bool Reader::own(Cursor& c, ObjectId id, std::string_view about) {
+  if (!s.objects[id.index].derived) return true;
+  return c.fail(Code::type, fmt::format("display lists say what '{}' is", s.objects[id.index].name), about,
+                fmt::format("edit {}, or what it calls", s.main));
 }
 
 // `car/wheel` is coupled to `car` from the beginning.
@@ -167,6 +181,7 @@ bool Reader::create(Cursor& c) {
   if (kind_word == "like") {
     if (!values(c).object(original)) return false;
     object = s.objects[original.index];
+    object.derived = false;
   } else {
     const auto kind = find_kind(kind_word);
     if (kind == Kind::layer)
@@ -219,7 +234,10 @@ bool Reader::objects(Cursor& c, std::string_view& word, std::vector<ObjectId>& o
   word = c.word();
   if (word.empty()) return c.fail_here(Code::syntax, "the name of an object is missing here");
   out = select(s, word);
-  if (!out.empty()) return true;
+  const bool any = !out.empty();
+  if (!is_pattern(word) && out.size() == 1 && !own(c, out[0], word)) return false;
+  std::erase_if(out, [&](ObjectId id) { return s.objects[id.index].derived; });
+  if (any) return true;
   if (is_pattern(word) || s.aliases->contains(std::string(word))) {
     if (const auto braces = expand_braces(word); !braces)
       return c.fail(braces.error().code, braces.error().message, word);
@@ -244,7 +262,8 @@ bool Reader::rename(Cursor& c) {
   c.space();
   if (is_pattern(c.peek_word()))
     return c.fail_here(Code::syntax, "one object gets another name: a pattern is none", "as in rename ball planet");
-  if (!values(c).object(id)) return false;
+  const char* start = c.at;
+  if (!values(c).object(id) || !own(c, id, c.since(start))) return false;
   c.space();
   const std::string_view word = c.word();
   const std::string name(word);
@@ -263,6 +282,7 @@ bool Reader::rename(Cursor& c) {
   s.names.put(name, id);
   s.objects.edit(id.index).name = name;
   rename_in_values(s, old, name);
+  if (s.objects[id.index].environment) rename_environment(s, old, name);
   for (const auto& alias : *s.aliases) {  // aliases speak of objects by name
     if (std::find(alias.second.begin(), alias.second.end(), old) == alias.second.end()) continue;
     for (auto& a : s.aliases.edit()) std::replace(a.second.begin(), a.second.end(), old, name);

@@ -148,6 +148,7 @@ bool Reader::sound_text(std::string_view text) {
 void Reader::carry(const Carried& from, const std::string& script) {
   rows_read_frames_ = from.frames_read, rows_read_ticks_ = from.ticks_read;
   included_ = from.included, copied_ = from.copied;
+  live_ = true;
   std::error_code ignored;
   if (!script.empty()) open_files_.push_back(std::filesystem::weakly_canonical(script, ignored));
 }
@@ -162,8 +163,13 @@ void Reader::read_text(std::string_view text, const std::string& name) {
   std::error_code ignored;
   if (root_.empty()) root_ = std::filesystem::weakly_canonical(source_.folder.empty() ? "." : source_.folder, ignored);
   if (sound_text(text)) run(text);
-  if (!outer.text.data()) masked_events(), idle_releases();
   left_open_ = source_.sheet.open && !source_.sheet.broken;
+  left_sheet_ = left_open_ ? opener(source_.sheet) : "";
+  close_list();
+  if (!outer.text.data()) {
+    masked_events(), idle_releases();
+    unfinished_lists();
+  }
   source_ = std::move(outer);
 }
 
@@ -201,8 +207,10 @@ void Reader::line(Cursor& c, const char* line_start) {
       ok = sheet.broken || row(c);
       if (sheet.broken) c.at = after_line(line_start);
     } else {
+      close_list();
       sheet.open = false;
       ok = command(c);
+      if (sheet.open) sheet.opener = {line_start, c.at};
     }
   }
   rows_read_frames_ = c.frames_read;
@@ -242,6 +250,7 @@ bool Reader::command(Cursor& c) {
   for (const Verb& v : verbs()) {
     if (v.word != w) continue;
     if (!(this->*v.run)(c) || !finish(c)) {
+      if (w == "make" || w == "edit") source_.sheet = {}, source_.sheet.open = source_.sheet.broken = true;
       if (c.error && c.error->hint.empty() && c.error->code == Code::syntax)
         c.error->hint = fmt::format("usage: {}", v.usage);
       return false;
@@ -305,6 +314,7 @@ bool Reader::open_sheet(Cursor& c, std::string_view word) {
 
 bool Reader::row(Cursor& c) {
   Sheet& sheet = source_.sheet;
+  if (!sheet.list.empty()) return list_row(c);
   if (!sheet.on.spec) {
     c.at = after_line(c.at);
     if (c.at > source_.text.data() && c.at[-1] == '\n') --c.at;

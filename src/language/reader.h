@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -50,12 +51,16 @@ class Reader {
     bool sheet_open = false;  // when the text ended
     int included = 0;
     std::size_t copied = 0;
+    std::string sheet;  // the lines that must stand above the next row, where a sheet is open
   };
-  Carried carried() const { return {rows_read_frames_, rows_read_ticks_, left_open_, included_, copied_}; }
+  Carried carried() const { return {rows_read_frames_, rows_read_ticks_, left_open_, included_, copied_, left_sheet_}; }
   // `script`: the file that the lines will be written to, and that they cannot `use`; may be empty.
   void carry(const Carried& from, const std::string& script);
   // Every verb and its usage.
   static std::vector<std::pair<std::string_view, std::string_view>> words();
+  // The same of the rows of display lists.
+  static std::vector<std::pair<std::string_view, std::string_view>> row_words();
+  static constexpr std::size_t at_end = std::numeric_limits<std::size_t>::max();
 
   Scene& s;
 
@@ -103,6 +108,7 @@ class Reader {
   bool parent_by_name(Cursor& c, const std::string& name, std::string_view about, ObjectId& parent);
   bool free_name(Cursor& c, const std::string& name, std::string_view about);
   bool objects(Cursor& c, std::string_view& word, std::vector<ObjectId>& out);
+  bool own(Cursor& c, ObjectId id, std::string_view about);
   bool remove(Cursor& c);
   bool rename(Cursor& c);
   bool hang(Cursor& c) { return take_hold(c, Hold::hang, "on"); }
@@ -126,6 +132,25 @@ class Reader {
   bool dial(Cursor& c);
   bool record(Cursor& c);
   bool fall(Cursor& c);
+
+  // lists.cpp
+  struct Sheet;
+  bool make_list(Cursor& c);
+  bool edit_list(Cursor& c);
+  bool delete_list(Cursor& c);
+  bool start_list(Cursor& c);
+  bool list_name(Cursor& c, std::string_view& word);
+  void open(std::string_view list);
+  bool list_row(Cursor& c);
+  bool tag(Cursor& c);
+  bool replace(Cursor& c);
+  bool drawing(Cursor& c, Drawing what, std::string_view about);
+  bool callable(Cursor& c, const std::string& name);
+  bool since(Cursor& c, DisplayCommand& command);
+  void nest(Sheet& sheet) const;
+  void close_list();
+  std::string opener(const Sheet& sheet) const;
+  void unfinished_lists();
 
   // environments.cpp
   bool animate(Cursor& c);
@@ -181,6 +206,16 @@ class Reader {
     std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
     bool warned = false;
     bool fresh = false;  // the track had no events when the sheet was opened
+    std::string opener;  // the line
+    // Of a display list:
+    std::string list;
+    std::string tag;                             // behind which rows replace others
+    std::string_view place;                      // of its name
+    std::size_t next = 0;                        // where the next row goes; at_end: behind all others
+    std::vector<std::string_view> spots;         // of the commands that were read here
+    std::optional<std::vector<Drawing>> nested;  // what is open at the end of the list, where that is known
+    Cow<DisplayLists> before;
+    bool changed = false;
   };
   struct Source {  // the text being read now
     std::string_view text;
@@ -213,6 +248,9 @@ class Reader {
   Time time_;
   bool rows_read_frames_ = false, rows_read_ticks_ = false;
   bool left_open_ = false;  // a sheet, when the text ended
+  std::string left_sheet_;
+  bool live_ = false;                             // lines come one by one
+  std::map<std::string, Diagnostic> unfinished_;  // display lists, and what is wrong with them
   int errors_ = 0;
   bool given_up_ = false;
 };

@@ -235,7 +235,7 @@ struct Session::State {
     if (has_errors(all)) return std::nullopt;
     Step step{std::string(line), {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried(), {}}};
     const bool remark = split(line).empty();
-    step.after.sheet = row || remark ? from.sheet : step.after.carried.sheet_open ? std::string(line) : "";
+    step.after.sheet = remark ? from.sheet : step.after.carried.sheet;
     return step;
   }
 
@@ -271,7 +271,8 @@ struct Session::State {
       const auto words = split(line);
       const auto target = [&](std::size_t i) { return first_dot(words[i]) != std::string_view::npos; };
       if (!row && !words.empty())
-        sheet_refused = words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2));
+        sheet_refused = words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2)) ||
+                        words[0] == "make" || words[0] == "edit";
       answer.refused = true;
       return answer;
     }
@@ -569,11 +570,17 @@ struct Session::State {
       for (const auto& n : document().names()) ids.push_back(document().find(n));
     } else {
       ids = select(scene(), pattern);
-      if (ids.empty() && !is_pattern(pattern)) return no_object(pattern);
+      if (ids.empty() && !is_pattern(pattern) && !scene().lists->contains(pattern)) return no_object(pattern);
     }
     std::size_t wide = 0;
     for (ObjectId id : ids) wide = std::max(wide, document().name(id).size());
+    const auto meant = [&](const std::string& name) { return pattern.empty() || matches(pattern, name); };
+    for (const auto& [name, commands] : *scene().lists)
+      if (meant(name)) wide = std::max(wide, name.size());
     std::string said;
+    for (const auto& [name, list] : *scene().lists)
+      if (meant(name))
+        said += fmt::format("{:{}}  {:8}  {}\n", name, wide, "list", count(list->commands.size(), "row"));
     for (ObjectId id : ids) {
       const Object& o = scene().objects[id.index];
       std::size_t events = events_of(o);
@@ -593,6 +600,9 @@ struct Session::State {
 
   Answer describe(const std::string& word) const {
     if (word.empty()) return refused("what shall be described?", "usage: describe NAME");
+    if (const auto list = scene().lists->find(word); list != scene().lists->end())
+      return done(fmt::format("{}, a display list{}\n{}", word, word == scene().main ? ", the main object" : "",
+                              write_rows(*list->second)));
     const auto ids = select(scene(), word);
     if (ids.empty()) {
       if (word.find('.') == std::string::npos) return no_object(word);
@@ -800,7 +810,10 @@ std::vector<std::string> Session::complete(std::string_view line) const {
     const std::string verb = words.empty() ? "" : words[0];
     for (const HelpEntry& e : help_entries()) {
       const bool verb_word = e.group == HelpGroup::shell || (e.group == HelpGroup::verb && is_verb(e.word));
-      const bool fits = verb == "help"     ? e.group != HelpGroup::verb || is_verb(e.word)
+      const bool in_list =
+          row && (state_->now().sheet.starts_with("make ") || state_->now().sheet.starts_with("edit "));
+      const bool fits = in_list            ? e.group == HelpGroup::row && words.empty()
+                        : verb == "help"   ? e.group != HelpGroup::verb || is_verb(e.word)
                         : first            ? verb_word
                         : verb == "create" ? e.group == HelpGroup::kind && words.size() == 2
                         : row || verb == "at" || verb == "twerper"

@@ -61,13 +61,18 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
   if (component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say
     const ObjectId id = s.aliases->contains(object) ? ObjectId{} : s.names.find(object);
     if (const auto f = id ? find_function(s, s.objects[id.index].kind, function) : std::nullopt) {
+      if (!world_too && !own(c, id, word)) return false;
       out.spec = &spec_of(s, *f);
       if (out.velocity && !has_velocity(out.spec->type)) return still(*out.spec);
       out.targets.push_back(target(id, *f, -1));
       return true;
     }
   }
-  const std::vector<ObjectId> objects = select(s, object);
+  std::vector<ObjectId> objects = select(s, object);
+  if (!world_too) {  // patterns name only what can be changed
+    if (objects.size() == 1 && !is_pattern(object) && !own(c, objects[0], word)) return false;
+    std::erase_if(objects, [&](ObjectId id) { return s.objects[id.index].derived; });
+  }
   if (objects.empty()) {
     const bool alias = s.aliases->contains(std::string(object));
     if (is_pattern(object) || alias) {

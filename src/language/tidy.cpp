@@ -66,6 +66,10 @@ class Tidier {
       }
       line.lead = std::move(lead);
       lead.clear();
+      if (line.indented && in_list_) {
+        display_row(line);
+        continue;
+      }
       if (line.indented && in_sheet_) {
         Cursor time(line.tokens[0].text);
         time.rate = rate_, time.ticks = ticks_;
@@ -75,6 +79,8 @@ class Tidier {
       }
       flush_rows();
       settings(line);
+      in_list_ = line.tokens.size() == 2 && (line.tokens[0].text == "make" || line.tokens[0].text == "edit");
+      depth_ = 1;
       // TARGET, or on LAYER TARGET
       const bool target = line.tokens.size() == 1 || (line.tokens.size() == 3 && line.tokens[0].text == "on");
       const std::string& last = line.tokens.back().text;
@@ -177,7 +183,7 @@ class Tidier {
   static bool function(const std::vector<Token>& tokens, std::size_t i) {
     static constexpr std::string_view names[] = {"rgb",       "hsv",    "euler", "axis",   "quat", "shape", "bezier",
                                                  "translate", "rotate", "scale", "matrix", "T",    "R",     "S"};
-    return i > 0 && !(i == 1) && std::find(std::begin(names), std::end(names), tokens[i - 1].text) != std::end(names);
+    return i > 0 && std::find(std::begin(names), std::end(names), tokens[i - 1].text) != std::end(names);
   }
 
   void put_lead(const std::vector<std::string>& lead, const char* indent) {
@@ -199,6 +205,16 @@ class Tidier {
       if (depth == 0 && !(i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1))) return i + 1;
     }
     return tokens.size();
+  }
+
+  // Rows of a display list stay in their order; what is between a begin and its end stands further in.
+  void display_row(const Line& row) {
+    const std::string& word = row.tokens[0].text;
+    if ((word == "end" || word == "pop") && depth_ > 1) --depth_;
+    const std::string indent(2 * std::min<std::size_t>(depth_, 40), ' ');
+    put_lead(row.lead, indent.c_str());
+    out_ += indent + joined(row.tokens, 0) + (row.comment.empty() ? "" : "  " + row.comment) + "\n";
+    if (word == "begin" || word == "push") ++depth_;
   }
 
   void flush_rows() {
@@ -238,7 +254,8 @@ class Tidier {
   std::string_view text_;
   std::string out_;
   std::vector<Line> rows_;
-  bool in_sheet_ = false;
+  bool in_sheet_ = false, in_list_ = false;
+  std::size_t depth_ = 1;
   bool rates_known_ = true;
   Rate rate_, ticks_{30, 1};
 };

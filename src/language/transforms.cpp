@@ -43,7 +43,7 @@ bool ValueReader::transform(Mat4& out) {
   int count = 0;
   for (;; ++count) {
     c.space();
-    if (count > 0) c.accept('*');
+    if (count > 0 && c.accept('*')) c.space();
     const std::string_view word = c.peek_word();
     if (std::find(std::begin(factors), std::end(factors), word) == std::end(factors)) break;
     c.space();

@@ -31,6 +31,7 @@ struct ValueReader {
   bool scalar(double& out, Unit unit = Unit::none);
   bool orientation(Value& out, bool angles);
   bool points(Points& out);
+  bool point(Vec3& out);       // (x y) or (x y z)
   bool object(ObjectId& out);  // a name that exists
   bool axis(Vec3& out);        // x, y, z or (x y z)
   // translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), one behind the other:
@@ -45,7 +46,8 @@ std::string write_number(double v);          // shortest form that reads back to
 std::string write_text(const std::string&);  // quoted
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);
-std::string write_matrix(const Mat4&);  // row by row
+std::string write_matrix(const Mat4&);       // row by row
+std::string write_rows(const DisplayList&);  // indented lines
 std::string write_value(const Value&, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of);
 

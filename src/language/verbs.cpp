@@ -55,6 +55,10 @@ const std::vector<Reader::Verb>& Reader::verbs() {
       {"halt", "at TIME halt ENV", &Reader::halt},
       {"kill", "at TIME kill ENV", &Reader::kill},
       {"cancel", "at TIME cancel ENV", &Reader::cancel},
+      {"make", "make NAME; the commands of the display list are rows below it", &Reader::make_list},
+      {"edit", "edit NAME; rows below it go on the end, or behind replace TAG in place of others", &Reader::edit_list},
+      {"delete", "delete NAME, a display list", &Reader::delete_list},
+      {"start", "start NAME, a display list", &Reader::start_list},
       {"policy", "policy translate|ignore|ask", &Reader::policy},
       {"use", "use FILE", &Reader::use},
   };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "language/reader.h"
 
@@ -144,10 +145,13 @@ struct Writer {
   void objects() {
     std::vector<std::uint32_t> living;
     for (std::uint32_t i = 0; i < s.objects.size(); ++i)
-      if (!s.objects[i].removed) living.push_back(i);
+      if (!s.objects[i].removed && !s.objects[i].derived) living.push_back(i);
     for (std::uint32_t i : living) {
       const Object& o = s.objects[i];
-      if (o.kind == Kind::environment) continue;  // made by their first animate
+      if (o.environment) {
+        environment(flat_name(o.name), *o.environment);
+        continue;
+      }
       const bool layer = o.kind == Kind::layer;
       out += (layer ? "layer " : "create ") + flat_name(o.name) + " ";
       out +=
@@ -162,10 +166,9 @@ struct Writer {
     // A name with a slash may belong to anything by now, and its namesake above may be gone: such objects get their
     // names last.
     for (std::uint32_t i : living)
-      if (s.objects[i].environment) environment(flat_name(s.objects[i].name), *s.objects[i].environment);
-    for (std::uint32_t i : living)
       if (flat_name(s.objects[i].name) != s.objects[i].name)
         out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
+    lists();
     // What speaks of other objects waits until all are there.
     for (std::uint32_t i : living)
       for (const Slot& slot : s.objects[i].slots)
@@ -179,6 +182,29 @@ struct Writer {
         strand(slot.velocity, t);
         for (const Filter& f : slot.filters) filter(f, {{i}, slot.function, f.component}, slot.layer);
       }
+  }
+
+  // Display lists, those that are called before those that call them.
+  void lists() {
+    std::set<std::string, std::less<>> written;
+    std::vector<std::pair<const std::string*, bool>> todo;
+    for (auto list = s.lists->rbegin(); list != s.lists->rend(); ++list) todo.push_back({&list->first, false});
+    while (!todo.empty()) {
+      const auto [name, called] = todo.back();
+      todo.pop_back();
+      const auto list = s.lists->find(*name);
+      if (list == s.lists->end() || written.contains(*name)) continue;
+      if (called) {
+        written.insert(*name);
+        out += "make " + *name + "\n" + write_rows(*list->second);
+        continue;
+      }
+      todo.push_back({name, true});
+      const DisplayCommands& commands = list->second->commands;
+      for (std::size_t i = 0; i < commands.size(); ++i)
+        if (commands[i].what == Drawing::call) todo.push_back({&*std::get<Text>(commands[i].value), false});
+    }
+    if (!s.main.empty()) out += "start " + s.main + "\n";
   }
 
   void environment(const std::string& name, const Environment& e) {
@@ -251,7 +277,7 @@ struct Writer {
     std::string flat = name;
     std::replace(flat.begin(), flat.end(), '/', '-');
     flat += "-" + std::to_string(s.names.find(name).index);  // "a/b-c" and "a-b/c" stay apart
-    while (s.names.find(flat)) flat += "-";
+    while (s.names.find(flat) || s.lists->contains(flat)) flat += "-";
     return flat;
   }
 

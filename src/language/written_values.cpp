@@ -63,6 +63,66 @@ std::string write_matrix(const Mat4& m) {
   return out + ")";
 }
 
+namespace {
+
+std::string write_row(const DisplayCommand& c) {
+  const auto word = std::string(drawing_names[static_cast<std::size_t>(c.what)]);
+  const auto value = [&](FunctionId f) { return word + " " + write_value(c.value, built_in_functions()[f], -1, {}); };
+  switch (c.what) {
+    case Drawing::point:
+    case Drawing::vector:
+    case Drawing::polygon: {
+      std::string out = word;
+      for (const Vec3& p : *std::get<Points>(c.value)) out += " " + write_vector(p, p.z == 0 ? 2 : 3);
+      return out;
+    }
+    case Drawing::text:
+      return value(fn::text);
+    case Drawing::color:
+      return value(fn::color);
+    case Drawing::texture:
+      return value(fn::texture);
+    case Drawing::font:
+      return value(fn::font);
+    case Drawing::perspective:
+      return value(fn::fov);
+    case Drawing::orthographic:
+      return value(fn::camera_height);
+    case Drawing::multiply:
+      return value(fn::transform);
+    case Drawing::call:
+      return word + " " + *std::get<Text>(c.value);
+    case Drawing::begin:
+      return word + " " + *std::get<Text>(c.value) + (c.since ? " since " + std::to_string(*c.since) + "t" : "");
+    case Drawing::view: {
+      const auto& ends = *std::get<Points>(c.value);
+      return word + " from " + write_vector(ends[0]) + " to " + write_vector(ends[1]);
+    }
+    default:
+      return word;
+  }
+}
+
+}  // namespace
+
+std::string write_rows(const DisplayList& list) {
+  std::string out;
+  std::size_t depth = 1;
+  const auto tags = [&](std::size_t i) {
+    for (const auto& [tag, at] : list.tags)
+      if (at == i) out += std::string(2 * depth, ' ') + "tag " + tag + "\n";
+  };
+  for (std::size_t i = 0; i < list.commands.size(); ++i) {
+    const Drawing what = list.commands[i].what;
+    if ((what == Drawing::pop || what == Drawing::end) && depth > 1) --depth;
+    tags(i);
+    out += std::string(2 * std::min<std::size_t>(depth, 40), ' ') + write_row(list.commands[i]) + "\n";
+    if (what == Drawing::push || what == Drawing::begin) ++depth;
+  }
+  tags(list.commands.size());
+  return out;
+}
+
 std::string write_value(const Value& v, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of) {
   const Type type = component < 0 ? spec.type : component_type(spec.type);

@@ -239,7 +239,4 @@ inline Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
 
 std::optional<Mat4> inverse(const Mat4& affine);  // none where it is singular
 
-// A rigid motion: at `eye`, the -z axis towards `target`, y up as far as may be.
-Mat4 look_at(Vec3 eye, Vec3 target);
-
 }  // namespace betwixt

@@ -213,6 +213,7 @@ std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
   const Scene& scene = document.scene();
   const auto cut = scene.cuts->upper_bound(t);
   if (cut != scene.cuts->begin() && std::prev(cut)->second) return std::prev(cut)->second.index;
+  if (scene.view) return scene.view.index;
   for (const Node& n : nodes)
     if (n.kind == Kind::camera) return n.object;
   return std::nullopt;

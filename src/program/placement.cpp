@@ -162,15 +162,6 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   f.state = Frozen::done;
 }
 
-Mat4 look_at(Vec3 eye, Vec3 target) {
-  const Vec3 back = normalize(eye - target);
-  const Vec3 up = std::abs(back.y) > 1 - 1e-12 ? Vec3{0, 0, back.y > 0 ? -1.0 : 1.0} : Vec3{0, 1, 0};
-  const Vec3 right = normalize(cross(up, back)), over = cross(back, right);
-  Mat4 m = translation(eye);
-  for (int i = 0; i < 3; ++i) m(i, 0) = right[i], m(i, 1) = over[i], m(i, 2) = back[i];
-  return m;
-}
-
 Mat4 Program::Compiled::matrix(const Site& site, Time t) const {
   const Scene& scene = document.scene();
   const Environment& e = *environments[site.environment];

@@ -358,15 +358,18 @@ Value with_component(Value v, int component, double number) {
 namespace {
 
 // Two documents number their objects differently when some were removed: ids are compared by rank among the living.
+// Objects of display lists come behind all others, in the order of the expansion; they are no content of their own.
 struct Ranks {
   std::vector<std::uint32_t> rank;
   std::vector<const Object*> living;
   explicit Ranks(const Scene& s) : rank(s.objects.size(), ObjectId::nothing) {
     for (std::size_t i = 0; i < s.objects.size(); ++i) {
-      if (s.objects[i].removed) continue;
+      if (s.objects[i].removed || s.objects[i].derived) continue;
       rank[i] = static_cast<std::uint32_t>(living.size());
       living.push_back(&s.objects[i]);
     }
+    for (std::size_t i = 0; i < s.expansion->size(); ++i)
+      rank[(*s.expansion)[i].index] = static_cast<std::uint32_t>(living.size() + i);
   }
   ObjectId operator()(ObjectId id) const { return {id.index < rank.size() ? rank[id.index] : ObjectId::nothing}; }
 };
@@ -438,7 +441,8 @@ struct Compare {
   bool all() const {
     if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range && a.background == b.background &&
           a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases &&
-          a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording))
+          a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording && a.lists == b.lists &&
+          a.main == b.main))
       return false;
     const auto same_dial = [&](const Dial& x, const Dial& y) {
       return x.address == y.address && ra(x.target.object) == rb(y.target.object) &&
@@ -468,12 +472,14 @@ std::pair<Time, Time> Document::range() const {
   const auto reach = [&](const Track& t) {
     if (!t.events.empty()) last = std::max(last, t.events.back().time);
   };
-  for (std::size_t i = 0; i < scene_->objects.size(); ++i)
+  for (std::size_t i = 0; i < scene_->objects.size(); ++i) {
+    if (scene_->objects[i].derived) continue;
     for (const Slot& slot : scene_->objects[i].slots)
       for (const Strand* strand : {static_cast<const Strand*>(&slot), &slot.velocity}) {
         reach(*strand->track);
         for (const auto& c : strand->components) reach(*c);
       }
+  }
   if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
   if (last <= Time{}) return {{}, scene_->rate.frame(std::max(1.0, std::round(scene_->rate.per_second())))};
   return {{}, last};

@@ -11,6 +11,7 @@
 
 #include "base/cow.h"
 #include "betwixt/document.h"
+#include "scene/display_list.h"
 #include "scene/environment.h"
 #include "scene/functions.h"
 #include "track/filter.h"
@@ -37,6 +38,7 @@ struct Object {
   Kind kind = Kind::group;
   bool removed = false;
   bool leads = false;                              // something has been attached to it: it may be part of a circle
+  bool derived = false;                            // a display list says what it is
   std::vector<Slot> slots;                         // sorted by function, then layer (the object's own first)
   std::shared_ptr<const Environment> environment;  // of Kind::environment
 
@@ -111,10 +113,15 @@ struct Scene {
   Cow<std::vector<std::pair<Time, std::string>>> notes;                       // sorted by time
   Cow<std::vector<NamedProcedure>> procedures;  // events speak of twerpers by their place here
   Cow<std::vector<Dial>> dials;
-  std::uint64_t environment_events = 0;  // so far: the order of those in one tick
-  bool smooth_ticks = false;             // environments move between their ticks, where they can (R-E1d)
-  bool recording = false;                // what dials say becomes events
-  Cow<std::map<Time, ObjectId>> cuts;    // which camera is looked through from when on
+  Cow<DisplayLists> lists;
+  std::string main;                       // the list that is expanded; may be empty
+  Cow<std::vector<ObjectId>> expansion;   // the objects it has become, what holds others before them
+  Cow<std::vector<std::uint32_t>> spare;  // removed objects whose numbers can be given to derived ones
+  ObjectId view;                          // the main list's camera
+  std::uint64_t environment_events = 0;   // so far: the order of those in one tick
+  bool smooth_ticks = false;              // environments move between their ticks, where they can (R-E1d)
+  bool recording = false;                 // what dials say becomes events
+  Cow<std::map<Time, ObjectId>> cuts;     // which camera is looked through from when on
   // What files held when they were named, by the path as the author wrote it.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;

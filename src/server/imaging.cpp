@@ -222,6 +222,9 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
   const std::string prefix = !row && happens_now(line) ? fmt::format("at {}t ", stamp) : "";
   deed.line = prefix + std::string(line);
   deed.remark = split(line).empty();
+  // A begin belongs to the environment that has the name now.
+  if (const auto all = split(line); row && all.size() == 2 && all[0] == "begin" && sheet.starts_with("edit "))
+    deed.line = fmt::format("  begin {} since {}t", all[1], stamp);
   deed.sheet = row ? sheet : "";
   if (deed.remark) return deed;
 
@@ -246,7 +249,7 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
   }
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
   deed.opens = !row && deed.after.carried.sheet_open;
-  deed.changes = !deed.opens;
+  deed.changes = !deed.opens || !deed.after.document.scene().lists.same(from.document.scene().lists);
   if (Status s = within_ceiling(from.document.scene(), deed.after.document.scene()); !s) return s.error();
   return deed;
 }
@@ -273,11 +276,8 @@ Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Na
     return no(h, now, e);
   }
   if (deed->remark) return yes(h, now, "");
-  if (deed->opens) {
-    h.sheet = deed->line;
-    return yes(h, now, said(deed->said));
-  }
-  h.sheet = deed->sheet;
+  h.sheet = deed->after.carried.sheet;
+  if (!deed->changes) return yes(h, now, said(deed->said));
   if (Status s = history_.take(std::move(deed->after), {deed->line}, deed->sheet); !s) return no(h, now, s.error());
   ++commands_;
   changed(host, deed->line, now);
@@ -298,10 +298,19 @@ void Imaging::changed(Host by, const std::string& line, Nanos now) {
 
 // ---- bundles: all or none
 
+// Display lists have an `end` of their own.
+bool Imaging::row_of_list(const Visitor& h, std::string_view line) {
+  const auto above =
+      std::find_if(h.bundle.rbegin(), h.bundle.rend(), [](const auto& l) { return !indented(l.second); });
+  if (!indented(line) || above == h.bundle.rend()) return false;
+  const std::string_view verb = first_word(above->second);
+  return verb == "make" || verb == "edit";
+}
+
 Imaging::Reply Imaging::collect(Host host, Visitor& h, std::string_view line, Nanos now) {
   const auto all = split(line);
   const bool lone = all.size() == 1 && (h.bundle.empty() || !Session::needs_more(h.bundle.back().second));
-  if (lone && all[0] == "end") return end_bundle(host, h, now);
+  if (lone && all[0] == "end" && !row_of_list(h, line)) return end_bundle(host, h, now);
   if (lone && all[0] == "bundle" && !h.bundle_broken)
     h.bundle_broken = fail(Code::syntax, fmt::format("line {}: a bundle is open already", h.line));
   h.bundle_size += line.size() + 64;
@@ -351,7 +360,7 @@ Imaging::Reply Imaging::end_bundle(Host host, Visitor& h, Nanos now) {
     if (deed->remark) continue;
     stamped = stamped || happens_now(line);
     warnings += deed->said;
-    sheet = deed->opens ? deed->line : deed->sheet;
+    sheet = deed->after.carried.sheet;
     point = std::move(deed->after);
     all += deed->line + "\n";
     kept.push_back(std::move(deed->line));

@@ -121,6 +121,7 @@ class Imaging {
   Status within_ceiling(const Scene& before, const Scene& after) const;
   Reply enter_whole(Host, Visitor&, std::string_view line, Nanos now);
   Reply command(Host, Visitor&, std::string_view line, Nanos now);
+  static bool row_of_list(const Visitor& h, std::string_view line);
   Reply collect(Host, Visitor&, std::string_view line, Nanos now);
   Reply end_bundle(Host, Visitor&, Nanos now);
   Reply yes(const Visitor&, Nanos now, const std::string& members, std::optional<std::int64_t> tick = {});

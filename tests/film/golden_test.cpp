@@ -81,6 +81,8 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenPicture,
                                            Golden{"title-before", "examples/title.bx", "1f", "shaded"},
                                            Golden{"title-between", "examples/title.bx", "48f", "shaded"},
                                            Golden{"title-after", "examples/title.bx", "96f", "shaded"},
+                                           Golden{"two-stars", "examples/two-stars.bx", "48f", "shaded"},
+                                           Golden{"frisbee", "examples/frisbee.bx", "45f", "shaded"},
                                            Golden{"kinds", "tests/golden/kinds.bx", "1f", "shaded"},
                                            Golden{"kinds-wireframe", "tests/golden/kinds.bx", "1f", "wireframe"},
                                            Golden{"kinds-hidden-line", "tests/golden/kinds.bx", "1f", "hidden-line"}));
