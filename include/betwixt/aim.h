@@ -1,17 +1,17 @@
-/* SPDX-FileCopyrightText: 2026 The Betwixt authors
- * SPDX-License-Identifier: Apache-2.0
- *
- * The Animation Imaging Model for C: a host says what moves how, the imaging server (betwixt serve) makes it move.
- * Names follow the source (2.2.6, 2.2.7, 3.3.4, appendix A): MAKEOBJ is aim_make_object, BeginAniEnv
- * aim_begin_environment, and so on.
- *
- * Matrices are the source's: 16 numbers row by row, points are rows multiplied from the left (p' = p M), a translation
- * stands in the last row. (The same 16 numbers in memory as column vectors in column-major memory.) Affine: the last
- * column is 0 0 0 1. Times are whole ticks, 30 a second unless the server's film says otherwise. Colours are sRGB from
- * 0 to 1.
- *
- * Every call waits for the server's answer. It gives AIM_OK or one of the errors below; what went wrong stands in
- * aim_error(). A handle is used by one thread at a time; every thread may have its own. */
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The Animation Imaging Model for C: a host says what moves how, the imaging server (betwixt serve) makes it move.
+// Names follow the source (2.2.6, 2.2.7, 3.3.4, appendix A): MAKEOBJ is aim_make_object, BeginAniEnv
+// aim_begin_environment, and so on.
+//
+// Matrices are the source's: 16 numbers row by row, points are rows multiplied from the left (p' = p M), a translation
+// stands in the last row. (The same 16 numbers in memory as column vectors in column-major memory.) Affine: the last
+// column is 0 0 0 1. Times are whole ticks, 30 a second unless the server's film says otherwise. Colours are sRGB from
+// 0 to 1.
+//
+// Every call waits for the server's answer. It gives AIM_OK or one of the errors below; what went wrong stands in
+// aim_error(). A handle is used by one thread at a time; every thread may have its own.
 #ifndef BETWIXT_AIM_H
 #define BETWIXT_AIM_H
 

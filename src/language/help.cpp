@@ -94,9 +94,12 @@ constexpr HelpEntry entries[] = {
     {verb, "use", "Carries out another script here.", "", "use colors.bx"},
     {verb, "animate", "An environment applies a transformation at every tick.", "",
      "animate wind every 1t by translate(0.1 0 0)"},
-    {verb, "halt", "Stops an environment where it is.", "", "halt wind"},
-    {verb, "kill", "Stops an environment and forgets what it has done.", "", "kill wind"},
-    {verb, "cancel", "Drops the future starts and stops of an environment.", "", "cancel wind"},
+    {verb, "halt", "Stops an environment where it is.", "",
+     "animate wind every 1t by translate(0.1 0 0)\nat 60t halt wind"},
+    {verb, "kill", "Stops an environment and forgets what it has done.", "",
+     "animate wind every 1t by translate(0.1 0 0)\nat 60t kill wind"},
+    {verb, "cancel", "Drops the future starts and stops of an environment.", "",
+     "animate wind every 1t by translate(0.1 0 0) until 90t\nat 60t cancel wind"},
 
     {verb, "make", "Opens a new display list; its commands are the indented rows below.", "",
      "make star\n  color gold\n  polygon (0 1) (-0.3 0) (0.3 0)\nstart star"},
@@ -152,6 +155,7 @@ constexpr HelpEntry entries[] = {
      "create sun light shines=sun intensity=2"},
     {kind, "camera", "Where the film is seen from.", "lens=35mm or fov=50deg or height=10, look-at=(x y z) or a name",
      "create side camera position=(30 0 0) look-at=ball"},
+    {kind, "environment", "What the command animate makes: a matrix that moves what is in it.", "", ""},
     {kind, "layer", "What the command layer makes: motion laid over objects.", "weight=1 mode=add|mix", ""},
 
     {function, "position", "Where an object is, from what holds it.", "a vector", "set ball.position (0 10 0)"},

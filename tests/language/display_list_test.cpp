@@ -182,7 +182,8 @@ std::vector<Vec3> drawn_points(const Program& program, Time t) {
   return out;
 }
 
-// shows: C18 C19 C20 C22 C23 C24 C25 C26 C27 C28 C29 C31 C32 C33 C35 C36 C37 C38 C39 C56 C57 C58 C61 C62 C64 C65 C67 C68 C74 C75 C76 C77 C78
+// shows: C18 C19 C20 C22 C23 C24 C25 C26 C27 C28 C29 C31 C32 C33 C35 C36 C37 C38 C39 C56 C57 C58 C61 C62 C64 C65 C67
+// C68 C74 C75 C76 C77 C78
 TEST(DisplayList, A_thousand_films_are_where_a_stack_of_matrices_puts_them) {
   std::size_t compared = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {

@@ -372,7 +372,7 @@ TEST(Help, ExamplesRun) {
   for (const HelpEntry& e : help_entries()) {
     if (e.group == HelpGroup::shell || e.example.empty()) continue;
     if (e.group == HelpGroup::verb && std::find(verbs.begin(), verbs.end(), e.word) == verbs.end()) continue;
-    if (e.word == "environments" || e.word == "mesh") continue;  // in no version yet; needs a file of its own
+    if (e.word == "mesh") continue;  // needs a file of its own
     const Folder folder;
     folder.put("film.bx", standard);
     folder.put("colors.bx", "background navy\n");
