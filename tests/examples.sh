@@ -58,6 +58,12 @@ holds 'a stiff knee' 'same(v[1], 1.85) && v[2] < -50 && same(v[3], 1.69) && same
   limp 31f,55f man.position.y man/right/knee.rotation.z
 holds 'the small gear turns twice as fast the other way' 'same(v[1], 60) && same(v[4], -120) && v[5] == 2' \
   clockwork 49f big.rotation.z small.rotation count.text
+# shows: C10 C132 C140
+holds 'the flower rolls on by as much as it turns' 'same(v[4], -9 + 150 * 0.1222) && same(v[8], 1.75) && same(v[1], cos(600 * 3.14159265 / 180))' \
+  flower 150f flower.world
+# Intervals of 1 to 5 ticks: 30, 15, 10, 8 and 6 updates, then it lies.
+holds 'the ball rolls slower until it lies' 'same(v[4], -6 + 70 * 0.17453) && same(v[20], v[4]) && same(v[1], cos(700 * 3.14159265 / 180))' \
+  roll 155f,165f ball.world
 # shows: C63 C131
 # Numbers of a stack of matrices, by hand: 31 and 61 updates.
 holds 'two stars turn in opposite directions while the scene drifts' \

@@ -22,7 +22,7 @@ Vec3 round(double degrees, double radius) {
   return {radius * std::cos(a), radius * std::sin(a), 0};
 }
 
-// shows: C41 C42 C43 C44 C46 C52 C53 C54 C55 C81 C82 C84
+// shows: C41 C42 C43 C44 C46 C52 C53 C54 C55 C81 C82 C84 C83 C102 C108 C109 C56 C4
 TEST(Environments, AreMToThePowerOfNPlusOne) {
   const Script s(
       "create ball sphere position=(2 0 0)\nanimate spin every 3t by rotate(10deg, z)\n"
@@ -117,7 +117,7 @@ TEST(Environments, HaltGoOnAndAreKilled) {
   expect_place(s, "b", "41t", {0, 0, 2});
 }
 
-// shows: C135 C136 C137 C138 C140 C143 C144
+// shows: C135 C136 C137 C138 C140 C143 C144 C139 C146 C147
 TEST(Environments, SlowDownSpeedUpAndAreScheduled) {
   const Script s(
       "create a sphere\nset a.environments slow\ncreate b sphere\nset b.environments fast\ncreate c sphere\n"
@@ -136,6 +136,32 @@ TEST(Environments, SlowDownSpeedUpAndAreScheduled) {
   expect_place(s, "c", "99t", {6, 0, 0});
 }
 
+// shows: C89
+TEST(Environments, GoTwiceAsFastByHalfTheIntervalOrTheSquare) {
+  const Script s(
+      "create a sphere position=(1 0 0)\ncreate b sphere position=(1 0 0)\ncreate c sphere position=(1 0 0)\n"
+      "animate slow every 2t by rotate(5deg, z)\nanimate half every 1t by rotate(5deg, z)\n"
+      "animate square every 2t by rotate(5deg, z) rotate(5deg, z)\n"
+      "set a.environments slow\nset b.environments half\nset c.environments square\n");
+  for (const int tick : {2, 10, 60}) {
+    const std::string at = std::to_string(tick) + "t", twice = std::to_string(2 * tick) + "t";
+    expect_place(s, "b", at, place(s, "a", twice));
+    expect_place(s, "c", at, round(10 * (tick / 2 + 1), 1));
+  }
+}
+
+// What is no power of one matrix is a track: s = v t + a t^2 / 2.
+// shows: C51
+TEST(Environments, AndTracksForFreeAcceleration) {
+  const Script s(
+      "create a sphere\nset a.environments drift\nanimate drift every 1t by translate(0 0 1)\n"
+      "a.position.x\n  0s 0 hermite tangent=2\n  4s 40 tangent=18\n");
+  for (const int tick : {0, 15, 45, 90}) {
+    const double t = tick / 30.0;
+    expect_place(s, "a", std::to_string(tick) + "t", {2 * t + 2 * t * t, 0, tick + 1.0});
+  }
+}
+
 TEST(Environments, OldTurnsAreRight) {
   const Script s(
       "create a sphere position=(1 0 0)\nanimate spin every 1t by rotate(7deg, z)\nset a.environments spin\n");
@@ -144,6 +170,7 @@ TEST(Environments, OldTurnsAreRight) {
 }
 
 // What is let go keeps what enclosed its holder as it was at that moment.
+// shows: C104
 TEST(Environments, HoldAndLetGoWithoutAJump) {
   const Script s(
       "create hand box position=(3 1 0) scale=(2 1 1)\nset hand.environments (drift spin)\n"
@@ -171,7 +198,7 @@ TEST(Environments, HoldAndLetGoWithoutAJump) {
   EXPECT_GT(length(place(s, "ball", "48t") - on), 1e-3);
 }
 
-// shows: C114
+// shows: C114 C93 C122 C5
 TEST(Environments, SayWhenSomethingIsDue) {
   const auto ticks = [](const Script& s, int at) -> std::optional<double> {
     const auto t = s.program.next_change(Rate{30, 1}.span(at));
