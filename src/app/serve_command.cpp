@@ -118,6 +118,7 @@ int stops() {
 int serve(Call& call) {
   call.serve.stop = stops();
   call.imaging.load = load_options();
+  call.imaging.contacts.aspect = static_cast<double>(call.picture.width) / call.picture.height;
   // The clock is asked for its figures while hosts are served; it begins after what it shows.
   std::unique_ptr<FrameClock> clock;
   call.imaging.stats = [&] { return clock ? clock->stats() : std::string(); };
@@ -179,6 +180,7 @@ void add_serve(CLI::App& app, int& exit_code) {
   sub->add_option("--class", call->priority, "fifo, nice or ordinary; the best that is granted if not said")
       ->type_name("CLASS")
       ->check(CLI::IsMember({"fifo", "nice", "ordinary"}).description(""));
+  sub->add_flag("--sweep", call->imaging.sweep, "contacts are noticed even between two frames");
   sub->add_flag("--wait", call->imaging.wait, "time stands at 0 until a host says start");
   sub->add_option("--latency", call->imaging.latency, "ticks from a command to its effect; 1 if not said")
       ->type_name("N")

@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 
 #include "base/names.h"
-#include "betwixt/program.h"
 #include "language/help.h"
 #include "language/journal.h"
+#include "language/looking.h"
 #include "language/reader.h"
 
 namespace betwixt {
@@ -104,38 +103,6 @@ fs::path journal_path(const std::string& file) {
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
   return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
-}
-
-std::size_t events_of(const Strand& s) {
-  std::size_t n = s.track->events.size();
-  for (const auto& c : s.components) n += c->events.size();
-  return n;
-}
-std::size_t events_of(const Object& o) {
-  std::size_t n = 0;
-  for (const Slot& s : o.slots)
-    if (!s.layer) n += events_of(s);
-  return n;
-}
-// What a layer holds of an object.
-std::size_t events_of(const Object& o, ObjectId layer) {
-  std::size_t n = 0;
-  for (const Slot& s : o.slots)
-    if (s.layer == layer) n += events_of(s);
-  return n;
-}
-
-// A reading as it would be written in a script.
-std::string written(const Reading& r, const Target& t, const Document& d) {
-  return std::visit(
-      [&](const auto& x) -> std::string {
-        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Mat4>)
-          return write_matrix(x);
-        else
-          return write_value(Value(x), spec_of(d.scene(), t.function), t.component,
-                             [&](ObjectId id) { return id ? d.name(id) : std::string(); });
-      },
-      r);
 }
 
 }  // namespace
@@ -564,140 +531,7 @@ struct Session::State {
 
   // ---- looking
 
-  Answer list(const std::string& pattern) const {
-    std::vector<ObjectId> ids;
-    if (pattern.empty()) {
-      for (const auto& n : document().names()) ids.push_back(document().find(n));
-    } else {
-      ids = select(scene(), pattern);
-      if (ids.empty() && !is_pattern(pattern) && !scene().lists->contains(pattern)) return no_object(pattern);
-    }
-    std::size_t wide = 0;
-    for (ObjectId id : ids) wide = std::max(wide, document().name(id).size());
-    const auto meant = [&](const std::string& name) { return pattern.empty() || matches(pattern, name); };
-    for (const auto& [name, commands] : *scene().lists)
-      if (meant(name)) wide = std::max(wide, name.size());
-    std::string said;
-    for (const auto& [name, list] : *scene().lists)
-      if (meant(name))
-        said += fmt::format("{:{}}  {:8}  {}\n", name, wide, "list", count(list->commands.size(), "row"));
-    for (ObjectId id : ids) {
-      const Object& o = scene().objects[id.index];
-      std::size_t events = events_of(o);
-      if (o.kind == Kind::layer)
-        for (std::size_t i = 0; i < scene().objects.size(); ++i) events += events_of(scene().objects[i], id);
-      said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, kind_names[static_cast<std::size_t>(o.kind)],
-                          count(events, "event"));
-    }
-    return done(said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said);
-  }
-
-  Answer no_object(const std::string& word) const {
-    const auto names = document().names();
-    return refused(fmt::format("there is no object '{}'", word.substr(0, 60)),
-                   did_you_mean(word, {names.begin(), names.end()}));
-  }
-
-  Answer describe(const std::string& word) const {
-    if (word.empty()) return refused("what shall be described?", "usage: describe NAME");
-    if (const auto list = scene().lists->find(word); list != scene().lists->end())
-      return done(fmt::format("{}, a display list{}\n{}", word, word == scene().main ? ", the main object" : "",
-                              write_rows(*list->second)));
-    const auto ids = select(scene(), word);
-    if (ids.empty()) {
-      if (word.find('.') == std::string::npos) return no_object(word);
-      const auto targets = find_targets(word, document());
-      if (!targets) return refused(targets.error());
-      std::string said;
-      const Program program = Program::compile(document());
-      const Time first = document().range().first;
-      for (const Target& t : *targets) {
-        const std::string events = track_lines(t);
-        said += document().name(t);
-        if (const std::string now = written(program.read(t, first), t, document()); events.empty() && !now.empty())
-          said += "  " + now;
-        said += "\n" + events;
-      }
-      return done(said);
-    }
-    const Program program = Program::compile(document());
-    std::string said;
-    for (ObjectId id : ids) said += object_lines(id, program);
-    return done(said);
-  }
-
-  std::string object_lines(ObjectId id, const Program& program) const {
-    const Object& o = scene().objects[id.index];
-    std::string said = fmt::format("{}, a {}\n", o.name, kind_names[static_cast<std::size_t>(o.kind)]);
-    for (const Attached& a : attachments(o)) {
-      if (!a.to.parent) continue;
-      static constexpr std::string_view how[] = {"", "", "hangs on", "is attached to", "is coupled to"};
-      said += fmt::format("  {} {}", how[static_cast<std::size_t>(a.to.hold)], document().name(a.to.parent));
-      if (a.from.flicks > std::numeric_limits<std::int64_t>::min() / 4)
-        said += fmt::format(" from {}", format_time(a.from, document()));
-      said += "\n";
-    }
-    const Time first = document().range().first;
-    std::vector<std::string_view> at_rest;
-    for (const std::string_view name : function_names(scene(), o.kind)) {
-      const auto f = find_function(scene(), o.kind, name);
-      if (!f || *f == fn::attachment) continue;
-      const Slot* slot = o.find(*f);
-      if (!slot || (!slot->set && events_of(*slot) == 0)) {
-        at_rest.push_back(name);
-        continue;
-      }
-      const Target t{id, *f, -1};
-      said += fmt::format("  {:16} {}", name, written(program.read(t, first), t, document()));
-      if (const std::size_t n = events_of(*slot); n > 0)
-        said += fmt::format(" at {}; {}", format_time(first, document()), count(n, "event"));
-      said += "\n";
-    }
-    if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
-    if (o.kind == Kind::layer)
-      for (std::size_t i = 0; i < scene().objects.size(); ++i)
-        for (const Slot& slot : scene().objects[i].slots)
-          if (slot.layer == id)
-            said +=
-                fmt::format("  on {:13} {}\n", document().name(Target{{static_cast<std::uint32_t>(i)}, slot.function}),
-                            count(events_of(slot), "event"));
-    return said;
-  }
-
-  std::string track_lines(const Target& t) const {
-    std::string said;
-    if (only_asked(t.function)) return said;
-    const FunctionSpec& spec = spec_of(scene(), t.function);
-    for (const Track* track : tracks_of(scene(), t))
-      track->events.each([&](const Event& e) {
-        const bool whole = !std::holds_alternative<double>(e.value) || spec.type == Type::scalar;
-        said += fmt::format("  {:8} ", format_time(e.time, document()));
-        said += e.keep ? "keep" : write_value(e.value, spec, whole ? t.component : 0, [&](ObjectId id) {
-          return id ? document().name(id) : std::string();
-        });
-        if (e.twerper != Twerper::unset) said += " " + twerper_name(scene(), e.twerper);
-        said += "\n";
-      });
-    return said;
-  }
-
-  Answer notes() const {
-    constexpr std::int64_t ever = std::numeric_limits<std::int64_t>::max() / 2;
-    std::string said;
-    for (const auto& [time, words] : document().notes(Time{-ever}, Time{ever}))
-      said += fmt::format("{:8} {}\n", format_time(time, document()), write_text(words));
-    return done(said.empty() ? "there are no notes\n" : said);
-  }
-
-  Answer help(const std::string& word) const {
-    if (word.empty()) return done(help_overview(scene()));
-    if (const std::string text = help_text(word, scene()); !text.empty()) return done(text);
-    if (const ObjectId id = document().find(word); id)
-      return done(fmt::format("{} is an object of this film: describe {}\n", word, word));
-    std::vector<std::string_view> known;
-    for (const HelpEntry& e : help_entries()) known.push_back(e.word);
-    return refused(fmt::format("there is no help about '{}'", word.substr(0, 60)), did_you_mean(word, known));
-  }
+  static Answer told(const Result<std::string>& said) { return said ? done(*said) : refused(said.error()); }
 
   Answer plot(std::vector<std::string> words) {
     std::string to;
@@ -728,9 +562,9 @@ struct Session::State {
     const std::string argument = words.size() > 1 ? words[1] : "";
     if (w == "plot") return plot({words.begin() + 1, words.end()});
     if (words.size() > 2) return refused(fmt::format("'{}' is one word too many", words[2]));
-    if (w == "help") return help(argument);
-    if (w == "list") return list(argument);
-    if (w == "describe") return describe(argument);
+    if (w == "help") return told(look_up(document(), argument));
+    if (w == "list") return told(list_objects(document(), argument));
+    if (w == "describe") return told(describe(document(), argument));
     if (w == "save") return save(argument);
     if (w == "open") return reopen(argument);
     if (w == "play") {
@@ -747,7 +581,7 @@ struct Session::State {
     if (words.size() > 1) return refused(fmt::format("'{}' is one word too many", words[1]));
     if (w == "undo") return undo();
     if (w == "redo") return redo();
-    if (w == "notes") return notes();
+    if (w == "notes") return told(list_notes(document()));
     if (w == "stop") return refused("nothing is playing", "while a film plays, q stops it");
     return quit();
   }

@@ -21,7 +21,8 @@
 namespace betwixt {
 namespace {
 
-constexpr int fifo_priority = 20;  // before everything ordinary, behind what the system itself needs
+constexpr int fifo_priority = 20;    // before everything ordinary, behind what the system itself needs
+constexpr Nanos earliest = 500'000;  // that it is woken before a moment
 constexpr Nanos millisecond = 1'000'000, second = 1'000'000'000;
 
 void ring(int event) {
@@ -31,13 +32,6 @@ void ring(int event) {
 void hush(int event) {
   std::uint64_t ignored;
   [[maybe_unused]] const ssize_t n = ::read(event, &ignored, sizeof ignored);
-}
-
-// Until programs know it themselves.
-template <class P>
-std::optional<Time> next_change_of(const P& p, Time after) {
-  if constexpr (requires { p.next_change(after); }) return p.next_change(after);
-  return after < p.document().range().second ? std::optional(after) : std::nullopt;
 }
 
 void sleep_until(Nanos moment) {
@@ -192,15 +186,7 @@ bool FrameClock::doze(std::optional<Nanos> until) {
   return woken;
 }
 
-std::optional<Time> FrameClock::next_change(Time after) const {
-  const Program& p = current_->edition.program;
-  std::optional<Time> next = next_change_of(p, after);
-  const auto& notes = *p.document().scene().notes;
-  const auto note =
-      std::upper_bound(notes.begin(), notes.end(), after, [](Time t, const auto& n) { return t < n.first; });
-  if (current_->edition.look && note != notes.end()) next = next ? std::min(*next, note->first) : note->first;
-  return next;
-}
+std::optional<Time> FrameClock::next_change(Time after) const { return current_->edition.program.next_change(after); }
 
 // The next frame that is due, and its moment; none: nothing will be, as things are.
 std::optional<FrameClock::Plan> FrameClock::plan(Nanos now) {
@@ -232,6 +218,20 @@ void FrameClock::count_between(std::int64_t from, std::int64_t to) {
   idle_ += static_cast<std::uint64_t>(to - from - 1) - missed;
 }
 
+// Sleep ends a little late, by more the busier the machine is. Who has been granted the first place wakes so much
+// earlier and looks at the clock until it is time.
+void FrameClock::await(Nanos moment) {
+  const Nanos wake = moment - early_;
+  if (wake > monotonic_now()) {
+    sleep_until(wake);
+    ++wakes_;
+    const Nanos late = monotonic_now() - wake;
+    if (priority_ == Priority::fifo) early_ = late > early_ ? std::min(late, earliest) : early_ - (early_ - late) / 256;
+  }
+  while (monotonic_now() < moment) {
+  }
+}
+
 void FrameClock::make(const Plan& p) {
   const bool look = current_->edition.look;
   Shown s{p.number, p.time, 0, {}};
@@ -249,7 +249,7 @@ void FrameClock::make(const Plan& p) {
   }
   const Nanos took = monotonic_now() - begun;
   cost_ = took > cost_ ? took : cost_ - (cost_ - took) / 8;  // what it has taken of late, at most
-  if (p.deadline > monotonic_now()) sleep_until(p.deadline), ++wakes_;
+  await(p.deadline);
   const Nanos late = std::max<Nanos>(0, monotonic_now() - p.deadline);
   s.late = late;
   if (screen_)

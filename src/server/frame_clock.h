@@ -78,6 +78,7 @@ class FrameClock {
   std::optional<Plan> plan(Nanos now);
   void count_between(std::int64_t from, std::int64_t to);
   bool doze(std::optional<Nanos> until);
+  void await(Nanos moment);
   void make(const Plan&);
   std::optional<Time> next_change(Time after) const;
   Time time_of(std::int64_t number) const { return options_.rate.frame(static_cast<double>(number)); }
@@ -101,7 +102,8 @@ class FrameClock {
   Transport transport_;
   bool fresh_ = false;  // what is published has not been shown yet
   std::optional<std::int64_t> last_;
-  Nanos cost_ = 0;  // of drawing, as of late
+  Nanos cost_ = 0;   // of drawing, as of late
+  Nanos early_ = 0;  // how late sleep ends, as of late
 
   // What was shown, on its way to the other thread: one writes, one reads.
   static constexpr std::size_t most_told = 1024;

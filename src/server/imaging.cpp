@@ -9,9 +9,9 @@
 
 #include "base/names.h"
 #include "betwixt/session.h"
-#include "language/help.h"
 #include "language/journal.h"
 #include "language/json.h"
+#include "language/looking.h"
 
 namespace betwixt {
 namespace {
@@ -55,21 +55,25 @@ bool happens_now(std::string_view line) {
   return verb == "animate" || verb == "halt" || verb == "kill" || verb == "cancel";
 }
 
+// Shows a display list; the clock begins with it.
+bool starts_show(std::string_view line) { return first_word(line) == "start"; }
+
 std::string said(const std::string& text) { return text.empty() ? "" : ",\"said\":" + json_text(text); }
+
+Result<std::string> said_of(const Result<std::string>& text) {
+  if (!text) return text.error();
+  return said(*text);
+}
 
 Error one_word_too_many(const std::string& word, std::string_view usage) {
   return fail(Code::syntax, fmt::format("'{}' is one word too many", word.substr(0, 60)),
               fmt::format("usage: {}", usage));
 }
 
-bool same_file(const std::string& a, const std::string& b) {
+// One path for one file, whether it is there or not.
+fs::path real(const std::string& file) {
   std::error_code ignored;
-  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
-}
-
-fs::path folder(const std::string& file) {
-  std::error_code ignored;
-  return fs::weakly_canonical(file, ignored).parent_path();
+  return fs::weakly_canonical(fs::absolute(file, ignored), ignored);
 }
 
 // Environments that have not been killed for good.
@@ -100,7 +104,7 @@ Imaging::Imaging(Options options) : options_(std::move(options)), history_(optio
 Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& save, bool overwrite, Nanos now) {
   std::error_code ignored;
   const bool goes_on =
-      !save.empty() && (file.empty() ? fs::exists(save, ignored) && !overwrite : same_file(file, save));
+      !save.empty() && (file.empty() ? fs::exists(save, ignored) && !overwrite : real(file) == real(save));
   const std::string from = goes_on ? save : file;
   std::string text;
   if (!from.empty()) {
@@ -109,7 +113,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
     if (!*there && !goes_on) return fail(Code::file, fmt::format("there is no file '{}'", from));
     text = there->value_or("");
   }
-  if (!save.empty() && !from.empty() && folder(from) != folder(save))
+  if (!save.empty() && !from.empty() && real(from).parent_path() != real(save).parent_path())
     return fail(Code::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
                 "the paths of files in a script count from its folder, so its history must be there too");
   name_ = save.empty() ? from : save, save_ = save;
@@ -131,7 +135,8 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
 }
 
 Imaging::Host Imaging::arrive() {
-  hosts_.emplace(++last_host_, Visitor{});
+  ++last_host_;
+  hosts_[last_host_].host = last_host_;
   return last_host_;
 }
 void Imaging::leave(Host host) { hosts_.erase(host); }
@@ -204,7 +209,7 @@ Imaging::Reply Imaging::enter_whole(Host host, Visitor& h, std::string_view line
   for (const Word& w : words()) {
     if (w.word != verb) continue;
     const auto all = split(line);
-    if (verb == "notes" && all.size() > 1) break;  // `notes off` is of the language
+    if ((verb == "notes" || verb == "start") && all.size() > 1) break;  // `notes off`, `start LIST`: of the language
     const auto done = (this->*w.run)(h, all, now);
     return done ? yes(h, now, *done) : no(h, now, done.error());
   }
@@ -248,8 +253,8 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
     deed.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
   }
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
-  deed.opens = !row && deed.after.carried.sheet_open;
-  deed.changes = !deed.opens || !deed.after.document.scene().lists.same(from.document.scene().lists);
+  const bool opens = !row && deed.after.carried.sheet_open;
+  deed.kept = !opens || !deed.after.document.scene().lists.same(from.document.scene().lists);
   if (Status s = within_ceiling(from.document.scene(), deed.after.document.scene()); !s) return s.error();
   return deed;
 }
@@ -277,9 +282,10 @@ Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Na
   }
   if (deed->remark) return yes(h, now, "");
   h.sheet = deed->after.carried.sheet;
-  if (!deed->changes) return yes(h, now, said(deed->said));
+  if (!deed->kept) return yes(h, now, said(deed->said));
   if (Status s = history_.take(std::move(deed->after), {deed->line}, deed->sheet); !s) return no(h, now, s.error());
   ++commands_;
+  if (starts_show(line)) start_clock(now);
   changed(host, deed->line, now);
   return yes(h, now, said(deed->said), happens_now(line) ? std::optional(at) : std::nullopt);
 }
@@ -298,19 +304,12 @@ void Imaging::changed(Host by, const std::string& line, Nanos now) {
 
 // ---- bundles: all or none
 
-// Display lists have an `end` of their own.
-bool Imaging::row_of_list(const Visitor& h, std::string_view line) {
-  const auto above =
-      std::find_if(h.bundle.rbegin(), h.bundle.rend(), [](const auto& l) { return !indented(l.second); });
-  if (!indented(line) || above == h.bundle.rend()) return false;
-  const std::string_view verb = first_word(above->second);
-  return verb == "make" || verb == "edit";
-}
-
+// Display lists have an `end` of their own: an indented one does not end the bundle.
 Imaging::Reply Imaging::collect(Host host, Visitor& h, std::string_view line, Nanos now) {
   const auto all = split(line);
-  const bool lone = all.size() == 1 && (h.bundle.empty() || !Session::needs_more(h.bundle.back().second));
-  if (lone && all[0] == "end" && !row_of_list(h, line)) return end_bundle(host, h, now);
+  const bool lone =
+      all.size() == 1 && !indented(line) && (h.bundle.empty() || !Session::needs_more(h.bundle.back().second));
+  if (lone && all[0] == "end") return end_bundle(host, h, now);
   if (lone && all[0] == "bundle" && !h.bundle_broken)
     h.bundle_broken = fail(Code::syntax, fmt::format("line {}: a bundle is open already", h.line));
   h.bundle_size += line.size() + 64;
@@ -338,7 +337,7 @@ Imaging::Reply Imaging::end_bundle(Host host, Visitor& h, Nanos now) {
   std::string sheet, warnings, errors, all;
   std::optional<Error> first;
   std::vector<std::string> kept;
-  bool stamped = false;
+  bool stamped = false, starts = false;
   for (const auto& [number, line] : lines) {
     const std::string_view verb = first_word(line);
     const bool row = indented(line) && !sheet.empty();
@@ -360,6 +359,7 @@ Imaging::Reply Imaging::end_bundle(Host host, Visitor& h, Nanos now) {
     if (deed->remark) continue;
     stamped = stamped || happens_now(line);
     warnings += deed->said;
+    starts = starts || starts_show(line);
     sheet = deed->after.carried.sheet;
     point = std::move(deed->after);
     all += deed->line + "\n";
@@ -370,6 +370,7 @@ Imaging::Reply Imaging::end_bundle(Host host, Visitor& h, Nanos now) {
   point.carried.sheet_open = false;
   if (Status s = history_.take(std::move(point), kept, ""); !s) return no(h, now, s.error());
   commands_ += kept.size();
+  if (starts) start_clock(now);
   changed(host, all, now);
   return yes(h, now, said(warnings), stamped ? std::optional(at) : std::nullopt);
 }
@@ -389,6 +390,7 @@ void Imaging::shown(const Shown& f) {
       remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(time.seconds()),
                              json_text(words));
   told_ = f.time;
+  tell_contacts(f);
   for (const auto& [host, visitor] : hosts_) {
     if ((visitor.topics & notes) && !remarks.empty()) events_.push_back({host, remarks});
     if (!(visitor.topics & frames)) continue;
@@ -399,19 +401,37 @@ void Imaging::shown(const Shown& f) {
   }
 }
 
+// Here, not on the clock's thread: it is never kept from the next frame.
+void Imaging::tell_contacts(const Shown& f) {
+  std::vector<Host> to;
+  for (const auto& [host, visitor] : hosts_)
+    if (visitor.topics & contacts) to.push_back(host);
+  if (to.empty()) return watch_.reset();
+  if (!watch_) watch_.emplace(options_.contacts, options_.sweep);
+  std::string all;
+  for (const ContactEvent& e : watch_->step(program().frame(f.time))) all += to_json(e, document()) + "\n";
+  for (const Host host : to)
+    if (!all.empty()) events_.push_back({host, all});
+}
+
 // ---- words of the server
 
 const std::vector<Imaging::Word>& Imaging::words() {
   static const std::vector<Word> all{
       {"eval", "eval TARGET… [at TIME]", "Values, now or at a time.", &Imaging::eval},
+      {"list", "list [PATTERN]", "The objects, their kinds and how many events they have.", &Imaging::look},
+      {"describe", "describe NAME|TARGET", "What an object is, has and hangs on; of a target, its events.",
+       &Imaging::look},
+      {"notes", "notes", "The notes and their times.", &Imaging::look},
       {"help", "help [WORD]", "Explains a word; without one, lists all.", &Imaging::help},
       {"time", "time", "The tick, the seconds and the slot of now.", &Imaging::time},
       {"stats", "stats", "How the server is doing: frames, lateness, hosts.", &Imaging::stats},
       {"history", "history", "The document as a script: every command that was accepted.", &Imaging::history_word},
       {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", &Imaging::undo},
       {"redo", "redo", "Does again what was taken back.", &Imaging::redo},
-      {"subscribe", "subscribe changes|notes|frames", "Events come by themselves from now on.", &Imaging::subscribe},
-      {"unsubscribe", "unsubscribe [changes|notes|frames]", "No events any more.", &Imaging::unsubscribe},
+      {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.",
+       &Imaging::subscribe},
+      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", &Imaging::unsubscribe},
       {"start", "start", "The time is 0 now, and goes on.", &Imaging::start},
       {"pause", "pause", "The time stands.", &Imaging::pause},
       {"go", "go", "The time goes on.", &Imaging::go},
@@ -469,20 +489,27 @@ Result<std::string> Imaging::help(Visitor&, const std::vector<std::string>& w, N
   if (w.size() < 2) {
     for (const Word& word : words())
       if (!word.sentence.empty()) out += fmt::format("{:12} {}\n", word.word, word.sentence);
-    return said(out + "\n" + help_overview(document().scene()));
+    return said(out + "\n" + *look_up(document(), ""));
   }
   for (const Word& word : words())
     if (word.word == w[1] && !word.sentence.empty())
       return said(fmt::format("{}\n  usage: {}\n", word.sentence, word.usage));
-  if (out = help_text(w[1], document().scene()); !out.empty()) return said(out);
-  return fail(Code::name, fmt::format("there is no help about '{}'", w[1].substr(0, 60)));
+  return said_of(look_up(document(), w[1]));
 }
 
-Result<std::string> Imaging::time(Visitor&, const std::vector<std::string>& w, Nanos now) {
+Result<std::string> Imaging::look(Visitor&, const std::vector<std::string>& w, Nanos) {
+  if (w[0] == "notes") return said(list_notes(document()));
+  if (w.size() > 2) return one_word_too_many(w[2], w[0] == "list" ? "list [PATTERN]" : "describe NAME");
+  const std::string word = w.size() > 1 ? w[1] : "";
+  return said_of(w[0] == "list" ? list_objects(document(), word) : describe(document(), word));
+}
+
+Result<std::string> Imaging::time(Visitor& h, const std::vector<std::string>& w, Nanos now) {
   if (w.size() > 1) return one_word_too_many(w[1], "time");
   const Time t = transport_.time(now);
   const std::int64_t slot = ((tick(now) % slots) + slots) % slots;
-  return fmt::format(",\"seconds\":{},\"slot\":{},\"running\":{}", json_number(t.seconds()), slot, transport_.running);
+  return fmt::format(",\"seconds\":{},\"slot\":{},\"running\":{},\"host\":{}", json_number(t.seconds()), slot,
+                     transport_.running, h.host);
 }
 
 Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>& w, Nanos now) {
@@ -517,13 +544,13 @@ Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>& w, N
 
 namespace {
 Result<unsigned> topics_of(const std::vector<std::string>& w) {
-  static constexpr std::string_view names[] = {"changes", "notes", "frames"};
+  static constexpr std::string_view names[] = {"changes", "notes", "frames", "contacts"};
   unsigned topics = 0;
   for (std::size_t i = 1; i < w.size(); ++i) {
     const auto found = std::find(std::begin(names), std::end(names), w[i]);
     if (found == std::end(names))
       return fail(Code::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
-                  "changes, notes or frames");
+                  "changes, contacts, frames or notes");
     topics |= 1u << (found - std::begin(names));
   }
   return topics;
@@ -533,7 +560,8 @@ Result<unsigned> topics_of(const std::vector<std::string>& w) {
 Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
-  if (*topics == 0) return fail(Code::syntax, "to what?", "usage: subscribe changes|notes|frames");
+  if (*topics == 0) return fail(Code::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes");
+  if (*topics & contacts && !(h.topics & contacts)) watch_.reset();  // all begins anew, for whoever knows nothing yet
   h.topics |= *topics;
   return std::string();
 }
@@ -545,10 +573,15 @@ Result<std::string> Imaging::unsubscribe(Visitor& h, const std::vector<std::stri
   return std::string();
 }
 
-Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "start");
+// The source's StartAniProc (C80).
+void Imaging::start_clock(Nanos now) {
   transport_ = {true, now, Time{}};
   told_ = Time{-1};
+  watch_.reset();
+}
+
+Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>&, Nanos now) {
+  start_clock(now);
   changed(0, "start", now);
   return std::string();
 }

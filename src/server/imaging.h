@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "betwixt/contacts.h"
 #include "betwixt/program.h"
 #include "server/history.h"
 
@@ -46,7 +47,9 @@ class Imaging {
     std::int64_t latency = 1;         // ticks: a command about environments takes effect so long after it came
     std::size_t ceiling = 2'000'000;  // environments; one more is refused, and changes nothing (R-E8)
     std::size_t undo = 1000;          // commands that can be undone
-    bool wait = false;                // the clock stands at 0 until a host says `start`
+    bool sweep = false;               // what is fast is noticed even where it slips through between two frames
+    ContactOptions contacts;
+    bool wait = false;  // the clock stands at 0 until a host says `start`
     LoadOptions load;
     std::function<std::string()> stats;  // members of a JSON object, of what stands around
   };
@@ -88,8 +91,9 @@ class Imaging {
   std::int64_t tick(Nanos now) const;
 
  private:
-  enum Topic : unsigned { changes = 1, notes = 2, frames = 4 };
+  enum Topic : unsigned { changes = 1, notes = 2, frames = 4, contacts = 8 };
   struct Visitor {
+    Host host = 0;
     std::int64_t line = 0;
     std::string sheet;  // the line that opened it
     std::string open;   // lines of a command that is not whole yet
@@ -107,8 +111,7 @@ class Imaging {
     std::string sheet;    // a row's
     std::string said;     // warnings
     bool remark = false;  // a comment, or nothing
-    bool opens = false;   // a sheet
-    bool changes = false;
+    bool kept = true;     // in the history: not what only opens a sheet
   };
   struct Word {
     std::string_view word, usage, sentence;
@@ -121,15 +124,17 @@ class Imaging {
   Status within_ceiling(const Scene& before, const Scene& after) const;
   Reply enter_whole(Host, Visitor&, std::string_view line, Nanos now);
   Reply command(Host, Visitor&, std::string_view line, Nanos now);
-  static bool row_of_list(const Visitor& h, std::string_view line);
   Reply collect(Host, Visitor&, std::string_view line, Nanos now);
+  void start_clock(Nanos now);
   Reply end_bundle(Host, Visitor&, Nanos now);
   Reply yes(const Visitor&, Nanos now, const std::string& members, std::optional<std::int64_t> tick = {});
   Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
+  void tell_contacts(const Shown&);
   void changed(Host by, const std::string& line, Nanos now);
   std::int64_t stamp(Nanos now) const { return tick(now) + options_.latency; }
 
   Result<std::string> eval(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> look(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> help(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> time(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> stats(Visitor&, const std::vector<std::string>&, Nanos);
@@ -154,7 +159,8 @@ class Imaging {
   Program program_;
   std::map<Host, Visitor> hosts_;
   Host last_host_ = 0;
-  Time told_;  // notes up to here have been told
+  std::optional<ContactWatch> watch_;  // while anybody wants to know
+  Time told_;                          // notes up to here have been told
   std::vector<Event> events_;
   Nanos begun_ = 0;
   std::uint64_t lines_ = 0, commands_ = 0, refused_ = 0, bytes_ = 0;

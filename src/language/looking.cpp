@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/looking.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/names.h"
+#include "betwixt/language.h"
+#include "betwixt/program.h"
+#include "language/help.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+std::string count(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::size_t events_of(const Strand& s) {
+  std::size_t n = s.track->events.size();
+  for (const auto& c : s.components) n += c->events.size();
+  return n;
+}
+std::size_t events_of(const Object& o) {
+  std::size_t n = 0;
+  for (const Slot& s : o.slots)
+    if (!s.layer) n += events_of(s);
+  return n;
+}
+// What a layer holds of an object.
+std::size_t events_of(const Object& o, ObjectId layer) {
+  std::size_t n = 0;
+  for (const Slot& s : o.slots)
+    if (s.layer == layer) n += events_of(s);
+  return n;
+}
+
+// A reading as it would be written in a script.
+std::string written(const Reading& r, const Target& t, const Document& d) {
+  return std::visit(
+      [&](const auto& x) -> std::string {
+        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Mat4>)
+          return write_matrix(x);
+        else
+          return write_value(Value(x), spec_of(d.scene(), t.function), t.component,
+                             [&](ObjectId id) { return id ? d.name(id) : std::string(); });
+      },
+      r);
+}
+
+Error no_object(const Document& d, const std::string& word) {
+  const auto names = d.names();
+  return fail(Code::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
+              did_you_mean(word, {names.begin(), names.end()}));
+}
+
+std::string object_lines(const Document& d, ObjectId id, const Program& program) {
+  const Object& o = d.scene().objects[id.index];
+  std::string said = fmt::format("{}, a {}\n", o.name, kind_names[static_cast<std::size_t>(o.kind)]);
+  for (const Attached& a : attachments(o)) {
+    if (!a.to.parent) continue;
+    static constexpr std::string_view how[] = {"", "", "hangs on", "is attached to", "is coupled to"};
+    said += fmt::format("  {} {}", how[static_cast<std::size_t>(a.to.hold)], d.name(a.to.parent));
+    if (a.from.flicks > std::numeric_limits<std::int64_t>::min() / 4)
+      said += fmt::format(" from {}", format_time(a.from, d));
+    said += "\n";
+  }
+  const Time first = d.range().first;
+  std::vector<std::string_view> at_rest;
+  for (const std::string_view name : function_names(d.scene(), o.kind)) {
+    const auto f = find_function(d.scene(), o.kind, name);
+    if (!f || *f == fn::attachment) continue;
+    const Slot* slot = o.find(*f);
+    if (!slot || (!slot->set && events_of(*slot) == 0)) {
+      at_rest.push_back(name);
+      continue;
+    }
+    const Target t{id, *f, -1};
+    said += fmt::format("  {:16} {}", name, written(program.read(t, first), t, d));
+    if (const std::size_t n = events_of(*slot); n > 0)
+      said += fmt::format(" at {}; {}", format_time(first, d), count(n, "event"));
+    said += "\n";
+  }
+  if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
+  if (o.kind == Kind::layer)
+    for (std::size_t i = 0; i < d.scene().objects.size(); ++i)
+      for (const Slot& slot : d.scene().objects[i].slots)
+        if (slot.layer == id)
+          said += fmt::format("  on {:13} {}\n", d.name(Target{{static_cast<std::uint32_t>(i)}, slot.function}),
+                              count(events_of(slot), "event"));
+  return said;
+}
+
+std::string track_lines(const Document& d, const Target& t) {
+  std::string said;
+  if (only_asked(t.function)) return said;
+  const FunctionSpec& spec = spec_of(d.scene(), t.function);
+  for (const Track* track : tracks_of(d.scene(), t))
+    track->events.each([&](const Event& e) {
+      const bool whole = !std::holds_alternative<double>(e.value) || spec.type == Type::scalar;
+      said += fmt::format("  {:8} ", format_time(e.time, d));
+      said += e.keep ? "keep" : write_value(e.value, spec, whole ? t.component : 0, [&](ObjectId id) {
+        return id ? d.name(id) : std::string();
+      });
+      if (e.twerper != Twerper::unset) said += " " + twerper_name(d.scene(), e.twerper);
+      said += "\n";
+    });
+  return said;
+}
+
+}  // namespace
+
+Result<std::string> list_objects(const Document& d, const std::string& pattern) {
+  std::vector<ObjectId> ids;
+  if (pattern.empty()) {
+    for (const auto& n : d.names()) ids.push_back(d.find(n));
+  } else {
+    ids = select(d.scene(), pattern);
+    if (ids.empty() && !is_pattern(pattern) && !d.scene().lists->contains(pattern)) return no_object(d, pattern);
+  }
+  std::size_t wide = 0;
+  for (ObjectId id : ids) wide = std::max(wide, d.name(id).size());
+  const auto meant = [&](const std::string& name) { return pattern.empty() || matches(pattern, name); };
+  for (const auto& [name, commands] : *d.scene().lists)
+    if (meant(name)) wide = std::max(wide, name.size());
+  std::string said;
+  for (const auto& [name, list] : *d.scene().lists)
+    if (meant(name)) said += fmt::format("{:{}}  {:8}  {}\n", name, wide, "list", count(list->commands.size(), "row"));
+  for (ObjectId id : ids) {
+    const Object& o = d.scene().objects[id.index];
+    std::size_t events = events_of(o);
+    if (o.kind == Kind::layer)
+      for (std::size_t i = 0; i < d.scene().objects.size(); ++i) events += events_of(d.scene().objects[i], id);
+    said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, kind_names[static_cast<std::size_t>(o.kind)],
+                        count(events, "event"));
+  }
+  return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said;
+}
+
+Result<std::string> describe(const Document& d, const std::string& word) {
+  if (word.empty()) return fail(Code::name, "what shall be described?", "usage: describe NAME");
+  if (const auto list = d.scene().lists->find(word); list != d.scene().lists->end())
+    return fmt::format("{}, a display list{}\n{}", word, word == d.scene().main ? ", the main object" : "",
+                       write_rows(*list->second));
+  const auto ids = select(d.scene(), word);
+  if (ids.empty()) {
+    if (word.find('.') == std::string::npos) return no_object(d, word);
+    const auto targets = find_targets(word, d);
+    if (!targets) return targets.error();
+    std::string said;
+    const Program program = Program::compile(d);
+    const Time first = d.range().first;
+    for (const Target& t : *targets) {
+      const std::string events = track_lines(d, t);
+      said += d.name(t);
+      if (const std::string now = written(program.read(t, first), t, d); events.empty() && !now.empty())
+        said += "  " + now;
+      said += "\n" + events;
+    }
+    return said;
+  }
+  const Program program = Program::compile(d);
+  std::string said;
+  for (ObjectId id : ids) said += object_lines(d, id, program);
+  return said;
+}
+
+std::string list_notes(const Document& d) {
+  constexpr std::int64_t ever = std::numeric_limits<std::int64_t>::max() / 2;
+  std::string said;
+  for (const auto& [time, words] : d.notes(Time{-ever}, Time{ever}))
+    said += fmt::format("{:8} {}\n", format_time(time, d), write_text(words));
+  return said.empty() ? "there are no notes\n" : said;
+}
+
+Result<std::string> look_up(const Document& d, const std::string& word) {
+  if (word.empty()) return help_overview(d.scene());
+  if (const std::string text = help_text(word, d.scene()); !text.empty()) return text;
+  if (const ObjectId id = d.find(word); id)
+    return fmt::format("{} is an object of this film: describe {}\n", word, word);
+  std::vector<std::string_view> known;
+  for (const HelpEntry& e : help_entries()) known.push_back(e.word);
+  return fail(Code::name, fmt::format("there is no help about '{}'", word.substr(0, 60)), did_you_mean(word, known));
+}
+
+}  // namespace betwixt

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What there is to see in a document, in words: for the shell, and for hosts of a server.
+#pragma once
+
+#include <string>
+
+#include "betwixt/document.h"
+
+namespace betwixt {
+
+// Objects, their kinds and how many events they have; "": all. Errors: name.
+Result<std::string> list_objects(const Document&, const std::string& pattern);
+// What an object is, has and hangs on; of a target, its events. Errors: name.
+Result<std::string> describe(const Document&, const std::string& word);
+std::string list_notes(const Document&);
+// All that is known about a word; "": all words. Errors: name.
+Result<std::string> look_up(const Document&, const std::string& word);
+
+}  // namespace betwixt

@@ -1,0 +1,272 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The imaging server over real sockets: hosts by the Python client and by bare bytes, abuse, kills, and what is left.
+#   serve_test.sh PROGRAM
+# shows: C3 C4 C12 C13 C14 C15 C16 C97 C114 C133
+clients=$(realpath -- "$(dirname -- "$0")/../../clients/python")
+. "$(dirname -- "$0")/support.sh" || exit 3
+export PYTHONPATH=$clients PYTHONDONTWRITEBYTECODE=1
+socket=$work/s.sock
+
+begin() { # OPTIONS…: a server, once it listens
+  : >log
+  "$program" serve "$@" 2>log &
+  server=$!
+  for _ in {1..200}; do
+    grep -q '^serving at' log && return
+    kill -0 $server 2>/dev/null || break
+    sleep 0.05
+  done
+  cat log >&2
+}
+end() { # [SIGNAL]
+  kill "-${1:-TERM}" $server
+  wait $server
+  code=$?
+}
+# Python with a server `s` at the socket; its output.
+host() {
+  timeout 60 python3 -c "
+import json, os, socket, sys, time
+from betwixt_client import Server, Refused, Gone, Ring
+where = '$socket'
+s = Server(where)
+$1" 2>&1
+}
+
+cat >show.bx <<'BX'
+rate 60
+create ball sphere
+create eye camera position=(0 0 10)
+BX
+
+# ---- a host, and what it may say
+begin show.bx --socket "$socket" --save live.bx
+is 'the socket is its owner'"'"'s' "$(stat -c %a "$socket")" 600
+out=$(host '
+print(s.do("create box box position=(1 2 3)")["ok"], s.eval("box.position"))
+try: s.do("create box box")
+except Refused as e: print(e)
+with s.bundle():
+    s.do("animate spin every 1t by rotate(1deg, z)")
+    s.do("set box.environments (spin)")
+try:
+    with s.bundle():
+        s.do("remove box")
+        s.do("remove bax")
+except Refused as e: print(e)
+s.sheet("ball.position", [("1f", "(0 0 0)"), ("61f", "(0 1 0)")])
+print(s.eval("ball.position.y", at="1s"), s.slot() in range(30), s.time()["running"])
+o = Server(where)
+o.do("subscribe changes")
+s.do("set ball.color red")
+print(next(o.events(5))["commands"])
+try: s.do("quit"); s.do("time")
+except Gone: print("gone")
+o.do("set ball.radius 2")
+')
+is 'the Python client' "$out" "True {'box.position': [1, 2, 3]}
+there is a 'box' already
+line 10: there is no object 'bax'
+{'ball.position.y': 1} True True
+set ball.color red
+gone"
+kill -KILL $server
+wait $server 2>/dev/null
+has 'what was answered is kept when the server is killed' "$(cat live.bx)" 'set ball.radius 2'
+"$program" check live.bx >/dev/null 2>&1
+is 'the history is a script' $? 0
+
+begin --socket "$socket" --save live.bx
+out=$(host 'print(s.eval("ball.radius"), s.do("help stats")["said"].split("\n")[0])')
+is 'another server goes on with it, at the same socket' "$out" "{'ball.radius': 2} How the server is doing: frames, lateness, hosts."
+"$program" serve --socket "$socket" 2>err
+is 'a socket that is in use' "$?-$(head -n 1 err)" "2-betwixt: another server listens at '$socket'"
+end
+is 'ends when told' "$code" 0
+is 'and leaves no socket' "$(ls "$socket" 2>/dev/null)" ''
+echo precious >"$socket"
+"$program" serve --socket "$socket" 2>err
+is 'a file in its place stays' "$?-$(cat "$socket")" 2-precious
+rm -f "$socket"
+
+# ---- TCP
+begin show.bx --tcp 127.0.0.1:0
+port=$(sed -nE 's/^serving at 127.0.0.1:([0-9]+);.*/\1/p' log) token=$(sed -n 's/^token //p' log)
+out=$(timeout 60 python3 -c "
+from betwixt_client import Server, Refused
+import socket
+with Server('127.0.0.1:$port', token='$token') as s: print(s.do('create box box')['ok'])
+try: Server('127.0.0.1:$port', token='no')
+except Refused as e: print(e.answer['error'])
+c = socket.create_connection(('127.0.0.1', $port))
+c.sendall(b'create a sphere\ntoken $token\n')
+f = c.makefile()
+print(f.readline(), f.readline(), sep='', end='')
+c = socket.create_connection(('127.0.0.1', $port))
+c.sendall(b'token a\ntoken b\ntoken c\ntoken $token\ntime\n')
+print(c.makefile().read().count('this is not the token'))
+" 2>&1)
+is 'a token lets in' "$out" 'True
+this is not the token
+{"line":0,"ok":false,"error":"this is not the token","hint":"the first line is: token TOKEN"}
+{"line":0,"ok":true}
+3'
+end
+"$program" serve --tcp 0.0.0.0:0 2>err
+is 'no address that others reach' "$?-$(head -n 1 err)" '2-betwixt: --tcp: other machines can reach 0.0.0.0:0'
+
+# ---- time, frames, and nothing where nothing is due
+begin show.bx --socket "$socket" --wait --rate 120 --class ordinary
+has 'says its class' "$(cat log)" 'frames at 120 a second, class ordinary'
+out=$(host '
+first = s.stats()
+time.sleep(0.5)
+later = s.stats()
+print(later["frames_due"] - first["frames_due"], later["wakes"] - first["wakes"], s.time()["seconds"])
+s.do("ticks 120")
+s.do("set ball.environments (spin)")
+s.do("animate spin every 1t by rotate(1deg, y)")
+s.do("start")
+events = s.subscribe("frames")
+frames = [next(events) for _ in range(60)]
+gaps = [b["frame"] - a["frame"] for a, b in zip(frames, frames[1:])]
+print(all(g >= 1 for g in gaps), abs(frames[-1]["seconds"] - (frames[-1]["frame"] - 1) / 120) < 1e-9)
+s.do("pause")
+list(s.events(0.2))
+first = s.stats(); time.sleep(0.3); print(s.stats()["frames_due"] - first["frames_due"])
+')
+is 'frames are made when they are due' "$out" '0 0 0
+True True
+0'
+end
+
+# ---- pictures in shared memory, and a film
+begin show.bx --socket "$socket" --to "ring:betwixt-test-$$" --size 64x36
+out=$(host "
+with Ring('betwixt-test-$$') as r:
+    p = r.wait()
+    print(p.width, p.height, len(p.rgba), any(p.rgba[0::4]))
+    n = r.written
+    s.do('background red')
+    for _ in range(100):
+        p = r.wait(after=n)
+        n = r.written
+        if p.rgba[0] > 200: break
+    print(p.rgba[0] > 200, p.rgba[1] < 50)
+    os.kill($server, 15)
+    for _ in range(100):
+        if r.over: break
+        time.sleep(0.05)
+    print(r.over)
+")
+is 'a ring' "$out" '64 36 9216 True
+True True
+True'
+wait $server
+is 'the ring goes with its server' "$(ls "/dev/shm/betwixt-test-$$" 2>/dev/null)" ''
+begin show.bx --socket "$socket" --to film:out.mp4 --size 64x36 --rate 30
+host 's.do("animate spin every 1t by rotate(9deg, y)"); s.do("set ball.environments (spin)"); time.sleep(1); s.do("background red"); time.sleep(0.5)'
+end INT
+is 'a film' "$code-$(ffprobe -v error -count_frames -select_streams v -show_entries stream=width,r_frame_rate -of csv=p=0 out.mp4)" '0-64,30/1'
+seconds=$(ffprobe -v error -show_entries format=duration -of csv=p=0 out.mp4)
+is 'as long as it took' "$(awk -v s="$seconds" 'BEGIN { print (s > 1.4 && s < 10) }')" 1
+
+# ---- abuse: whatever others do, this host is served
+begin show.bx --socket "$socket" --hosts 300 --rate 120
+cat >abuse.py <<'PY'
+import os, random, signal, socket, sys, time
+from betwixt_client import Server
+where, pid = sys.argv[1], int(sys.argv[2])
+random.seed(1)
+def raw():
+    c = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    c.settimeout(20)
+    c.connect(where)
+    return c
+def size():
+    with open(f"/proc/{pid}/statm") as f:
+        return int(f.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+good = Server(where)
+def fine():
+    begun = time.monotonic()
+    good.do("set ball.radius 2")
+    assert good.eval("ball.radius") == {"ball.radius": 2}
+    return time.monotonic() - begun
+slowest = fine()
+before = size()
+# Garbage.
+for _ in range(20):
+    c = raw()
+    c.sendall(random.randbytes(50000))
+    slowest = max(slowest, fine())
+    c.close()
+# Half commands, and hosts that die in the middle.
+for text in [b"create half sph", b"bundle\nremove ball\n", b"set ball.position (1 2", b"token x", b'note """', b"ball.position\n  1f ("]:
+    c = raw()
+    c.sendall(text)
+    c.close()
+for _ in range(10):
+    child = os.fork()
+    if child == 0:
+        c = raw()
+        while True:
+            c.sendall(b"bundle\nremove ball\ncreate half ")
+    time.sleep(0.02)
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    slowest = max(slowest, fine())
+# A line of 64 MB, and what comes after it.
+c = raw()
+for _ in range(64):
+    c.sendall(b"x" * 2**20)
+    slowest = max(slowest, fine())
+c.sendall(b"\ntime\n")
+answers = c.makefile()
+print("at most 1048576 bytes" in answers.readline(), '"line":2,"ok":true' in answers.readline())
+answers.close()
+c.close()
+# More hosts than there is room for.
+many = []
+refused = 0
+for _ in range(310):
+    many.append(raw())
+for m in many:
+    m.sendall(b"time\n")
+for m in many:
+    refused += b"hosts already" in m.recv(1000)
+print(refused)
+slowest = max(slowest, fine())
+for m in many:
+    m.close()
+# One that never reads.
+c = raw()
+c.settimeout(0.2)
+cut = False
+for _ in range(20000):
+    try:
+        c.send(b"help\n" * 100)
+    except (BrokenPipeError, ConnectionResetError):
+        cut = True
+        break
+    except TimeoutError:
+        pass
+print("cut off:", cut)
+slowest = max(slowest, fine())
+time.sleep(0.3)
+print("hosts:", good.stats()["hosts"], "grown by less than 64 MB:", size() - before < 64, file=sys.stdout)
+print("served:", slowest < 5)
+print("whole:", "half" not in good.history())
+PY
+out=$(timeout 300 python3 abuse.py "$socket" $server 2>&1)
+is 'abuse' "$out" 'True True
+11
+cut off: True
+hosts: 1 grown by less than 64 MB: True
+served: True
+whole: True'
+end
+is 'ends well after it' "$code" 0
+summary
