@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -71,8 +72,7 @@ std::string quoted(std::string_view text) {
 std::string matrix_text(const double m[16]) {
   std::string out = "matrix(";
   for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      out += fmt::format("{}{}", row + column ? " " : "", m[4 * column + row]);
+    for (int column = 0; column < 4; ++column) out += fmt::format("{}{}", row + column ? " " : "", m[4 * column + row]);
   return out + ")";
 }
 
@@ -93,8 +93,9 @@ struct aim {
   std::string said;
   Json answer;
   int first = 0, objects = 0, tags = 0, environments = 0;
-  bool open = false;     // an object is
+  bool open = false;  // an object is
   bool bundling = false;
+  long stamp = LONG_MIN, now = LONG_MIN;  // when what was said last takes effect; the last tick that is known of
 
   ~aim() {
     if (fd >= 0) ::close(fd);
@@ -160,11 +161,22 @@ struct aim {
     if (!open) return fail(AIM_E_CALL, "no object is open");
     return ask("  " + text);
   }
-  // One value of an environment.
+  // About environments: it takes effect a little later than it is said.
+  aim_status stamped(const std::string& line) {
+    const aim_status status = ask(line);
+    if (status == AIM_OK && !bundling) stamp = answer.value("tick", stamp);
+    return status;
+  }
+  // One value of an environment; of what was just said, as it will be.
   aim_status value(int environment, const char* what, Json& out) {
     if (bundling) return fail(AIM_E_CALL, "nothing can be asked in a bundle");
     const std::string target = fmt::format("E{}.{}", environment, what);
-    if (const aim_status status = ask("eval " + target); status != AIM_OK) return status;
+    if (stamp > now) {
+      if (const aim_status status = ask("time"); status != AIM_OK) return status;
+      now = answer.value("tick", now);
+    }
+    const std::string when = stamp > now ? fmt::format(" at {}t", stamp) : std::string();
+    if (const aim_status status = ask("eval " + target + when); status != AIM_OK) return status;
     const auto values = answer.find("values");
     if (values == answer.end() || !values->contains(target)) return fail(AIM_E_REFUSED, "the server gave no value");
     out = (*values)[target];
@@ -341,12 +353,12 @@ aim_status aim_animate_motion(aim* h, int environment, const aim_motion* a) {
   if (a->from >= 0) line += fmt::format(" from {}t", a->from);
   if (a->until >= 0) line += fmt::format(" until {}t", a->until);
   if (a->keep_phase) line += " keep-phase";
-  return h->ask(line);
+  return h->stamped(line);
 }
 
-aim_status aim_halt(aim* h, int environment) { return h->ask(fmt::format("halt E{}", environment)); }
-aim_status aim_kill(aim* h, int environment) { return h->ask(fmt::format("kill E{}", environment)); }
-aim_status aim_cancel(aim* h, int environment) { return h->ask(fmt::format("cancel E{}", environment)); }
+aim_status aim_halt(aim* h, int environment) { return h->stamped(fmt::format("halt E{}", environment)); }
+aim_status aim_kill(aim* h, int environment) { return h->stamped(fmt::format("kill E{}", environment)); }
+aim_status aim_cancel(aim* h, int environment) { return h->stamped(fmt::format("cancel E{}", environment)); }
 
 aim_status aim_get_interval(aim* h, int environment, long* interval) {
   if (!interval) return h->fail(AIM_E_CALL, "no place for the interval");
@@ -379,7 +391,7 @@ aim_status aim_begin_bundle(aim* h) {
 aim_status aim_end_bundle(aim* h) {
   if (!h->bundling) return h->fail(AIM_E_CALL, "no bundle is open");
   h->bundling = h->open = false;
-  return h->ask("end");
+  return h->stamped("end");
 }
 aim_status aim_command(aim* h, const char* line, const char** said) {
   if (!line || std::strchr(line, '\n')) return h->fail(AIM_E_CALL, "a command is one line");
