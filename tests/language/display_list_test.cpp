@@ -183,7 +183,7 @@ std::vector<Vec3> drawn_points(const Program& program, Time t) {
 }
 
 // shows: C18 C19 C20 C22 C23 C24 C25 C26 C27 C28 C29 C31 C32 C33 C35 C36 C37 C38 C39 C56 C57 C58 C61 C62 C64 C65 C67
-// C68 C74 C75 C76 C77 C78
+// shows: C68 C74 C75 C76 C77 C78
 TEST(DisplayList, A_thousand_films_are_where_a_stack_of_matrices_puts_them) {
   std::size_t compared = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {
@@ -338,6 +338,7 @@ edit a
   EXPECT_EQ(xs(more.document), (std::vector<double>{1, 9, 6, 7, 8})) << said(more.diagnostics);
 }
 
+// shows: C56 C105
 TEST(DisplayList, An_environment_may_get_another_name) {
   const Script s(std::string(stars) + "rename spin turn\n");
   EXPECT_TRUE(s.loaded.document.find("sky/turn-2/star-1"));

@@ -83,7 +83,7 @@ Frame random_frame(Random& r, std::size_t count) {
   return frame(std::move(items));
 }
 
-// shows: C148 C153
+// shows: C148 C152 C153
 TEST(Contacts, AreTheBoxesThatOverlapByComparingEachWithEach) {
   Random r(1);
   std::size_t found = 0;

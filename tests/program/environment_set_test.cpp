@@ -198,7 +198,7 @@ TEST(EnvironmentSet, WhatShrinksIsHeldWhereTheEnvironmentHoldsIt) {
   }
 }
 
-// shows: C115 R-E7 R-E8
+// shows: C52b C112 C115 C118 C119 C126 R-E7 R-E8
 TEST(EnvironmentSet, AdvancingGivesTheBitsOfSeekingAndTouchesWhatIsDue) {
   const std::vector<Member> all = many(500, any, 5);
   EnvironmentSet played(all), sought(all);

@@ -69,6 +69,7 @@ class Folder {
   fs::path at_;
 };
 
+// shows: C101 C99
 TEST(Imaging, AnswersEveryLineOnce) {
   Stage s;
   const auto host = s.imaging.arrive();
@@ -122,6 +123,7 @@ TEST(Imaging, SaysNoInWords) {
   EXPECT_TRUE(s.imaging.enter(host, "quit", 0).quit);
 }
 
+// shows: C16
 TEST(Imaging, TwoHostsSheetsDoNotMix) {
   Stage s;
   const auto a = s.imaging.arrive(), b = s.imaging.arrive();
@@ -144,6 +146,7 @@ TEST(Imaging, TwoHostsSheetsDoNotMix) {
   s.expect_history();
 }
 
+// shows: C125 R-E14
 TEST(Imaging, BundlesAreAtomic) {
   Stage s;
   const auto a = s.imaging.arrive(), b = s.imaging.arrive();
@@ -209,6 +212,7 @@ TEST(Imaging, DisplayListsAreMadeRowByRow) {
 }
 
 // A live command takes effect so many ticks after it came; one with a time, at its time. (R-E1a, R-E1c)
+// shows: C2 C100 R-E1c
 TEST(Imaging, CommandsAboutEnvironmentsAreStamped) {
   Imaging::Options options;
   options.latency = 3;
@@ -231,6 +235,7 @@ TEST(Imaging, CommandsAboutEnvironmentsAreStamped) {
   s.expect_history();
 }
 
+// shows: C97 C109 C113 C123 C133
 TEST(Imaging, TimeIsTheHosts) {
   Imaging::Options options;
   options.wait = true;
@@ -252,6 +257,7 @@ TEST(Imaging, TimeIsTheHosts) {
   EXPECT_TRUE(holds(now(102 * second), "\"slot\":29"));
 }
 
+// shows: C124 C130 R-E1
 TEST(Imaging, MomentsAndTimesFit) {
   rc::check("the first moment of a time has that time, the one before has not", [] {
     Transport t;
@@ -293,6 +299,7 @@ TEST(Imaging, TellsThoseWhoAsked) {
 }
 
 // What touches is told to whoever asked, as the time goes by. (C148, C150)
+// shows: C149 C150 C151
 TEST(Imaging, TellsOfContacts) {
   Stage s;
   const auto a = s.imaging.arrive(), b = s.imaging.arrive();
@@ -317,6 +324,7 @@ TEST(Imaging, TellsOfContacts) {
 }
 
 // More environments than allowed are refused; those that are there stay as they are. (C120, R-E8)
+// shows: C120 R-E8
 TEST(Imaging, HasACeiling) {
   Imaging::Options options;
   options.ceiling = 3;
@@ -399,6 +407,7 @@ TEST(Imaging, LeavesFilesAlone) {
 }
 
 // Random hosts: whatever they say in whatever order, the history makes the document.
+// shows: R-E12
 TEST(Imaging, HistoriesMakeTheDocument) {
   rc::check("the history loads as the document", [] {
     std::mt19937 random(static_cast<unsigned>(*rc::gen::inRange(0, 1'000'000)));
