@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -116,6 +117,7 @@ int stops() {
 }
 
 int serve(Call& call) {
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 18);  // what hosts' long lines and answers took is given back when they go
   call.serve.stop = stops();
   call.imaging.load = load_options();
   call.imaging.contacts.aspect = static_cast<double>(call.picture.width) / call.picture.height;

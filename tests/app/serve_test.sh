@@ -4,7 +4,7 @@
 #
 # The imaging server over real sockets: hosts by the Python client and by bare bytes, abuse, kills, and what is left.
 #   serve_test.sh PROGRAM
-# shows: C3 C4 C12 C13 C14 C15 C16 C97 C114 C133
+# shows: C3 C4 C12 C13 C14 C15 C16 C97 C99 C100 C101 C103 C114 C129 C133
 clients=$(realpath -- "$(dirname -- "$0")/../../clients/python")
 . "$(dirname -- "$0")/support.sh" || exit 3
 export PYTHONPATH=$clients PYTHONDONTWRITEBYTECODE=1
