@@ -6,9 +6,11 @@
 Nobody computes where the ball is: it flies by an environment, the server says when it touches something, and the host
 whose side that is gives it another motion. Each host moves its own paddle. (Animation Imaging Model, 5: collisions)
 
-    betwixt serve examples/game/court.bx --socket /tmp/court.sock --to terminal --save game.bx &
-    python3 examples/game/game.py /tmp/court.sock 20
-    betwixt render game.bx -o game.mp4        # the whole game once more
+    cd examples/game
+    betwixt serve court.bx --socket /tmp/court.sock --save played.bx &
+    python3 game.py /tmp/court.sock 20
+    kill %1
+    betwixt render played.bx -o played.mp4        # the whole game once more
 """
 
 import os
