@@ -48,9 +48,9 @@ struct Rate {
     const long double n = std::floor(static_cast<long double>(t.flicks) * static_cast<long double>(num) /
                                      (static_cast<long double>(flicks_per_second) * static_cast<long double>(den)));
     const auto guess = static_cast<std::int64_t>(n);
-    for (const std::int64_t k : {guess + 1, guess})
-      if (span(static_cast<double>(k)) <= t) return k;
-    return guess - 1;
+    std::int64_t k = guess + 1;
+    while (k >= guess && span(static_cast<double>(k)) > t) --k;
+    return k;
   }
   // Frame n; frame 1 is time 0.
   Time frame(double n) const { return span(n - 1); }

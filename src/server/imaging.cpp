@@ -55,6 +55,16 @@ bool happens_now(std::string_view line) {
   return verb == "animate" || verb == "halt" || verb == "kill" || verb == "cancel";
 }
 
+// What a host puts into an environment it puts into the one of that name now, not into the first one (R-E9): `set
+// TARGET NAMES` is an event then.
+std::string joining(std::string_view line, std::int64_t stamp) {
+  const auto all = split(line);
+  if (all.size() < 3 || all[0] != "set" || !(all[1].ends_with(".environments") || all[1].ends_with(".drive")))
+    return {};
+  const auto target = line.find(all[1], line.find("set") + 3);
+  return fmt::format("at {}t {}", stamp, line.substr(target));
+}
+
 // Shows a display list; the clock begins with it.
 bool starts_show(std::string_view line) { return first_word(line) == "start"; }
 
@@ -226,6 +236,8 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
   const auto indent = static_cast<int>(size - line.size());
   const std::string prefix = !row && happens_now(line) ? fmt::format("at {}t ", stamp) : "";
   deed.line = prefix + std::string(line);
+  if (std::string joins = row ? std::string() : joining(line, stamp); !joins.empty()) deed.line = std::move(joins);
+  const int longer = static_cast<int>(deed.line.size()) - static_cast<int>(line.size());
   deed.remark = split(line).empty();
   // A begin belongs to the environment that has the name now.
   if (const auto all = split(line); row && all.size() == 2 && all[0] == "begin" && sheet.starts_with("edit "))
@@ -248,7 +260,7 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
       e.message = fmt::format("{}:{}:{}: {}", e.place.file, e.place.line, e.place.column, e.message);
     const int first = above + 1;
     if (!here || e.place.line < first) e.place = {};
-    if (e.place.line == first) e.place.column = std::max(1, e.place.column - static_cast<int>(prefix.size()) + indent);
+    if (e.place.line == first) e.place.column = std::max(1, e.place.column - longer + indent);
     if (d.severity == Severity::error) return e;
     deed.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
   }
@@ -287,7 +299,8 @@ Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Na
   ++commands_;
   if (starts_show(line)) start_clock(now);
   changed(host, deed->line, now);
-  return yes(h, now, said(deed->said), happens_now(line) ? std::optional(at) : std::nullopt);
+  return yes(h, now, said(deed->said),
+             happens_now(line) || !joining(line, at).empty() ? std::optional(at) : std::nullopt);
 }
 
 void Imaging::changed(Host by, const std::string& line, Nanos now) {

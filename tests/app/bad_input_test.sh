@@ -71,7 +71,7 @@ line "there is no file 'none.bx'" 'use none.bx'
 line 'comes to include itself' 'use line.bx'
 line "outside the script's folder" 'use "/etc/passwd"'
 line 'itself' 'hang ball on ball'
-line 'not in this version' 'halt spin'
+line "there is no environment 'spin'" 'halt spin'
 line 'unexpected symbol' 'at 5f ball.radius = "t +"'
 line 'word of the shell' 'undo'
 for b in '\001' '\377' '\303' '\300\257' '\355\240\200'; do

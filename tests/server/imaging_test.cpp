@@ -224,9 +224,10 @@ TEST(Imaging, CommandsAboutEnvironmentsAreStamped) {
             "{\"line\":3,\"ok\":true,\"tick\":13}\n");
   s.done(host, "halt slide", tick(20));
   s.done(host, "at 40t animate slide every 1t by translate(0 1 0)", tick(20));
-  EXPECT_EQ(s.imaging.history(),
-            "create ball sphere\nset ball.environments (slide)\nat 13t animate slide every 2t by translate(1 0 0)\nat "
-            "23t halt slide\nat 40t animate slide every 1t by translate(0 1 0)\n");
+  EXPECT_EQ(
+      s.imaging.history(),
+      "create ball sphere\nat 3t ball.environments (slide)\nat 13t animate slide every 2t by translate(1 0 0)\nat "
+      "23t halt slide\nat 40t animate slide every 1t by translate(0 1 0)\n");
   // A is M from tick 13 on, and once more at 15, 17, 19, 21, 23: six steps; then M' at 41, 42.
   const auto x = [&](const char* at) { return s.say(host, std::string("eval ball.world at ") + at); };
   EXPECT_TRUE(holds(x("12t"), "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]")) << x("12t");
