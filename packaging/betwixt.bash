@@ -3,7 +3,7 @@
 _betwixt() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]} words
   if [ "$COMP_CWORD" = 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W 'play render frame eval plot check tidy shell help --help --version' -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W 'play render frame eval plot check tidy contacts serve shell help --help --version' -- "$current")
     return
   fi
   case $previous in
@@ -24,6 +24,8 @@ _betwixt() {
       eval) words='--at --json' ;;
       plot) words='-o --output --frames' ;;
       tidy) words='--write' ;;
+      contacts) words='--frames --swept --related' ;;
+      serve) words='--socket --tcp --anywhere --token-file --to --rate --size --style --samples --class --sweep --wait --latency --save --overwrite --hosts --ceiling' ;;
       shell) words='--recover --discard' ;;
     esac
     words+=' --read-anywhere --load --help'

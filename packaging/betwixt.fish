@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-set -l commands play render frame eval plot check tidy shell help
+set -l commands play render frame eval plot check tidy contacts serve shell help
 complete -c betwixt -f
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a play -d 'play a film'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a render -d 'make a film'
@@ -8,6 +8,8 @@ complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a frame -d '
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a eval -d 'print values at times'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a plot -d 'draw values against time'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a check -d 'report errors and warnings'
+complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a contacts -d 'print what touches and what leaves the view'
+complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a serve -d 'show a document that other programs change while it runs'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a tidy -d 'print a script in its canonical form'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a shell -d 'make a film line by line'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a help -d 'explain a command, or a word of the language'
@@ -35,3 +37,8 @@ complete -c betwixt -n '__fish_seen_subcommand_from eval' -l json -d 'print JSON
 complete -c betwixt -n '__fish_seen_subcommand_from tidy' -l write -d 'write the script back'
 complete -c betwixt -n '__fish_seen_subcommand_from shell' -l recover -d 'do again what was not saved'
 complete -c betwixt -n '__fish_seen_subcommand_from shell' -l discard -d 'throw away what was not saved'
+complete -c betwixt -n '__fish_seen_subcommand_from contacts' -l swept -d 'what touches between two ticks too'
+complete -c betwixt -n '__fish_seen_subcommand_from serve' -l socket -r -F -d 'hosts come in there'
+complete -c betwixt -n '__fish_seen_subcommand_from serve' -l tcp -x -d 'hosts come in there, with a token'
+complete -c betwixt -n '__fish_seen_subcommand_from serve' -l to -x -a 'nowhere terminal film: ring:' -d 'where frames go'
+complete -c betwixt -n '__fish_seen_subcommand_from serve' -l save -r -F -d 'keep the history there'
