@@ -92,6 +92,8 @@ class Server:
         Inside `bundle` it is only noted down; nothing is known yet.
         """
         lines = command.strip("\n").split("\n")
+        if any(line.split()[:1] == ["bundle"] for line in lines):
+            raise ValueError("a bundle is made by: with server.bundle():")
         if self._bundle is not None:
             self._bundle += lines
             return None

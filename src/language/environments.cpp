@@ -60,6 +60,7 @@ bool Reader::animate(Cursor& c) {
       if (!whole_ticks(c, a.timing.period)) return false;
       if (by < 1 || a.timing.period < 1)
         return c.fail(Code::range, "an interval changes by whole ticks, at least one", c.since(start));
+      if (a.timing.change != 0) return c.fail(Code::syntax, "an interval grows or shrinks, not both", c.since(start));
       a.timing.change = key == "slower" ? by : -by;
     } else if (key == "limit") {
       if (!whole_ticks(c, a.timing.ceiling)) return false;

@@ -261,7 +261,11 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
     const int first = above + 1;
     if (!here || e.place.line < first) e.place = {};
     if (e.place.line == first) e.place.column = std::max(1, e.place.column - longer + indent);
-    if (d.severity == Severity::error) return e;
+    if (d.severity == Severity::error) {
+      if (e.hint.find("--read-anywhere") != std::string::npos)
+        e.hint = "hosts reach files below the script's folder only";
+      return e;
+    }
     deed.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
   }
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
@@ -297,7 +301,10 @@ Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Na
   if (!deed->kept) return yes(h, now, said(deed->said));
   if (Status s = history_.take(std::move(deed->after), {deed->line}, deed->sheet); !s) return no(h, now, s.error());
   ++commands_;
-  if (starts_show(line)) start_clock(now);
+  if (starts_show(line)) {
+    start_clock(now);
+    deed->said += yet_to_come();
+  }
   changed(host, deed->line, now);
   return yes(h, now, said(deed->said),
              happens_now(line) || !joining(line, at).empty() ? std::optional(at) : std::nullopt);
@@ -593,10 +600,24 @@ void Imaging::start_clock(Nanos now) {
   watch_.reset();
 }
 
+// What was animated while the clock ran before its start comes again only then.
+std::string Imaging::yet_to_come() const {
+  const Scene& scene = document().scene();
+  std::int64_t last = 0;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (const auto& e = scene.objects[i].environment; e && e->size() > 0 && !scene.objects[i].removed)
+      last = std::max(last, e->event(e->size() - 1).tick);
+  if (last <= options_.latency) return {};
+  return fmt::format(
+      "warning: commands about environments were given up to tick {}, and take effect then; with --wait "
+      "the time stands at 0 until start\n",
+      last);
+}
+
 Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>&, Nanos now) {
   start_clock(now);
   changed(0, "start", now);
-  return std::string();
+  return said(yet_to_come());
 }
 
 Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>& w, Nanos now) {

@@ -130,6 +130,7 @@ class Imaging {
   Reply yes(const Visitor&, Nanos now, const std::string& members, std::optional<std::int64_t> tick = {});
   Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
   void tell_contacts(const Shown&);
+  std::string yet_to_come() const;
   void changed(Host by, const std::string& line, Nanos now);
   std::int64_t stamp(Nanos now) const { return tick(now) + options_.latency; }
 

@@ -220,6 +220,8 @@ TEST(Errors, OfEnvironments) {
            {"animate spin every 1t by scale(2) slowr 1t per 1s", 35, "'slowr' is not expected here",
             "did you mean 'slower'?"},
            {"animate spin every 1t by scale(2) slower 1t", 44, "'per' and a length of time are missing here"},
+           {"animate spin every 5t by scale(2) slower 1t per 1s faster 1t per 1s", 52,
+            "an interval grows or shrinks, not both"},
            {"animate spin every 1t by scale(2) slower 0t per 1s", 35,
             "an interval changes by whole ticks, at least one"},
            {"animate spin every 1t by scale(2) from 9t until 3t", 9,
