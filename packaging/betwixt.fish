@@ -40,5 +40,5 @@ complete -c betwixt -n '__fish_seen_subcommand_from shell' -l discard -d 'throw 
 complete -c betwixt -n '__fish_seen_subcommand_from contacts' -l swept -d 'what touches between two ticks too'
 complete -c betwixt -n '__fish_seen_subcommand_from serve' -l socket -r -F -d 'hosts come in there'
 complete -c betwixt -n '__fish_seen_subcommand_from serve' -l tcp -x -d 'hosts come in there, with a token'
-complete -c betwixt -n '__fish_seen_subcommand_from serve' -l to -x -a 'nowhere terminal film: ring:' -d 'where frames go'
+complete -c betwixt -n '__fish_seen_subcommand_from serve' -l to -x -a 'nowhere window terminal film: ring:' -d 'where frames go'
 complete -c betwixt -n '__fish_seen_subcommand_from serve' -l save -r -F -d 'keep the history there'

@@ -10,6 +10,7 @@
 
 #include "app/command.h"
 #include "app/terminal.h"
+#include "app/window.h"
 #include "film/output.h"
 #include "language/journal.h"
 #include "server/serve.h"
@@ -55,6 +56,28 @@ class TerminalScreen final : public Screen {
   std::string text_;
 };
 
+// A window. When it is closed the server goes on: hosts are served, frames are seen by nobody.
+class WindowScreen final : public Screen {
+ public:
+  WindowScreen(std::unique_ptr<Window> window, std::unique_ptr<Renderer> renderer)
+      : window_(std::move(window)), renderer_(std::move(renderer)) {}
+  Status draw(const Frame& frame) override {
+    if (window_->closed()) return Nothing{};
+    if (Status s = renderer_->render(frame, picture_); !s) return s;
+    window_->draw(picture_);
+    return Nothing{};
+  }
+  Status show(const Shown&) override {
+    window_->show();
+    return Nothing{};
+  }
+
+ private:
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<Renderer> renderer_;
+  Picture picture_;
+};
+
 Result<NewScreen> screen_of(const Call& call, Rate rate) {
   const RenderOptions picture = call.picture;
   if (call.to.empty() || call.to == "nowhere") return NewScreen();
@@ -69,8 +92,18 @@ Result<NewScreen> screen_of(const Call& call, Rate rate) {
       if (!terminal) return terminal.error();
       return std::unique_ptr<Screen>(std::make_unique<TerminalScreen>(*std::move(terminal), *std::move(renderer)));
     });
+  if (call.to == "window") {
+    const std::string title = call.file.empty() ? "betwixt" : call.file + " - betwixt";
+    return NewScreen([picture, title]() -> Result<std::unique_ptr<Screen>> {
+      auto renderer = make_renderer(picture);
+      if (!renderer) return renderer.error();
+      auto window = Window::open(title, picture.width, picture.height);
+      if (!window) return window.error();
+      return std::unique_ptr<Screen>(std::make_unique<WindowScreen>(*std::move(window), *std::move(renderer)));
+    });
+  }
   return fail(Code::range, fmt::format("--to: frames cannot go to \"{}\"", call.to),
-              "nowhere, film:OUT.mp4, ring:NAME or terminal");
+              "nowhere, window, terminal, film:OUT.mp4 or ring:NAME");
 }
 
 // "120", "30000/1001"
@@ -176,7 +209,8 @@ void add_serve(CLI::App& app, int& exit_code) {
   sub->add_flag("--anywhere", call->anywhere, "--tcp may be an address that other machines can reach");
   sub->add_option("--token-file", call->token_file, "holds the token; if not said, one is made and printed")
       ->type_name("FILE");
-  sub->add_option("--to", call->to, "where frames go: nowhere, film:OUT.mp4, ring:NAME, terminal")->type_name("PLACE");
+  sub->add_option("--to", call->to, "where frames go: nowhere, window, terminal, film:OUT.mp4, ring:NAME")
+      ->type_name("PLACE");
   sub->add_option("--rate", call->rate, "frames a second; the script's if not said")->type_name("N");
   add_picture_options(*sub, call->picture);
   sub->add_option("--class", call->priority, "fifo, nice or ordinary; the best that is granted if not said")

@@ -91,6 +91,8 @@ echo precious >"$socket"
 "$program" serve --socket "$socket" 2>err
 is 'a file in its place stays' "$?-$(cat "$socket")" 2-precious
 rm -f "$socket"
+DISPLAY= "$program" serve --socket "$socket" --to window 2>err
+is 'no window where there is no display' "$?-$(head -n 1 err)" '3-betwixt: there is no display for a window'
 
 # ---- TCP
 begin show.bx --tcp 127.0.0.1:0

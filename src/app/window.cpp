@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/window.h"
+
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace betwixt {
+namespace {
+
+class XWindow final : public Window {
+ public:
+  XWindow(Display* display, const std::string& title, int width, int height)
+      : display_(display), width_(width), height_(height) {
+    // The library would end the program when a display goes away or a window is closed under its hands.
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+    XSetIOErrorHandler([](Display*) { return 0; });
+    XSetIOErrorExitHandler(
+        display_, [](Display*, void* gone) { *static_cast<bool*>(gone) = true; }, &gone_);
+    const int screen = DefaultScreen(display_);
+    visual_ = DefaultVisual(display_, screen);
+    depth_ = DefaultDepth(display_, screen);
+    window_ = XCreateSimpleWindow(display_, RootWindow(display_, screen), 0, 0, static_cast<unsigned>(width),
+                                  static_cast<unsigned>(height), 0, 0, 0);
+    XStoreName(display_, window_, title.c_str());
+    XSizeHints hints{};
+    hints.flags = PMinSize | PMaxSize;
+    hints.min_width = hints.max_width = width, hints.min_height = hints.max_height = height;
+    XSetWMNormalHints(display_, window_, &hints);
+    delete_ = XInternAtom(display_, "WM_DELETE_WINDOW", False);
+    XSetWMProtocols(display_, window_, &delete_, 1);
+    XSelectInput(display_, window_, StructureNotifyMask);
+    pixmap_ = XCreatePixmap(display_, window_, static_cast<unsigned>(width), static_cast<unsigned>(height),
+                            static_cast<unsigned>(depth_));
+    XMapWindow(display_, window_);
+    pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    image_ = XCreateImage(display_, visual_, static_cast<unsigned>(depth_), ZPixmap, 0,
+                          reinterpret_cast<char*>(pixels_.data()), static_cast<unsigned>(width),
+                          static_cast<unsigned>(height), 32, 0);
+    if (image_) image_->byte_order = std::endian::native == std::endian::little ? LSBFirst : MSBFirst;
+    XFlush(display_);
+  }
+  ~XWindow() override {
+    if (image_) {
+      image_->data = nullptr;  // the pixels are ours
+      XDestroyImage(image_);
+    }
+    if (gone_) return;  // there is nobody to say goodbye to
+    XFreePixmap(display_, pixmap_);
+    XDestroyWindow(display_, window_);
+    XCloseDisplay(display_);
+  }
+
+  void draw(const Picture& p) override {
+    if (p.width != width_ || p.height != height_) return;
+    const auto place = [](std::uint8_t v, unsigned long mask) {
+      return static_cast<std::uint32_t>(v) << std::countr_zero(mask);
+    };
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const std::uint8_t* rgba = &p.rgba[4 * i];
+      pixels_[i] =
+          place(rgba[0], visual_->red_mask) | place(rgba[1], visual_->green_mask) | place(rgba[2], visual_->blue_mask);
+    }
+  }
+  void show() override {
+    if (closed() || !image_) return;
+    // The window's background: the display itself puts it back where something had covered it.
+    XPutImage(display_, pixmap_, DefaultGC(display_, DefaultScreen(display_)), image_, 0, 0, 0, 0,
+              static_cast<unsigned>(width_), static_cast<unsigned>(height_));
+    XSetWindowBackgroundPixmap(display_, window_, pixmap_);
+    XClearWindow(display_, window_);
+    if (!gone_) XFlush(display_);
+  }
+  bool closed() override {
+    while (!gone_ && !closed_ && XPending(display_) > 0) {
+      XEvent event;
+      XNextEvent(display_, &event);
+      closed_ = event.type == DestroyNotify ||
+                (event.type == ClientMessage && static_cast<Atom>(event.xclient.data.l[0]) == delete_);
+    }
+    return gone_ || closed_;
+  }
+
+ private:
+  Display* display_;
+  int width_, height_, depth_ = 24;
+  bool gone_ = false, closed_ = false;
+  Visual* visual_ = nullptr;
+  ::Window window_ = 0;
+  Pixmap pixmap_ = 0;
+  Atom delete_ = 0;
+  XImage* image_ = nullptr;
+  std::vector<std::uint32_t> pixels_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
+  Display* display = XOpenDisplay(nullptr);
+  if (!display)
+    return fail(Code::machine, "there is no display for a window",
+                "set DISPLAY, or use the terminal, a film or a ring");
+  const int screen = DefaultScreen(display);
+  const Visual* visual = DefaultVisual(display, screen);
+  const bool full = DefaultDepth(display, screen) >= 24 && visual->red_mask && visual->green_mask && visual->blue_mask;
+  if (!full) {
+    XCloseDisplay(display);
+    return fail(Code::machine, "the display does not show full colours");
+  }
+  return std::unique_ptr<Window>(std::make_unique<XWindow>(display, title, width, height));
+}
+
+}  // namespace betwixt
