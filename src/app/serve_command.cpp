@@ -158,11 +158,14 @@ int serve(Call& call) {
   std::unique_ptr<FrameClock> clock;
   call.imaging.stats = [&] { return clock ? clock->stats() : std::string(); };
   Imaging imaging(call.imaging);
+  const bool goes_on =
+      call.file.empty() && !call.save.empty() && !call.overwrite && ::access(call.save.c_str(), F_OK) == 0;
   const auto begun = imaging.begin(call.file, call.save, call.overwrite, monotonic_now());
   if (!begun) return complain(begun.error(), wrong_input);
   for (const Diagnostic& d : *begun)
     if (d.severity != Severity::notice) std::fputs(to_string(d).c_str(), stderr);
   if (has_errors(*begun)) return wrong_input;
+  if (goes_on) fmt::print(stderr, "goes on with '{}', as it was left\n", call.save);
 
   const auto rate = rate_of(call.rate, imaging.document().rate());
   if (!rate) return complain(rate.error(), wrong_call);
