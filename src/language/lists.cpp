@@ -13,8 +13,6 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t at_end = Reader::at_end;
-
 struct Word {
   std::string_view word, usage;
 };
