@@ -33,7 +33,7 @@ constexpr HelpEntry entries[] = {
     {shell, "quit", "Ends the session; asks first where something is not saved. Ctrl-D is the same.", "quit", "quit"},
 
     {verb, "rate", "Frames per second; the first thing to say.", "", "rate 25"},
-    {verb, "range", "The part of time that is the film.", "", "range 1f 72f"},
+    {verb, "range", "The part of time that is the film.", "", "range 1f 48f"},
     {verb, "ticks", "Environment ticks per second, for times such as 90t; smooth: motion between them too.", "",
      "ticks 60 smooth"},
     {verb, "animate", "An environment: all that is in it is moved by a transform again and again.", "",

@@ -11,7 +11,7 @@ namespace betwixt {
 const std::vector<Reader::Verb>& Reader::verbs() {
   static const std::vector<Verb> table{
       {"rate", "rate N, as in rate 24 or rate 30000/1001", &Reader::rate},
-      {"range", "range FROM TO, as in range 1f 72f", &Reader::range},
+      {"range", "range FROM TO, as in range 1f 48f", &Reader::range},
       {"ticks", "ticks N [smooth], environment ticks per second", &Reader::ticks},
       {"background", "background COLOR", &Reader::background},
       {"create", "create NAME KIND [key=value …] or create NAME like OTHER", &Reader::create},

@@ -31,7 +31,8 @@ class Film {
       s += fmt::format("o{}.position\n  1f {} linear\n  {}f {} dip\n  50f {}\n", i, vector(), 10 + below(30), vector(),
                        vector());
     }
-    s += "set eye.look-at o1\n";
+    s += "set eye.look-at o1\nanimate spin every 2t by rotate(7deg, y) @ (1 0 0) slower 1t per 20t\n"
+         "animate drift every 1t by translate(0.02 0 0)\nset o1.drive spin\n";
     for (int i = 8 + below(14); i > 0; --i) s += line();
     return s;
   }
@@ -45,7 +46,7 @@ class Film {
   std::string line() {
     const int i = below(5);
     const int to = i > 0 ? below(i) : 4;  // upwards, but for one that may close a circle and be refused
-    switch (below(14)) {
+    switch (below(17)) {
       case 0:
         return fmt::format("at {}f o{}.position.velocity {}\n", frame(), i, vector());
       case 1:
@@ -79,6 +80,13 @@ class Film {
                            below(5));
       case 12:
         return fmt::format("at {}f o{}.rotation {}\nat {}f o{}.rotation {}\n", frame(), i, turn(), frame(), i, turn());
+      case 13:
+        return fmt::format("at {}f o{}.environments {}\n", frame(), i, below(2) ? "(drift spin)" : "spin");
+      case 14:
+        return fmt::format("at {}t {} {}\n", below(90), below(3) ? "halt" : "cancel", below(2) ? "spin" : "drift");
+      case 15:
+        return fmt::format("at {}t animate spin every {}t by rotate({}deg, z) translate(0 0.1 0)\n", below(90),
+                           1 + below(4), below(90));
       default:
         return fmt::format("at {}f o{}.color.r.velocity 0.25\n", frame(), i);
     }
