@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One step of points, for counting and for whole vectors of the machine. What a step does is written once, in
+// kernel_steps.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace betwixt::algebra {
+
+class Counted;
+
+enum class Kernel : std::uint8_t {
+  // From the points at rest:
+  offset,  // x = y + o
+  scale,   // x = g y + o, per axis
+  matrix,  // x = M y + o
+  // In place:
+  move,     // x += d, the same for all
+  slide,    // x += d, each point its own
+  stretch,  // x = g x + o, per axis
+  turn,     // x = M x + o, M a rotation
+  // A state goes on in place and is drawn with an offset:
+  grow,       // y *= g
+  ramp,       // y += d, each point its own
+  two_term,   // y+ = 2 cos y - y-
+  damped,     // y+ = 2 g cos y - g^2 y-, per axis
+  conformal,  // y *= a complex number
+  // The source's geometric method: rotations as three shears.
+  shears,          // shear y, draw y + o
+  pushed_shears,   // shear y, y += v, the same for all; draw y + o
+  carried_shears,  // y += v, each point its own; shear y, draw y + o, shear v
+  swung_shears,    // shear y; e += d; draw y + e
+};
+inline constexpr int kernel_count = 16;
+
+// The numbers of a point. In place: x, y are what is drawn.
+template <class V>
+struct Lane {
+  V x{}, y{};    // the point, or its state
+  V u{}, v{};    // a second state
+  V du{}, dv{};  // what the second state gains
+  V ox{}, oy{};  // what is drawn
+};
+
+// Which of them a kernel touches.
+struct Uses {
+  bool state = true;     // x, y are written
+  bool second = false;   // u, v are read
+  bool written = false;  // and written
+  bool gain = false;     // du, dv are read
+  bool drawn = true;     // ox, oy are written
+};
+constexpr Uses uses(Kernel k) {
+  switch (k) {
+    case Kernel::offset:
+    case Kernel::scale:
+    case Kernel::matrix:
+      return {.state = false};
+    case Kernel::move:
+    case Kernel::stretch:
+    case Kernel::turn:
+      return {.drawn = false};
+    case Kernel::slide:
+      return {.second = true, .drawn = false};
+    case Kernel::ramp:
+      return {.second = true};
+    case Kernel::two_term:
+    case Kernel::damped:
+    case Kernel::carried_shears:
+      return {.second = true, .written = true};
+    case Kernel::swung_shears:
+      return {.second = true, .written = true, .gain = true};
+    case Kernel::grow:
+    case Kernel::conformal:
+    case Kernel::shears:
+    case Kernel::pushed_shears:
+      return {};
+  }
+  return {};
+}
+
+inline constexpr int most_inputs = 6;  // of a kernel
+
+// with(name) for each.
+#define BETWIXT_KERNELS(with)                                                                                 \
+  with(offset) with(scale) with(matrix) with(move) with(slide) with(stretch) with(turn) with(grow) with(ramp) \
+      with(two_term) with(damped) with(conformal) with(shears) with(pushed_shears) with(carried_shears)       \
+          with(swung_shears)
+
+// Structure of arrays; those that a kernel does not use may be missing.
+template <class Number>
+struct Arrays {
+  Number *x = nullptr, *y = nullptr, *u = nullptr, *v = nullptr;
+  const Number *du = nullptr, *dv = nullptr;
+  Number *ox = nullptr, *oy = nullptr;
+  std::size_t count = 0;
+};
+
+template <class Number>
+Arrays<Number> part(const Arrays<Number>& a, std::size_t from, std::size_t to) {
+  const auto at = [&](auto* array) { return array ? array + from : array; };
+  return {at(a.x), at(a.y), at(a.u), at(a.v), at(a.du), at(a.dv), at(a.ox), at(a.oy), to - from};
+}
+
+// One point after the other.
+void step_plainly(Kernel, const Arrays<Counted>&, const Counted* inputs);
+// By vectors, and on several threads where the points are many. The same bits as above.
+void step_all(Kernel, const Arrays<float>&, const float* inputs);
+void step_all(Kernel, const Arrays<double>&, const double* inputs);
+
+// Operations (products, sums) per step and point, counted by doing one.
+int operations_per_point(Kernel);
+
+}  // namespace betwixt::algebra

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/turns.h"
+#include "betwixt/algebra.h"
+
+namespace betwixt {
+namespace {
+
+using Kind = Factor::Kind;
+using Law = Factor::Law;
+
+constexpr const char* axes[] = {"x", "y", "z"};
+constexpr const char* letters[] = {"T", "R", "S"};
+
+bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// Of fraction t; the whole is exact.
+double scale_at(double total, Law law, double t) {
+  return law == Law::linear ? 1 + (total - 1) * t : std::pow(total, t);
+}
+
+Mat4 linear_part(const Factor& f, double t) {
+  if (f.kind == Kind::scale)
+    return scaling({scale_at(f.by.x, f.law, t), scale_at(f.by.y, f.law, t), scale_at(f.by.z, f.law, t)});
+  const algebra::Turn turn = algebra::turn(algebra::phase(algebra::turns_of(f.angle), t));
+  const Vec3 a = normalize(f.axis);
+  const double s = turn.sine, c = turn.cosine, v = 1 - c;
+  Mat4 m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m(i, j) = v * a[i] * a[j] + (i == j ? c : 0);
+  m(0, 1) -= s * a.z, m(0, 2) += s * a.y, m(1, 0) += s * a.z;
+  m(1, 2) -= s * a.x, m(2, 0) -= s * a.y, m(2, 1) += s * a.x;
+  return m;
+}
+
+Mat4 matrix(const Factor& f, double t) {
+  if (f.kind == Kind::translate) return translation(t * f.by);
+  Mat4 m = linear_part(f, t);
+  const Vec3 moved = f.centre - transform_vector(m, f.centre);
+  m(0, 3) = moved.x, m(1, 3) = moved.y, m(2, 3) = moved.z;
+  return m;
+}
+
+Error about_factor(const Motion& motion, std::size_t i, std::string_view what, std::string_view hint = {}) {
+  const Factor& f = motion.factors[i];
+  return fail(Code::range, fmt::format("factor {}, {}: {}", i + 1, letters[static_cast<int>(f.kind)], what),
+              std::string(hint));
+}
+
+}  // namespace
+
+Factor translate_by(Vec3 way) {
+  Factor f;
+  f.by = way;
+  return f;
+}
+
+Factor rotate_by(double angle, Vec3 centre, Vec3 axis) {
+  Factor f;
+  f.kind = Kind::rotate, f.angle = angle, f.centre = centre, f.axis = axis;
+  return f;
+}
+
+Factor scale_by(Vec3 factors, Vec3 centre, Law law) {
+  Factor f;
+  f.kind = Kind::scale, f.by = factors, f.centre = centre, f.law = law;
+  return f;
+}
+
+Status check(const Motion& motion) {
+  for (std::size_t i = 0; i < motion.factors.size(); ++i) {
+    const Factor& f = motion.factors[i];
+    const auto endless = [&](Vec3 v, std::string_view name) -> Status {
+      for (int c = 0; c < 3; ++c)
+        if (!std::isfinite(v[c]))
+          return about_factor(motion, i, fmt::format("its {} {} is no finite number", name, axes[c]));
+      return Nothing{};
+    };
+    if (f.kind == Kind::translate) {
+      if (auto bad = endless(f.by, "way along"); !bad) return bad;
+      continue;
+    }
+    if (auto bad = endless(f.centre, "centre's"); !bad) return bad;
+    if (f.kind == Kind::rotate) {
+      if (!std::isfinite(f.angle)) return about_factor(motion, i, "its angle is no finite number");
+      if (auto bad = endless(f.axis, "axis'"); !bad) return bad;
+      if (length(f.axis) == 0) return about_factor(motion, i, "its axis has no direction");
+      continue;
+    }
+    if (auto bad = endless(f.by, "factor along"); !bad) return bad;
+    for (int c = 0; c < 3; ++c)
+      if (f.law == Law::exponential && !(f.by[c] > 0))
+        return about_factor(motion, i, fmt::format("a scaling by {} along {} has no in-betweens", f.by[c], axes[c]),
+                            "factors above 0, or the linear law: S(… linear)");
+  }
+  return Nothing{};
+}
+
+bool is_planar(const Motion& motion) {
+  return std::all_of(motion.factors.begin(), motion.factors.end(), [](const Factor& f) {
+    if (f.kind == Kind::translate) return f.by.z == 0;
+    return f.kind == Kind::scale || (f.axis.x == 0 && f.axis.y == 0);
+  });
+}
+
+Mat4 at(const Motion& motion, double t) {
+  Mat4 product;
+  for (const Factor& f : motion.factors) product = product * matrix(f, t);
+  return product;
+}
+
+Result<Mat4> frame(const Motion& motion, std::int64_t k, std::int64_t steps) {
+  if (steps < 1)
+    return fail(Code::range, fmt::format("{} steps lead nowhere", steps),
+                "at least 1: frame 0 is rest, frame 1 the end");
+  // k / steps is rounded: what is left of it counts where a motion has many turns.
+  Mat4 product;
+  const double t = static_cast<double>(k) / static_cast<double>(steps);
+  for (const Factor& f : motion.factors) {
+    if (f.kind != Kind::rotate) {
+      product = product * matrix(f, t);
+      continue;
+    }
+    Factor part = f;
+    const std::uint64_t phase =
+        algebra::phase(algebra::turns_of(f.angle), static_cast<long double>(k), static_cast<long double>(steps));
+    part.angle = std::ldexp(static_cast<double>(static_cast<std::int64_t>(phase)), -63) * pi;
+    product = product * matrix(part, 1);
+  }
+  return product;
+}
+
+Result<Motion> inverse(const Motion& motion) {
+  Motion back;
+  for (std::size_t i = motion.factors.size(); i-- > 0;) {
+    Factor f = motion.factors[i];
+    if (f.kind == Kind::scale && f.law == Law::linear && f.by != Vec3{1, 1, 1})
+      return about_factor(motion, i, "under the linear law what undoes it is no such motion",
+                          "under the exponential law every motion can be undone");
+    if (f.kind == Kind::scale) f.by = {1 / f.by.x, 1 / f.by.y, 1 / f.by.z};
+    if (f.kind == Kind::scale && !finite(f.by)) return about_factor(motion, i, "a scaling by zero cannot be undone");
+    if (f.kind == Kind::translate) f.by = -f.by;
+    f.angle = -f.angle;
+    back.factors.push_back(std::move(f));
+  }
+  return back;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The string compiler: for any string of the plane the cheapest way that it knows to go from frame to frame exactly.
+//
+// A_k p = d0 + B1 (d1 + B2 (d2 + ... Bm (p + c))): every factor is an offset, fixed or growing with k, or a linear
+// block. What is left of it per step is a small program of registers, most of them sequences with a closed form in k
+// (so that any frame can be reached at once, and rounding never gathers), and a kernel for the points.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "algebra/counted.h"
+#include "algebra/kernels.h"
+#include "betwixt/algebra.h"
+
+namespace betwixt::algebra {
+
+// A turn, a growth by the exponential law, both at once where it grows alike in x and y (a conformal block), or a
+// growth by the linear law.
+struct Block {
+  long double turns = 0;        // of the whole motion
+  double log_x = 0, log_y = 0;  // of the whole growth
+  bool linear = false;          // the linear law: 1 + slope k/N
+  double slope_x = 0, slope_y = 0;
+
+  bool identity() const { return turns == 0 && log_x == 0 && log_y == 0 && slope_x == 0 && slope_y == 0; }
+  bool conformal() const { return !linear && log_x == log_y; }
+  bool diagonal() const { return !linear && turns == 0; }
+};
+
+template <class Number>
+struct Offset {
+  Number x{}, y{};              // fixed
+  Number drift_x{}, drift_y{};  // per step
+  bool fixed() const { return drift_x == Number(0) && drift_y == Number(0); }
+  bool zero() const { return fixed() && x == Number(0) && y == Number(0); }
+};
+
+// offsets[0], blocks[0], offsets[1], ... blocks[m - 1], offsets[m]: none of the blocks is the identity, and no two that
+// stand together could be one.
+template <class Number>
+struct Canonical {
+  std::vector<Block> blocks;
+  std::vector<Offset<Number>> offsets;
+};
+template <class Number>
+Canonical<Number> canonical(const Motion&, std::int64_t steps);
+
+// One number of the program. They are worked out in order.
+template <class Number>
+struct Register {
+  enum class Kind : std::uint8_t {
+    constant,    // a
+    ramp,        // a + b k; a step adds b
+    geometric,   // a growth^k; a step multiplies by p
+    wave,        // growth^k (a cos k angle + b sin k angle); a step is p x - q x of the step before
+    sheared,     // the turning point (a, b): a step shears it by p, q, p; its y is the register behind it
+    second,      // y of a sheared point
+    product,     // of left and right, registers before it
+    sum,         //
+    difference,  //
+  };
+  Kind kind = Kind::constant;
+  Number a{}, b{};
+  long double turns = 0;  // of the whole motion
+  double log_growth = 0;
+  int left = -1, right = -1;
+  Number p{}, q{};
+};
+
+template <class Number>
+struct Plan {
+  std::int64_t steps = 1;
+  Kernel kernel = Kernel::offset;
+  std::vector<Register<Number>> registers;
+  // What the kernel takes: fixed numbers, then registers.
+  std::vector<Number> constants;
+  std::vector<int> inputs;
+  // A point p begins as rest = p + centre; its state at step k is L_k (rest + k (gain + slope rest)) + home.
+  Number centre_x{}, centre_y{}, home_x{}, home_y{};
+  std::vector<Block> blocks;  // L
+  Number gain_x{}, gain_y{}, slope_x{}, slope_y{};
+
+  int per_point() const { return operations_per_point(kernel); }
+  int per_step() const;  // of the registers
+};
+
+// The cheapest of the plans where the points at rest are multiplied by A_k, and of all plans.
+enum class Family : std::uint8_t { matrix, any };
+template <class Number>
+Plan<Number> compile(const Motion&, std::int64_t steps, Family, std::size_t points);
+
+// The source's geometric method, for the rows of its first table. Errors (type): a string that is none of them, a
+// scaling by the exponential law; (range) half a turn in a step.
+template <class Number>
+Result<Plan<Number>> geometric(const Motion&, std::int64_t steps);
+
+// The source's method of differences: one constant A with A_k = A A_(k-1). Errors (type): there is none.
+template <class Number>
+Result<Plan<Number>> differences(const Motion&, std::int64_t steps);
+
+}  // namespace betwixt::algebra

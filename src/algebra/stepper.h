@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs a plan: points from frame to frame, in f32, in f64 or in numbers that count.
+#pragma once
+
+#include <new>
+#include <span>
+#include <vector>
+
+#include "algebra/plan.h"
+
+namespace betwixt::algebra {
+
+// Arrays that begin with a line of the cache.
+template <class T>
+struct LineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t line{64};
+  LineAllocator() = default;
+  template <class U>
+  LineAllocator(const LineAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+  friend bool operator==(LineAllocator, LineAllocator) { return true; }
+};
+template <class T>
+using Line = std::vector<T, LineAllocator<T>>;
+
+// What plans for these numbers are made of: constants are worked out in f64.
+template <class Number>
+struct Planned {
+  using Type = double;
+};
+template <>
+struct Planned<Counted> {
+  using Type = Counted;
+};
+
+template <class Number>
+class Stepper {
+ public:
+  using Constant = typename Planned<Number>::Type;
+  // x and y: as many each. The motion is that of the plan; its end comes from it.
+  Stepper(Plan<Constant>, Motion, std::span<const Number> x, std::span<const Number> y);
+
+  std::int64_t frame() const { return k_; }
+  void seek(std::int64_t k);  // by the closed form
+  void step();
+  // After so many steps the closed form is taken anew: 256, in f32 64; 0 for never.
+  void renew_every(int steps) { renew_ = steps; }
+  std::span<const Number> x() const { return {drawn_x(), rest_x_.size()}; }
+  std::span<const Number> y() const { return {drawn_y(), rest_x_.size()}; }
+
+ private:
+  void seek_registers();
+  void seek_points();
+  void step_registers();
+  void gather_inputs();
+  void place(const Mat4&);  // draws the points at rest moved by it
+  void run(Kernel);
+  Arrays<Number> arrays();
+  bool in_place() const { return !uses(plan_.kernel).drawn; }
+  bool from_rest() const { return !uses(plan_.kernel).state; }
+  const Number* drawn_x() const { return in_place() && !placed_ ? x_.data() : out_x_.data(); }
+  const Number* drawn_y() const { return in_place() && !placed_ ? y_.data() : out_y_.data(); }
+
+  Plan<Constant> plan_;
+  Motion motion_;
+  Line<Number> rest_x_, rest_y_;  // as given
+  Line<Number> x_, y_, u_, v_, du_, dv_, out_x_, out_y_;
+  std::vector<Number> registers_, before_, inputs_;
+  std::vector<Number> p_, q_;  // of the registers
+  std::int64_t k_ = 0;
+  int renew_ = 256, since_ = 0;
+  bool placed_ = false;
+};
+
+}  // namespace betwixt::algebra

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Motions as text.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "base/names.h"
+#include "betwixt/algebra.h"
+
+namespace betwixt {
+namespace {
+
+using Kind = Factor::Kind;
+using Law = Factor::Law;
+
+struct Unit {
+  std::string_view name;
+  double of;       // metres or radians
+  double divisor;  // 35 mm are 35/1000 m: dividing keeps the number that is written
+};
+constexpr Unit lengths[] = {{"m", 1, 1}, {"cm", 1, 100}, {"mm", 1, 1000}};
+constexpr Unit angles[] = {{"deg", pi, 180}, {"°", pi, 180}, {"turn", 2 * pi, 1}, {"rad", 1, 1}};
+
+struct Reader {
+  std::string_view text;
+  std::size_t at = 0;
+  std::optional<Error> error = {};
+
+  bool fail(std::size_t from, std::size_t to, Code code, std::string message, std::string hint = {}) {
+    if (error) return false;
+    error = betwixt::fail(code, std::move(message), std::move(hint));
+    // Columns count characters: of UTF-8, every byte that goes on with one is none.
+    const auto characters = [&](std::size_t a, std::size_t b) {
+      return static_cast<int>(std::count_if(text.begin() + static_cast<std::ptrdiff_t>(std::min(a, text.size())),
+                                            text.begin() + static_cast<std::ptrdiff_t>(std::min(b, text.size())),
+                                            [](char c) { return (c & 0xC0) != 0x80; }));
+    };
+    error->place = {"", 1, characters(0, from) + 1, std::max(1, characters(from, to))};
+    return false;
+  }
+  char peek() const { return at < text.size() ? text[at] : '\0'; }
+  void space() {
+    while (at < text.size() && std::string_view(" \t\r\n,").find(text[at]) != std::string_view::npos) ++at;
+  }
+  bool accept(char c) {
+    space();
+    if (peek() != c) return false;
+    ++at;
+    return true;
+  }
+  // Letters and what stands for them, up to the next blank or bracket.
+  std::string_view word() {
+    const std::size_t from = at;
+    while (at < text.size() && std::string_view(" \t\r\n,()@").find(text[at]) == std::string_view::npos) ++at;
+    return text.substr(from, at - from);
+  }
+  bool at_number() {
+    space();
+    const char c = peek();
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+  }
+  template <std::size_t n>
+  bool number(double& out, const Unit (&units)[n], const char* kind, bool unit_needed = false) {
+    space();
+    const std::size_t from = at;
+    if (peek() == '+') ++at;
+    const char* first = text.data() + at;
+    const auto [end, bad] = std::from_chars(first, text.data() + text.size(), out);
+    const bool read = end != first && !(bad == std::errc() && !(out - out == 0));
+    if (!read || bad == std::errc::result_out_of_range) {
+      word();
+      const std::size_t to = std::max(at, from + 1);
+      return bad == std::errc::result_out_of_range || (end != first && !read)
+                 ? fail(from, to, Code::range, fmt::format("'{}' is no finite number", text.substr(from, to - from)))
+                 : fail(from, to, Code::syntax, "a number is wanted here");
+    }
+    at += static_cast<std::size_t>(end - first);
+    const std::size_t unit_from = at;
+    const std::string_view name = word();
+    if (name.empty() && !unit_needed) return true;
+    for (const Unit& u : units)
+      if (name == u.name) {
+        out = out * u.of / u.divisor;
+        return true;
+      }
+    std::string known;
+    for (const Unit& u : units) known += (known.empty() ? "" : ", ") + std::string(u.name);
+    return fail(name.empty() ? from : unit_from, at, Code::type,
+                name.empty() ? fmt::format("an angle needs its unit: {}", text.substr(from, at - from))
+                             : fmt::format("'{}' is not a unit of {}", name, kind),
+                fmt::format("units are {}", known));
+  }
+  bool numbers(double (&out)[3], int& count) {
+    for (count = 0; at_number(); ++count) {
+      if (count == 3) return fail(at, at + 1, Code::syntax, "no more than three numbers stand here");
+      if (!number(out[count], lengths, "length")) return false;
+    }
+    return true;
+  }
+  // Behind '@': a place or a name.
+  bool centre(Factor& f, int& dimensions) {
+    space();
+    const std::size_t from = at;
+    if (!at_number() && peek() != '(') {
+      const std::string_view name = word();
+      if (!is_name(name))
+        return fail(from, at, Code::syntax, "a centre is wanted here", "@ 0 1, @ 0 1 2 or the name of an object");
+      f.about = name;
+      dimensions = 0;
+      return true;
+    }
+    const bool bracket = accept('(');
+    double n[3] = {};
+    if (!numbers(n, dimensions)) return false;
+    if (dimensions < 2) return fail(from, at, Code::syntax, "a centre has two or three numbers");
+    if (bracket && !accept(')')) return fail(at, at + 1, Code::syntax, "')' is missing");
+    f.centre = {n[0], n[1], n[2]};
+    return true;
+  }
+  bool translate(Factor& f, std::size_t from) {
+    double n[3] = {};
+    int count = 0;
+    if (!numbers(n, count)) return false;
+    if (count < 2) return fail(from, at, Code::syntax, "a translation has two or three numbers", "T(6 0) or T(6 0 0)");
+    f.by = {n[0], n[1], n[2]};
+    return true;
+  }
+  bool rotate(Factor& f) {
+    if (!number(f.angle, angles, "angle", true)) return false;
+    int dimensions = 2;
+    if (accept('@') && !centre(f, dimensions)) return false;
+    space();
+    const std::size_t from = at;
+    if (const std::string_view w = word(); w == "axis") {
+      double n[3] = {};
+      int count = 0;
+      space();
+      if (!at_number()) {
+        const std::size_t name_at = at;
+        const std::string_view name = word();
+        if (name.size() != 1 || name[0] < 'x' || name[0] > 'z')
+          return fail(name_at, at, Code::syntax, "an axis is wanted here", "axis x, y or z, or three numbers");
+        n[name[0] - 'x'] = 1, count = 3;
+      } else if (!numbers(n, count)) {
+        return false;
+      }
+      if (count != 3) return fail(from, at, Code::syntax, "an axis has three numbers", "as in axis 0 1 0");
+      f.axis = {n[0], n[1], n[2]};
+      if (f.axis == Vec3{}) return fail(from, at, Code::range, "this axis has no direction");
+    } else if (!w.empty()) {
+      return fail(from, at, Code::syntax, fmt::format("'{}' means nothing in a rotation", w),
+                  "R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
+    }
+    return true;
+  }
+  bool scale(Factor& f, std::size_t from) {
+    double n[3] = {1, 1, 1};
+    int count = 0;
+    f.kind = Kind::scale;
+    if (!numbers(n, count)) return false;
+    if (count == 0)
+      return fail(from, at, Code::syntax, "a scaling has one, two or three numbers", "S(2), S(2 1) or S(2 1 1)");
+    f.by = count == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], count == 3 ? n[2] : 1};
+    int dimensions = count;
+    if (accept('@') && !centre(f, dimensions)) return false;
+    space();
+    const std::size_t word_at = at;
+    if (const std::string_view w = word(); w == "linear")
+      f.law = Law::linear;
+    else if (!w.empty())
+      return fail(word_at, at, Code::syntax, fmt::format("'{}' means nothing in a scaling", w), "S(2 2 @ 0 0 linear)");
+    for (int c = 0; c < 3; ++c)
+      if (f.law == Law::exponential && !(f.by[c] > 0))
+        return fail(from, at, Code::range, fmt::format("a scaling by {} has no in-betweens", f.by[c]),
+                    "factors above 0, or the linear law: S(… linear)");
+    return true;
+  }
+  bool factor(Factor& f) {
+    const std::size_t from = at;
+    const std::string_view letter = word();
+    if (letter == "T")
+      f.kind = Kind::translate;
+    else if (letter == "R")
+      f.kind = Kind::rotate;
+    else if (letter == "S")
+      f.kind = Kind::scale;
+    else if (letter == "t" || letter == "r" || letter == "s")
+      return fail(from, at, Code::syntax, fmt::format("'{}' is no factor of a motion", letter),
+                  fmt::format("did you mean '{}'?", static_cast<char>(letter[0] - 'a' + 'A')));
+    else
+      return fail(from, std::max(at, from + 1), Code::syntax, "a motion is a string of T(…), R(…) and S(…)",
+                  "as in T(6.28 0) R(-1turn @ 0 1)");
+    if (!accept('(')) return fail(at, at + 1, Code::syntax, fmt::format("'(' is missing behind {}", letter));
+    const bool read = f.kind == Kind::translate ? translate(f, from)
+                      : f.kind == Kind::rotate  ? rotate(f)
+                                                : scale(f, from);
+    if (!read) return false;
+    if (!accept(')')) return fail(at, at + 1, Code::syntax, "')' is missing");
+    return true;
+  }
+};
+
+std::string written(double x) { return fmt::format("{}", x == 0 ? 0.0 : x); }
+std::string written(Vec3 v, int count) {
+  std::string s = written(v.x);
+  if (count > 1) s += " " + written(v.y);
+  if (count > 2) s += " " + written(v.z);
+  return s;
+}
+
+// The unit in which it reads back the same, the shortest one that does.
+std::string angle_text(double radians) {
+  std::string best = written(radians) + "rad";
+  for (const Unit& u : {angles[2], angles[0]}) {
+    const double count = radians * u.divisor / u.of;
+    // Neighbours too: what was written as 90 may come back one bit beside it.
+    for (const double n : {count, std::round(count * 1e9) / 1e9}) {
+      std::string text = written(n) + std::string(u.name);
+      if (n * u.of / u.divisor == radians && text.size() <= best.size()) best = std::move(text);
+    }
+  }
+  return best;
+}
+
+std::string centre_text(const Factor& f, int count) {
+  if (!f.about.empty()) return " @ " + f.about;
+  return f.centre == Vec3{} ? "" : " @ " + written(f.centre, f.centre.z != 0 ? 3 : count);
+}
+
+}  // namespace
+
+Result<Motion> parse_motion(std::string_view text) {
+  Reader r{text};
+  Motion motion;
+  for (r.space(); r.at < text.size(); r.space()) {
+    if (!motion.factors.empty() && r.accept('*')) r.space();
+    if (motion.factors.size() == 10'000) {
+      r.fail(r.at, r.at + 1, Code::range, "no more than 10000 factors");
+      return *r.error;
+    }
+    Factor f;
+    if (!r.factor(f)) return *r.error;
+    motion.factors.push_back(std::move(f));
+  }
+  return motion;
+}
+
+std::string to_string(const Motion& motion) {
+  std::string s;
+  for (const Factor& f : motion.factors) {
+    if (!s.empty()) s += ' ';
+    if (f.kind == Kind::translate) {
+      s += "T(" + written(f.by, f.by.z == 0 ? 2 : 3);
+    } else if (f.kind == Kind::rotate) {
+      s += "R(" + angle_text(f.angle) + centre_text(f, 2);
+      if (f.axis != Vec3{0, 0, 1}) s += " axis " + written(f.axis, 3);
+    } else {
+      const int count = f.by == Vec3{f.by.x, f.by.x, f.by.x} ? 1 : f.by.z == 1 ? 2 : 3;
+      s += "S(" + written(f.by, count) + centre_text(f, 2) + (f.law == Law::linear ? " linear" : "");
+    }
+    s += ')';
+  }
+  return s;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "algebra/precise.h"
+#include "algebra/vectors.h"
+#include "betwixt/algebra.h"
+
+namespace betwixt {
+namespace {
+
+Motion parsed(const std::string& text) {
+  const auto motion = parse_motion(text);
+  EXPECT_TRUE(motion) << text << ": " << (motion ? "" : motion.error().message);
+  return motion ? *motion : Motion{};
+}
+
+TEST(Motion, IsAtThePlacesOfTheVectors) {
+  ASSERT_EQ(vectors().size(), 12u);
+  for (const Vector& v : vectors())
+    for (const Vector::Frame& f : v.frames) {
+      const auto m = frame(v.motion, f.k, v.steps);
+      ASSERT_TRUE(m);
+      const Mat4 sought = at(v.motion, static_cast<double>(f.k) / static_cast<double>(v.steps));
+      for (std::size_t i = 0; i < v.points.size(); ++i) {
+        EXPECT_LE(length(transform_point(*m, v.points[i]) - f.expected[i]), 1e-9) << v.name << " at " << f.k;
+        EXPECT_LE(length(transform_point(sought, v.points[i]) - f.expected[i]), 1e-9) << v.name << " at " << f.k;
+      }
+    }
+}
+
+// Against quadruple precision with its own sines, in the plane and in space.
+TEST(Motion, IsWhereManyDigitsPutIt) {
+  std::mt19937 random(5);
+  double worst = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const Motion motion = random_motion(random, 1 + round % 9, round % 2 == 1);
+    const std::int64_t steps = 1 + static_cast<std::int64_t>(random() % 1000);
+    for (const std::int64_t k : {std::int64_t{0}, steps / 3, steps, 2 * steps + 1, -steps}) {
+      const auto m = frame(motion, k, steps);
+      ASSERT_TRUE(m);
+      for (const Vec3 p : {Vec3{1, 0, 0}, Vec3{-0.5, 2, 1}, Vec3{3.25, -1.75, -2}}) {
+        const precise::Point q = precise::moved(motion, k, steps, p);
+        const double size = 1 + std::abs(q.at(0)) + std::abs(q.at(1)) + std::abs(q.at(2));
+        const Vec3 r = transform_point(*m, p);
+        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(r[c] - q.at(c)) / (size * q.largest));
+      }
+    }
+  }
+  EXPECT_LE(worst, 1e-12);
+}
+
+TEST(Motion, OfManyTurnsIsAsExactAsOfOne) {
+  Motion wheel;
+  wheel.factors = {rotate_by(2 * pi * 1e9 * 0.75)};  // as a double has it
+  const auto quarter = frame(wheel, 333'333'333, 1'000'000'000);
+  ASSERT_TRUE(quarter);
+  const precise::Point q = precise::moved(wheel, 333'333'333, 1'000'000'000, {1, 0, 0});
+  EXPECT_NEAR((*quarter)(0, 0), q.at(0), 1e-9);
+  EXPECT_NEAR((*quarter)(1, 0), q.at(1), 1e-9);
+}
+
+TEST(Motion, BeginsAtRestAndEndsWithItsTotals) {
+  const Motion m = parsed("T(10 -4) R(2.5turn @ 1 2) S(3 0.5 @ 1 2)");
+  EXPECT_EQ(at(m, 0), Mat4());
+  const Vec3 end = transform_point(at(m, 1), {2, 4, 0});  // scaled to (4, 3), turned about (1, 2) by half a turn, moved
+  EXPECT_NEAR(end.x, -2 + 10, 1e-14);
+  EXPECT_NEAR(end.y, 1 - 4, 1e-14);
+  EXPECT_EQ(at(parsed("S(0.3 7)"), 1)(0, 0), 0.3);
+}
+
+TEST(Motion, ThatIsEmptyMovesNothing) {
+  const Motion none = parsed("");
+  for (const double t : {-3.0, 0.0, 0.5, 1.0, 1e9}) EXPECT_EQ(at(none, t), Mat4());
+}
+
+TEST(Motion, HasAnInverseThatUndoesEveryFrame) {
+  std::mt19937 random(6);
+  for (int round = 0; round < 200; ++round) {
+    Motion motion = random_motion(random, 6, round % 2 == 1);
+    for (Factor& f : motion.factors) f.law = Factor::Law::exponential;
+    if (!check(motion)) continue;
+    const auto back = inverse(motion);
+    ASSERT_TRUE(back);
+    for (const double t : {0.0, 0.3, 1.0, -0.7}) {
+      const Mat4 both = at(*back, t) * at(motion, t);
+      for (int i = 0; i < 16; ++i)
+        EXPECT_NEAR(both.m[static_cast<std::size_t>(i)], i % 5 == 0 ? 1 : 0, 1e-8) << to_string(motion);
+    }
+  }
+}
+
+TEST(Motion, SaysWhatCannotBe) {
+  const auto error = [](const Motion& m) {
+    const auto status = check(m);
+    return status ? std::string("fine") : status.error().message;
+  };
+  Motion m;
+  m.factors = {translate_by({1, 2, 0}), scale_by({2, -1, 1})};
+  EXPECT_EQ(error(m), "factor 2, S: a scaling by -1 along y has no in-betweens");
+  m.factors[1].law = Factor::Law::linear;
+  EXPECT_EQ(error(m), "fine");
+  m.factors[0].by.y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(error(m), "factor 1, T: its way along y is no finite number");
+  m.factors[0] = rotate_by(std::numeric_limits<double>::infinity());
+  EXPECT_EQ(error(m), "factor 1, R: its angle is no finite number");
+  m.factors[0] = rotate_by(1, {0, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(error(m), "factor 1, R: its axis has no direction");
+  m.factors[0] = rotate_by(1, {0, std::numeric_limits<double>::infinity(), 0});
+  EXPECT_EQ(error(m), "factor 1, R: its centre's y is no finite number");
+  EXPECT_EQ(frame(m, 0, 0).error().message, "0 steps lead nowhere");
+  EXPECT_EQ(frame(m, 0, -3).error().message, "-3 steps lead nowhere");
+  EXPECT_EQ(inverse(parsed("T(1 1) S(2 2 linear)")).error().message,
+            "factor 2, S: under the linear law what undoes it is no such motion");
+}
+
+TEST(Motion, IsReadAndWritten) {
+  const Motion m = parsed("T(6.28 0) R(-1turn @ 0 1)S(2 0.5 @ 1 2 linear) * R(90deg @ (1 2 3) axis 0 1 0), S(3 @ sun)");
+  ASSERT_EQ(m.factors.size(), 5u);
+  EXPECT_EQ(m.factors[0], translate_by({6.28, 0, 0}));
+  EXPECT_EQ(m.factors[1], rotate_by(-2 * pi, {0, 1, 0}));
+  EXPECT_EQ(m.factors[2], scale_by({2, 0.5, 1}, {1, 2, 0}, Factor::Law::linear));
+  EXPECT_EQ(m.factors[3], rotate_by(pi / 2, {1, 2, 3}, {0, 1, 0}));
+  EXPECT_EQ(m.factors[4].about, "sun");
+  EXPECT_EQ(m.factors[4].by, (Vec3{3, 3, 3}));
+  EXPECT_EQ(to_string(m), "T(6.28 0) R(-1turn @ 0 1) S(2 0.5 @ 1 2 linear) R(90deg @ 1 2 3 axis 0 1 0) S(3 @ sun)");
+  EXPECT_EQ(parsed("T(35mm 2cm 1m)").factors[0].by, (Vec3{0.035, 0.02, 1}));
+  EXPECT_EQ(parsed("R(35°)").factors[0].angle, 35 * pi / 180);
+  EXPECT_EQ(to_string(parsed("R(35deg)")), "R(35deg)");
+  EXPECT_EQ(parsed("R(1rad axis y)").factors[0].axis, (Vec3{0, 1, 0}));
+}
+
+TEST(Motion, ReadsBackWhatItWrites) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 2000; ++round) {
+    const Motion motion = random_motion(random, round % 8, round % 2 == 1);
+    EXPECT_EQ(parsed(to_string(motion)), motion) << to_string(motion);
+  }
+}
+
+TEST(Motion, SaysWhereItsTextIsWrong) {
+  const auto said = [](std::string_view text) {
+    const auto motion = parse_motion(text);
+    if (motion) return std::string("fine");
+    const Error& e = motion.error();
+    return std::to_string(e.place.column) + "+" + std::to_string(e.place.length) + " " + e.message +
+           (e.hint.empty() ? "" : " | " + e.hint);
+  };
+  EXPECT_EQ(said("T(1 0) Q(1)"), "8+1 a motion is a string of T(…), R(…) and S(…) | as in T(6.28 0) R(-1turn @ 0 1)");
+  EXPECT_EQ(said("r(90deg)"), "1+1 'r' is no factor of a motion | did you mean 'R'?");
+  EXPECT_EQ(said("T 1 0"), "3+1 '(' is missing behind T");
+  EXPECT_EQ(said("T(1)"), "1+3 a translation has two or three numbers | T(6 0) or T(6 0 0)");
+  EXPECT_EQ(said("T(1 0"), "6+1 ')' is missing");
+  EXPECT_EQ(said("T(1 0 0 0)"), "9+1 no more than three numbers stand here");
+  EXPECT_EQ(said("R(90)"), "3+2 an angle needs its unit: 90 | units are deg, °, turn, rad");
+  EXPECT_EQ(said("R(90grad)"), "5+4 'grad' is not a unit of angle | units are deg, °, turn, rad");
+  EXPECT_EQ(said("R()"), "3+1 a number is wanted here");
+  EXPECT_EQ(said("R(90deg @ 1)"), "11+1 a centre has two or three numbers");
+  EXPECT_EQ(said("R(90deg @ )"), "11+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object");
+  EXPECT_EQ(said("R(90deg about z)"),
+            "9+5 'about' means nothing in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
+  EXPECT_EQ(said("R(90deg axis 0 0 0)"), "9+10 this axis has no direction");
+  EXPECT_EQ(said("S(2 -1)"),
+            "1+6 a scaling by -1 has no in-betweens | factors above 0, or the linear law: S(… linear)");
+  EXPECT_EQ(said("S(2 -1 linear)"), "fine");
+  EXPECT_EQ(said("S()"), "1+2 a scaling has one, two or three numbers | S(2), S(2 1) or S(2 1 1)");
+  EXPECT_EQ(said("S(2 2 lin)"), "7+3 'lin' means nothing in a scaling | S(2 2 @ 0 0 linear)");
+  EXPECT_EQ(said("T(1e999 0)"), "3+5 '1e999' is no finite number");
+  EXPECT_EQ(said("T(inf 0)"), "1+2 a translation has two or three numbers | T(6 0) or T(6 0 0)");
+  EXPECT_EQ(said("R(35° @ ä)"), "9+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object");
+}
+
+}  // namespace
+}  // namespace betwixt
