@@ -267,7 +267,7 @@ class Server:
         line, _, self._read = self._read.partition(b"\n")
         try:
             message = json.loads(line)
-        except ValueError:
+        except (ValueError, RecursionError):
             message = None
         if not isinstance(message, dict) or not ("ok" in message or "event" in message):
             raise self._lost(Gone("this is not an imaging server"))
@@ -354,7 +354,9 @@ class Host(Server):
 
     def replace(self, tag, offset=0):
         """REPLACE: what follows takes the place of tag + offset, and of the commands behind it, one for one."""
-        self._row(f"replace {_name('T', tag)}" + (f" {operator.index(offset)}" if offset else ""))
+        text = f"replace {_name('T', tag)} {operator.index(offset)}"
+        self._replacing = False
+        self._row(text)
         self._replacing = True
 
     def push_matrix(self):
@@ -526,7 +528,7 @@ class Host(Server):
             raise ValueError("no object is open")
         if self._interrupted:
             if self._replacing:
-                raise ValueError("another command came after 'replace'")
+                raise ValueError("another command came after 'replace': it must be said again")
             self.do(f"edit O{self._open}")
             self._interrupted = False
         super().do("  " + text)
@@ -578,6 +580,8 @@ def _matrix(m):
 
 def _quoted(text):
     """A text of the language: in quotes, on one line."""
+    if not isinstance(text, str):
+        raise TypeError(f"a text is a str, not {type(text).__name__}")
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
 
 

@@ -12,24 +12,15 @@ cc -Wall -Wextra -Werror -I "$root/include" -c "$root/tests/app/aim_host.c" -o h
   c++ -std=c++20 -DFMT_SHARED -I "$root/include" -c "$root/src/server/aim.cpp" -o aim.o &&
   c++ host.o aim.o -lfmt -lm -o host
 verdict 'a host is built from C' "$(yes $?)" ''
-serve() { # HISTORY
-  "$program" serve --socket "$work/s" --save "$work/$1" 2>said &
-  server=$!
-  for _ in {1..100}; do [ -S s ] && break; sleep 0.1; done
-}
-end() {
-  kill -TERM "$server"
-  wait "$server"
-  verdict 'the server ends when it is told to' "$(yes $?)" "$(cat said)"
-}
-serve history.bx
+begin --socket "$work/s" --save history.bx
 ./host "$work/s" >answers 2>&1
 verdict 'every call is answered as it should be' "$(yes $?)" "$(cat answers)"
 end
+is 'the server ends when it is told to' "$code" 0
 "$program" check history.bx >checked 2>&1
 verdict 'its history is a script' "$(yes $?)" "$(cat checked)"
 has 'what the host said stands in the history' "$(cat history.bx)" 'every 1t by matrix('
-serve python.bx
+begin --socket "$work/s" --save python.bx
 PYTHONPATH=$root/clients/python PYTHONDONTWRITEBYTECODE=1 timeout 60 python3 "$root/tests/app/aim_host.py" "$work/s" >answers 2>&1
 is 'the same calls in Python' "$?$(cat answers)" 0
 end
