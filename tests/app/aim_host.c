@@ -118,7 +118,8 @@ int main(int argc, char** argv) {
   OK(aim_point(a, 3, 3, 3));
   OK(aim_replace(a, tag, 0));
   OK(aim_cancel(a, spin));
-  check(aim_point(a, 4, 4, 4) == AIM_E_CALL && strstr(aim_error(a), "must be said again") != 0, "a replacing that ended");
+  check(aim_point(a, 4, 4, 4) == AIM_E_CALL && strstr(aim_error(a), "must be said again") != 0,
+        "a replacing that ended");
   OK(aim_replace(a, tag, 0));
   OK(aim_polygon(a, 3, triangle));
   OK(aim_close_object(a));

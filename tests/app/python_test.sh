@@ -66,6 +66,13 @@ done()
 PY
 part matrices
 
+# ---- the page: every call of the C interface stands in it beside that of Python; and it shows the example as it is
+page=$(sed -n '/^## From Python/,$p' "$root/docs/aim.md")
+for call in $(grep -oE '\baim_[a-z_]+\(' "$root/include/betwixt/aim.h" | tr -d '(' | sort -u | grep -vx aim_error); do
+  [[ $page =~ $call([^a-z_]) ]] || verdict "$call is on the page" no "$call"
+done
+has 'the page shows the example' "$page" "$(sed -n '/^import sys/,$p' "$root/examples/host/two_stars.py")"
+
 # ---- every call
 begin --socket "$work/s" --save calls.bx
 cat >calls.py <<'PY'
@@ -232,6 +239,12 @@ done()
 PY
 "$program" frame "$root/examples/bounce.bx" --at 1f -o dots.png --size 16x16 >/dev/null 2>&1
 part calls
+end
+begin --socket "$work/s" --save calls.bx
+is 'names stay unique when a server goes on with a history' "$(python3 -c "
+from common import *
+with Host('$work/s') as a:
+    print(a.time()['host'], a.make_object())")" '2 2000001'
 end
 "$program" check calls.bx >checked 2>&1
 is 'the history is a script' "$?" 0
