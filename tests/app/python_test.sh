@@ -10,7 +10,7 @@ root=$(cd -- "$(dirname -- "$0")/../.." && pwd)
 export PYTHONPATH=$root/clients/python PYTHONDONTWRITEBYTECODE=1
 # What the hosts below have in common. A check says what did not hold.
 cat >common.py <<'PY'
-import contextlib, itertools, math, os, signal, socket, subprocess, sys, threading, time
+import contextlib, math, os, signal, socket, sys, threading, time
 from math import cos, sin
 from betwixt_client import *
 
@@ -31,6 +31,12 @@ def fails(what, kind, message, call, *arguments, **named):
         check(f"{what}: nothing was raised", False)
     except Exception as e:
         check(f"{what}: {type(e).__name__}: {e}\n  is not {kind.__name__}: {message}", type(e) is kind and str(e) == message)
+
+def settle(server):
+    """When all that was said has taken effect."""
+    now = server.time()["tick"]
+    while server.time()["tick"] <= now + 1:
+        time.sleep(0.01)
 
 def done():
     print(passed, "passed,", failed, "failed")
@@ -181,8 +187,9 @@ a.cancel(other)
 check("or not", world(other, stop + 200000) != world(other, stop + 100000))
 phase = a.make_environment()
 first = a.animate(phase, 30, translate(1, 0, 0))
+settle(a)
 kept = a.animate(phase, 30, translate(2, 0, 0), keep_phase=True)
-due = first + 30 * -(-(kept - first) // 30) if kept > first else first + 30
+due = first + 30 * -(-(kept - first) // 30)
 check("keep_phase", round(world(phase, due)[12] - world(phase, due - 1)[12]) == 2)
 a.kill(free)
 fails("a name that was killed", Refused,
@@ -228,6 +235,7 @@ a.begin_bundle()
 made = a.make_object()
 a.point(1, 1, 1)
 check("a bundle's tick", a.end_bundle()["ok"] and rows(made) == ["point (1 1 1)"])
+settle(a)
 a.begin_bundle()
 a.animate(spin, 4, rotate_z(0.1))
 a.end_bundle()
@@ -256,7 +264,6 @@ python3 "$root/examples/host/two_stars.py" "$work/s" >said 2>&1
 is 'the example' "$?$(cat said)" 0
 cat >stars.py <<'PY'
 from common import *
-from betwixt_client import Server
 with Server(sys.argv[1]) as server:
     history = server.history()
     begun = {line.split()[3]: int(line.split()[1][:-1]) for line in history.splitlines() if " animate " in line}
@@ -272,10 +279,7 @@ with Server(sys.argv[1]) as server:
             c, s = cos(angle * n), sin(angle * n)
             wanted = [c, -s, 0, x + 0.01 * d, s, c, 0, 0.004 * d, 0, 0, 1, 0, 0, 0, 0, 1]
             check(f"{whole} at {t}t: {m}", near(m, wanted))
-    now = server.time()["tick"]
-    while server.time()["tick"] <= now:
-        time.sleep(0.01)
-    check("time goes on", True)
+    settle(server)
 done()
 PY
 part stars
