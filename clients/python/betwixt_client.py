@@ -27,7 +27,7 @@ A `Host` is a server that is spoken to in the calls of the Animation Imaging Mod
         host.animate(spin, 1, rotate_z(0.1))        # it goes on turning when we have gone
 
 What the server refuses is a `Refused`; its `hint` may say a way out. A server that is not there, or no more, is `Gone`,
-one that takes too long `Late`. A call that makes no sense by itself is a ValueError or a TypeError, and nothing is sent.
+one that takes too long `Late`. A call that makes no sense by itself is a ValueError or a TypeError; nothing is sent.
 docs/server.md describes what goes over the wire, docs/aim.md the calls.
 """
 
@@ -42,8 +42,8 @@ import socket
 import struct
 import time
 
-__all__ = ["Gone", "Host", "Late", "Picture", "Refused", "Ring", "Server", "identity", "multiply", "rotate_x", "rotate_y",
-           "rotate_z", "scale", "transform", "translate"]
+__all__ = ["Gone", "Host", "Late", "Picture", "Refused", "Ring", "Server",
+           "identity", "multiply", "rotate_x", "rotate_y", "rotate_z", "scale", "transform", "translate"]
 
 
 class Gone(ConnectionError):
@@ -51,8 +51,8 @@ class Gone(ConnectionError):
 
 
 class Late(Gone, TimeoutError):
-    """The server has not answered in time. The connection is closed: whether the command was carried out is unknown, and
-    its answer could be taken for the next one's."""
+    """The server has not answered in time. The connection is closed, as its answer could be taken for the next one's;
+    whether the command was carried out is unknown."""
 
 
 class Refused(Exception):
@@ -233,8 +233,8 @@ class Server:
         return answer
 
     def _exchange(self, text):
-        """Sends a text that has one answer, and waits for it. Whatever comes in between, the connection is of no more use:
-        an answer that nobody has waited for would be taken for the next one's."""
+        """Sends a text that has one answer, and waits for it. If something comes in between, the connection is of no
+        more use: an answer that nobody has waited for would be taken for the next one's."""
         sent = text.encode() + b"\n"
         try:
             self._send(sent)
@@ -450,7 +450,8 @@ class Host(Server):
         """
         line = f"animate {_name('E', environment)} every {operator.index(interval)}t by {_matrix(matrix)}"
         if change:
-            line += f" {'slower' if change > 0 else 'faster'} {abs(operator.index(change))}t per {operator.index(period)}t"
+            line += f" {'slower' if change > 0 else 'faster'} {abs(operator.index(change))}t"
+            line += f" per {operator.index(period)}t"
         if ceiling != 30:
             line += f" limit {operator.index(ceiling)}t"
         if from_ is not None:
