@@ -17,23 +17,42 @@ By TCP, with the token that the server has printed:
         for event in server.subscribe("changes"):   # what other hosts do
             print(event["commands"])
 
-What the server refuses is a `Refused`; its `hint` may say a way out. docs/server.md describes what goes over the wire.
+A `Host` is a server that is spoken to in the calls of the Animation Imaging Model, those of betwixt/aim.h:
+
+    with Host("/run/user/1000/betwixt.sock") as host:
+        spin = host.make_environment()
+        with host.object() as scene, host.environment(spin):
+            host.polygon([(0, 2, 0), (-0.5, 0, 0), (0.5, 0, 0)])
+        host.start(scene)
+        host.animate(spin, 1, rotate_z(0.1))        # it goes on turning when we have gone
+
+What the server refuses is a `Refused`; its `hint` may say a way out. A server that is not there, or no more, is `Gone`,
+one that takes too long `Late`. A call that makes no sense by itself is a ValueError or a TypeError; nothing is sent.
+docs/server.md describes what goes over the wire, docs/aim.md the calls.
 """
 
 import collections
 import contextlib
 import json
+import math
 import mmap
+import operator
 import os
 import socket
 import struct
 import time
 
-__all__ = ["Gone", "Picture", "Refused", "Ring", "Server"]
+__all__ = ["Gone", "Host", "Late", "Picture", "Refused", "Ring", "Server",
+           "identity", "multiply", "rotate_x", "rotate_y", "rotate_z", "scale", "transform", "translate"]
 
 
 class Gone(ConnectionError):
-    """The server has ended, or has cut us off."""
+    """There is no server, or it has ended, or has cut us off. The connection is closed."""
+
+
+class Late(Gone, TimeoutError):
+    """The server has not answered in time. The connection is closed, as its answer could be taken for the next one's;
+    whether the command was carried out is unknown."""
 
 
 class Refused(Exception):
@@ -58,21 +77,42 @@ class Server:
 
     def __init__(self, where=None, token=None, timeout=10.0):
         if where is None:
-            where = os.path.join(os.environ["XDG_RUNTIME_DIR"], "betwixt.sock")
-        if token is None:
-            self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-            self._socket.settimeout(timeout)
-            self._socket.connect(where)
-        else:
-            host, _, port = where.rpartition(":")
-            self._socket = socket.create_connection((host.strip("[]"), int(port)), timeout)
-            self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            folder = os.environ.get("XDG_RUNTIME_DIR")
+            if not folder:
+                raise ValueError("no socket is named, and XDG_RUNTIME_DIR is not set")
+            where = os.path.join(folder, "betwixt.sock")
         self._timeout = timeout
         self._read = b""
         self._events = collections.deque()
         self._bundle = None
+        try:
+            self._socket = self._connected(where, token, timeout)
+        except OSError as why:
+            raise Gone(f"no server listens at {where}: {why.strerror or why}") from why
         if token is not None:
-            self._answer_to(f"token {token}")
+            try:
+                self._answer_to(f"token {token}")
+            except Refused:
+                self.close()
+                raise
+
+    @staticmethod
+    def _connected(where, token, timeout):
+        if token is not None:
+            host, _, port = where.rpartition(":")
+            if not port.isdecimal():
+                raise ValueError("with a token, where is HOST:PORT")
+            made = socket.create_connection((host.strip("[]"), int(port)), timeout)
+            made.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            return made
+        made = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        try:
+            made.settimeout(timeout)
+            made.connect(os.fspath(where))
+        except BaseException:
+            made.close()
+            raise
+        return made
 
     def __enter__(self):
         return self
@@ -102,29 +142,44 @@ class Server:
     @contextlib.contextmanager
     def bundle(self):
         """All commands inside are carried out at one moment at its end: all, or none and Refused."""
-        self._bundle = []
+        self.begin_bundle()
         try:
             yield self
-            lines = self._bundle
-        finally:
-            self._bundle = None
-        self._send("\n".join(["bundle", *lines, "end"]))
-        self._heard(self._next_answer())
+        except BaseException:
+            self._bundle_over()
+            raise
+        self.end_bundle()
+
+    def begin_bundle(self):
+        """From here on commands are noted down …"""
+        if self._bundle is not None:
+            raise ValueError("a bundle is open already")
+        self._bundle = []
+
+    def end_bundle(self):
+        """… and carried out here, all or none and Refused. The answer, as of `do`."""
+        if self._bundle is None:
+            raise ValueError("no bundle is open")
+        return self._heard(self._exchange("\n".join(["bundle", *self._bundle_over(), "end"])))
+
+    def _bundle_over(self):
+        lines, self._bundle = self._bundle, None
+        return lines
 
     def sheet(self, target, rows):
         """Events of a target: pairs of a time and a value, as they are written in scripts. All of them, or none."""
-        self._send("\n".join(["bundle", target, *(f"  {when} {value}" for when, value in rows), "end"]))
-        return self._heard(self._next_answer())
+        rows = [f"  {when} {value}" for when, value in rows]
+        return self._heard(self._exchange("\n".join(["bundle", target, *rows, "end"])))
 
     # ---- questions
 
     def eval(self, *targets, at=None):
         """The values of targets, by their names, now or at a time such as "90t" or "2.5s"."""
-        return self.do("eval " + " ".join(targets) + (f" at {at}" if at else ""))["values"]
+        return self._asked("eval " + " ".join(targets) + (f" at {at}" if at else ""))["values"]
 
     def time(self):
         """{"tick", "seconds", "slot", "running"} of now."""
-        return self.do("time")
+        return self._asked("time")
 
     def slot(self):
         """The slot counter: the tick modulo 30."""
@@ -132,17 +187,17 @@ class Server:
 
     def stats(self):
         """How the server is doing: a dict of numbers."""
-        return self.do("stats")["stats"]
+        return self._asked("stats")["stats"]
 
     def history(self):
         """The document as a script."""
-        return self.do("history")["said"]
+        return self._asked("history")["said"]
 
     # ---- events
 
     def subscribe(self, *topics, wait=None):
         """Asks for events and gives them one after another, for ever, or until none comes for `wait` seconds."""
-        self.do("subscribe " + " ".join(topics))
+        self._asked("subscribe " + " ".join(topics))
         return self.events(wait)
 
     def events(self, wait=None):
@@ -151,41 +206,25 @@ class Server:
             if self._events:
                 yield self._events.popleft()
                 continue
-            self._socket.settimeout(wait)
             try:
-                message = self._next_message()
-            except TimeoutError:
+                message = self._next_message(wait)
+            except (TimeoutError, BlockingIOError):
                 return
-            finally:
-                self._socket.settimeout(self._timeout)
             yield message
 
     # ---- the wire
 
-    def _send(self, text):
-        try:
-            self._socket.sendall(text.encode() + b"\n")
-        except (BrokenPipeError, ConnectionResetError) as why:
-            raise Gone("the server has gone") from why
+    def _asked(self, question):
+        if self._bundle is not None:
+            raise ValueError("nothing can be asked in a bundle")
+        return self._answer_to(question)
 
-    def _next_message(self):
-        while b"\n" not in self._read:
-            try:
-                more = self._socket.recv(1 << 16)
-            except ConnectionResetError as why:
-                raise Gone("the server has gone") from why
-            if not more:
-                raise Gone("the server has gone")
-            self._read += more
-        line, _, self._read = self._read.partition(b"\n")
-        return json.loads(line)
-
-    def _next_answer(self):
-        while True:
-            message = self._next_message()
-            if "event" not in message:
-                return message
-            self._events.append(message)
+    def _answer_to(self, *lines):
+        """Sends the lines of one command; of the answers only the last counts, unless an earlier one says no."""
+        answer = None
+        for line in lines:
+            answer = self._heard(self._exchange(line))
+        return answer
 
     @staticmethod
     def _heard(answer):
@@ -193,13 +232,398 @@ class Server:
             raise Refused(answer)
         return answer
 
-    def _answer_to(self, *lines):
-        """Sends the lines of one command; of the answers only the last counts, unless an earlier one says no."""
-        answer = None
-        for line in lines:
-            self._send(line)
-            answer = self._heard(self._next_answer())
+    def _exchange(self, text):
+        """Sends a text that has one answer, and waits for it. If something comes in between, the connection is of no
+        more use: an answer that nobody has waited for would be taken for the next one's."""
+        sent = text.encode() + b"\n"
+        try:
+            self._send(sent)
+            while "event" in (message := self._next_message(self._timeout)):
+                self._events.append(message)
+            return message
+        except (TimeoutError, BlockingIOError) as why:
+            raise self._lost(Late(f"the server has not answered in {self._timeout:g} s")) from why
+        except BaseException:
+            self.close()
+            raise
+
+    def _send(self, sent):
+        wire = self._wire(self._timeout)
+        try:
+            wire.sendall(sent)
+        except ConnectionError as why:
+            raise self._lost(Gone("the server has gone")) from why
+
+    def _next_message(self, wait):
+        while b"\n" not in self._read:
+            wire = self._wire(wait)
+            try:
+                more = wire.recv(1 << 16)
+            except ConnectionError as why:
+                raise self._lost(Gone("the server has gone")) from why
+            if not more:
+                raise self._lost(Gone("the server has gone"))
+            self._read += more
+        line, _, self._read = self._read.partition(b"\n")
+        try:
+            message = json.loads(line)
+        except (ValueError, RecursionError):
+            message = None
+        if not isinstance(message, dict) or not ("ok" in message or "event" in message):
+            raise self._lost(Gone("this is not an imaging server"))
+        return message
+
+    def _wire(self, wait):
+        if self._socket.fileno() < 0:
+            raise Gone("the connection is closed")
+        self._socket.settimeout(wait)
+        return self._socket
+
+    def _lost(self, why):
+        self.close()
+        return why
+
+
+class Host(Server):
+    """A server in the calls of the Animation Imaging Model (betwixt/aim.h, docs/aim.md).
+
+    Matrices are 16 numbers row by row; points are rows multiplied from the left, a translation stands in the last row:
+    what `translate`, `rotate_z` and the others below give. Times are whole ticks, colours sRGB from 0 to 1. Names of
+    objects, tags and environments are positive numbers, unique on the server.
+    """
+
+    NAMES = 1_000_000  # of each kind for a host
+
+    def __init__(self, where=None, token=None, timeout=10.0):
+        super().__init__(where, token, timeout)
+        self._named = collections.Counter()
+        self._open = None  # the object
+        self._interrupted = False  # another command came between its rows; it must be opened again for the next one
+        self._replacing = False
+        self._open_before_bundle = None
+        self._stamp = self._now = -math.inf  # when what was said last takes effect; the last tick that is known of
+        try:
+            self._first = self.time()["host"] * self.NAMES
+        except BaseException:
+            self.close()
+            raise
+
+    # ---- objects: display lists
+
+    def make_object(self):
+        """MAKEOBJ: opens a new object; the commands that follow are its own, until `close_object`. Its name."""
+        self._none_open()
+        made = self._name("object")
+        self.do(f"make O{made}")
+        self._opened(made)
+        return made
+
+    def edit_object(self, object):
+        """EDITOBJ: opens it again, to add and replace."""
+        self._none_open()
+        self.do(f"edit {_name('O', object)}")
+        self._opened(object)
+
+    def close_object(self):
+        """CLOSEOBJ."""
+        if self._open is None:
+            raise ValueError("no object is open")
+        self._open = None
+
+    @contextlib.contextmanager
+    def object(self):
+        """`with host.object() as star:` is `make_object` … `close_object`."""
+        made = self.make_object()
+        try:
+            yield made
+        finally:
+            self._open = None
+
+    def delete_object(self, object):
+        self.do(f"delete {_name('O', object)}")
+
+    def call_object(self, object):
+        """CALLOBJ: an instance."""
+        self._row(f"call {_name('O', object)}")
+
+    def tag(self):
+        """TAG: names the next command. The name."""
+        made = self._name("tag")
+        self._row(f"tag T{made}")
+        return made
+
+    def replace(self, tag, offset=0):
+        """REPLACE: what follows takes the place of tag + offset, and of the commands behind it, one for one."""
+        text = f"replace {_name('T', tag)} {operator.index(offset)}"
+        self._replacing = False
+        self._row(text)
+        self._replacing = True
+
+    def push_matrix(self):
+        self._row("push")
+
+    def pop_matrix(self):
+        self._row("pop")
+
+    def multiply_matrix(self, matrix):
+        """MULTMATRIX: top of stack <- matrix top."""
+        self._row(f"multiply {_matrix(matrix)}")
+
+    @contextlib.contextmanager
+    def matrix(self, matrix):
+        """`with host.matrix(m):` is `push_matrix`, `multiply_matrix(m)` … `pop_matrix`."""
+        text = _matrix(matrix)
+        self.push_matrix()
+        try:
+            self._row(f"multiply {text}")
+            yield
+        finally:
+            self.pop_matrix()
+
+    def point(self, x, y, z):
+        self._row(f"point {_point((x, y, z))}")
+
+    def vector(self, start, end):
+        self._row(f"vector {_point(start)} {_point(end)}")
+
+    def polygon(self, points):
+        points = [_point(p) for p in points]
+        if len(points) < 3:
+            raise ValueError("a polygon has at least three points")
+        self._row(f"polygon {' '.join(points)}")
+
+    def text(self, text):
+        self._row(f"text {_quoted(text)}")
+
+    def color(self, r, g, b):
+        self._row(f"color rgb({_numbers((r, g, b), 3, 'a colour is three numbers')})")
+
+    def texture(self, file):
+        self._row(f"texture {_quoted(os.fspath(file))}")
+
+    def font(self, name):
+        self._row(f"font {_quoted(name)}")
+
+    def view(self, eye, at):
+        self._row(f"view from {_point(eye)} to {_point(at)}")
+
+    def perspective(self, horizontal_angle_in_radians):
+        self._row(f"perspective {_numbers((horizontal_angle_in_radians,), 1, 'an angle is a number')}rad")
+
+    def orthographic(self, height):
+        self._row(f"orthographic {_numbers((height,), 1, 'a height is a number')}")
+
+    # ---- environments
+
+    def make_environment(self):
+        """A name that nobody has."""
+        return self._name("environment")
+
+    def begin_environment(self, environment):
+        """BeginAniEnv, in an open object."""
+        self._row(f"begin {_name('E', environment)}")
+
+    def end_environment(self):
+        """EndAniEnv."""
+        self._row("end")
+
+    @contextlib.contextmanager
+    def environment(self, environment):
+        """`with host.environment(spin):` is `begin_environment(spin)` … `end_environment`."""
+        self.begin_environment(environment)
+        try:
+            yield
+        finally:
+            self.end_environment()
+
+    def start(self, main_object):
+        """StartAniProc: it is shown, and time begins."""
+        self.do(f"start {_name('O', main_object)}")
+
+    def animate(self, environment, interval, matrix, *, change=0, period=1, ceiling=30, from_=None, until=None,
+                keep_phase=False):
+        """Animate: every `interval` ticks by `matrix`. The tick from which on it is so; None in a bundle.
+
+        The interval grows by `change` (below 0: shrinks) every `period` ticks, and stops for good at the `ceiling`. It
+        starts `from_` and stops `until` so many ticks from now; None: at once, never. `keep_phase`: the first update
+        when the old motion's next one was due.
+        """
+        line = f"animate {_name('E', environment)} every {operator.index(interval)}t by {_matrix(matrix)}"
+        if change:
+            line += f" {'slower' if change > 0 else 'faster'} {abs(operator.index(change))}t"
+            line += f" per {operator.index(period)}t"
+        if ceiling != 30:
+            line += f" limit {operator.index(ceiling)}t"
+        if from_ is not None:
+            line += f" from {operator.index(from_)}t"
+        if until is not None:
+            line += f" until {operator.index(until)}t"
+        return self._stamped(line + (" keep-phase" if keep_phase else ""))
+
+    def halt(self, environment):
+        """HaltAnimation. The tick of it; None in a bundle."""
+        return self._stamped(f"halt {_name('E', environment)}")
+
+    def kill(self, environment):
+        """KillAnimation. The tick of it; None in a bundle."""
+        return self._stamped(f"kill {_name('E', environment)}")
+
+    def cancel(self, environment):
+        """Drops starts and stops that are still to come. The tick of it; None in a bundle."""
+        return self._stamped(f"cancel {_name('E', environment)}")
+
+    def get_interval(self, environment):
+        """GetAniTime."""
+        return self._value(environment, "every")
+
+    def get_matrix(self, environment):
+        """GetAniMatrix: M, not A."""
+        return _transposed(self._value(environment, "by"))
+
+    def get_environment_matrix(self, environment):
+        """A, as it is now."""
+        return _transposed(self._value(environment, "world"))
+
+    def get_slot_counter(self):
+        """0 … 29."""
+        return self.time()["slot"]
+
+    def get_tick(self):
+        return self.time()["tick"]
+
+    # ---- what they are made of
+
+    def do(self, command):
+        """As of a Server; between the commands of an open object too."""
+        self._interrupted = True
+        return super().do(command)
+
+    def begin_bundle(self):
+        super().begin_bundle()
+        self._open_before_bundle, self._interrupted = self._open, True
+
+    def end_bundle(self):
+        answer = super().end_bundle()
+        self._stamp = answer["tick"]
         return answer
+
+    def _bundle_over(self):
+        self._open, self._interrupted = self._open_before_bundle, True
+        return super()._bundle_over()
+
+    def _name(self, kind):
+        if self._named[kind] >= self.NAMES - 1:
+            raise ValueError("this host has used up its names")
+        self._named[kind] += 1
+        return self._first + self._named[kind]
+
+    def _none_open(self):
+        if self._open is not None:
+            raise ValueError("an object is open already")
+
+    def _opened(self, object):
+        self._open, self._interrupted, self._replacing = object, False, False
+
+    def _row(self, text):
+        if self._open is None:
+            raise ValueError("no object is open")
+        if self._interrupted:
+            if self._replacing:
+                raise ValueError("another command came after 'replace': it must be said again")
+            self.do(f"edit O{self._open}")
+            self._interrupted = False
+        super().do("  " + text)
+
+    def _stamped(self, line):
+        answer = self.do(line)
+        if answer is None:
+            return None
+        self._stamp = answer["tick"]
+        return self._stamp
+
+    def _value(self, environment, what):
+        """One value of an environment; of what was just said, as it will be."""
+        target = f"{_name('E', environment)}.{what}"
+        if self._stamp > self._now:
+            self._now = self.time()["tick"]
+        return self.eval(target, at=f"{self._stamp}t" if self._stamp > self._now else None)[target]
+
+
+# What goes into lines. A value of the wrong kind is Python's own TypeError.
+
+
+def _name(letter, number):
+    return f"{letter}{operator.index(number)}"
+
+
+def _numbers(values, count, rule):
+    values = list(values)
+    if len(values) != count or not all(math.isfinite(v) for v in values):
+        raise ValueError(rule)
+    return " ".join(repr(float(v)).removesuffix(".0") for v in values)
+
+
+def _point(p):
+    return f"({_numbers(p, 3, 'a point is three numbers')})"
+
+
+def _transposed(m):
+    return [m[4 * column + row] for row in range(4) for column in range(4)]
+
+
+def _matrix(m):
+    """Row vectors turn into column vectors: the language writes the columns of `m` as rows."""
+    m = list(m)
+    if len(m) != 16:
+        raise ValueError("a matrix is 16 numbers")
+    return f"matrix({_numbers(_transposed(m), 16, 'a matrix is 16 numbers')})"
+
+
+def _quoted(text):
+    """A text of the language: in quotes, on one line."""
+    if not isinstance(text, str):
+        raise TypeError(f"a text is a str, not {type(text).__name__}")
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
+
+
+# Matrices (appendix A): lists of 16 numbers, row by row; p' = p M.
+
+
+def identity():
+    return scale(1, 1, 1)
+
+
+def translate(x, y, z):
+    return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1]
+
+
+def scale(x, y, z):
+    return [x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1]
+
+
+def rotate_x(radians):
+    c, s = math.cos(radians), math.sin(radians)
+    return [1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1]
+
+
+def rotate_y(radians):
+    c, s = math.cos(radians), math.sin(radians)
+    return [c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, 0, 1]
+
+
+def rotate_z(radians):
+    c, s = math.cos(radians), math.sin(radians)
+    return [c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+
+
+def multiply(a, b):
+    """a b: first a, then b."""
+    return [sum(a[4 * row + k] * b[4 * k + column] for k in range(4)) for row in range(4) for column in range(4)]
+
+
+def transform(p, m):
+    """The point p M."""
+    return [p[0] * m[i] + p[1] * m[4 + i] + p[2] * m[8 + i] + m[12 + i] for i in range(3)]
 
 
 class Picture:

@@ -37,12 +37,13 @@ const char* aim_error(const aim*);
 /* ---- objects: display lists (2.2.1, 2.2.6) --------------------------------------------------------------------------
  * Names of objects, tags and environments are positive numbers made by the library, unique on the server. */
 aim_status aim_make_object(aim*, int* object); /* MAKEOBJ: opens it; the commands that follow are its own … */
-aim_status aim_close_object(aim*);             /* CLOSEOBJ: … until here */
+aim_status aim_close_object(aim*);             /* CLOSEOBJ: … until here; others may come between */
 aim_status aim_edit_object(aim*, int object);  /* EDITOBJ: opens it again, to add and replace */
 aim_status aim_delete_object(aim*, int object);
 aim_status aim_call_object(aim*, int object);            /* CALLOBJ: an instance */
 aim_status aim_tag(aim*, int* tag);                      /* TAG: names the next command */
-aim_status aim_replace(aim*, int tag, int offset);       /* REPLACE: what follows takes the place of tag + offset … */
+aim_status aim_replace(aim*, int tag, int offset);       /* REPLACE: what follows takes the place of tag + offset …
+                                                            and what is behind it, until another command comes between */
 
 aim_status aim_push_matrix(aim*);
 aim_status aim_pop_matrix(aim*);

@@ -93,7 +93,9 @@ struct aim {
   std::string said;
   Json answer;
   int first = 0, objects = 0, tags = 0, environments = 0;
-  bool open = false;  // an object is
+  int open = 0, open_before_bundle = 0;  // the object; 0: none
+  bool interrupted = false;  // another command came between its rows; it must be opened again for the next one
+  bool replacing = false;
   bool bundling = false;
   long stamp = LONG_MIN, now = LONG_MIN;  // when what was said last takes effect; the last tick that is known of
 
@@ -157,13 +159,30 @@ struct aim {
     return fail(AIM_E_REFUSED, why);
   }
 
+  // A command of the language that is no row: it ends the rows of an open object.
+  aim_status say(const std::string& line) {
+    interrupted = true;
+    return ask(line);
+  }
+  aim_status opens(const char* verb, int name) {
+    if (open != 0) return fail(AIM_E_CALL, "an object is open already");
+    const aim_status status = say(fmt::format("{} O{}", verb, name));
+    open = status == AIM_OK ? name : 0;
+    interrupted = replacing = false;
+    return status;
+  }
   aim_status row(const std::string& text) {
-    if (!open) return fail(AIM_E_CALL, "no object is open");
+    if (open == 0) return fail(AIM_E_CALL, "no object is open");
+    if (interrupted && replacing)
+      return fail(AIM_E_CALL, "another command came after 'replace': it must be said again");
+    if (interrupted)
+      if (const aim_status status = ask(fmt::format("edit O{}", open)); status != AIM_OK) return status;
+    interrupted = false;
     return ask("  " + text);
   }
   // About environments: it takes effect a little later than it is said.
   aim_status stamped(const std::string& line) {
-    const aim_status status = ask(line);
+    const aim_status status = say(line);
     if (status == AIM_OK && !bundling) stamp = answer.value("tick", stamp);
     return status;
   }
@@ -248,32 +267,28 @@ void aim_disconnect(aim* h) { delete h; }
 const char* aim_error(const aim* h) { return h ? h->error.c_str() : connect_error.c_str(); }
 
 aim_status aim_make_object(aim* h, int* object) {
-  if (h->open) return h->fail(AIM_E_CALL, "an object is open already");
+  if (h->open != 0) return h->fail(AIM_E_CALL, "an object is open already");
   if (const aim_status status = h->name(object, h->objects); status != AIM_OK) return status;
-  const aim_status status = h->ask(fmt::format("make O{}", *object));
-  h->open = status == AIM_OK;
-  return status;
+  return h->opens("make", *object);
 }
-aim_status aim_edit_object(aim* h, int object) {
-  if (h->open) return h->fail(AIM_E_CALL, "an object is open already");
-  const aim_status status = h->ask(fmt::format("edit O{}", object));
-  h->open = status == AIM_OK;
-  return status;
-}
+aim_status aim_edit_object(aim* h, int object) { return h->opens("edit", object); }
 aim_status aim_close_object(aim* h) {
-  if (!h->open) return h->fail(AIM_E_CALL, "no object is open");
-  h->open = false;  // the next command that is not a row ends the rows
+  if (h->open == 0) return h->fail(AIM_E_CALL, "no object is open");
+  h->open = 0;  // the next command that is not a row ends the rows
   h->error.clear();
   return AIM_OK;
 }
-aim_status aim_delete_object(aim* h, int object) { return h->ask(fmt::format("delete O{}", object)); }
+aim_status aim_delete_object(aim* h, int object) { return h->say(fmt::format("delete O{}", object)); }
 aim_status aim_call_object(aim* h, int object) { return h->row(fmt::format("call O{}", object)); }
 aim_status aim_tag(aim* h, int* tag) {
   if (const aim_status status = h->name(tag, h->tags); status != AIM_OK) return status;
   return h->row(fmt::format("tag T{}", *tag));
 }
 aim_status aim_replace(aim* h, int tag, int offset) {
-  return h->row(offset ? fmt::format("replace T{} {}", tag, offset) : fmt::format("replace T{}", tag));
+  h->replacing = false;
+  const aim_status status = h->row(fmt::format("replace T{} {}", tag, offset));
+  h->replacing = status == AIM_OK;
+  return status;
 }
 
 aim_status aim_push_matrix(aim* h) { return h->row("push"); }
@@ -326,7 +341,7 @@ aim_status aim_orthographic(aim* h, double height) {
 aim_status aim_make_environment(aim* h, int* environment) { return h->name(environment, h->environments); }
 aim_status aim_begin_environment(aim* h, int environment) { return h->row(fmt::format("begin E{}", environment)); }
 aim_status aim_end_environment(aim* h) { return h->row("end"); }
-aim_status aim_start(aim* h, int main_object) { return h->ask(fmt::format("start O{}", main_object)); }
+aim_status aim_start(aim* h, int main_object) { return h->say(fmt::format("start O{}", main_object)); }
 
 aim_motion aim_motion_of(long interval, const double m[16]) {
   aim_motion motion{};
@@ -384,18 +399,19 @@ aim_status aim_get_tick(aim* h, long* tick) {
 
 aim_status aim_begin_bundle(aim* h) {
   if (h->bundling) return h->fail(AIM_E_CALL, "a bundle is open already");
-  const aim_status status = (h->bundling = true, h->ask("bundle"));
+  h->bundling = true, h->open_before_bundle = h->open;
+  const aim_status status = h->say("bundle");
   h->bundling = status == AIM_OK;
   return status;
 }
 aim_status aim_end_bundle(aim* h) {
   if (!h->bundling) return h->fail(AIM_E_CALL, "no bundle is open");
-  h->bundling = h->open = false;
+  h->bundling = false, h->open = h->open_before_bundle;
   return h->stamped("end");
 }
 aim_status aim_command(aim* h, const char* line, const char** said) {
   if (!line || std::strchr(line, '\n')) return h->fail(AIM_E_CALL, "a command is one line");
-  const aim_status status = h->ask(line);
+  const aim_status status = h->say(line);
   h->said = status == AIM_OK && !h->bundling ? h->answer.value("said", std::string()) : std::string();
   if (said) *said = h->said.c_str();
   return status;

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <filesystem>
 
 #include "base/names.h"
@@ -96,6 +98,20 @@ std::size_t environments(const Scene& s) {
   return n;
 }
 
+// Hosts make names from their own numbers: O3000001 is of host 3 (betwixt/aim.h). What a history has of them stays
+// theirs: the highest of these hosts.
+std::uint64_t last_host_named(std::string_view text) {
+  std::uint64_t last = 0;
+  const auto part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (std::size_t i = text.find_first_of("EOT"); i < text.size(); i = text.find_first_of("EOT", i + 1)) {
+    if (i > 0 && part_of_name(text[i - 1])) continue;
+    std::uint64_t number = 0;
+    std::from_chars(text.data() + i + 1, text.data() + text.size(), number);  // too high for it: nobody's, and 0
+    last = std::max(last, number / 1'000'000);
+  }
+  return last;
+}
+
 }  // namespace
 
 // A flick is 625/441 of a nanosecond.
@@ -127,6 +143,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
     return fail(Code::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
                 "the paths of files in a script count from its folder, so its history must be there too");
   name_ = save.empty() ? from : save, save_ = save;
+  last_host_ = last_host_named(text);
   std::string cut;
   Diagnostics all = history_.begin(std::move(text), name_, options_.load, cut);
   if (has_errors(all)) return all;

@@ -106,10 +106,27 @@ int main(int argc, char** argv) {
   OK(aim_polygon(a, 3, triangle));
   OK(aim_close_object(a));
 
+  /* Other commands may come between those of an object. */
+  OK(aim_edit_object(a, object));
+  OK(aim_point(a, 1, 1, 1));
+  OK(aim_animate(a, spin, 1, half));
   OK(aim_begin_bundle(a));
+  OK(aim_point(a, 2, 2, 2));
   OK(aim_halt(a, spin));
   OK(aim_kill(a, drift));
   OK(aim_end_bundle(a));
+  OK(aim_point(a, 3, 3, 3));
+  OK(aim_replace(a, tag, 0));
+  OK(aim_cancel(a, spin));
+  check(aim_point(a, 4, 4, 4) == AIM_E_CALL && strstr(aim_error(a), "must be said again") != 0,
+        "a replacing that ended");
+  OK(aim_replace(a, tag, 0));
+  OK(aim_polygon(a, 3, triangle));
+  OK(aim_close_object(a));
+  char line[64];
+  snprintf(line, sizeof line, "describe O%d", object);
+  OK(aim_command(a, line, &said));
+  check(said && strstr(said, "point (1 1 1)\n  point (2 2 2)\n  point (3 3 3)") != 0, "points between other commands");
   check(aim_begin_bundle(a) == AIM_OK && aim_halt(a, spin) == AIM_OK && aim_halt(a, 77) == AIM_OK &&
             aim_end_bundle(a) == AIM_E_REFUSED,
         "a bundle with an error is refused as a whole");

@@ -10,22 +10,6 @@ clients=$(realpath -- "$(dirname -- "$0")/../../clients/python")
 export PYTHONPATH=$clients PYTHONDONTWRITEBYTECODE=1
 socket=$work/s.sock
 
-begin() { # OPTIONS…: a server, once it listens
-  : >log
-  "$program" serve "$@" 2>log &
-  server=$!
-  for _ in {1..200}; do
-    grep -q '^serving at' log && return
-    kill -0 $server 2>/dev/null || break
-    sleep 0.05
-  done
-  cat log >&2
-}
-end() { # [SIGNAL]
-  kill "-${1:-TERM}" $server
-  wait $server
-  code=$?
-}
 # Python with a server `s` at the socket; its output.
 host() {
   timeout 60 python3 -c "

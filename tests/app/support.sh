@@ -22,6 +22,22 @@ verdict() { # NAME yes|… EXPLANATION
 }
 is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }                       # NAME VALUE WANTED
 has() { verdict "$1" "$([[ $2 == *"$3"* ]] && echo yes)" "'$3' is not in: $(tail -c 600 <<<"$2")"; } # NAME TEXT PART
+begin() { # OPTIONS…: a server, once it listens
+  : >log
+  "$program" serve "$@" 2>log &
+  server=$!
+  for _ in {1..200}; do
+    grep -q '^serving at' log && return
+    kill -0 $server 2>/dev/null || break
+    sleep 0.05
+  done
+  cat log >&2
+}
+end() { # [SIGNAL]
+  kill "-${1:-TERM}" $server
+  wait $server
+  code=$?
+}
 # The line that ./test counts, and the exit code: whether all has passed.
 summary() {
   printf '%d passed, %d failed\n' "$passed" "$failed"
