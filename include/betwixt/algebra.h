@@ -113,6 +113,7 @@ struct Cost {
 };
 struct Count {
   std::string kernel;  // what is done to the points
+  Cost planned;        // per step, as the scheme has it
   Cost before, step;   // counted by running the very code with numbers that count
 };
 // For a plan that is made for so many points. Errors as above.

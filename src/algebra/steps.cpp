@@ -115,6 +115,7 @@ Result<Count> count_operations(const Motion& motion, std::int64_t steps, Method 
     auto plan = planned<Counted>(motion, steps, method, points);
     if (!plan) return plan.error();
     count.kernel = name_of(plan->kernel);
+    count.planned = {plan->per_point(), plan->per_step(), 0};
     const std::vector<Counted> x(n, 1.25), y(n, -0.75);  // any place will do
     Stepper<Counted> stepper(*std::move(plan), motion, x, y);
     const Tally ready_to_go = Counted::tally;

@@ -26,6 +26,7 @@ void add_play(CLI::App&, int& exit_code);
 void add_eval(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_tidy(CLI::App&, int& exit_code);
+void add_algebra(CLI::App&, int& exit_code);
 void add_contacts(CLI::App&, int& exit_code);
 void add_shell(CLI::App&, int& exit_code);
 void add_serve(CLI::App&, int& exit_code);

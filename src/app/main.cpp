@@ -71,7 +71,7 @@ int run(int argc, char** argv) {
   app.footer("Example:\n  betwixt render examples/bounce.bx -o bounce.mp4");
   app.require_subcommand(0, 1);
   for (const auto& add :
-       {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy, add_contacts, add_shell, add_serve})
+       {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy, add_algebra, add_contacts, add_shell, add_serve})
     add(app, exit_code);
   std::string word;
   CLI::App* helping = app.add_subcommand("help", "explains a command, or a word of the language");

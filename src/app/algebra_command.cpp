@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt algebra: the frames of a string of translations, rotations and scalings, and what they cost.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "app/command.h"
+#include "betwixt/algebra.h"
+#include "language/json.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+struct Call {
+  std::string motion, points = "1,0", method;
+  std::vector<std::string> at;
+  std::int64_t steps = 24;
+  bool count = false, json = false, inverse = false;
+};
+
+constexpr Method methods[] = {Method::matrix, Method::geometric, Method::differences, Method::best};
+constexpr std::int64_t most_stepped = 1'000'000;  // what is farther is sought
+
+struct Point {
+  Vec3 at;
+  int numbers = 2;
+};
+
+struct Asked {
+  Motion motion;
+  std::vector<Point> points;
+  std::vector<double> frames;  // empty: all
+  std::optional<Method> method;
+};
+
+Result<double> number(std::string_view text, std::string_view what) {
+  double x = 0;
+  const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (bad != std::errc() || end != text.data() + text.size() || !std::isfinite(x))
+    return fail(Code::syntax, fmt::format("{}: '{}' is no number", what, text.substr(0, 60)));
+  return x;
+}
+
+std::vector<std::string_view> parts(std::string_view text, std::string_view between) {
+  std::vector<std::string_view> all;
+  for (std::size_t from = text.find_first_not_of(between); from != std::string_view::npos;) {
+    const std::size_t to = std::min(text.find_first_of(between, from), text.size());
+    all.push_back(text.substr(from, to - from));
+    from = text.find_first_not_of(between, to);
+  }
+  return all;
+}
+
+Result<std::vector<Point>> read_points(const std::string& text) {
+  std::vector<Point> points;
+  for (const std::string_view word : parts(text, " ;")) {
+    const auto numbers = parts(word, ",");
+    if (numbers.size() != 2 && numbers.size() != 3)
+      return fail(Code::syntax, fmt::format("--points: '{}' is no point", word.substr(0, 60)),
+                  "as in --points \"1,0 -0.5,2\"");
+    Point p{{}, static_cast<int>(numbers.size())};
+    for (int c = 0; c < p.numbers; ++c) {
+      const auto x = number(numbers[static_cast<std::size_t>(c)], "--points");
+      if (!x) return x.error();
+      p.at[c] = *x;
+    }
+    points.push_back(p);
+  }
+  return points;
+}
+
+// What is wrong with the motion, under its text.
+int complain_about(const std::string& text, const Error& e) {
+  Diagnostic d{Severity::error, e, text, e.place.column - 1};
+  d.what.place.file = "motion";
+  fmt::print(stderr, "{}", to_string(d));
+  return wrong_input;
+}
+
+std::string point_text(const Point& p, const char* between) {
+  std::string out = write_number(p.at.x) + between + write_number(p.at.y);
+  return p.numbers == 3 ? out + between + write_number(p.at.z) : out;
+}
+
+// The frames one after the other, each with its points moved.
+template <class Show>
+Status go(const Call& call, const Asked& asked, const Show& show) {
+  const std::size_t count = asked.frames.empty() ? static_cast<std::size_t>(call.steps) + 1 : asked.frames.size();
+  const auto k_of = [&](std::size_t i) { return asked.frames.empty() ? static_cast<double>(i) : asked.frames[i]; };
+  std::vector<Point> moved = asked.points;
+  if (!asked.method) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double k = k_of(i);
+      const Mat4 m = k == std::floor(k) && std::abs(k) < 9e15
+                         ? *frame(asked.motion, static_cast<std::int64_t>(k), call.steps)
+                         : at(asked.motion, k / static_cast<double>(call.steps));
+      for (std::size_t p = 0; p < moved.size(); ++p) moved[p].at = transform_point(m, asked.points[p].at);
+      show(k, moved);
+    }
+    return Nothing{};
+  }
+  std::vector<double> x, y;
+  for (const Point& p : asked.points) x.push_back(p.at.x), y.push_back(p.at.y);
+  auto steps = Steps<double>::make(asked.motion, call.steps, *asked.method, x, y);
+  if (!steps) return steps.error();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto k = static_cast<std::int64_t>(k_of(i));
+    if (k < steps->frame() || k - steps->frame() > most_stepped) steps->seek(k);
+    while (steps->frame() < k) steps->step();
+    for (std::size_t p = 0; p < moved.size(); ++p) moved[p].at.x = steps->x()[p], moved[p].at.y = steps->y()[p];
+    show(k_of(i), moved);
+  }
+  return Nothing{};
+}
+
+// ---- Counts
+
+std::string json(const Cost& c) {
+  return fmt::format("{{\"per_point\":{},\"besides\":{},\"functions\":{}}}", c.per_point, c.besides, c.functions);
+}
+
+// The source's geometric method scales by the linear law: of that its count is.
+Motion counted(const Motion& motion, Method m) {
+  Motion as = motion;
+  if (m == Method::geometric)
+    for (Factor& f : as.factors) f.law = Factor::Law::linear;
+  return as;
+}
+
+std::string count_json(const Call& call, const Asked& asked) {
+  std::string out = "{";
+  if (const auto paper = printed_costs(asked.motion))
+    out += fmt::format("\"row\":{},\"paper\":{{\"matrix\":{},\"geometric\":{}}},", json_text(paper->row),
+                       json(paper->matrix), json(paper->geometric));
+  out += "\"methods\":{";
+  for (const Method m : methods) {
+    const auto c = count_operations(counted(asked.motion, m), call.steps, m, asked.points.size());
+    out += fmt::format("{}{}:", m == Method::matrix ? "" : ",", json_text(name_of(m)));
+    out += c ? fmt::format("{{\"kernel\":{},\"ours\":{},\"measured\":{},\"before\":{}}}", json_text(c->kernel),
+                           json(c->planned), json(c->step), json(c->before))
+             : fmt::format("{{\"error\":{}}}", json_text(c.error().message));
+  }
+  return out + "}}";
+}
+
+void print_counts(const Call& call, const Asked& asked) {
+  const auto paper = printed_costs(asked.motion);
+  fmt::print("Operations per step for Np points{}\n\n", paper ? ", row " + paper->row + " of the source's table" : "");
+  fmt::print("  {:<12} {:<16} {:<12} {:<12} {:<16} {}\n", "", "paper", "ours", "measured", "before the first",
+             "kernel");
+  std::string notes;
+  for (const Method m : methods) {
+    const auto c = count_operations(counted(asked.motion, m), call.steps, m, asked.points.size());
+    std::string printed = "-";
+    if (paper && m == Method::matrix) printed = to_string(paper->matrix);
+    if (paper && m == Method::geometric) printed = to_string(paper->geometric);
+    if (c) {
+      fmt::print("  {:<12} {:<16} {:<12} {:<12} {:<16} {}\n", name_of(m), printed, to_string(c->planned),
+                 to_string(c->step), to_string(c->before), c->kernel);
+    } else {
+      fmt::print("  {:<12} {:<16} -\n", name_of(m), printed);
+      notes += fmt::format("  {}: {}\n", name_of(m), c.error().message);
+    }
+  }
+  if (counted(asked.motion, Method::geometric) != asked.motion)
+    notes += "  geometric: with the scalings by the linear law\n";
+  fmt::print("{}{}", notes.empty() ? "" : "\n", notes);
+}
+
+// ---- The call
+
+// Where a scheme of the source meets the motion at its end only, it says so.
+bool end_only(const Asked& asked) {
+  const auto row = printed_costs(asked.motion);
+  return asked.method == Method::geometric && row && (row->row == "ST" || row->row == "SR");
+}
+
+Result<Asked> read(const Call& call) {
+  Asked asked;
+  auto points = read_points(call.points);
+  if (!points) return points.error();
+  asked.points = *std::move(points);
+  if (call.steps < 1) return frame({}, 0, call.steps).error();
+  for (const Method m : methods)
+    if (call.method == name_of(m)) asked.method = m;
+  for (const std::string& text : call.at) {
+    const auto k = number(text, "--at");
+    if (!k) return k.error();
+    if (asked.method && (*k != std::floor(*k) || std::abs(*k) > 9e15))
+      return fail(Code::range, fmt::format("--at: a method goes from step to step, and {} is none", text));
+    asked.frames.push_back(*k);
+  }
+  return asked;
+}
+
+int algebra(const Call& call) {
+  auto asked = read(call);
+  if (!asked) return complain(asked.error(), wrong_call);
+  auto motion = parse_motion(call.motion);
+  if (!motion) return complain_about(call.motion, motion.error());
+  for (const Factor& f : motion->factors)
+    if (!f.about.empty())
+      return complain(
+          fail(Code::name, fmt::format("there is no object '{}' here", f.about), "a centre is a place: @ 0 1"),
+          wrong_input);
+  if (call.inverse) motion = inverse(*motion);
+  if (!motion) return complain(motion.error(), wrong_input);
+  asked->motion = *std::move(motion);
+  if (const Status fine = check(asked->motion); !fine) return complain(fine.error(), wrong_input);
+  if (!is_planar(asked->motion))
+    for (Point& p : asked->points) p.numbers = 3;
+  if (call.inverse && !call.json) fmt::print("{}\n", to_string(asked->motion));
+  // What cannot be is said before anything is written.
+  if (asked->method) {
+    const double none = 0;
+    const auto steps = Steps<double>::make(asked->motion, call.steps, *asked->method, {&none, 1}, {&none, 1});
+    if (!steps) return complain(steps.error(), wrong_input);
+    for (const Point& p : asked->points)
+      if (p.numbers == 3) return complain(fail(Code::type, "the methods move points of the plane"), wrong_call);
+  }
+  if (end_only(*asked))
+    fmt::print(stderr, "betwixt: notice: this scheme meets the motion at its end, and leaves it in between\n");
+  if (call.json) {
+    std::string frames;
+    const Status done = go(call, *asked, [&](double k, const std::vector<Point>& points) {
+      frames += fmt::format("{}{{\"k\":{},\"points\":[", frames.empty() ? "" : ",", json_number(k));
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        frames += i ? ",[" : "[";
+        for (int c = 0; c < points[i].numbers; ++c) frames += (c ? "," : "") + json_number(points[i].at[c]);
+        frames += "]";
+      }
+      frames += "]}";
+    });
+    if (!done) return complain(done.error(), wrong_input);
+    fmt::print("{{\"steps\":{},\"motion\":{},\"frames\":[{}]{}}}\n", call.steps, json_text(to_string(asked->motion)),
+               frames, call.count ? ",\"count\":" + count_json(call, *asked) : "");
+    return all_done;
+  }
+  if (call.count) {
+    print_counts(call, *asked);
+    if (call.at.empty() && call.method.empty()) return all_done;
+    fmt::print("\n");
+  }
+  const Status done = go(call, *asked, [&](double k, const std::vector<Point>& points) {
+    fmt::print("{:<6}", write_number(k));
+    for (const Point& p : points) fmt::print("  {}", point_text(p, " "));
+    fmt::print("\n");
+  });
+  return done ? static_cast<int>(all_done) : complain(done.error(), wrong_input);
+}
+
+}  // namespace
+
+void add_algebra(CLI::App& app, int& exit_code) {
+  const auto call = std::make_shared<Call>();
+  CLI::App* sub = app.add_subcommand("algebra", "the frames of a string of T(…), R(…) and S(…), and what they cost");
+  sub->add_option("MOTION", call->motion, "the string, the leftmost applied last")->required()->type_name("");
+  sub->add_option("--steps", call->steps, "how many steps lead to the end (24)")->type_name("N");
+  sub->add_option("--at", call->at, "these frames only: 0 is rest, N the end")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("K[,K…]");
+  sub->add_option("--points", call->points, "what is moved (\"1,0\")")->type_name("\"X,Y …\"");
+  sub->add_option("--method", call->method,
+                  "matrix, geometric, differences or best; without it each frame is worked out by itself")
+      ->check([](const std::string& m) {
+        for (const Method known : methods)
+          if (m == name_of(known)) return std::string();
+        return fmt::format("'{}' is no method: matrix, geometric, differences or best", m);
+      })
+      ->type_name("NAME");
+  sub->add_flag("--count", call->count, "operations per step, as the source prints them and as they are");
+  sub->add_flag("--inverse", call->inverse, "the motion that undoes this one");
+  sub->add_flag("--json", call->json, "one JSON object");
+  sub->footer("Example:\n  betwixt algebra \"T(6.28 0) R(-1turn @ 0 1)\" --steps 12 --points \"0,0 0,2\" --count");
+  sub->callback([call, &exit_code] { exit_code = algebra(*call); });
+}
+
+}  // namespace betwixt
