@@ -40,10 +40,10 @@ aim_status aim_make_object(aim*, int* object); /* MAKEOBJ: opens it; the command
 aim_status aim_close_object(aim*);             /* CLOSEOBJ: … until here; others may come between */
 aim_status aim_edit_object(aim*, int object);  /* EDITOBJ: opens it again, to add and replace */
 aim_status aim_delete_object(aim*, int object);
-aim_status aim_call_object(aim*, int object);            /* CALLOBJ: an instance */
-aim_status aim_tag(aim*, int* tag);                      /* TAG: names the next command */
-aim_status aim_replace(aim*, int tag, int offset);       /* REPLACE: what follows takes the place of tag + offset …
-                                                            and what is behind it, until another command comes between */
+aim_status aim_call_object(aim*, int object);      /* CALLOBJ: an instance */
+aim_status aim_tag(aim*, int* tag);                /* TAG: names the next command */
+aim_status aim_replace(aim*, int tag, int offset); /* REPLACE: what follows takes the place of tag + offset …
+                                                      and what is behind it, until another command comes between */
 
 aim_status aim_push_matrix(aim*);
 aim_status aim_pop_matrix(aim*);
@@ -60,11 +60,12 @@ aim_status aim_view(aim*, const double eye[3], const double at[3]);
 aim_status aim_perspective(aim*, double horizontal_angle_in_radians);
 aim_status aim_orthographic(aim*, double height);
 
-/* ---- environments (2.2.5, 2.2.7, 5.1, 5.2) ------------------------------------------------------------------------- */
-aim_status aim_make_environment(aim*, int* environment);       /* a name nobody has */
-aim_status aim_begin_environment(aim*, int environment);       /* BeginAniEnv, in an open object */
-aim_status aim_end_environment(aim*);                          /* EndAniEnv */
-aim_status aim_start(aim*, int main_object);                   /* StartAniProc */
+/* ---- environments (2.2.5, 2.2.7, 5.1, 5.2) -------------------------------------------------------------------------
+ */
+aim_status aim_make_environment(aim*, int* environment);                          /* a name nobody has */
+aim_status aim_begin_environment(aim*, int environment);                          /* BeginAniEnv, in an open object */
+aim_status aim_end_environment(aim*);                                             /* EndAniEnv */
+aim_status aim_start(aim*, int main_object);                                      /* StartAniProc */
 aim_status aim_animate(aim*, int environment, long interval, const double m[16]); /* Animate */
 
 /* Animate with what it may have besides. Begin with aim_motion_of() and change what is to be different. */
@@ -95,7 +96,8 @@ aim_status aim_end_bundle(aim*);
 /* A line of the language (docs/language.md); the answer's text, if wanted, lives until the next call. */
 aim_status aim_command(aim*, const char* line, const char** said);
 
-/* ---- matrices (appendix A) -------------------------------------------------------------------------------------------- */
+/* ---- matrices (appendix A)
+ * -------------------------------------------------------------------------------------------- */
 void aim_identity(double m[16]);
 void aim_translate(double m[16], double x, double y, double z);
 void aim_scale(double m[16], double x, double y, double z);

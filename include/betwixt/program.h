@@ -13,8 +13,8 @@
 namespace betwixt {
 
 // A value read back, or a world matrix.
-using Reading =
-    std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure, Mat4>;
+using Reading = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment,
+                             Procedure, Mat4, Moves>;
 
 Reading reading_of(const Value&);
 
@@ -38,8 +38,8 @@ class Program {
   std::vector<Target> reads(const Target&, Time) const;
 
   Bearing bearing(ObjectId, Time) const;
-  // The first time after `t` at which a frame may differ from the one at `t`: `t` itself while something goes on moving,
-  // none if nothing ever will. Until then nothing need be evaluated or drawn.
+  // The first time after `t` at which a frame may differ from the one at `t`: `t` itself while something goes on
+  // moving, none if nothing ever will. Until then nothing need be evaluated or drawn.
   std::optional<Time> next_change(Time t) const;
 
   // What touches and what is in view: betwixt::contacts of the frame, without making all of it.

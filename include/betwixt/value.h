@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "betwixt/algebra.h"
 #include "betwixt/math.h"
 
 namespace betwixt {
@@ -55,7 +56,8 @@ struct Shared {
 using Text = Shared<std::string>;
 using Points = Shared<std::vector<Vec3>>;
 using Names = Shared<std::vector<std::string>>;
-using Matrix = Shared<Mat4>;  // affine
+using Matrix = Shared<Mat4>;   // affine
+using Moves = Shared<Motion>;  // from this event to the next one
 
 // What an object hangs on, and how (rules, section 5).
 //   hang    its position only is moved by the parent    attach  the parent turns it too, its scale does not
@@ -93,11 +95,12 @@ enum class Type : std::uint8_t {
   names,        // Names
   attachment,   // Attachment
   transform,    // Matrix
+  motion,       // Moves
 };
 std::string_view to_string(Type);  // in the author's words: "a number", "a vector", …
 bool has_velocity(Type);           // whether values of the type have a rate of change
 
-using Value =
-    std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment, Procedure, Matrix>;
+using Value = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment,
+                           Procedure, Matrix, Moves>;
 
 }  // namespace betwixt

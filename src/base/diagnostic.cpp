@@ -83,6 +83,8 @@ std::string_view to_string(Type type) {
       return "an attachment";
     case Type::transform:
       return "a transform";
+    case Type::motion:
+      return "a motion";
   }
   return "a value";
 }

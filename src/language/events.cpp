@@ -154,6 +154,7 @@ bool Reader::computed(Cursor& c, const Selected& to, Value& out) {
     case Type::names:
     case Type::attachment:
     case Type::transform:
+    case Type::motion:
       return c.fail(Code::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
     default:
       break;
@@ -168,6 +169,7 @@ bool Reader::computed(Cursor& c, const Selected& to, Value& out) {
 
 // What stands behind a row's time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep TWERPER.
 bool Reader::event(Cursor& c, const Selected& to, Time time) {
+  if (to.type() == Type::motion) return moving(c, to, time, std::nullopt);
   Event e;
   e.time = time;
   c.space();
@@ -207,6 +209,12 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
     }
   }
   const std::string_view about(value_at, static_cast<std::size_t>(c.at - value_at));
+  if (!way(c, to, e)) return false;
+  return put(to, std::move(e), c, about);
+}
+
+// How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V].
+bool Reader::way(Cursor& c, const Selected& to, Event& e) {
   bool chosen = false;
   while (!c.at_line_end()) {
     const char* start = c.at;
@@ -234,8 +242,7 @@ bool Reader::event(Cursor& c, const Selected& to, Time time) {
     if (e.twerper == Twerper::bezier) e.detail.edit().bezier = bezier;
     chosen = true;
   }
-  if (e.keep && !chosen) return c.fail_here(Code::syntax, "keep needs a twerper, as in keep linear");
-  return put(to, std::move(e), c, about);
+  return !e.keep || chosen || c.fail_here(Code::syntax, "keep needs a twerper, as in keep linear");
 }
 
 bool Reader::put(const Selected& to, Event event, Cursor& c, std::string_view about) {
@@ -312,9 +319,28 @@ bool Reader::put(const Selected& to, Event event, Cursor& c, std::string_view ab
   return true;
 }
 
+bool Reader::time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
+  if (!c.time(from)) return false;
+  if (c.end - c.at < 2 || c.at[0] != '.' || c.at[1] != '.') return true;
+  c.at += 2;
+  Time to;
+  if (!c.time(to)) return false;
+  until = to;
+  return true;
+}
+
+bool Reader::one_time_only(Cursor& c, std::string_view segment) {
+  return c.fail(Code::syntax, "one time stands here: only motions have a segment", segment,
+                "as in wheel.motion and a row 1f..24f T(6 0)");
+}
+
 bool Reader::at(Cursor& c) {
   if (timed_) return c.fail_here(Code::syntax, "one 'at' is enough");
-  if (!c.time(time_)) return false;
+  std::optional<Time> until;
+  c.space();
+  const char* const times = c.at;
+  if (!time_or_segment(c, time_, until)) return false;
+  const std::string_view segment = c.since(times);
   timed_ = true;
   c.space();
   const char* start = c.at;
@@ -331,8 +357,11 @@ bool Reader::at(Cursor& c) {
       if (c.at > start && c.at[-1] == '\n') --c.at;
       return true;
     }
+    if (until && to.type() == Type::motion) return moving(c, to, time_, until);
+    if (until) return one_time_only(c, segment);
     return event(c, to, time_);
   }
+  if (until) return one_time_only(c, segment);
   c.at = start;
   if (w == "set")
     return c.fail(Code::syntax, "'set' has no time; with 'at', write the target and its value", w,
@@ -370,6 +399,9 @@ bool Reader::set(Cursor& c) {
     for (const Target& t : to.targets) set_value(s, t, v);
     return true;
   }
+  if (to.type() == Type::motion)
+    return c.fail(Code::type, "a motion is not set: it takes a segment of time", w,
+                  fmt::format("as in at 1f..24f {} T(6 0)", w.substr(0, 60)));
   if (to.type() == Type::attachment)
     return c.fail(Code::type, "an attachment is not set", w, "couple A to B, attach A to B, hang A on B, detach A");
   if (!values(c).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;

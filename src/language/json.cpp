@@ -69,6 +69,7 @@ std::string json(const Reading& r, const Target& target, const Document& d) {
   }
   if (const auto* a = std::get_if<Attachment>(&r))
     return json_text(write_value(*a, spec_of(d.scene(), fn::attachment), -1, [&](ObjectId id) { return d.name(id); }));
+  if (const auto* m = std::get_if<Moves>(&r)) return json_text(to_string(**m));
   if (const auto* names = std::get_if<Names>(&r)) {
     std::string out = "[";
     for (const auto& n : **names) out += (out.size() > 1 ? "," : "") + json_text(n);

@@ -105,8 +105,8 @@ bool Reader::filter(Cursor& c) {
   }
   if (own) made.code = own->code;
   const Type type = on.spec ? on.type() : Type::vector;
-  if (type == Type::attachment || type == Type::names || type == Type::transform || type == Type::points ||
-      (spec && !own && on.spec && !suits(*spec, type)))
+  if (type == Type::attachment || type == Type::names || type == Type::transform || type == Type::motion ||
+      type == Type::points || (spec && !own && on.spec && !suits(*spec, type)))
     return c.fail(Code::type, fmt::format("'{}' means nothing for {}", name, to_string(type)), word);
   while (!c.at_line_end()) {
     const char* start = c.at;

@@ -54,10 +54,19 @@ void rename_in_values(Scene& s, const std::string& old, const std::string& name)
       std::replace(list.begin(), list.end(), old, name);
       *names = Names(std::move(list));
     }
+    if (auto* moves = std::get_if<Moves>(&v)) {
+      Motion motion = **moves;
+      for (Factor& f : motion.factors)
+        if (f.about == old) f.about = name;
+      *moves = Moves(std::move(motion));
+    }
   };
   const auto speaks = [&](const Value& v) {
     if (const auto* names = std::get_if<Names>(&v))
       return std::find((*names)->begin(), (*names)->end(), old) != (*names)->end();
+    if (const auto* moves = std::get_if<Moves>(&v))
+      return std::any_of((*moves)->factors.begin(), (*moves)->factors.end(),
+                         [&](const Factor& f) { return f.about == old; });
     const auto* p = std::get_if<Procedure>(&v);
     return p && changed(Role::value, p->code);
   };
@@ -154,6 +163,9 @@ bool Reader::parameters(Cursor& c, Object& object) {
       // A formula in quotes would be a procedure.
       return c.fail_here(Code::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
     }
+    if (spec.type == Type::motion)
+      return c.fail(Code::type, "a motion is not set: it takes a segment of time", key,
+                    fmt::format("as in at 1f..24f {}.motion T(6 0)", object.name.substr(0, 60)));
     if (spec.type == Type::attachment)
       return c.fail(Code::type, "an attachment is not set", key, "couple A to B, attach A to B, hang A on B");
     Value v;

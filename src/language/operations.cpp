@@ -243,6 +243,8 @@ bool Reader::reverse(Cursor& c) {
     if (velocity)
       return fail(Code::type, "a track with velocities cannot be reversed",
                   "clear them first, or reverse the velocity alone");
+    if (on.type() == Type::motion)
+      return fail(Code::type, "a motion cannot be reversed", "write what undoes it: betwixt algebra --inverse tells");
     return reverse_segment(t, segment);
   });
 }

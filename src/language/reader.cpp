@@ -327,7 +327,11 @@ bool Reader::row(Cursor& c) {
                        fmt::format("a row begins with a time, not with '{}'",
                                    c.peek_word().empty() ? std::string_view(c.at, 1) : c.peek_word()),
                        "a command that follows a sheet is not indented");
-  return c.time(time) && event(c, sheet.on, time) && finish(c);
+  const char* const start = c.at;
+  std::optional<Time> until;
+  if (!time_or_segment(c, time, until)) return false;
+  if (until && sheet.on.type() != Type::motion) return one_time_only(c, c.since(start));
+  return (until ? moving(c, sheet.on, time, until) : event(c, sheet.on, time)) && finish(c);
 }
 
 }  // namespace betwixt

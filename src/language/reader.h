@@ -87,6 +87,9 @@ class Reader {
   // events.cpp
   bool event(Cursor& c, const Selected& to, Time time);
   bool twerper(Cursor& c, const Selected& to, Twerper& out, std::array<double, 4>& bezier);
+  bool way(Cursor& c, const Selected& to, Event& event);
+  bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until);
+  bool one_time_only(Cursor& c, std::string_view segment);
   bool tangent(Cursor& c, const Selected& to, std::string_view key, Event& event);
   bool rate_of_change(Cursor& c, const Selected& to, Value& out);
   bool computed(Cursor& c, const Selected& to, Value& out);
@@ -101,6 +104,9 @@ class Reader {
   bool show(Cursor& c) { return display(c, true); }
   bool hide(Cursor& c) { return display(c, false); }
   bool display(Cursor& c, bool on);
+
+  // motions.cpp
+  bool moving(Cursor& c, const Selected& to, Time from, std::optional<Time> until);
 
   // objects.cpp
   bool create(Cursor& c);

@@ -160,9 +160,6 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
     note(Severity::notice, fmt::format("'{}' names nothing", word), word);
     return true;
   }
-  static constexpr std::string_view later[] = {"motion"};
-  if (std::find(std::begin(later), std::end(later), function) != std::end(later))
-    return c.fail(Code::name, fmt::format("'{}' is not in this version of Betwixt", function), function);
   const Object& o = s.objects[objects[0].index];
   auto names = function_names(s, o.kind);
   names.push_back("world");

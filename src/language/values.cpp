@@ -436,6 +436,12 @@ bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, Fun
       out = std::move(list);
       return true;
     }
+    case Type::motion: {
+      Moves moves;
+      if (!motion(moves)) return false;
+      out = std::move(moves);
+      return true;
+    }
     case Type::transform: {
       Mat4 m;
       if (!transform(m)) return false;

@@ -37,6 +37,7 @@ struct ValueReader {
   // translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), one behind the other:
   // the leftmost is applied last.
   bool transform(Mat4& out);
+  bool motion(Moves& out);  // T(…) R(…) S(…); "" for none
   // Plain names, also of what is not there yet: (spin drift), or one of them.
   bool names(Names& out);
 };

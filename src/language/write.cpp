@@ -58,8 +58,9 @@ struct Writer {
                        write_number(b[3]));
   }
 
-  void row(const Event& e, const FunctionSpec& spec, int component) {
-    out += "  " + point(e.time) + " ";
+  void row(const Event& e, const FunctionSpec& spec, int component) { row(e, spec, component, "", e.detail->ease_in); }
+  void row(const Event& e, const FunctionSpec& spec, int component, const std::string& until, Time ease_in) {
+    out += "  " + point(e.time) + until + " ";
     if (e.release) {
       out += "release\n";
       return;
@@ -76,9 +77,35 @@ struct Writer {
       out += " " + twerper_name(s, e.twerper);
     if (e.detail->tangent_in) out += " tangent-in=" + value(*e.detail->tangent_in, spec, component);
     if (e.detail->tangent_out) out += " tangent-out=" + value(*e.detail->tangent_out, spec, component);
-    if (e.detail->ease_in != Time{}) out += " ease-in=" + length(e.detail->ease_in);
+    if (ease_in != Time{}) out += " ease-in=" + length(ease_in);
     if (e.detail->ease_out != Time{}) out += " ease-out=" + length(e.detail->ease_out);
     out += "\n";
+  }
+
+  // A motion and the end of it make one row.
+  void motions(const Track& t, const FunctionSpec& spec) {
+    std::vector<Event> events;
+    t.events.each([&](const Event& e) { events.push_back(e); });
+    const auto rest = [](const Event& e) {
+      const auto* m = std::get_if<Moves>(&e.value);
+      EventDetail plain = *e.detail;
+      plain.ease_in = {};
+      return m && (*m)->factors.empty() && !e.keep && plain == EventDetail{} && e.twerper == Twerper::unset;
+    };
+    Time eased;  // by the row before
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      Event e = events[i];
+      const bool ends = i + 1 < events.size() && !rest(e) && !e.keep;
+      if (ends) {
+        if (e.detail->ease_in != eased)  // an arrival that no motion leads to
+          row({e.time, Moves(), {}, Twerper::unset, false, false}, spec, -1, "", e.detail->ease_in);
+        eased = events[i + 1].detail->ease_in;
+        if (e.detail) e.detail.edit().ease_in = {};
+      }
+      row(e, spec, -1, ends ? ".." + point(events[i + 1].time) : "", ends ? eased : e.detail->ease_in);
+      if (!ends) eased = {};
+      if (ends && rest(events[i + 1])) ++i, eased = {};
+    }
   }
 
   void track(const Track& t, const Target& target) {
@@ -87,7 +114,10 @@ struct Writer {
     // A bezier whose event left it for another twerper is of no effect and is not written.
     if (!t.events.empty() || target.component >= 0) {
       out += layer + name + "\n";
-      t.events.each([&](const Event& e) { row(e, spec, target.component); });
+      if (spec.type == Type::motion)
+        motions(t, spec);
+      else
+        t.events.each([&](const Event& e) { row(e, spec, target.component); });
     }
     if (t.global != Twerper::unset || t.srgb) {
       out += layer + "twerper " + name + " " +

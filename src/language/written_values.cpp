@@ -157,6 +157,7 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
     return out;
   }
   if (const auto* m = std::get_if<Matrix>(&v)) return write_matrix(**m);
+  if (const auto* m = std::get_if<Moves>(&v)) return (*m)->factors.empty() ? "\"\"" : to_string(**m);
   if (const auto* p = std::get_if<Procedure>(&v)) return "= " + write_text(p->code->source);
   std::string out = "(";
   for (const auto& n : *std::get<Names>(v)) out += (out.size() > 1 ? " " : "") + n;

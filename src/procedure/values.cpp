@@ -110,6 +110,10 @@ struct Pusher {
   bool operator()(const Points& p) const {
     return push_list(l, p->size(), [&](std::size_t i) { push_three(l, Kind::vector, (*p)[i]); });
   }
+  bool operator()(const Moves& m) const {
+    const std::string text = to_string(*m);
+    return lua_pushlstring(l, text.data(), text.size()), true;
+  }
   bool operator()(const Names& n) const {
     return push_list(l, n->size(), [&](std::size_t i) { lua_pushlstring(l, (*n)[i].data(), (*n)[i].size()); });
   }

@@ -90,6 +90,7 @@ struct Asking {
   };
   std::map<std::int64_t, FoundContacts> found_contacts;
   std::uint64_t cost = 0;
+  bool at_rest = false;  // motions and environments are left out: where the centres of motions are
   std::vector<std::string> problems;
   std::vector<Target> read;  // what procedures looked at
 
@@ -128,6 +129,16 @@ struct Frozen {
   bool held = false;  // letgo: there was a parent
 };
 
+// The motions of one object, one after the other: each begins where the ones before it end. (rules, R-H7)
+struct Moving {
+  struct Piece {
+    Motion motion;  // its centres are places
+    Mat4 before;    // all pieces before it, whole
+  };
+  std::vector<Piece> pieces;
+  Curve progress;  // how many pieces are done, and how much of the next
+};
+
 struct Node {
   std::uint32_t object = 0;
   std::uint32_t first_hand = 0, hands = 0;
@@ -135,6 +146,7 @@ struct Node {
   bool orientation = false;
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0, attach = 0, display = 0, color = 0;  // offsets
   std::int32_t around = -1, drive = -1;                                                                // sitings
+  std::int32_t moving = -1;                                                                            // motions
   bool transform = false;                                                                              // it has one
   std::shared_ptr<const Shape> shape;  // where nothing of it varies
 };
@@ -161,7 +173,7 @@ struct Program::Compiled {
   CurveSet set;
   std::vector<double> rest;  // the array of numbers, constants filled in
   std::vector<CurveUse> curves;
-  std::vector<Steps> steps;
+  std::vector<StepTrack> steps;
   std::vector<Binding> bindings;             // by object, then function
   std::vector<std::uint32_t> first_binding;  // per object, and one more
   std::vector<Binding> defaults;             // per function: where no object says otherwise
@@ -173,6 +185,7 @@ struct Program::Compiled {
   mutable std::vector<Frozen> frozen;  // all done when compiling ends
   std::vector<std::shared_ptr<const Environment>> environments;
   std::vector<Siting> sitings;
+  std::vector<Moving> movings;
   // Where there are many, all of them go from tick to tick together; one question at a time. Few are asked one by one.
   std::optional<EnvironmentSet> mutable many;
   mutable std::mutex many_in_use;
@@ -201,6 +214,7 @@ struct Program::Compiled {
   Mat4 product(std::int32_t siting, Time t) const;  // of its environments
   Mat4 matrix(const Site&, Time t) const;           // A
   std::optional<Mat4> driven(const Node&, Time t, Asking&) const;
+  std::optional<Mat4> moved(const Node&, Time t, const Asking&) const;
   std::vector<Mat4> worlds(Time t, const double* numbers, Asking&) const;
   Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;

@@ -25,14 +25,17 @@ std::optional<Time> Program::next_change(Time t) const {
   const Scene& scene = code.document.scene();
   if (!code.lives.empty()) return t;  // who knows what code looks at
   Next next{t, std::nullopt};
-  for (const CurveUse& use : code.curves) {
-    const auto [first, last] = code.set.span(use.curve);
-    const Extend out = t < first ? use.curve.before : use.curve.after;
+  std::vector<Curve> curves;
+  for (const CurveUse& use : code.curves) curves.push_back(use.curve);
+  for (const Moving& m : code.movings) curves.push_back(m.progress);
+  for (const Curve& curve : curves) {
+    const auto [first, last] = code.set.span(curve);
+    const Extend out = t < first ? curve.before : curve.after;
     if (first <= t && t < last) return t;
     if (out != Extend::hold && first < last) return t;
     next.may(first);
   }
-  for (const Steps& steps : code.steps)
+  for (const StepTrack& steps : code.steps)
     if (const auto change = steps.next_change(t)) {
       if (*change == t) return t;
       next.may(*change);

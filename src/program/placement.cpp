@@ -14,7 +14,8 @@ namespace {
 struct Said {
   Quat turn;
   Vec3 scale, pivot, position, attach;
-  std::optional<Mat4> own;  // what moves it in its own space first
+  std::optional<Mat4> own;     // what moves it in its own space first
+  std::optional<Mat4> motion;  // and what moves it where its position is
 };
 
 // The turning part of a matrix that turns and scales.
@@ -34,7 +35,8 @@ Mat4 local(const Said& said) {
     for (int i = 0; i < 3; ++i) m(i, c) *= said.scale[c];
   const Vec3 move = said.position + said.pivot - transform_vector(m, said.pivot);
   m(0, 3) = move.x, m(1, 3) = move.y, m(2, 3) = move.z;
-  return said.own ? m * *said.own : m;
+  if (said.own) m = m * *said.own;
+  return said.motion ? *said.motion * m : m;
 }
 
 Mat4 linear_part(Mat4 m) {
@@ -69,6 +71,7 @@ Mat4 held_turn(Hold hold, const Placed& parent) {
 Placed hang(const Said& said, const Hand* hand, const Frozen* frozen, const Placed* parent) {
   Mat4 m = local(said);
   Quat turn = said.own ? said.turn * turn_of(*said.own) : said.turn;
+  if (said.motion) turn = turn_of(*said.motion) * turn;
   if (!hand || hand->hold == Hold::detach || (hand->hold == Hold::letgo && !frozen->held)) return {m, turn};
   Vec3 attach = said.attach;
   if (frozen) m = frozen->before * m, turn = frozen->before_turn * turn;
@@ -93,6 +96,7 @@ Said said_by(const Node& n, const double* numbers) {
           vec3(numbers + n.pivot),
           vec3(numbers + n.position),
           vec3(numbers + n.attach),
+          {},
           {}};
 }
 
@@ -122,7 +126,7 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   numbers(fn::rotation, r);
   said.turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
   said.scale = numbers(fn::scale, x), said.pivot = numbers(fn::pivot, x), said.position = numbers(fn::position, x);
-  said.attach = numbers(fn::attach_position, x), said.own = driven(n, t, asking);
+  said.attach = numbers(fn::attach_position, x), said.own = driven(n, t, asking), said.motion = moved(n, t, asking);
   const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
   if (kept) thaw(before->frozen, asking);
   Sited old_parent;
@@ -198,6 +202,19 @@ std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& ask
   return m;
 }
 
+// M = A_k(u) ... A_1(1), u of piece k done: the motions act where the position is.
+std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t, const Asking& asking) const {
+  if (n.moving < 0 || asking.at_rest) return std::nullopt;
+  const Moving& m = movings[static_cast<std::size_t>(n.moving)];
+  double done = 0;
+  set.evaluate(m.progress, t, &done);
+  const auto k = static_cast<std::size_t>(std::clamp(std::floor(done), 0.0, static_cast<double>(m.pieces.size() - 1)));
+  const Moving::Piece& piece = m.pieces[k];
+  Mat4 whole = betwixt::at(piece.motion, done - static_cast<double>(k)) * piece.before;
+  for (double& x : whole.m) x = std::isfinite(x) ? std::clamp(x, -1e18, 1e18) : 0;
+  return whole;
+}
+
 // Where all nodes are. For each one up to the root and, unwinding, down again; nothing is worked out twice (G85, G86).
 // A camera that looks at something turns with it, and so does what hangs on the camera: cameras take their turn in this
 // order, each seeing the ones before it already turned.
@@ -214,7 +231,7 @@ std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers,
     const Hand* h = hand(nodes[i], t);
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     Said said = said_by(nodes[i], numbers);
-    said.own = driven(nodes[i], t, asking);
+    said.own = driven(nodes[i], t, asking), said.motion = moved(nodes[i], t, asking);
     w[i] = hang(said, h, f, above[i] >= 0 ? &w[static_cast<std::size_t>(above[i])] : nullptr);
     if (!sited) return;
     const Mat4* outer = above[i] >= 0  ? &around[static_cast<std::size_t>(above[i])]
@@ -296,12 +313,12 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
     numbers(fn::rotation);
     said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
     said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
-    said.attach = numbers(fn::attach_position), said.own = driven(n, t, asking);
+    said.attach = numbers(fn::attach_position), said.own = driven(n, t, asking), said.motion = moved(n, t, asking);
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     const bool held = h && h->hold >= Hold::hang;
     if (!held) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(said, h, f, &placed);
-    if (n.around >= 0) placed.around = placed.around * product(n.around, t);
+    if (n.around >= 0 && !asking.at_rest) placed.around = placed.around * product(n.around, t);
   }
   return placed;
 }

@@ -67,6 +67,7 @@ std::vector<FunctionSpec> make() {
   set(fn::environments, {"environments", Type::names, Names(), all, Unit::none, {}});
   set(fn::drive, {"drive", Type::names, Names(), all, Unit::none, {}});
   set(fn::transform, {"transform", Type::transform, Matrix(), all, Unit::none, {}});
+  set(fn::motion, {"motion", Type::motion, Moves(), all, Unit::none, {}});
   return f;
 }
 

@@ -74,6 +74,7 @@ enum : FunctionId {
   environments,
   drive,
   transform,
+  motion,
   count
 };
 }

@@ -508,7 +508,7 @@ std::size_t CurveSet::bytes() const {
          details_.size() * sizeof(CurveDetail);
 }
 
-Steps::Steps(const Track& track, Type type) : before_(track.before), after_(track.after) {
+StepTrack::StepTrack(const Track& track, Type type) : before_(track.before), after_(track.after) {
   track.events.each([&](const Event& e) {
     if (e.keep && values_.empty()) return;
     const auto twerper = static_cast<std::uint8_t>(resolve(track, e, type, false));
@@ -520,7 +520,7 @@ Steps::Steps(const Track& track, Type type) : before_(track.before), after_(trac
   });
 }
 
-Between Steps::at(Time time, const CurveSet& set) const {
+Between StepTrack::at(Time time, const CurveSet& set) const {
   std::int64_t t = time.flicks;
   const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
   const Extend how = t < first ? before_ : after_;
@@ -541,7 +541,7 @@ Between Steps::at(Time time, const CurveSet& set) const {
   return {key.goes_on, next->comes_to, s};
 }
 
-std::optional<Time> Steps::next_change(Time t) const {
+std::optional<Time> StepTrack::next_change(Time t) const {
   if (keys_.size() < 2) return std::nullopt;  // one value, always
   if ((t < keys_.front().time ? before_ : after_) != Extend::hold) return t;
   const auto next = std::upper_bound(keys_.begin(), keys_.end(), t, [](Time at, const Key& k) { return at < k.time; });

@@ -96,12 +96,12 @@ Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has cho
 
 // For values that are not numbers: between which two values of a track a time falls, and how far the blend is.
 struct Between {
-  std::size_t a = 0, b = 0;  // into Steps::values()
+  std::size_t a = 0, b = 0;  // into StepTrack::values()
   double s = 0;
 };
-class Steps {
+class StepTrack {
  public:
-  Steps(const Track& track, Type type);
+  StepTrack(const Track& track, Type type);
   Between at(Time t, const CurveSet& set) const;
   std::span<const Value> values() const { return values_; }
   // As Program::next_change.

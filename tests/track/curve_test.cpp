@@ -356,22 +356,22 @@ TEST(Keep, ChangesTheTwerperOnly) {
 }
 
 // shows: G41 G69
-TEST(Steps, NeverBlendWhatCannotBeBlended) {
+TEST(StepTrack, NeverBlendWhatCannotBeBlended) {
   Track b = track({event(0, true, Twerper::linear), event(1, false, Twerper::smooth), event(2, true)});
   b.global = Twerper::linear;
   EXPECT_EQ(value(b, 0.9, Type::boolean), 1);
   EXPECT_EQ(value(b, 1.9, Type::boolean), 0);
   EXPECT_EQ(value(b, 2, Type::boolean), 1);
-  const Steps texts(track({event(0, Text(std::string("a"))), event(1, Text(std::string("b")))}), Type::text);
+  const StepTrack texts(track({event(0, Text(std::string("a"))), event(1, Text(std::string("b")))}), Type::text);
   EXPECT_EQ(texts.at(at(0.999), {}).a, 0U);
   EXPECT_EQ(texts.at(at(0.999), {}).s, 0);
   EXPECT_EQ(texts.at(at(1), {}).a, 1U);
 }
 
-TEST(Steps, CutsHaveTwoValues) {
+TEST(StepTrack, CutsHaveTwoValues) {
   Event cut = event(1, ObjectId{3}, Twerper::linear);
   cut.detail.edit().before = Value(ObjectId{2});
-  const Steps s(track({event(0, ObjectId{1}, Twerper::linear), cut, event(2, ObjectId{4})}), Type::shape);
+  const StepTrack s(track({event(0, ObjectId{1}, Twerper::linear), cut, event(2, ObjectId{4})}), Type::shape);
   const auto between = [&](double t) {
     const Between b = s.at(at(t), {});
     return std::tuple{std::get<ObjectId>(s.values()[b.a]).index, std::get<ObjectId>(s.values()[b.b]).index, b.s};

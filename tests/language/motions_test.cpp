@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "language/script.h"
+
+namespace betwixt {
+namespace {
+
+using Complex = std::complex<long double>;
+
+constexpr long double pi_l = std::numbers::pi_v<long double>;
+Complex turn(long double turns) { return std::polar(1.0L, 2 * pi_l * turns); }
+
+Vec3 place(const Script& s, std::string_view object, std::string_view time) {
+  return translation_of(std::get<Mat4>(s.read(std::string(object) + ".world", time)));
+}
+void expect_place(const Script& s, std::string_view object, std::string_view time, Vec3 wanted, double within = 1e-9) {
+  const Vec3 is = place(s, object, time);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(is[i], wanted[i], within) << object << " at " << time << ", " << i;
+}
+
+TEST(Motions, RollAWheelWhoseNailDrawsACycloid) {
+  const Script s(
+      "create nail sphere position=(0 0 0)\nnail.motion\n  1f..49f T(6.283185307179586 0) R(-1turn @ 0 1)\n");
+  for (int f = 1; f <= 49; ++f) {
+    const double phi = 2 * pi * (f - 1) / 48;
+    expect_place(s, "nail", std::to_string(f) + "f", {phi - std::sin(phi), 1 - std::cos(phi), 0});
+  }
+}
+
+TEST(Motions, AreNothingBeforeAndStayWhenDone) {
+  const Script s(
+      "create a sphere position=(1 2 0)\na.motion\n  10f..20f T(4 0)\n  30f..40f R(90deg)\n"
+      "  40f..50f S(2 @ 5 0)\n");
+  expect_place(s, "a", "1f", {1, 2, 0});
+  expect_place(s, "a", "10f", {1, 2, 0});
+  expect_place(s, "a", "15f", {3, 2, 0});
+  expect_place(s, "a", "20f", {5, 2, 0});
+  expect_place(s, "a", "25f", {5, 2, 0});
+  // What comes next is applied to what is: (5, 2) turned about the origin by 45 and 90 degrees.
+  expect_place(s, "a", "35f", {3 / std::sqrt(2.0), 7 / std::sqrt(2.0), 0});
+  expect_place(s, "a", "40f", {-2, 5, 0});
+  expect_place(s, "a", "45f", {5 + std::sqrt(2.0) * -7, 5 * std::sqrt(2.0), 0});
+  expect_place(s, "a", "900f", {-9, 10, 0});
+}
+
+// R-H7: the tracks, then the motion, then what it hangs on, then the environments.
+TEST(Motions, StackWithTracksAttachmentsAndEnvironments) {
+  const Script s(
+      "create base group position=(10 0 0) rotation=euler(0 0 90deg)\n"
+      "create arm group position=(1 0 0) rotation=euler(0 0 30deg)\ncouple arm to base\n"
+      "create tip sphere position=(2 0 0)\ncouple tip to arm\n"
+      "arm.motion\n  1f..11f T(0 3) R(90deg)\n"
+      "animate drift every 1t by translate(0 0 5)\nset base.environments drift\n");
+  // At frame 6 the arm has turned by 45 degrees about its parent's origin and moved up by 1.5.
+  const Complex up = turn(0.25L);
+  const auto in_world = [&](Complex in_base) { return Complex(10, 0) + up * in_base; };
+  const Complex arm = Complex(0, 1.5L) + turn(0.125L) * Complex(1, 0);
+  const Complex tip = arm + turn(0.125L) * turn(30 / 360.0L) * Complex(2, 0);
+  const auto at = [&](Complex c, double z) { return Vec3{double(in_world(c).real()), double(in_world(c).imag()), z}; };
+  // Frame 6 at 24 a second is 0.2083 s: tick 6 of 30 a second, so seven updates.
+  expect_place(s, "arm", "6f", at(arm, 35));
+  expect_place(s, "tip", "6f", at(tip, 35));
+}
+
+TEST(Motions, HaveCentresThatAreObjects) {
+  const std::string scene =
+      "create sun sphere position=(1 2 0)\ncreate earth sphere position=(6 2 0)\ncreate moon sphere position=(7 2 0)\n";
+  const Script named(
+      scene + "earth.motion\n  1f..366f R(1turn @ sun)\nmoon.motion\n  1f..366f R(1turn @ sun) R(12turn @ earth)\n");
+  const Script placed(
+      scene + "earth.motion\n  1f..366f R(1turn @ 1 2)\nmoon.motion\n  1f..366f R(1turn @ 1 2) R(12turn @ 6 2)\n");
+  for (const int day : {0, 1, 91, 182, 365, 400}) {
+    const std::string f = std::to_string(day + 1) + "f";
+    const long double t = std::min(day, 365) / 365.0L;
+    const Complex earth = Complex(1, 2) + turn(t) * Complex(5, 0),
+                  moon = earth + turn(t) * turn(12 * t) * Complex(1, 0);
+    for (const Script* s : {&named, &placed}) {
+      expect_place(*s, "earth", f, {double(earth.real()), double(earth.imag()), 0});
+      expect_place(*s, "moon", f, {double(moon.real()), double(moon.imag()), 0});
+    }
+  }
+  // At rest is where the tracks and attachments put it as the motion begins; seen from what the moved one hangs on.
+  const Script hung(
+      "create base group position=(3 0 0)\ncreate pin group\npin.position\n  1f (5 1 0)\n  10f (9 1 0) linear\n  21f "
+      "(9 1 0)\n"
+      "create a sphere position=(4 1 0)\ncouple a to base\npin.motion\n  1f..9f T(100 0)\na.motion\n  10f..20f "
+      "R(180deg @ pin)\n");
+  expect_place(hung, "a", "20f", {11, 1, 0});  // (4, 1) is (7, 1) in the world; half a turn about (9, 1)
+  const Script own("create a box position=(4 1 0)\na.motion\n  1f..11f R(90deg @ a)\n");
+  expect_place(own, "a", "11f", {4, 1, 0});
+  EXPECT_NEAR(std::get<Mat4>(own.read("a.world", "11f"))(0, 1), -1, 1e-12);
+}
+
+TEST(Motions, NestThirtyDeep) {
+  std::string chain, centres;
+  for (int n = 0; n < 30; ++n) {
+    chain += fmt::format(" R({}turn @ {} {})", 0.1 * (n + 1), n, 0.5 * n);
+    centres += fmt::format("create g{} group\n{}at 1f..101f g{}.motion R({}turn @ {} {})\n", n,
+                           n > 0 ? fmt::format("couple g{} to g{}\n", n, n - 1) : "", n, 0.1 * (n + 1), n, 0.5 * n);
+  }
+  const Script s("create a sphere position=(31 2 0)\nat 1f..101f a.motion" + chain + "\n" + centres +
+                 "create b sphere position=(31 2 0)\ncouple b to g29\n");
+  for (const int f : {1, 2, 50, 77, 101}) {
+    const long double t = (f - 1) / 100.0L;
+    Complex p(31, 2);
+    for (int n = 29; n >= 0; --n) {
+      const Complex c(n, 0.5L * n);
+      p = c + turn(static_cast<long double>(0.1 * (n + 1)) * t) * (p - c);
+    }
+    for (const char* name : {"a", "b"})
+      expect_place(s, name, std::to_string(f) + "f", {double(p.real()), double(p.imag()), 0}, 1e-10);
+  }
+}
+
+TEST(Motions, GoByTwerpersAndEases) {
+  const Script s(
+      "create a group\ncreate b group\ncreate c group\ncreate d group\n"
+      "at 1f..11f a.motion T(10 0)\nat 1f..11f b.motion T(10 0) ease-in=5f ease-out=5f\n"
+      "at 1f..11f c.motion T(10 0) hold\nat 1f..11f d.motion T(10 0)\nextend d.motion linear\n");
+  const Script track("create t group\nt.position\n  1f (0 0 0) linear ease-out=5f\n  11f (10 0 0) ease-in=5f\n");
+  expect_place(s, "a", "4f", {3, 0, 0});
+  EXPECT_LT(place(s, "b", "2f").x, 0.5);
+  EXPECT_NEAR(place(s, "b", "6f").x, 5, 1e-9);
+  expect_place(s, "c", "10f", {0, 0, 0});
+  expect_place(s, "c", "11f", {10, 0, 0});
+  expect_place(s, "d", "31f", {30, 0, 0});
+  expect_place(s, "a", "31f", {10, 0, 0});
+}
+
+TEST(Motions, GoThroughSpace) {
+  const Script s(
+      "create a group position=(1 0 0)\n"
+      "at 1f..11f a.motion T(0 0 4) R(90deg @ 0 0 0 axis 0 1 0) S(3 1 1)\n");
+  expect_place(s, "a", "11f", {0, 0, 4 - 3});
+  const double g = std::sqrt(3.0), c = std::sqrt(0.5);
+  expect_place(s, "a", "6f", {g * c, 0, 2 - g * c});
+}
+
+TEST(Motions, AreReadAndWrittenAndKeepTheirNames) {
+  const Loaded first = read(
+      "rate 24\ncreate sun sphere\ncreate a sphere\na.motion\n  1f..24f T(6.28 0) R(-1turn @ 0 1) ease-in=4f\n"
+      "  24f..48f S(2 0.5 @ sun linear) bezier(0.25 0.1 0.25 1) ease-out=3f ease-in=2f\n  60f..72f R(35deg @ 1 2 3 "
+      "axis 0 1 0)\n");
+  ASSERT_EQ(said(first.diagnostics), "");
+  const std::string text = write(first.document);
+  EXPECT_NE(text.find("  1f..24f T(6.28 0) R(-1turn @ 0 1) ease-in=4f\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  60f..72f R(35deg @ 1 2 3 axis 0 1 0)\n"), std::string::npos) << text;
+  const Loaded again = read(text);
+  EXPECT_EQ(said(again.diagnostics), "");
+  EXPECT_EQ(again.document, first.document) << text;
+  const Loaded renamed = read(text + "rename sun star\n");
+  EXPECT_NE(write(renamed.document).find("S(2 0.5 @ star linear)"), std::string::npos);
+  // The string that holds then.
+  const Script s(text);
+  EXPECT_EQ(to_string(*std::get<Moves>(s.read("a.motion", "30f"))), "S(2 0.5 @ sun linear)");
+  EXPECT_EQ(to_string(*std::get<Moves>(s.read("a.motion", "50f"))), "");
+}
+
+TEST(Motions, MayBeCutOpenAndStillReadBack) {
+  for (const char* cut : {"clear a.motion 20f..30f\n", "move a.motion 1f..60f by 5f\n", "clear a.motion 1f..1f\n",
+                          "stretch a.motion 1f..60f by 2\n", "copy a.motion 1f..24f to 50f\n"}) {
+    const Loaded first =
+        read(std::string("create a sphere\ncreate b sphere\na.motion\n  1f..24f T(6 0)\n  30f..40f R(90deg)\n") + cut);
+    ASSERT_FALSE(has_errors(first.diagnostics)) << said(first.diagnostics);
+    const Loaded again = read(write(first.document));
+    EXPECT_FALSE(has_errors(again.diagnostics)) << said(again.diagnostics);
+    EXPECT_EQ(again.document, first.document) << write(first.document);
+    Program::compile(first.document).frame(Time{flicks_per_second});
+  }
+}
+
+TEST(Motions, SayWhenSomethingWillNextChange) {
+  const Script s("create a sphere\nat 24f..48f a.motion T(6 0)\n");
+  const auto time = [&](const char* t) { return *parse_time(t, s.loaded.document); };
+  EXPECT_EQ(s.program.next_change(time("1f")), time("24f"));
+  EXPECT_EQ(s.program.next_change(time("30f")), time("30f"));
+  EXPECT_EQ(s.program.next_change(time("49f")), std::nullopt);
+}
+
+TEST(Motions, SayWhatIsWrong) {
+  const auto error = [](const std::string& rows) {
+    const auto all = errors(read("create a sphere\ncreate sun sphere\na.motion\n" + rows));
+    return all.empty() ? std::string("fine") : all[0];
+  };
+  EXPECT_EQ(error("  1f..24f T(6 0) Q(1)\n"), "4:18: a motion is a string of T(…), R(…) and S(…)");
+  EXPECT_EQ(error("  1f..24f R(90)\n"), "4:13: an angle needs its unit: 90");
+  EXPECT_EQ(error("  1f..24f S(2 -1)\n"), "4:11: a scaling by -1 has no in-betweens");
+  EXPECT_EQ(error("  1f..24f R(90deg @ son)\n"), "4:21: there is no object 'son'");
+  EXPECT_EQ(error("  1f..24f\n"), "4:10: a motion is wanted here");
+  EXPECT_EQ(error("  1f..24f 3\n"), "4:11: a motion is wanted here");
+  EXPECT_EQ(error("  24f..24f T(1 0)\n"), "4:12: a motion takes time: its segment ends where it begins");
+  EXPECT_EQ(error("  24f..1f T(1 0)\n"), "4:11: a motion takes time: its segment ends where it begins");
+  EXPECT_EQ(error("  1f..24f T(1 0) slerp\n"), "4:18: 'slerp' turns orientations; this is a motion");
+  EXPECT_EQ(error("  1f..24f T(1 0)\n  12f..36f T(1 0)\n"), "5:12: 'a.motion' is under way from 1f with T(1 0)");
+  EXPECT_EQ(error("  12f..36f T(1 0)\n  1f..24f R(1turn)\n"), "5:11: 'a.motion' is under way from 12f with T(1 0)");
+  EXPECT_EQ(error("  1f..24f T(1 0)\n  24f..36f T(1 0)\n"), "fine");
+  EXPECT_EQ(error("  1f..24f = \"1\"\n"), "4:11: a motion cannot be computed");
+  EXPECT_EQ(error("a.position\n  1f..24f (0 0 0)\n"), "5:3: one time stands here: only motions have a segment");
+  EXPECT_EQ(error("at 1f..4f a.position (0 0 0)\n"), "4:4: one time stands here: only motions have a segment");
+  EXPECT_EQ(error("set a.motion T(1 0)\n"), "4:5: a motion is not set: it takes a segment of time");
+  EXPECT_EQ(error("create b sphere motion=T(1 0)\n"), "4:17: a motion is not set: it takes a segment of time");
+  EXPECT_EQ(error("layer up add\non up a.motion\n  1f..3f T(1 0)\n"),
+            "5:7: a motion is no layer's: it is added to what the tracks say anyway");
+  EXPECT_EQ(error("filter a.motion smooth\n"), "4:8: 'smooth' means nothing for a motion");
+  EXPECT_EQ(error("  1f..24f T(1 0)\nreverse a.motion 1f..24f\n"), "5:9: a motion cannot be reversed");
+}
+
+}  // namespace
+}  // namespace betwixt
