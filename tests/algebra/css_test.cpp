@@ -273,6 +273,8 @@ TEST(Css, WhatABrowserWouldDecomposeIsRefused) {
           "factor 1: it turns about one axis in one list and about another in the other", axis);
   refused(read("rotate(1deg)"), read("rotate3d(0, 0, -1, 1deg)"),
           "factor 1: it turns about one axis in one list and about another in the other", axis);
+  refused(read("rotateX(1deg)"), read("rotate3d(1, 1e-6, 0, 1deg)"),
+          "factor 1: it turns about one axis in one list and about another in the other", axis);
   const char* origin = "read both about one origin";
   refused(read("scale(2)", {1, 0, 0}), read("scale(2)"), "factor 1: its centre is not the same in both lists", origin);
   refused(read("rotate(0)"), read("rotate(0)", {0, 0, 1}), "factor 1: its centre is not the same in both lists",
