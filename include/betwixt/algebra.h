@@ -134,10 +134,24 @@ std::optional<Printed> printed_costs(const Motion&);
 
 // ---- Lists of CSS transforms
 
-// "translate(10px, 20px) rotate(90deg) scale(2)" about `origin`, in pixels, y downwards as CSS has it: the string is
-// read as it stands, by the linear law. matrix() and skew() are no motions. Errors: syntax.
-Result<Motion> from_css(std::string_view transforms, Vec3 origin = {});
-// The other way. A scaling by the exponential law has no CSS: error (type).
-Result<std::string> to_css(const Motion&);
+// "translate(10px, 20px) rotate(90deg) scale(2)" or "none" about `transform-origin` in pixels: the motion that a
+// browser shows from `none` to this list. Scalings are by the linear law. The numbers stay those of CSS, whose y points
+// down: there rotate(90deg) takes x to y, as here, and it is the page that shows this as clockwise. Errors: syntax,
+// name, type (a unit other than px, deg, grad, rad or turn; matrix(), skew(), perspective()), range; place.column and
+// place.length as above.
+Result<Motion> from_css(std::string_view list, Vec3 origin = {});
+
+// A browser that goes from `from` to `to`, with `transform-origin: 0 0`, shows the motion. `to` alone is its end only:
+// a centre is written as translate(centre) ... translate(-centre), and these stand still because both lists have them.
+// Errors: those of `check`; a scaling by the exponential law, the name of an object as a centre (type).
+struct CssLists {
+  std::string from, to;
+};
+Result<CssLists> to_css(const Motion&);
+
+// What a browser shows between two lists, at 0 the one, at 1 the other: function by function, the shorter list padded
+// with functions that do nothing. Errors (type): those of `to_css`; lists that do not match, rotations about different
+// axes, different origins. There a browser mixes matrices or takes the short way round.
+Result<Mat4> css_between(const Motion& from, const Motion& to, double t);
 
 }  // namespace betwixt

@@ -21,7 +21,7 @@ bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::is
 
 // Of fraction t; the whole is exact.
 double scale_at(double total, Law law, double t) {
-  return law == Law::linear ? 1 + (total - 1) * t : std::pow(total, t);
+  return law == Law::linear ? std::lerp(1.0, total, t) : std::pow(total, t);
 }
 
 Mat4 linear_part(const Factor& f, double t) {

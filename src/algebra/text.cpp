@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Motions as text.
+#include "algebra/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 
 #include "base/names.h"
 #include "betwixt/algebra.h"
@@ -14,35 +15,15 @@
 namespace betwixt {
 namespace {
 
+using algebra::angle_text, algebra::written;
 using Kind = Factor::Kind;
 using Law = Factor::Law;
 
-struct Unit {
-  std::string_view name;
-  double of;       // metres or radians
-  double divisor;  // 35 mm are 35/1000 m: dividing keeps the number that is written
-};
+using algebra::Unit;
 constexpr Unit lengths[] = {{"m", 1, 1}, {"cm", 1, 100}, {"mm", 1, 1000}};
 constexpr Unit angles[] = {{"deg", pi, 180}, {"°", pi, 180}, {"turn", 2 * pi, 1}, {"rad", 1, 1}};
 
-struct Reader {
-  std::string_view text;
-  std::size_t at = 0;
-  std::optional<Error> error = {};
-
-  bool fail(std::size_t from, std::size_t to, Code code, std::string message, std::string hint = {}) {
-    if (error) return false;
-    error = betwixt::fail(code, std::move(message), std::move(hint));
-    // Columns count characters: of UTF-8, every byte that goes on with one is none.
-    const auto characters = [&](std::size_t a, std::size_t b) {
-      return static_cast<int>(std::count_if(text.begin() + static_cast<std::ptrdiff_t>(std::min(a, text.size())),
-                                            text.begin() + static_cast<std::ptrdiff_t>(std::min(b, text.size())),
-                                            [](char c) { return (c & 0xC0) != 0x80; }));
-    };
-    error->place = {"", 1, characters(0, from) + 1, std::max(1, characters(from, to))};
-    return false;
-  }
-  char peek() const { return at < text.size() ? text[at] : '\0'; }
+struct Reader : algebra::Cursor {
   void space() {
     while (at < text.size() && std::string_view(" \t\r\n,").find(text[at]) != std::string_view::npos) ++at;
   }
@@ -204,7 +185,6 @@ struct Reader {
   }
 };
 
-std::string written(double x) { return fmt::format("{}", x == 0 ? 0.0 : x); }
 std::string written(Vec3 v, int count) {
   std::string s = written(v.x);
   if (count > 1) s += " " + written(v.y);
@@ -212,7 +192,30 @@ std::string written(Vec3 v, int count) {
   return s;
 }
 
-// The unit in which it reads back the same, the shortest one that does.
+std::string centre_text(const Factor& f, int count) {
+  if (!f.about.empty()) return " @ " + f.about;
+  return f.centre == Vec3{} ? "" : " @ " + written(f.centre, f.centre.z != 0 ? 3 : count);
+}
+
+}  // namespace
+
+namespace algebra {
+
+bool Cursor::fail(std::size_t from, std::size_t to, Code code, std::string message, std::string hint) {
+  if (error) return false;
+  error = betwixt::fail(code, std::move(message), std::move(hint));
+  // Columns count characters: of UTF-8, every byte that goes on with one is none.
+  const auto characters = [&](std::size_t a, std::size_t b) {
+    return static_cast<int>(std::count_if(text.begin() + static_cast<std::ptrdiff_t>(std::min(a, text.size())),
+                                          text.begin() + static_cast<std::ptrdiff_t>(std::min(b, text.size())),
+                                          [](char c) { return (c & 0xC0) != 0x80; }));
+  };
+  error->place = {"", 1, characters(0, from) + 1, std::max(1, characters(from, to))};
+  return false;
+}
+
+std::string written(double x) { return fmt::format("{}", x == 0 ? 0.0 : x); }
+
 std::string angle_text(double radians) {
   std::string best = written(radians) + "rad";
   for (const Unit& u : {angles[2], angles[0]}) {
@@ -226,15 +229,10 @@ std::string angle_text(double radians) {
   return best;
 }
 
-std::string centre_text(const Factor& f, int count) {
-  if (!f.about.empty()) return " @ " + f.about;
-  return f.centre == Vec3{} ? "" : " @ " + written(f.centre, f.centre.z != 0 ? 3 : count);
-}
-
-}  // namespace
+}  // namespace algebra
 
 Result<Motion> parse_motion(std::string_view text) {
-  Reader r{text};
+  Reader r{{text}};
   Motion motion;
   for (r.space(); r.at < text.size(); r.space()) {
     if (!motion.factors.empty() && r.accept('*')) r.space();

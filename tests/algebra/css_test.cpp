@@ -1,0 +1,457 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include "algebra/precise.h"
+#include "betwixt/algebra.h"
+
+namespace betwixt {
+namespace {
+
+Motion read(const std::string& list, Vec3 origin = {}) {
+  const auto motion = from_css(list, origin);
+  EXPECT_TRUE(motion) << list << ": " << (motion ? "" : motion.error().message);
+  return motion ? *motion : Motion{};
+}
+
+Motion parsed(const std::string& text) {
+  const auto motion = parse_motion(text);
+  EXPECT_TRUE(motion) << text;
+  return motion ? *motion : Motion{};
+}
+
+Mat4 between(const Motion& from, const Motion& to, double t) {
+  const auto m = css_between(from, to, t);
+  EXPECT_TRUE(m) << (m ? "" : m.error().message);
+  return m ? *m : Mat4{};
+}
+
+void expect_near(const Mat4& a, const Mat4& b, double tolerance, const std::string& what) {
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) EXPECT_NEAR(a(r, c), b(r, c), tolerance) << what << ", " << r << " " << c;
+}
+
+Mat4 rows(std::initializer_list<double> n) {
+  Mat4 m;
+  auto value = n.begin();
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) m(r, c) = *value++;
+  return m;
+}
+
+// ---- Reading
+
+TEST(CssRead, EveryFunctionIsOneFactor) {
+  const auto linear = [](Vec3 by) { return scale_by(by, {}, Factor::Law::linear); };
+  const std::pair<const char*, Factor> all[] = {
+      {"translate(10px, 20px)", translate_by({10, 20, 0})},
+      {"translate(10px)", translate_by({10, 0, 0})},
+      {"translateX(-1.5px)", translate_by({-1.5, 0, 0})},
+      {"translateY(.5px)", translate_by({0, 0.5, 0})},
+      {"translateZ(+2e1px)", translate_by({0, 0, 20})},
+      {"translate3d(1px, 0, -3px)", translate_by({1, 0, -3})},
+      {"rotate(90deg)", rotate_by(pi / 2)},
+      {"rotate(-100grad)", rotate_by(-pi / 2)},
+      {"rotate(2.5rad)", rotate_by(2.5)},
+      {"rotate(3turn)", rotate_by(6 * pi)},
+      {"rotate(0)", rotate_by(0)},
+      {"rotateX(1rad)", rotate_by(1, {}, {1, 0, 0})},
+      {"rotateY(1rad)", rotate_by(1, {}, {0, 1, 0})},
+      {"rotateZ(1rad)", rotate_by(1)},
+      {"rotate3d(1, -2, .5, 1rad)", rotate_by(1, {}, {1, -2, 0.5})},
+      {"scale(2)", linear({2, 2, 1})},
+      {"scale(2, 0)", linear({2, 0, 1})},
+      {"scaleX(-1)", linear({-1, 1, 1})},
+      {"scaleY(2)", linear({1, 2, 1})},
+      {"scaleZ(2)", linear({1, 1, 2})},
+      {"scale3d(1, 2, 3)", linear({1, 2, 3})},
+  };
+  for (const auto& [list, factor] : all) EXPECT_EQ(read(list), Motion{{factor}}) << list;
+}
+
+TEST(CssRead, BlanksCommentsAndCapitalsAreThoseOfCss) {
+  const Motion plain = read("translate(1px, 2px) rotate(90deg) scale(2)");
+  ASSERT_EQ(plain.factors.size(), 3u);
+  EXPECT_EQ(read("\n translate(  1px,2PX )ROTATE(90Deg)/* by half */\tsCale(2 /* and more */)/*"), plain);
+  for (const char* nothing : {"", "none", " NONE ", "/**/none/**/", " \n\t"}) EXPECT_EQ(read(nothing), Motion{});
+  EXPECT_EQ(read("translate(1e3px, 1E-3px)"), read("translate(1000px, 0.001px)"));
+}
+
+TEST(CssRead, TheOriginIsTheCentreOfWhatHasOne) {
+  const Vec3 o{5, -6, 7};
+  EXPECT_EQ(read("translateX(1px) rotate(1rad) scaleX(2)", o),
+            (Motion{{translate_by({1, 0, 0}), rotate_by(1, o), scale_by({2, 1, 1}, o, Factor::Law::linear)}}));
+}
+
+TEST(CssRead, WhatCannotBeReadIsToldWithItsPlace) {
+  struct Bad {
+    std::string list;
+    int column, length;
+    Code code;
+    const char* message;
+    const char* hint;
+  };
+  const char* what = "what is read: translate(), rotate() and scale(), with X, Y, Z or 3d behind the name";
+  const char* px = "px: what others come to depends on the page";
+  const char* units = "units are deg, grad, rad, turn";
+  const Bad all[] = {
+      {"rotate(1turn) matrix(1, 0, 0, 1, 0, 0)", 15, 6, Code::type, "matrix() is no translation, rotation or scaling",
+       what},
+      {"Matrix3D(1)", 1, 8, Code::type, "matrix3d() is no translation, rotation or scaling", what},
+      {"skew(1deg)", 1, 4, Code::type, "skew() is no translation, rotation or scaling", what},
+      {"skewx(1deg)", 1, 5, Code::type, "skewX() is no translation, rotation or scaling", what},
+      {"skewY(1deg)", 1, 5, Code::type, "skewY() is no translation, rotation or scaling", what},
+      {"perspective(1px)", 1, 11, Code::type, "perspective() is no translation, rotation or scaling", what},
+      {"spin(1deg)", 1, 4, Code::name, "'spin' is no CSS transform", what},
+      {"/* ä */ größe(2)", 9, 5, Code::name, "'größe' is no CSS transform", what},
+      {"none rotate(1deg)", 1, 4, Code::syntax, "'none' stands alone or not at all", ""},
+      {"rotate(1deg) none", 14, 4, Code::syntax, "'none' stands alone or not at all", ""},
+      {"rotate(1deg), scale(2)", 13, 1, Code::syntax, "a CSS transform is wanted here",
+       "as in translate(10px, 20px) rotate(90deg)"},
+      {"rotate(1deg);", 13, 1, Code::syntax, "a CSS transform is wanted here",
+       "as in translate(10px, 20px) rotate(90deg)"},
+      {"rotate (1deg)", 7, 1, Code::syntax, "'(' is missing right behind rotate", ""},
+      {"rotate", 7, 1, Code::syntax, "'(' is missing right behind rotate", ""},
+      {"rotate(1deg", 12, 1, Code::syntax, "')' is missing", ""},
+      {"scale(2 3)", 9, 1, Code::syntax, "',' or ')' is wanted here", ""},
+      {"scale(,2)", 7, 1, Code::syntax, "a number is wanted here", ""},
+      {"scale(2,)", 9, 1, Code::syntax, "a number is wanted here", ""},
+      {"scale(two)", 7, 3, Code::syntax, "a number is wanted here", ""},
+      {"scale(inf)", 7, 3, Code::syntax, "a number is wanted here", ""},
+      {"scale(-)", 7, 1, Code::syntax, "a number is wanted here", ""},
+      {"scale(+ 2)", 7, 1, Code::syntax, "a number is wanted here", ""},
+      {"scale(2.)", 8, 1, Code::syntax, "',' or ')' is wanted here", ""},
+      {"scale(calc(1 + 1))", 7, 4, Code::type, "calc() is not worked out here", "write the number"},
+      {"scale(1e999)", 7, 5, Code::range, "'1e999' is too large or too small a number", ""},
+      {"scale(1e-999)", 7, 6, Code::range, "'1e-999' is too large or too small a number", ""},
+      {"rotate(1e308turn)", 8, 9, Code::range, "'1e308turn' is too large or too small a number", ""},
+      {"scale(50%)", 9, 1, Code::type, "a number without a unit is wanted here, not '%'", "50% is 0.5"},
+      {"scale(2px)", 8, 2, Code::type, "a number without a unit is wanted here, not 'px'", ""},
+      {"translate(10px, 50%)", 19, 1, Code::type, "'%' is not a unit of length here", px},
+      {"translate(1em)", 12, 2, Code::type, "'em' is not a unit of length here", px},
+      {"translateY(20)", 12, 2, Code::type, "a length needs its unit: 20", "px"},
+      {"rotate(35)", 8, 2, Code::type, "an angle needs its unit: 35", units},
+      {"rotate(35px)", 10, 2, Code::type, "'px' is not a unit of angle", units},
+      {"rotate3d(0, 1px, 0, 1deg)", 14, 2, Code::type, "a number without a unit is wanted here, not 'px'", ""},
+      {"rotate3d(0, 1, 0, 1)", 19, 1, Code::type, "an angle needs its unit: 1", units},
+      {"scale(2) rotate3d(0, 0, 0, 1deg)", 10, 23, Code::range, "this axis has no direction", ""},
+      {"rotate3d(1e308, 1e308, 1e308, 1deg)", 1, 35, Code::range, "this axis has no direction", ""},
+      {"translate()", 1, 11, Code::syntax, "translate() takes one or two lengths", ""},
+      {"translate(1px, 2px, 3px)", 1, 21, Code::syntax, "translate() takes one or two lengths", ""},
+      {"translateX(1px, 2px)", 1, 17, Code::syntax, "translateX() takes one length", ""},
+      {"translate3d(1px, 2px)", 1, 21, Code::syntax, "translate3d() takes three lengths", ""},
+      {"rotate()", 1, 8, Code::syntax, "rotate() takes one angle", ""},
+      {"rotate3d(1, 2, 3)", 1, 17, Code::syntax, "rotate3d() takes three numbers and an angle", ""},
+      {"scale(1, 2, 3)", 1, 13, Code::syntax, "scale() takes one or two numbers", ""},
+      {"scaleZ()", 1, 8, Code::syntax, "scaleZ() takes one number", ""},
+      {"scale3d(1)", 1, 10, Code::syntax, "scale3d() takes three numbers", ""},
+  };
+  for (const Bad& bad : all) {
+    const auto motion = from_css(bad.list);
+    ASSERT_FALSE(motion) << bad.list;
+    const Error& e = motion.error();
+    EXPECT_EQ(e.message, bad.message) << bad.list;
+    EXPECT_EQ(e.hint, bad.hint) << bad.list;
+    EXPECT_EQ(e.code, bad.code) << bad.list;
+    EXPECT_EQ(e.place.line, 1) << bad.list;
+    EXPECT_EQ(e.place.column, bad.column) << bad.list;
+    EXPECT_EQ(e.place.length, bad.length) << bad.list;
+  }
+}
+
+TEST(CssRead, AListHasAnEnd) {
+  std::string list;
+  for (int i = 0; i < 10'000; ++i) list += "scale(1)";
+  EXPECT_TRUE(from_css(list));
+  const auto motion = from_css(list + "scale(1)");
+  ASSERT_FALSE(motion);
+  EXPECT_EQ(motion.error().message, "no more than 10000 transforms");
+  EXPECT_EQ(motion.error().place.column, 80'001);
+}
+
+TEST(CssRead, NoTextBreaksIt) {
+  std::mt19937 random(3);
+  const std::string parts[] = {"translate", "rotate3d", "scale", "(", ")",  ",",  " ",    "1",    "-",   ".", "e",
+                               "+",         "px",       "deg",   "%", "/*", "*/", "none", "\xC3", "9e9", "0", "calc("};
+  for (int round = 0; round < 20'000; ++round) {
+    std::string list;
+    for (unsigned n = random() % 12; n > 0; --n) list += parts[random() % std::size(parts)];
+    const auto motion = from_css(list);
+    if (motion)
+      EXPECT_TRUE(check(*motion)) << list;
+    else
+      EXPECT_FALSE(motion.error().message.empty()) << list;
+  }
+}
+
+// ---- In between
+
+// Matrices worked out by hand.
+TEST(Css, IsInBetweenWhereTheSpecificationPutsIt) {
+  // y points down and rotate(90deg) takes x to y: (1, 0) to (0, 1).
+  expect_near(at(read("rotate(90deg)"), 1), rows({0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0}), 1e-15, "rotate");
+  // Half of it: moved by (5, 10), turned by 45 degrees, scaled by 1.5 in x and 2 in y.
+  const double c = std::sqrt(0.5);
+  expect_near(at(read("translate(10px, 20px) rotate(90deg) scale(2, 3)"), 0.5),
+              rows({1.5 * c, -2 * c, 0, 5, 1.5 * c, 2 * c, 0, 10, 0, 0, 1, 0}), 1e-15, "half");
+  // rotateX takes y to z, rotateY takes z to x.
+  expect_near(at(read("rotateX(90deg)"), 1), rows({1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0}), 1e-15, "rotateX");
+  expect_near(at(read("rotateY(90deg)"), 1), rows({0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0}), 1e-15, "rotateY");
+  // A third of a turn about the diagonal takes x to y to z.
+  expect_near(at(read("rotate3d(2, 2, 2, 240deg)"), 0.5), rows({0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0}), 1e-15,
+              "diagonal");
+  // The linear law goes through zero: 1 -> -1 is 0 half way.
+  expect_near(at(read("scale(-1, 4)"), 0.5), rows({0, 0, 0, 0, 0, 2.5, 0, 0, 0, 0, 1, 0}), 0, "scale");
+  // About (10, 0) a quarter turn takes 0 to (10, -10), and translations do not mind the origin.
+  expect_near(at(read("translate(3px) rotate(90deg)", {10, 0, 0}), 1), rows({0, -1, 0, 13, 1, 0, 0, -10, 0, 0, 1, 0}),
+              1e-14, "origin");
+}
+
+// CSS moves the whole list to the origin and back. In a motion each factor stands about it.
+TEST(Css, TheOriginOfTheListIsThatOfEachFunction) {
+  const std::string list =
+      "translate3d(4px, 5px, 6px) rotate3d(1, 2, 3, 700deg) translateY(9px) scale3d(2, -1, 0.5) rotateX(50deg)";
+  const Vec3 o{30, -40, 50};
+  for (const double t : {0.0, 0.3, 0.5, 1.0, 1.7})
+    expect_near(at(read(list, o), t), translation(o) * at(read(list), t) * translation(-o), 1e-12, std::to_string(t));
+}
+
+TEST(Css, FromNoneItIsTheMotion) {
+  const Motion m = read("rotate(3turn) translate(10px, 20px) scale(0, -2) rotateY(-50deg)", {1, 2, 3});
+  for (const double t : {-0.5, 0.0, 0.25, 0.7, 1.0, 2.0}) {
+    expect_near(between({}, m, t), at(m, t), 1e-12, "there");
+    expect_near(between(m, {}, 1 - t), at(m, t), 1e-12, "back");
+  }
+}
+
+TEST(Css, ListsThatMatchGoFunctionByFunction) {
+  // Kinds match, whatever the axes of moving and scaling, in the plane or in space.
+  expect_near(between(read("translateX(2px) scale(2)"), read("translateZ(4px) scaleZ(3)"), 0.5),
+              rows({1.5, 0, 0, 1, 0, 1.5, 0, 0, 0, 0, 2, 2}), 0, "kinds");
+  // 10 to 900 degrees, turns and all: 455 = 95 half way.
+  expect_near(between(read("rotate(10deg)"), read("rotateZ(900deg)"), 0.5), at(read("rotate(95deg)"), 1), 1e-14,
+              "turns");
+  // The shorter one is padded.
+  expect_near(between(read("rotate(20deg)"), read("rotate(40deg) scale(3) translateX(4px)"), 0.5),
+              at(read("rotate(30deg) scale(2) translateX(2px)"), 1), 1e-14, "padded");
+  // No turn at all has no axis of its own.
+  expect_near(between(read("rotateX(0deg)"), read("rotateY(90deg)"), 0.5), at(read("rotateY(45deg)"), 1), 1e-15,
+              "axis");
+  expect_near(between(read("rotateX(90deg)"), read("rotateY(0)"), 0.5), at(read("rotateX(45deg)"), 1), 1e-15, "axis");
+  expect_near(between(read("rotate3d(1, 2, 3, 20deg)"), read("rotate3d(10, 20, 30, 40deg)"), 0.5),
+              at(read("rotate3d(1, 2, 3, 30deg)"), 1), 1e-15, "length");
+  // The ends are exact.
+  EXPECT_EQ(at(read("scale3d(0.1, -1e-20, 1e20)"), 1), scaling({0.1, -1e-20, 1e20}));
+  EXPECT_EQ(between(read("scale3d(0.1, 1, 1)"), read("scale3d(1, 0.1, 3)"), 1), scaling({1, 0.1, 3}));
+  EXPECT_EQ(between(read("scale3d(0.1, 1, 1)"), read("scale3d(1, 0.1, 3)"), 0), scaling({0.1, 1, 1}));
+  EXPECT_EQ(between(read("translateX(0.1px)"), read("translateX(1e15px)"), 0), at(read("translateX(0.1px)"), 1));
+  EXPECT_EQ(between(read("translateX(1e15px)"), read("translateX(0.1px)"), 1), at(read("translateX(0.1px)"), 1));
+}
+
+TEST(Css, WhatABrowserWouldDecomposeIsRefused) {
+  const auto refused = [](const Motion& from, const Motion& to, const char* message, const char* hint) {
+    const auto m = css_between(from, to, 0.5);
+    ASSERT_FALSE(m) << message;
+    EXPECT_EQ(m.error().message, message);
+    EXPECT_EQ(m.error().hint, hint);
+    EXPECT_EQ(m.error().code, Code::type);
+  };
+  const char* same = "from here on a browser mixes matrices, and turns are lost: let the same functions stand there";
+  refused(read("translateX(1px) rotate(1deg)"), read("translateX(1px) scale(2)"),
+          "factor 2: one list turns where the other scales", same);
+  refused(read("scale(2) scale(2)"), read("translateX(1px) scale(2)"),
+          "factor 1: one list scales where the other moves", same);
+  const char* axis = "a browser then takes the short way, and turns are lost: two functions, one for each axis";
+  refused(read("rotateX(1deg)"), read("rotateY(1deg)"),
+          "factor 1: it turns about one axis in one list and about another in the other", axis);
+  refused(read("rotate(1deg)"), read("rotate3d(0, 0, -1, 1deg)"),
+          "factor 1: it turns about one axis in one list and about another in the other", axis);
+  refused(read("rotateX(1deg)"), read("rotate3d(1, 1e-6, 0, 1deg)"),
+          "factor 1: it turns about one axis in one list and about another in the other", axis);
+  const char* origin = "read both about one origin";
+  refused(read("scale(2)", {1, 0, 0}), read("scale(2)"), "factor 1: its centre is not the same in both lists", origin);
+  refused(read("rotate(0)"), read("rotate(0)", {0, 0, 1}), "factor 1: its centre is not the same in both lists",
+          origin);
+  refused(parsed("S(2)"), read("scale(2)"), "factor 1: it grows by the exponential law, and CSS by the linear one",
+          "S(… linear)");
+  refused({}, parsed("T(1 0) R(1turn @ hub)"), "factor 2: its centre is 'hub', and CSS knows no objects",
+          "a place in numbers");
+}
+
+// ---- Writing
+
+TEST(CssWrite, SaysWhatItWasGiven) {
+  const std::tuple<const char*, const char*, const char*> all[] = {
+      {"", "none", "none"},
+      {"T(10 20)", "translate(0px, 0px)", "translate(10px, 20px)"},
+      {"T(0 0 0.5)", "translate3d(0px, 0px, 0px)", "translate3d(0px, 0px, 0.5px)"},
+      {"R(90deg)", "rotate(0deg)", "rotate(90deg)"},
+      {"R(-2.5turn)", "rotate(0deg)", "rotate(-900deg)"},
+      {"R(35deg axis y)", "rotate3d(0, 1, 0, 0deg)", "rotate3d(0, 1, 0, 35deg)"},
+      {"S(2 linear)", "scale3d(1, 1, 1)", "scale3d(2, 2, 2)"},
+      {"S(2 -1 linear)", "scale(1, 1)", "scale(2, -1)"},
+      {"S(1)", "scale(1, 1)", "scale(1, 1)"},
+      // One centre for all: a translation minds none.
+      {"T(1 1) R(1rad @ 3 4) T(2 2) S(2 3 @ 3 4 linear) T(5 5)",
+       "translate(0px, 0px) translate(3px, 4px) rotate(0deg) translate(0px, 0px) scale(1, 1) translate(0px, 0px) "
+       "translate(-3px, -4px)",
+       "translate(1px, 1px) translate(3px, 4px) rotate(1rad) translate(2px, 2px) scale(2, 3) translate(5px, 5px) "
+       "translate(-3px, -4px)"},
+      {"R(1rad @ 3 4) R(1rad)", "translate(3px, 4px) rotate(0deg) translate(-3px, -4px) rotate(0deg)",
+       "translate(3px, 4px) rotate(1rad) translate(-3px, -4px) rotate(1rad)"},
+      {"R(1rad @ 3 4) R(1rad @ 0 0 5)",
+       "translate(3px, 4px) rotate(0deg) translate(-3px, -4px) translate3d(0px, 0px, 5px) rotate(0deg) "
+       "translate3d(0px, 0px, -5px)",
+       "translate(3px, 4px) rotate(1rad) translate(-3px, -4px) translate3d(0px, 0px, 5px) rotate(1rad) "
+       "translate3d(0px, 0px, -5px)"},
+  };
+  for (const auto& [motion, from, to] : all) {
+    const auto lists = to_css(parsed(motion));
+    ASSERT_TRUE(lists) << motion;
+    EXPECT_EQ(lists->from, from);
+    EXPECT_EQ(lists->to, to);
+  }
+}
+
+TEST(CssWrite, WhatHasNoCssIsRefused) {
+  const auto refused = [](const Motion& motion, const char* message, Code code) {
+    const auto lists = to_css(motion);
+    ASSERT_FALSE(lists) << message;
+    EXPECT_EQ(lists.error().message, message);
+    EXPECT_EQ(lists.error().code, code);
+  };
+  refused(parsed("T(1 2) S(2)"), "factor 2: it grows by the exponential law, and CSS by the linear one", Code::type);
+  refused(parsed("R(1turn @ hub)"), "factor 1: its centre is 'hub', and CSS knows no objects", Code::type);
+  refused({{rotate_by(NAN)}}, "factor 1, R: its angle is no finite number", Code::range);
+}
+
+// What is written reads back as the same numbers, and moves as the motion does.
+TEST(CssWrite, ReadsBackAsTheSameMotion) {
+  std::mt19937 random(8);
+  for (int round = 0; round < 1000; ++round) {
+    Motion motion = random_motion(random, 1 + round % 9, round % 2 == 1);
+    for (Factor& f : motion.factors) f.law = Factor::Law::linear;
+    const auto lists = to_css(motion);
+    ASSERT_TRUE(lists);
+    const Motion from = read(lists->from), to = read(lists->to);
+    for (const Factor& f : motion.factors)
+      EXPECT_TRUE(std::any_of(to.factors.begin(), to.factors.end(), [&](const Factor& g) {
+        return g.kind == f.kind && g.by == f.by && g.angle == f.angle && g.axis == f.axis;
+      })) << lists->to;
+    for (const double t : {0.0, 0.3, 1.0}) {
+      const Mat4 expected = at(motion, t);
+      double size = 1;
+      for (const double x : expected.m) size = std::max(size, std::abs(x));
+      expect_near(between(from, to, t), expected, 1e-11 * size, lists->to);
+    }
+  }
+}
+
+// ---- Beside a browser
+
+// One row of css_chromium.txt, which tools/browser.sh writes.
+struct Answer {
+  std::string from, to, origin;
+  double t = 0;
+  Mat4 matrix;
+  std::vector<double> places;
+};
+
+std::vector<double> numbers(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<double> n;
+  for (double x = 0; in >> x;) n.push_back(x);
+  return n;
+}
+
+std::vector<Answer> answers(const std::string& file) {
+  std::ifstream in(file);
+  std::vector<Answer> rows;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream row(line);
+    Answer a;
+    std::string t, matrix, places;
+    for (std::string* cell : {&a.from, &a.to, &a.origin, &t, &matrix, &places}) std::getline(row, *cell, '\t');
+    a.t = std::stod(t);
+    const std::vector<double> m = numbers(matrix);
+    EXPECT_EQ(m.size(), 16u) << line;
+    std::copy_n(m.begin(), std::min<std::size_t>(16, m.size()), a.matrix.m.begin());
+    a.places = numbers(places);
+    EXPECT_EQ(a.places.size(), 6u) << line;
+    rows.push_back(std::move(a));
+  }
+  return rows;
+}
+
+std::string answers_file() {
+  const char* other = std::getenv("BETWIXT_CSS_ANSWERS");
+  return other != nullptr ? other : SOURCE_DIR "/tests/algebra/css_chromium.txt";
+}
+
+// Chromium works in f64, with angles in f64 too. Lengths, the numbers of scale() and the direction of an axis it rounds
+// to f32, and it tells places on the screen in f32: of a few hundred pixels that is some 1e-5.
+TEST(CssInChromium, IsWhereTheBrowserPutsIt) {
+  const std::vector<Answer> all = answers(answers_file());
+  ASSERT_GE(all.size(), 250u);
+  std::set<std::string> lists;
+  double turned = 0, rest = 0, moved = 0, pixels = 0;
+  for (const Answer& a : all) {
+    const std::string pair = a.from + " to " + a.to;
+    lists.insert(pair);
+    const Mat4 m = between(read(a.from), read(a.to), a.t);
+    const bool rounded = pair.find("scale") != std::string::npos || pair.find("rotate3d") != std::string::npos;
+    double& worst = rounded ? rest : turned;
+    for (int r = 0; r < 4; ++r) {
+      for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(m(r, c) - a.matrix(r, c)));
+      moved = std::max(moved, std::abs(m(r, 3) - a.matrix(r, 3)));
+    }
+    const std::vector<double> o = numbers(a.origin);
+    const Vec3 origin{o.at(0), o.at(1), o.at(2)};
+    const Mat4 about = between(read(a.from, origin), read(a.to, origin), a.t);
+    const Vec3 points[] = {{0, 0, 0}, {100, 0, 0}, {37, -81, 0}};
+    for (std::size_t p = 0; p < std::size(points); ++p) {
+      const Vec3 place = transform_point(about, points[p]);
+      const double off = std::hypot(place.x - a.places.at(2 * p), place.y - a.places.at(2 * p + 1));
+      EXPECT_LE(off, 1e-4) << pair << " at " << a.t;
+      pixels = std::max(pixels, off);
+    }
+  }
+  EXPECT_GE(lists.size(), 250u);
+  EXPECT_LE(turned, 1e-12);
+  EXPECT_LE(rest, 1e-6);
+  EXPECT_LE(moved, 1e-4);
+  if (std::getenv("BETWIXT_CSS_ANSWERS") == nullptr) return;
+  std::cout << lists.size() << " pairs of lists, " << all.size() << " frames; largest differences:\n"
+            << turned << " in the matrix where all numbers are f64 (no scale, no rotate3d), " << rest << " elsewhere\n"
+            << moved << " px in its translation, " << pixels << " px in the places of points\n";
+}
+
+// The lists that are written for these motions are among those that the browser was given.
+TEST(CssInChromium, ShowsTheMotionsThatAreWritten) {
+  const std::vector<Answer> all = answers(answers_file());
+  for (const char* text : {"R(2.5turn @ 1 2)", "T(6.28 0) R(-1turn @ 0 1)",
+                           "R(35deg @ 3 4) T(100 0) S(2 0.5 @ 3 4 linear) R(0.1rad @ 1e-7 5)",
+                           "T(1 2 50) R(3turn @ 1 2 3 axis 1 2 3) S(2 1 -3 @ 1 2 3 linear)"}) {
+    const Motion motion = parsed(text);
+    const auto lists = to_css(motion);
+    ASSERT_TRUE(lists);
+    int found = 0;
+    for (const Answer& a : all)
+      if (a.from == lists->from && a.to == lists->to) {
+        ++found;
+        expect_near(at(motion, a.t), a.matrix, 1e-4, text);
+      }
+    EXPECT_GE(found, 1) << text << ": " << lists->from << " to " << lists->to;
+  }
+}
+
+}  // namespace
+}  // namespace betwixt
