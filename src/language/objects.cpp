@@ -95,11 +95,11 @@ bool Reader::free_name(Cursor& c, const std::string& name, std::string_view abou
   if (s.names.find(name)) return c.fail(Code::name, fmt::format("there is a '{}' already", name), about);
   if (s.aliases->contains(name))
     return c.fail(Code::name, fmt::format("'{}' is an alias already", name), about, "an alias wins over an object");
-  if (s.lists->empty()) return true;
-  if (s.lists->contains(name))
+  if (s.lists->empty() && s.later_lists->empty()) return true;
+  if (!versions(s, name).empty())
     return c.fail(Code::name, fmt::format("there is a display list '{}' already", name), about);
   for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
-    if (const std::string above = name.substr(0, slash); s.lists->contains(above))
+    if (const std::string above = name.substr(0, slash); !versions(s, above).empty())
       return c.fail(Code::name, fmt::format("names that begin with '{}/' are for what that display list draws", above),
                     about);
   return true;

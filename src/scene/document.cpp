@@ -439,10 +439,10 @@ struct Compare {
     return true;
   }
   bool all() const {
-    if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range && a.background == b.background &&
-          a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases &&
-          a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording && a.lists == b.lists &&
-          a.main == b.main))
+    if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range &&
+          a.background == b.background && a.notes_shown == b.notes_shown && a.policy == b.policy &&
+          a.defined == b.defined && a.aliases == b.aliases && a.notes == b.notes && a.procedures == b.procedures &&
+          a.recording == b.recording && a.lists == b.lists && a.later_lists == b.later_lists && a.main == b.main))
       return false;
     const auto same_dial = [&](const Dial& x, const Dial& y) {
       return x.address == y.address && ra(x.target.object) == rb(y.target.object) &&
@@ -481,6 +481,7 @@ std::pair<Time, Time> Document::range() const {
       }
   }
   if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
+  if (!scene_->later_lists->empty()) last = std::max(last, scene_->later_lists->rbegin()->first);
   if (last <= Time{}) return {{}, scene_->rate.frame(std::max(1.0, std::round(scene_->rate.per_second())))};
   return {{}, last};
 }

@@ -287,7 +287,8 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
   }
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
   const bool opens = !row && deed.after.carried.sheet_open;
-  deed.kept = !opens || !deed.after.document.scene().lists.same(from.document.scene().lists);
+  const Scene &is = deed.after.document.scene(), &was = from.document.scene();
+  deed.kept = !opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
   if (Status s = within_ceiling(from.document.scene(), deed.after.document.scene()); !s) return s.error();
   return deed;
 }

@@ -387,7 +387,7 @@ TEST(DisplayList, Errors_say_what_and_where) {
       {"edit star\n", "1:6: there is no display list 'star'"},
       {"delete star\n", "1:8: there is no display list 'star'"},
       {"start star\n", "1:7: there is no display list 'star'"},
-      {"at 3f make a\n", "1:7: 'make' has no time: it holds for the whole film"},
+      {"at 3f start a\n", "1:7: 'start' has no time: it holds for the whole film"},
       {"create b group\nmake a\n  call b\n", "3:8: 'b' is an object of the film, not a display list"},
       {"make a\n  color rde\n", "2:9: there is no colour 'rde'"},
       {"make\n  point (0 0)\n", "1:5: the name of the new display list is missing here"},
