@@ -150,14 +150,39 @@ bool Reader::delete_list(Cursor& c) {
   return true;
 }
 
+// Whether nobody else has names that what a list draws may want.
+bool Reader::free_below(Cursor& c, const std::string& name, std::string_view about) {
+  const std::string below = name + "/";
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
+      return c.fail(Code::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), about,
+                    fmt::format("rename {} first", o.name));
+  return true;
+}
+
+// rename OLD NEW, where the old name is a list's.
+bool Reader::rename_list(Cursor& c) {
+  std::string_view old;
+  if (!list_name(c, old)) return false;
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the new name is missing here");
+  const std::string from(old), to(word);
+  if (!free_name(c, to, word) || !free_below(c, to, word) || !finish(c)) return false;
+  betwixt::rename_list(s, from, to);
+  std::vector<decltype(unfinished_)::value_type> open;
+  for (auto& u : unfinished_)
+    if (u.first.first == from) open.emplace_back(std::pair(to, u.first.second), std::move(u.second));
+  std::erase_if(unfinished_, [&](const auto& u) { return u.first.first == from; });
+  unfinished_.insert(open.begin(), open.end());
+  return true;
+}
+
 bool Reader::start_list(Cursor& c) {
   std::string_view word;
   if (!list_name(c, word) || !finish(c)) return false;
-  const std::string name(word), below = name + "/";
-  for (std::size_t i = 0; i < s.objects.size(); ++i)
-    if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
-      return c.fail(Code::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), word,
-                    fmt::format("rename {} first", o.name));
+  const std::string name(word);
+  if (!free_below(c, name, word)) return false;
   const std::string before = std::exchange(s.main, name);
   const Status done = expand(s);
   if (done) {

@@ -260,6 +260,7 @@ bool Reader::remove(Cursor& c) {
 bool Reader::rename(Cursor& c) {
   ObjectId id;
   c.space();
+  if (!versions(s, c.peek_word()).empty()) return rename_list(c);
   if (is_pattern(c.peek_word()))
     return c.fail_here(Code::syntax, "one object gets another name: a pattern is none", "as in rename ball planet");
   const char* start = c.at;

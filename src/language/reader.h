@@ -139,6 +139,8 @@ class Reader {
   bool edit_list(Cursor& c);
   bool delete_list(Cursor& c);
   bool start_list(Cursor& c);
+  bool rename_list(Cursor& c);
+  bool free_below(Cursor& c, const std::string& name, std::string_view about);
   bool list_name(Cursor& c, std::string_view& word);
   Time list_time() const { return timed_ ? time_ : from_the_beginning; }
   void open(std::string_view list);

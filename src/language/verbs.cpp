@@ -16,7 +16,7 @@ const std::vector<Reader::Verb>& Reader::verbs() {
       {"background", "background COLOR", &Reader::background},
       {"create", "create NAME KIND [key=value …] or create NAME like OTHER", &Reader::create},
       {"remove", "remove NAME", &Reader::remove},
-      {"rename", "rename OLD NEW", &Reader::rename},
+      {"rename", "rename OLD NEW, an object or a display list", &Reader::rename},
       {"set", "set TARGET VALUE, as in set ball.color red", &Reader::set},
       {"at", "at TIME TARGET VALUE or at TIME COMMAND", &Reader::at},
       {"couple", "couple A to B [keep-world]", &Reader::couple},

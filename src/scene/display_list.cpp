@@ -195,4 +195,19 @@ void rename_environment(Scene& s, const std::string& old, const std::string& nam
   if (respell(s, Drawing::begin, old, name)) expand_renamed(s);
 }
 
+void rename_list(Scene& s, const std::string& old, const std::string& name) {
+  const auto move = [&](DisplayLists& lists) {
+    if (auto list = lists.extract(old)) {
+      list.key() = name;
+      lists.insert(std::move(list));
+    }
+  };
+  move(s.lists.edit());
+  if (!s.later_lists->empty())
+    for (auto& [from, changed] : s.later_lists.edit()) move(changed);
+  respell(s, Drawing::call, old, name);
+  if (s.main == old) s.main = name;
+  expand_renamed(s);
+}
+
 }  // namespace betwixt

@@ -111,6 +111,8 @@ inline constexpr int deepest_derived = 200;           // instances and environme
 
 // The begins of an environment that gets another name.
 void rename_environment(Scene&, const std::string& old, const std::string& name);
+// A list that gets another name, and all calls of it.
+void rename_list(Scene&, const std::string& old, const std::string& name);
 
 // Makes the objects of the main list what its commands say, at all times: what is equal before and after an edit is one
 // object, all else is shown while it holds and hidden at other times. Objects that are still there keep their numbers,
