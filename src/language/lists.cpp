@@ -71,6 +71,9 @@ bool Reader::list_name(Cursor& c, std::string_view& word) {
   word = c.word();
   if (word.empty()) return c.fail_here(Code::syntax, "the name of a display list is missing here");
   if (timed_ ? list_at(s, word, time_) != nullptr : !versions(s, word).empty()) return true;
+  if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
+    return c.fail(Code::name, fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)),
+                  word, "display lists are made by make NAME; objects are there without being started");
   return c.fail(Code::name,
                 fmt::format("there is no display list '{}'{}", word.substr(0, 60),
                             versions(s, word).empty() ? "" : " at that time"),
@@ -219,6 +222,8 @@ bool Reader::list_row(Cursor& c) {
   std::vector<std::string_view> words(std::begin(factors), std::end(factors));
   for (const Word& row : rows) words.push_back(row.word);
   std::string hint = did_you_mean(word, words);
+  if (hint.empty()) hint = "rows that draw are point, vector, polygon, text and call; for the others: help make";
+  if (!versions(s, word).empty()) hint = fmt::format("call {} draws that list", word.substr(0, 40));
   for (const Verb& v : verbs())
     if (v.word == word) hint = "a command that follows a display list is not indented";
   return c.fail_here(Code::name,
@@ -318,7 +323,9 @@ bool Reader::drawing(Cursor& c, Drawing what, std::string_view about) {
   const auto number = [&](FunctionId f) {
     c.space();
     const char* start = c.at;
-    if (!read.value(spec_of(s, f), -1, command.value, f)) return false;
+    FunctionSpec spec = spec_of(s, f);
+    spec.name = about;
+    if (!read.value(spec, -1, command.value, f)) return false;
     return std::get<double>(command.value) > 0 || c.fail(Code::range, "this must be more than 0", c.since(start));
   };
   bool done = true;

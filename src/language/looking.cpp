@@ -58,7 +58,7 @@ Error no_object(const Document& d, const std::string& word) {
 
 std::string object_lines(const Document& d, ObjectId id, const Program& program) {
   const Object& o = d.scene().objects[id.index];
-  std::string said = fmt::format("{}, a {}\n", o.name, kind_names[static_cast<std::size_t>(o.kind)]);
+  std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind));
   for (const Attached& a : attachments(o)) {
     if (!a.to.parent) continue;
     static constexpr std::string_view how[] = {"", "", "hangs on", "is attached to", "is coupled to"};

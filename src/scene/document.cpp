@@ -213,7 +213,13 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
   if (dot == std::string_view::npos) return no("a target has a dot, as in 'ball.position'");
   Target t;
   t.object = dot == 0 ? self : s.names.find(text.substr(0, dot));
-  if (!find_object(s, t.object)) return no("there is no object '" + std::string(text.substr(0, dot)) + "'");
+  if (!find_object(s, t.object)) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < s.objects.size() && names.size() < 1000; ++i)
+      if (!s.objects[i].removed) names.push_back(s.objects[i].name);
+    const auto name = text.substr(0, dot);
+    return no("there is no object '" + std::string(name) + "'", did_you_mean(name, names));
+  }
   std::vector<std::string_view> words;
   for (std::string_view rest = text.substr(dot + 1);;) {
     const auto next = rest.find('.');

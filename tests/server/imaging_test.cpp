@@ -101,6 +101,10 @@ TEST(Imaging, SaysNoInWords) {
            {"save", "this server keeps no history"},
            {"end", "no bundle is open"},
            {"eval", "what shall be evaluated?"},
+           {"eval ball at", "a time is missing behind 'at'\",\"hint\":\"as in eval ball at 24f\""},
+           {"point (0 0)", "'point' is a row of a display list, not a command\",\"hint\":\"rows are indented"},
+           {"help plot", "they write no files here"},
+           {"help play", "a server always plays"},
            {"eval ball", "there is no object 'ball'"},
            {"subscribe", "to what?"},
            {"subscribe gossip", "there are no events called 'gossip'"},
@@ -408,6 +412,20 @@ TEST(Imaging, LeavesFilesAlone) {
 }
 
 // Random hosts: whatever they say in whatever order, the history makes the document.
+TEST(Imaging, HelpIsForHosts) {
+  Stage s;
+  const auto host = s.imaging.arrive();
+  const std::string all = s.say(host, "help");
+  for (const char* word : {"Words of the shell", "\\n  plot ", "\\n  open ", "\\n  play "})
+    EXPECT_FALSE(holds(all, word)) << word;
+  for (const char* word : {"bundle ", "subscribe ", "animate ", "Rows of display lists"}) EXPECT_TRUE(holds(all, word));
+  EXPECT_TRUE(holds(s.say(host, "help bundle"), "done together, all at one moment or none; end has the answer"));
+  const std::string events = s.say(host, "help subscribe");
+  for (const char* topic : {"changes", "contacts", "frames", "notes"})
+    EXPECT_TRUE(holds(events, fmt::format("\\n  {} ", topic))) << events;
+  EXPECT_TRUE(holds(s.say(host, "help quit"), "Ends the connection"));
+}
+
 // shows: R-E12 R-E16
 TEST(Imaging, AHostMayEditAListFromATimeOn) {
   Stage s;
