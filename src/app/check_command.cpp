@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 #include "app/command.h"
+#include "base/names.h"
 #include "betwixt/program.h"
+#include "scene/document.h"
 
 namespace betwixt {
 namespace {
@@ -27,6 +30,38 @@ std::vector<std::string> problems_of(const Document& document) {
       if (std::find(said.begin(), said.end(), p) == said.end()) said.push_back(std::move(p));
   }
   return said;
+}
+
+// Environments that something stands in but nobody ever animates, and one of those that do.
+std::map<std::string, std::string> idle_environments(const Scene& s) {
+  std::map<std::string, std::string> idle;
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    const auto look = [&](const Value& v) {
+      const auto* names = std::get_if<Names>(&v);
+      for (const std::string& name : names ? **names : std::vector<std::string>()) {
+        const ObjectId id = s.names.find(name);
+        if (!id || s.objects[id.index].kind != Kind::environment) idle.try_emplace(name, o.name);
+      }
+    };
+    for (const FunctionId f : {fn::environments, fn::drive})
+      if (const Slot* slot = o.removed ? nullptr : o.find(f)) {
+        if (slot->set) look(*slot->set);
+        slot->track->events.each([&](const Event& e) { look(e.value); });
+      }
+  }
+  return idle;
+}
+
+void say_idle_environments(const std::string& file, const Scene& s) {
+  std::vector<std::string_view> known;
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (s.objects[i].environment && !s.objects[i].removed) known.push_back(s.objects[i].name);
+  for (const auto& [name, holder] : idle_environments(s)) {
+    const std::string near = did_you_mean(name, known);
+    fmt::print(stderr, "{}: notice: '{}' is in the environment '{}', which nobody animates\n  {}\n", file, holder, name,
+               near.empty() ? fmt::format("as in animate {} every 1t by rotate(3deg, z)", name) : near);
+  }
 }
 
 }  // namespace
@@ -50,6 +85,7 @@ void add_check(CLI::App& app, int& exit_code) {
         fmt::print(stderr, "{}: warning: {}\n", *file, p);
         ++warnings;
       }
+    if (errors == 0) say_idle_environments(*file, loaded.document.scene());
     const std::size_t objects = loaded.document.names().size();
     const int frames = loaded.document.frame_count();
     if (errors + warnings == 0)

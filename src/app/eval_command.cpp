@@ -21,6 +21,21 @@ struct Asked {
   bool json = false;
 };
 
+// What is as good as 0 beside the other numbers of a value is 0 for a reader: the sine of half a turn. (JSON says all.)
+Reading without_dust(Reading r) {
+  std::vector<double*> all;
+  if (auto* m = std::get_if<Mat4>(&r))
+    for (double& n : m->m) all.push_back(&n);
+  if (auto* p = std::get_if<Vec3>(&r)) all = {&p->x, &p->y, &p->z};
+  if (auto* a = std::get_if<Angles>(&r)) all = {&a->xyz.x, &a->xyz.y, &a->xyz.z};
+  if (auto* q = std::get_if<Quat>(&r)) all = {&q->w, &q->x, &q->y, &q->z};
+  double largest = 0;
+  for (const double* n : all) largest = std::max(largest, std::abs(*n));
+  for (double* n : all)
+    if (std::abs(*n) < 1e-12 * largest) *n = 0;
+  return r;
+}
+
 // As it would be written in a script; matrices row by row.
 std::string plain(const Reading& r, const Target& t, const Document& d) {
   if (std::holds_alternative<Mat4>(r)) {
@@ -91,7 +106,7 @@ int eval(const Asked& asked) {
     const auto values = read(t);
     for (std::size_t k = 0; k < targets.size(); ++k)
       fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(targets[k]), width,
-                 plain(values[k], targets[k], *document));
+                 plain(without_dust(values[k]), targets[k], *document));
   }
   return all_done;
 }

@@ -44,9 +44,20 @@ std::string explain(const CLI::App& app, const CLI::ParseError& e) {
   return e.what();
 }
 
+// All commands, and where to go on.
+std::string overview(const CLI::App& app) {
+  std::string out = fmt::format("{}\nUsage: betwixt COMMAND …\n\nCommands\n", app.get_description());
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    out += fmt::format("  {:10} {}\n", sub->get_name(), sub->get_description());
+  return out +
+         "\nbetwixt help COMMAND says more about one, as in betwixt help render.\n"
+         "betwixt help WORD explains a word of the language, as in betwixt help create.\n"
+         "betwixt shell makes a film line by line; there, help lists all words.\n";
+}
+
 // betwixt help [WORD]: a subcommand's help, or a word's of the language.
 int help(const CLI::App& app, const std::string& word) {
-  if (word.empty()) return fmt::print("{}", app.help()), all_done;
+  if (word.empty()) return fmt::print("{}", overview(app)), all_done;
   std::vector<std::string_view> known;
   std::vector<std::string> commands;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -70,8 +81,8 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(28);
   app.footer("Example:\n  betwixt render examples/bounce.bx -o bounce.mp4");
   app.require_subcommand(0, 1);
-  for (const auto& add :
-       {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy, add_algebra, add_contacts, add_shell, add_serve})
+  for (const auto& add : {add_render, add_frame, add_play, add_eval, add_plot, add_check, add_tidy, add_algebra,
+                          add_contacts, add_shell, add_serve})
     add(app, exit_code);
   std::string word;
   CLI::App* helping = app.add_subcommand("help", "explains a command, or a word of the language");

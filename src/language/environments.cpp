@@ -83,9 +83,7 @@ bool Reader::animate(Cursor& c) {
     const ObjectId id = s.names.find(name);
     if (id && s.objects[id.index].kind == Kind::environment) continue;
     if (id)
-      return c.fail(Code::name,
-                    fmt::format("'{}' is a {}, not an environment", name,
-                                kind_names[static_cast<std::size_t>(s.objects[id.index].kind)]),
+      return c.fail(Code::name, fmt::format("'{}' is {}, not an environment", name, a_kind(s.objects[id.index].kind)),
                     word, "objects are moved by environments: set OBJECT.environments (NAME)");
     if (!free_name(c, name, word)) return false;
   }

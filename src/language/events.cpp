@@ -345,9 +345,9 @@ bool Reader::at(Cursor& c) {
   c.space();
   const char* start = c.at;
   const std::string_view w = c.word();
-  static constexpr std::string_view timed_verbs[] = {"note", "look",    "show",   "hide",  "couple",
-                                                     "hang", "attach",  "detach", "letgo", "fall",
-                                                     "on",   "animate", "halt",   "kill",  "cancel"};
+  static constexpr std::string_view timed_verbs[] = {"note",   "look",   "show",   "hide", "couple", "hang",
+                                                     "attach", "detach", "letgo",  "fall", "on",     "animate",
+                                                     "halt",   "kill",   "cancel", "make", "edit",   "delete"};
   if (w.empty()) return c.fail_here(Code::syntax, "a target or a command is missing here");
   if (w.find('.') != std::string_view::npos) {
     Selected to;

@@ -48,7 +48,8 @@ constexpr HelpEntry entries[] = {
     {verb, "create", "Makes an object of a kind, or one like another.", "",
      "create moon sphere radius=0.5 color=silver"},
     {verb, "remove", "Takes objects out of the film.", "", "remove wheel*"},
-    {verb, "rename", "Gives an object another name; all that spoke of it goes on.", "", "rename ball planet"},
+    {verb, "rename", "Gives an object or a display list another name; all that spoke of it goes on.", "",
+     "rename ball planet"},
     {verb, "set", "The value of a function while its track has no events.", "", "set ball.color red"},
     {verb, "at", "Gives a command its time, or puts one event on a track.", "", "at 12f ball.radius 2 ease-in=4f"},
     {verb, "hang", "Hangs an object on another: it is carried along, not turned.", "", "at 20f hang ball on hand"},
@@ -295,11 +296,12 @@ std::string about(const NamedProcedure& p) {
 
 std::span<const HelpEntry> help_entries() { return entries; }
 
-std::string help_overview(const Scene& scene) {
+std::string help_overview(const Scene& scene, bool of_the_shell) {
   std::string out =
       "A line is a command; a line that is only a target (ball.position) opens a sheet, whose rows are indented:\n"
       "  TIME VALUE [TWERPER] [ease-in=LENGTH] [ease-out=LENGTH]\n";
   for (const auto& [group, title] : groups) {
+    if (group == shell && !of_the_shell) continue;
     out += fmt::format("\n{}\n", title);
     for (const HelpEntry& e : entries)
       if (e.group == group && there(e)) out += fmt::format("  {:16} {}\n", e.word, e.sentence);

@@ -24,7 +24,7 @@ struct HelpEntry {
 std::span<const HelpEntry> help_entries();
 
 // All words by groups, a line each; the film's own words too.
-std::string help_overview(const Scene&);
+std::string help_overview(const Scene&, bool of_the_shell = true);
 // All that is known about a word; empty where nothing is.
 std::string help_text(std::string_view word, const Scene&);
 

@@ -65,15 +65,19 @@ std::vector<std::pair<std::string_view, std::string_view>> Reader::row_words() {
   return all;
 }
 
+// A list that is there: at the time of the command, or at any time where it has none.
 bool Reader::list_name(Cursor& c, std::string_view& word) {
   c.space();
   word = c.word();
   if (word.empty()) return c.fail_here(Code::syntax, "the name of a display list is missing here");
-  if (s.lists->contains(word)) return true;
-  std::vector<std::string_view> known;
-  for (const auto& list : *s.lists) known.push_back(list.first);
-  return c.fail(Code::name, fmt::format("there is no display list '{}'", word.substr(0, 60)), word,
-                did_you_mean(word, known));
+  if (timed_ ? list_at(s, word, time_) != nullptr : !versions(s, word).empty()) return true;
+  if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
+    return c.fail(Code::name, fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)),
+                  word, "display lists are made by make NAME; objects are there without being started");
+  return c.fail(Code::name,
+                fmt::format("there is no display list '{}'{}", word.substr(0, 60),
+                            versions(s, word).empty() ? "" : " at that time"),
+                word, did_you_mean(word, list_names(s)));
 }
 
 void Reader::open(std::string_view word) {
@@ -82,8 +86,10 @@ void Reader::open(std::string_view word) {
   sheet.open = true;
   sheet.list = word;
   sheet.place = word;
-  sheet.next = at_end;
-  sheet.before = s.lists;
+  if (timed_) sheet.from = time_;
+  for (const Time from : timed_ ? std::vector{time_} : versions(s, word))
+    sheet.versions.push_back({from, at_end, {}, {}});
+  sheet.before = s.lists, sheet.later_before = s.later_lists;
 }
 
 bool Reader::make_list(Cursor& c) {
@@ -91,12 +97,17 @@ bool Reader::make_list(Cursor& c) {
   const std::string_view word = c.word();
   const std::string name(word);
   if (word.empty()) return c.fail_here(Code::syntax, "the name of the new display list is missing here");
-  if (s.lists->contains(name))
+  const bool known = !versions(s, name).empty();
+  if (known && !timed_)
     return c.fail(Code::name, fmt::format("there is a display list '{}' already", name), word,
                   fmt::format("edit {} opens it again", name));
-  if (!free_name(c, name, word) || !finish(c)) return false;
+  if ((!known && !free_name(c, name, word)) || !finish(c)) return false;
+  const Cow<DisplayLists> before = s.lists;
+  const Cow<LaterLists> later_before = s.later_lists;
+  betwixt::edit_list(s, name, list_time()) = {};
   open(word);
-  s.lists.edit()[name] = Cow<DisplayList>(DisplayList{});
+  source_.sheet.before = before, source_.sheet.later_before = later_before;
+  source_.sheet.changed = known;  // what it was before is not shown any more
   return true;
 }
 
@@ -111,45 +122,81 @@ bool Reader::delete_list(Cursor& c) {
   std::string_view word;
   if (!list_name(c, word) || !finish(c)) return false;
   const std::string name(word);
-  const bool shown = !s.main.empty() && !calls(s, s.main, name).empty();
-  s.lists.edit().erase(name);
-  unfinished_.erase(name);
+  betwixt::delete_list(s, name, list_time());
+  std::erase_if(unfinished_,
+                [&](const auto& u) { return u.first.first == name && (!timed_ || u.first.second == time_); });
   std::vector<std::string> callers;
-  for (const auto& [other, list] : *s.lists)
-    for (std::size_t i = 0; i < list->commands.size(); ++i)
+  for (const std::string_view other : list_names(s)) {
+    const DisplayList* list = list_at(s, other, list_time());
+    for (std::size_t i = 0; list && i < list->commands.size(); ++i)
       if (const DisplayCommand& command = list->commands[i];
           command.what == Drawing::call && *std::get<Text>(command.value) == name) {
-        callers.push_back("'" + other + "'");
+        callers.push_back(fmt::format("'{}'", other));
         break;
       }
+  }
+  const char* since = timed_ ? "from then on" : "now";
   if (!callers.empty())
     note(Severity::warning,
-         fmt::format("{} still call{} '{}', which draws nothing now", fmt::join(callers, ", "),
-                     callers.size() == 1 ? "s" : "", name),
+         fmt::format("{} still call{} '{}', which draws nothing {}", fmt::join(callers, ", "),
+                     callers.size() == 1 ? "s" : "", name, since),
          word);
+  const bool shown = !s.main.empty() && ever_calls(s, s.main, name);
   if (s.main == name) {
-    note(Severity::warning, fmt::format("'{}' was the main object: nothing of the display lists is shown now", name),
-         word, "start NAME shows another one");
-    s.main.clear();
+    note(Severity::warning,
+         timed_ ? fmt::format("'{}' is the main object: nothing of the display lists is shown from then on", name)
+                : fmt::format("'{}' was the main object: nothing of the display lists is shown now", name),
+         word, timed_ ? "" : "start NAME shows another one");
+    if (!timed_) s.main.clear();
   }
   if (shown) (void)expand(s);  // it has only become less
+  return true;
+}
+
+// Whether nobody else has names that what a list draws may want.
+bool Reader::free_below(Cursor& c, const std::string& name, std::string_view about) {
+  const std::string below = name + "/";
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
+      return c.fail(Code::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), about,
+                    fmt::format("rename {} first", o.name));
+  return true;
+}
+
+// rename OLD NEW, where the old name is a list's.
+bool Reader::rename_list(Cursor& c) {
+  std::string_view old;
+  if (!list_name(c, old)) return false;
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the new name is missing here");
+  const std::string from(old), to(word);
+  if (!free_name(c, to, word) || !free_below(c, to, word) || !finish(c)) return false;
+  betwixt::rename_list(s, from, to);
+  std::vector<decltype(unfinished_)::value_type> open;
+  for (auto& u : unfinished_)
+    if (u.first.first == from) open.emplace_back(std::pair(to, u.first.second), std::move(u.second));
+  std::erase_if(unfinished_, [&](const auto& u) { return u.first.first == from; });
+  unfinished_.insert(open.begin(), open.end());
   return true;
 }
 
 bool Reader::start_list(Cursor& c) {
   std::string_view word;
   if (!list_name(c, word) || !finish(c)) return false;
-  const std::string name(word), below = name + "/";
-  for (std::size_t i = 0; i < s.objects.size(); ++i)
-    if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
-      return c.fail(Code::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), word,
-                    fmt::format("rename {} first", o.name));
+  const std::string name(word);
+  if (!free_below(c, name, word)) return false;
   const std::string before = std::exchange(s.main, name);
   const Status done = expand(s);
   if (done) {
-    for (const auto& [other, list] : *s.lists)  // an author is told at the end
-      if (const auto wrong = live_ ? unbalanced(*list) : std::nullopt; wrong && !calls(s, name, other).empty())
-        note(Severity::warning, fmt::format("in '{}': {}", other, without_half(list->commands[*wrong])), word);
+    for (const std::string_view other : live_ ? list_names(s) : std::vector<std::string_view>())
+      for (const Time from : versions(s, other)) {  // an author is told at the end
+        const DisplayList& list = *list_at(s, other, from);
+        const auto wrong = unbalanced(list);
+        if (!wrong || !ever_calls(s, name, std::string(other))) continue;
+        note(Severity::warning, fmt::format("in '{}': {}", other, without_half(list.commands[*wrong])), word);
+        break;
+      }
     return true;
   }
   s.main = before;
@@ -175,6 +222,8 @@ bool Reader::list_row(Cursor& c) {
   std::vector<std::string_view> words(std::begin(factors), std::end(factors));
   for (const Word& row : rows) words.push_back(row.word);
   std::string hint = did_you_mean(word, words);
+  if (hint.empty()) hint = "rows that draw are point, vector, polygon, text and call; for the others: help make";
+  if (!versions(s, word).empty()) hint = fmt::format("call {} draws that list", word.substr(0, 40));
   for (const Verb& v : verbs())
     if (v.word == word) hint = "a command that follows a display list is not indented";
   return c.fail_here(Code::name,
@@ -191,39 +240,55 @@ bool Reader::tag(Cursor& c) {
                   word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                   word.empty() ? std::string_view(c.at, 0) : word);
   Sheet& sheet = source_.sheet;
-  const DisplayList& list = *s.lists->find(sheet.list)->second;
-  if (list.tags.contains(word))
-    return c.fail(Code::name, fmt::format("there is a tag '{}' in '{}' already", word, sheet.list), word);
+  for (const Sheet::Version& v : sheet.versions)
+    if (!v.passed_over && list_at(s, sheet.list, v.from)->tags.contains(word))
+      return c.fail(Code::name, fmt::format("there is a tag '{}' in '{}' already", word, sheet.list), word);
   if (!finish(c)) return false;
-  s.lists.edit()[sheet.list].edit().tags[std::string(word)] = std::min(sheet.next, list.commands.size());
+  for (const Sheet::Version& v : sheet.versions) {
+    if (v.passed_over) continue;
+    DisplayList& list = betwixt::edit_list(s, sheet.list, v.from);
+    list.tags[std::string(word)] = std::min(v.next, list.commands.size());
+  }
   return true;
 }
 
+// Versions that do not have the tag, or not so many rows behind it, are passed over.
 bool Reader::replace(Cursor& c) {
   c.space();
   const std::string_view word = c.word();
   Sheet& sheet = source_.sheet;
-  const DisplayList& list = *s.lists->find(sheet.list)->second;
-  const auto at = list.tags.find(word);
-  if (at == list.tags.end()) {
-    std::vector<std::string_view> known;
+  std::vector<Sheet::Version> versions = sheet.versions;
+  long least = 0, most = -1;
+  std::vector<std::string_view> known;
+  for (Sheet::Version& v : versions) {
+    const DisplayList& list = *list_at(s, sheet.list, v.from);
     for (const auto& tag : list.tags) known.push_back(tag.first);
+    const auto at = list.tags.find(word);
+    v.passed_over = at == list.tags.end();
+    if (v.passed_over) continue;
+    v.next = at->second;
+    least = std::min(least, -static_cast<long>(v.next));
+    most = std::max(most, static_cast<long>(list.commands.size()) - static_cast<long>(v.next));
+  }
+  if (most < 0)
     return c.fail(Code::name,
                   word.empty() ? "a tag is missing here"
                                : fmt::format("there is no tag '{}' in '{}'", word.substr(0, 60), sheet.list),
                   word.empty() ? std::string_view(c.at, 0) : word, did_you_mean(word, known));
-  }
   long offset = 0;
-  if (!c.at_line_end()) {
-    const long most = static_cast<long>(list.commands.size()) - static_cast<long>(at->second);
-    if (!c.whole_number(-static_cast<long>(at->second), most, "an offset", offset) || !finish(c)) return false;
+  if (!c.at_line_end() && (!c.whole_number(least, most, "an offset", offset) || !finish(c))) return false;
+  for (Sheet::Version& v : versions) {
+    if (v.passed_over) continue;
+    const long next = static_cast<long>(v.next) + offset;
+    v.passed_over = next < 0 || next > static_cast<long>(list_at(s, sheet.list, v.from)->commands.size());
+    v.next = static_cast<std::size_t>(next);
   }
-  sheet.next = static_cast<std::size_t>(static_cast<long>(at->second) + offset);
+  sheet.versions = std::move(versions);
   sheet.tag = word;
   return true;
 }
 
-// One command of the list, at its end or in place of another.
+// One command of the list, at its end or in place of another, in all versions that the rows go to.
 bool Reader::drawing(Cursor& c, Drawing what, std::string_view about) {
   DisplayCommand command;
   command.what = what;
@@ -258,7 +323,9 @@ bool Reader::drawing(Cursor& c, Drawing what, std::string_view about) {
   const auto number = [&](FunctionId f) {
     c.space();
     const char* start = c.at;
-    if (!read.value(spec_of(s, f), -1, command.value, f)) return false;
+    FunctionSpec spec = spec_of(s, f);
+    spec.name = about;
+    if (!read.value(spec, -1, command.value, f)) return false;
     return std::get<double>(command.value) > 0 || c.fail(Code::range, "this must be more than 0", c.since(start));
   };
   bool done = true;
@@ -324,66 +391,88 @@ bool Reader::drawing(Cursor& c, Drawing what, std::string_view about) {
       break;
   }
   if (!done || !finish(c)) return false;
-  const std::size_t size = s.lists->find(sheet.list)->second->commands.size();
-  const std::size_t place = std::min(sheet.next, size);
-  if (place == size) {  // what comes at the end must fit what is there; what is put between may be completed later
-    if (!sheet.nested) nest(sheet);
-    const bool closes = what == Drawing::pop || what == Drawing::end;
-    const Drawing opener = what == Drawing::pop ? Drawing::push : Drawing::begin;
-    if (closes && (sheet.nested->empty() || sheet.nested->back() != opener))
-      return c.fail(Code::syntax, without_half(command), about,
-                    sheet.nested->empty() ? ""
-                                          : fmt::format("the one begun last is a '{}'",
-                                                        drawing_names[static_cast<std::size_t>(sheet.nested->back())]));
-    if (closes) sheet.nested->pop_back();
-    if (what == Drawing::push || what == Drawing::begin) sheet.nested->push_back(what);
-  } else {
-    sheet.nested.reset();
+  if (!in_order(c, command, about)) return false;
+  for (Sheet::Version& v : sheet.versions) {
+    if (v.passed_over) continue;
+    DisplayCommands& commands = betwixt::edit_list(s, sheet.list, v.from).commands;
+    const std::size_t place = std::min(v.next, commands.size());
+    if (&v == &sheet.versions[0]) {
+      if (sheet.spots.size() <= place) sheet.spots.resize(place + 1);
+      sheet.spots[place] = about;
+    }
+    commands.put(place, command);
+    if (v.next != at_end) ++v.next;
   }
-  if (sheet.spots.size() <= place) sheet.spots.resize(place + 1);
-  sheet.spots[place] = about;
   sheet.changed = true;
-  s.lists.edit()[sheet.list].edit().commands.put(place, std::move(command));
-  if (sheet.next != at_end) ++sheet.next;
+  return true;
+}
+
+// What comes at the end must fit what is there; what is put between may be completed later.
+bool Reader::in_order(Cursor& c, const DisplayCommand& command, std::string_view about) {
+  const bool closes = command.what == Drawing::pop || command.what == Drawing::end;
+  const bool opens = command.what == Drawing::push || command.what == Drawing::begin;
+  const Drawing opener = command.what == Drawing::pop ? Drawing::push : Drawing::begin;
+  std::vector<Sheet::Version> versions = source_.sheet.versions;
+  for (Sheet::Version& v : versions) {
+    if (v.passed_over) continue;
+    const DisplayList& list = *list_at(s, source_.sheet.list, v.from);
+    if (v.next < list.commands.size()) {
+      v.nested.reset();
+      continue;
+    }
+    if (!v.nested) v.nested = nested(list);
+    if (closes && (v.nested->empty() || v.nested->back() != opener))
+      return c.fail(Code::syntax, without_half(command), about,
+                    v.nested->empty() ? ""
+                                      : fmt::format("the one begun last is a '{}'",
+                                                    drawing_names[static_cast<std::size_t>(v.nested->back())]));
+    if (closes) v.nested->pop_back();
+    if (opens) v.nested->push_back(command.what);
+  }
+  source_.sheet.versions = std::move(versions);
   return true;
 }
 
 // What is open at the end of the list, as far as it is in order.
-void Reader::nest(Sheet& sheet) const {
-  const DisplayCommands& commands = s.lists->find(sheet.list)->second->commands;
-  sheet.nested.emplace();
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    const Drawing what = commands[i].what;
-    if (what == Drawing::push || what == Drawing::begin) sheet.nested->push_back(what);
-    if ((what == Drawing::pop || what == Drawing::end) && !sheet.nested->empty()) sheet.nested->pop_back();
+std::vector<Drawing> Reader::nested(const DisplayList& list) const {
+  std::vector<Drawing> open;
+  for (std::size_t i = 0; i < list.commands.size(); ++i) {
+    const Drawing what = list.commands[i].what;
+    if (what == Drawing::push || what == Drawing::begin) open.push_back(what);
+    if ((what == Drawing::pop || what == Drawing::end) && !open.empty()) open.pop_back();
   }
+  return open;
 }
 
 bool Reader::callable(Cursor& c, const std::string& name) {
   const std::string& self = source_.sheet.list;
   const std::string_view about(c.at - name.size(), name.size());
-  if (const auto way = calls(s, name, self); !way.empty())
+  std::vector<Time> into;
+  for (const Sheet::Version& v : source_.sheet.versions)
+    if (!v.passed_over) into.push_back(v.from);
+  if (const auto way = calls(s, name, self, into); !way.empty())
     return c.fail(Code::name,
                   name == self ? fmt::format("'{}' cannot call itself", self)
                                : fmt::format("this would go round in a circle: {} → {}", self, path(way)),
                   about);
-  if (s.lists->contains(name)) return true;
-  std::vector<std::string_view> known;
-  for (const auto& list : *s.lists) known.push_back(list.first);
+  if (!versions(s, name).empty()) return true;
   if (s.names.find(name))
     return c.fail(Code::type, fmt::format("'{}' is an object of the film, not a display list", name), about);
   note(Severity::warning, fmt::format("there is no display list '{}' yet: until it is made this draws nothing", name),
-       about, did_you_mean(name, known));
+       about, did_you_mean(name, list_names(s)));
   return true;
 }
 
-// A live host's begin belongs to the environment that has the name now, or will have it next (R-E9).
+// A begin of a live host, or of an edit at a time, belongs to the environment that has the name then, or will have it
+// next (R-E9).
 bool Reader::since(Cursor& c, DisplayCommand& command) {
   if (c.accept_word("since")) {
     Time t;
     if (!c.time(t)) return false;
     c.ticks_read = true;
     command.since = s.ticks.whole(t);
+  } else if (source_.sheet.from) {
+    command.since = s.ticks.whole(*source_.sheet.from);
   } else if (options_.now) {
     c.ticks_read = true;
     command.since = tick();
@@ -394,10 +483,12 @@ bool Reader::since(Cursor& c, DisplayCommand& command) {
 // The lines that rows stand below that come by themselves.
 std::string Reader::opener(const Sheet& sheet) const {
   if (sheet.list.empty()) return sheet.opener;
-  const std::string edit = "edit " + sheet.list;
-  if (sheet.next == at_end) return edit;
-  const auto offset = static_cast<long>(sheet.next) -
-                      static_cast<long>(s.lists->find(sheet.list)->second->tags.find(sheet.tag)->second);
+  const std::string edit = (sheet.from ? "at " + write_seconds(*sheet.from) + " " : "") + "edit " + sheet.list;
+  const auto v = std::find_if(sheet.versions.begin(), sheet.versions.end(),
+                              [](const Sheet::Version& each) { return !each.passed_over; });
+  if (v->next == at_end) return edit;
+  const auto offset =
+      static_cast<long>(v->next) - static_cast<long>(list_at(s, sheet.list, v->from)->tags.find(sheet.tag)->second);
   return fmt::format("{}\n  replace {} {}", edit, sheet.tag, offset);
 }
 
@@ -406,22 +497,26 @@ void Reader::close_list() {
   Sheet& sheet = source_.sheet;
   if (sheet.list.empty()) return;
   const std::string name = std::exchange(sheet.list, {});
-  unfinished_.erase(name);
-  if (const auto wrong = live_ ? std::nullopt : unbalanced(*s.lists->find(name)->second)) {
-    const DisplayCommand& command = s.lists->find(name)->second->commands[*wrong];
-    const std::string_view spot = *wrong < sheet.spots.size() ? sheet.spots[*wrong] : std::string_view();
+  for (const Sheet::Version& v : sheet.versions) {
+    unfinished_.erase({name, v.from});
+    const DisplayList& list = *list_at(s, name, v.from);
+    const auto wrong = live_ ? std::nullopt : unbalanced(list);
+    if (!wrong) continue;
+    const DisplayCommand& command = list.commands[*wrong];
+    const bool here = &v == &sheet.versions[0] && *wrong < sheet.spots.size();
+    const std::string_view spot = here ? sheet.spots[*wrong] : std::string_view();
     const std::size_t said = diagnostics_.size();
     note(Severity::error, spot.data() ? without_half(command) : fmt::format("in '{}': {}", name, without_half(command)),
          spot.data() ? spot : sheet.place);
     if (diagnostics_.size() > said && !given_up_) {  // it may still be completed
-      unfinished_[name] = std::move(diagnostics_.back());
+      unfinished_[{name, v.from}] = std::move(diagnostics_.back());
       diagnostics_.pop_back();
       --errors_;
     }
   }
-  if (!sheet.changed || s.main.empty() || calls(s, s.main, name).empty()) return;
+  if (!sheet.changed || s.main.empty() || !ever_calls(s, s.main, name)) return;
   if (const Status done = expand(s); !done) {
-    s.lists = sheet.before;
+    s.lists = sheet.before, s.later_lists = sheet.later_before;
     report(Severity::error, done.error(), sheet.place);
   }
 }

@@ -58,7 +58,7 @@ Error no_object(const Document& d, const std::string& word) {
 
 std::string object_lines(const Document& d, ObjectId id, const Program& program) {
   const Object& o = d.scene().objects[id.index];
-  std::string said = fmt::format("{}, a {}\n", o.name, kind_names[static_cast<std::size_t>(o.kind)]);
+  std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind));
   for (const Attached& a : attachments(o)) {
     if (!a.to.parent) continue;
     static constexpr std::string_view how[] = {"", "", "hangs on", "is attached to", "is coupled to"};
@@ -110,6 +110,19 @@ std::string track_lines(const Document& d, const Target& t) {
   return said;
 }
 
+// Its rows; where they change, from when on.
+std::string list_lines(const Document& d, const std::string& name, const std::vector<Time>& versions) {
+  std::string said = fmt::format("{}, a display list{}\n", name, name == d.scene().main ? ", the main object" : "");
+  for (const Time from : versions) {
+    if (from != from_the_beginning) said += fmt::format("from {}\n", format_time(from, d));
+    said += write_rows(*list_at(d.scene(), name, from));
+  }
+  for (const auto& [from, changed] : *d.scene().later_lists)
+    if (const auto list = changed.find(name); list != changed.end() && !list->second->there)
+      said += fmt::format("deleted at {}\n", format_time(from, d));
+  return said;
+}
+
 }  // namespace
 
 Result<std::string> list_objects(const Document& d, const std::string& pattern) {
@@ -118,16 +131,21 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
     for (const auto& n : d.names()) ids.push_back(d.find(n));
   } else {
     ids = select(d.scene(), pattern);
-    if (ids.empty() && !is_pattern(pattern) && !d.scene().lists->contains(pattern)) return no_object(d, pattern);
+    if (ids.empty() && !is_pattern(pattern) && versions(d.scene(), pattern).empty()) return no_object(d, pattern);
   }
   std::size_t wide = 0;
   for (ObjectId id : ids) wide = std::max(wide, d.name(id).size());
   const auto meant = [&](const std::string& name) { return pattern.empty() || matches(pattern, name); };
-  for (const auto& [name, commands] : *d.scene().lists)
-    if (meant(name)) wide = std::max(wide, name.size());
+  std::vector<std::string> lists;
+  for (const std::string_view name : list_names(d.scene()))
+    if (meant(std::string(name))) lists.emplace_back(name), wide = std::max(wide, name.size());
   std::string said;
-  for (const auto& [name, list] : *d.scene().lists)
-    if (meant(name)) said += fmt::format("{:{}}  {:8}  {}\n", name, wide, "list", count(list->commands.size(), "row"));
+  for (const std::string& name : lists) {
+    const std::vector<Time> from = versions(d.scene(), name);
+    said += fmt::format("{:{}}  {:8}  {}{}\n", name, wide, "list",
+                        count(list_at(d.scene(), name, from[0])->commands.size(), "row"),
+                        from.size() > 1 ? fmt::format(", {}", count(from.size(), "version")) : "");
+  }
   for (ObjectId id : ids) {
     const Object& o = d.scene().objects[id.index];
     std::size_t events = events_of(o);
@@ -141,9 +159,7 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
 
 Result<std::string> describe(const Document& d, const std::string& word) {
   if (word.empty()) return fail(Code::name, "what shall be described?", "usage: describe NAME");
-  if (const auto list = d.scene().lists->find(word); list != d.scene().lists->end())
-    return fmt::format("{}, a display list{}\n{}", word, word == d.scene().main ? ", the main object" : "",
-                       write_rows(*list->second));
+  if (const auto all = versions(d.scene(), word); !all.empty()) return list_lines(d, word, all);
   const auto ids = select(d.scene(), word);
   if (ids.empty()) {
     if (word.find('.') == std::string::npos) return no_object(d, word);

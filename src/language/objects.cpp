@@ -101,14 +101,19 @@ bool Reader::free_name(Cursor& c, const std::string& name, std::string_view abou
     return c.fail(Code::syntax, fmt::format("'{}' cannot be a name", name.substr(0, 60)), about,
                   "a name starts with a letter; letters, digits, '-', '_' and '/' follow");
   if (name == "none") return c.fail(Code::name, "'none' means no object; it cannot be a name", about);
-  if (s.names.find(name)) return c.fail(Code::name, fmt::format("there is a '{}' already", name), about);
+  if (const ObjectId id = s.names.find(name)) {
+    const Kind kind = s.objects[id.index].kind;
+    return placed(kind) ? c.fail(Code::name, fmt::format("there is a '{}' already", name), about)
+                        : c.fail(Code::name, fmt::format("there is {} '{}' already", a_kind(kind), name), about,
+                                 "objects, environments and layers have names of their own");
+  }
   if (s.aliases->contains(name))
     return c.fail(Code::name, fmt::format("'{}' is an alias already", name), about, "an alias wins over an object");
-  if (s.lists->empty()) return true;
-  if (s.lists->contains(name))
+  if (s.lists->empty() && s.later_lists->empty()) return true;
+  if (!versions(s, name).empty())
     return c.fail(Code::name, fmt::format("there is a display list '{}' already", name), about);
   for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
-    if (const std::string above = name.substr(0, slash); s.lists->contains(above))
+    if (const std::string above = name.substr(0, slash); !versions(s, above).empty())
       return c.fail(Code::name, fmt::format("names that begin with '{}/' are for what that display list draws", above),
                     about);
   return true;
@@ -149,8 +154,7 @@ bool Reader::parameters(Cursor& c, Object& object) {
     const std::string_view name = key.substr(0, dot);
     const auto f = find_function(s, object.kind, name);
     if (!f) {
-      const auto kind = kind_names[static_cast<std::size_t>(object.kind)];
-      return c.fail(Code::name, fmt::format("a {} has no '{}'", kind, name.substr(0, 40)), name,
+      return c.fail(Code::name, fmt::format("{} has no '{}'", a_kind(object.kind), name.substr(0, 40)), name,
                     did_you_mean(name, function_names(s, object.kind)));
     }
     const FunctionSpec& spec = spec_of(s, *f);
@@ -272,6 +276,7 @@ bool Reader::remove(Cursor& c) {
 bool Reader::rename(Cursor& c) {
   ObjectId id;
   c.space();
+  if (!versions(s, c.peek_word()).empty()) return rename_list(c);
   if (is_pattern(c.peek_word()))
     return c.fail_here(Code::syntax, "one object gets another name: a pattern is none", "as in rename ball planet");
   const char* start = c.at;
@@ -315,7 +320,11 @@ bool Reader::take_hold(Cursor& c, Hold hold, std::string_view link) {
   if (!c.accept_word(link)) return c.fail_here(Code::syntax, fmt::format("'{}' is missing here", link));
   Attachment to{hold, {}, false};
   c.space();
+  const char* start = c.at;
   if (!values(c).object(to.parent)) return false;
+  if (const Object& parent = s.objects[to.parent.index]; parent.kind == Kind::environment)
+    return c.fail(Code::type, fmt::format("'{}' is an environment: nothing is held by it", parent.name), c.since(start),
+                  fmt::format("it moves what is in it: set {}.environments ({})", word.substr(0, 40), parent.name));
   to.keep_world = c.accept_word("keep-world");
   if (!finish(c)) return false;
   return attachment(c, children, to, timed_ ? std::optional(time_) : std::nullopt, word);

@@ -282,6 +282,10 @@ bool Reader::command(Cursor& c) {
   if (s.names.find(w))
     return c.fail(Code::name, fmt::format("'{}' is an object, not a command", w.substr(0, 40)), w,
                   fmt::format("a sheet opens with a target, as in {}.position", w.substr(0, 40)));
+  for (const auto& [row, usage] : row_words())
+    if (row == w && !timed_)
+      return c.fail(Code::name, fmt::format("'{}' is a row of a display list, not a command", w), w,
+                    "rows are indented, below make NAME or edit NAME");
   if (w.starts_with("//") || w.starts_with(";"))
     return c.fail(Code::syntax, "a comment starts with '#' and a space", w);
   if (w == "mirror")

@@ -145,7 +145,10 @@ class Reader {
   bool edit_list(Cursor& c);
   bool delete_list(Cursor& c);
   bool start_list(Cursor& c);
+  bool rename_list(Cursor& c);
+  bool free_below(Cursor& c, const std::string& name, std::string_view about);
   bool list_name(Cursor& c, std::string_view& word);
+  Time list_time() const { return timed_ ? time_ : from_the_beginning; }
   void open(std::string_view list);
   bool list_row(Cursor& c);
   bool tag(Cursor& c);
@@ -153,7 +156,8 @@ class Reader {
   bool drawing(Cursor& c, Drawing what, std::string_view about);
   bool callable(Cursor& c, const std::string& name);
   bool since(Cursor& c, DisplayCommand& command);
-  void nest(Sheet& sheet) const;
+  std::vector<Drawing> nested(const DisplayList& list) const;
+  bool in_order(Cursor& c, const DisplayCommand& command, std::string_view about);
   void close_list();
   std::string opener(const Sheet& sheet) const;
   void unfinished_lists();
@@ -215,12 +219,19 @@ class Reader {
     std::string opener;  // the line
     // Of a display list:
     std::string list;
-    std::string tag;                             // behind which rows replace others
-    std::string_view place;                      // of its name
-    std::size_t next = 0;                        // where the next row goes; at_end: behind all others
-    std::vector<std::string_view> spots;         // of the commands that were read here
-    std::optional<std::vector<Drawing>> nested;  // what is open at the end of the list, where that is known
+    struct Version {  // that rows go to
+      Time from;
+      std::size_t next = at_end;                   // where the next row goes; at_end: behind all others
+      bool passed_over = false;                    // it does not have what is replaced
+      std::optional<std::vector<Drawing>> nested;  // what is open at its end, where that is known
+    };
+    std::vector<Version> versions;
+    std::optional<Time> from;             // of an edit at a time
+    std::string tag;                      // behind which rows replace others
+    std::string_view place;               // of its name
+    std::vector<std::string_view> spots;  // of the commands that were read here, in the first version
     Cow<DisplayLists> before;
+    Cow<LaterLists> later_before;
     bool changed = false;
   };
   struct Source {  // the text being read now
@@ -255,8 +266,8 @@ class Reader {
   bool rows_read_frames_ = false, rows_read_ticks_ = false;
   bool left_open_ = false;  // a sheet, when the text ended
   std::string left_sheet_;
-  bool live_ = false;                             // lines come one by one
-  std::map<std::string, Diagnostic> unfinished_;  // display lists, and what is wrong with them
+  bool live_ = false;                                              // lines come one by one
+  std::map<std::pair<std::string, Time>, Diagnostic> unfinished_;  // display lists, and what is wrong with them
   int errors_ = 0;
   bool given_up_ = false;
 };

@@ -237,9 +237,10 @@ struct Session::State {
     if (!step) {
       const auto words = split(line);
       const auto target = [&](std::size_t i) { return first_dot(words[i]) != std::string_view::npos; };
+      const std::size_t verb = !words.empty() && words[0] == "at" ? 2 : 0;
+      const bool list = words.size() > verb && (words[verb] == "make" || words[verb] == "edit");
       if (!row && !words.empty())
-        sheet_refused = words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2)) ||
-                        words[0] == "make" || words[0] == "edit";
+        sheet_refused = words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2)) || list;
       answer.refused = true;
       return answer;
     }
@@ -644,8 +645,7 @@ std::vector<std::string> Session::complete(std::string_view line) const {
     const std::string verb = words.empty() ? "" : words[0];
     for (const HelpEntry& e : help_entries()) {
       const bool verb_word = e.group == HelpGroup::shell || (e.group == HelpGroup::verb && is_verb(e.word));
-      const bool in_list =
-          row && (state_->now().sheet.starts_with("make ") || state_->now().sheet.starts_with("edit "));
+      const bool in_list = row && (state_->now().sheet.starts_with("edit ") || state_->now().sheet.starts_with("at "));
       const bool fits = in_list            ? e.group == HelpGroup::row && words.empty()
                         : verb == "help"   ? e.group != HelpGroup::verb || is_verb(e.word)
                         : first            ? verb_word

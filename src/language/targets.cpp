@@ -102,6 +102,14 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
       if (find_asked(s.objects[id.index].kind, function)) out.targets.push_back({id, *asked, -1});
     return true;
   }
+  if (const auto asked = find_asked(s.objects[objects[0].index].kind, function); asked && !component.empty()) {
+    const std::string whole(word.substr(0, word.size() - component.size() - 1));
+    return c.fail(
+        Code::name, fmt::format("'{}' has no part '{}'", whole, component.substr(0, 40)), component,
+        *asked == world_function || *asked == motion_function
+            ? fmt::format("{} is a matrix, row by row; where it puts things stands at the ends of the rows", whole)
+            : fmt::format("ask for {}", whole));
+  }
   for (ObjectId id : objects) {
     const Kind kind = s.objects[id.index].kind;
     for (const auto& want : wanted) {
@@ -164,9 +172,8 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
   auto names = function_names(s, o.kind);
   names.push_back("world");
   return c.fail(Code::name,
-                fmt::format("'{}', a {}, has no function '{}'", o.name, kind_names[static_cast<std::size_t>(o.kind)],
-                            function.substr(0, 40)),
-                function, did_you_mean(function, names));
+                fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), function.substr(0, 40)), function,
+                did_you_mean(function, names));
 }
 
 }  // namespace betwixt

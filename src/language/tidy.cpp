@@ -79,7 +79,9 @@ class Tidier {
       }
       flush_rows();
       settings(line);
-      in_list_ = line.tokens.size() == 2 && (line.tokens[0].text == "make" || line.tokens[0].text == "edit");
+      const std::size_t verb = line.tokens[0].text == "at" ? 2 : 0;  // at TIME edit NAME
+      in_list_ =
+          line.tokens.size() == verb + 2 && (line.tokens[verb].text == "make" || line.tokens[verb].text == "edit");
       depth_ = 1;
       // TARGET, or on LAYER TARGET
       const bool target = line.tokens.size() == 1 || (line.tokens.size() == 3 && line.tokens[0].text == "on");

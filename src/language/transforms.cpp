@@ -15,6 +15,13 @@ namespace {
 
 constexpr std::string_view factors[] = {"translate", "rotate", "scale", "matrix"};
 
+constexpr std::string_view example(std::string_view factor) {
+  return factor == "translate" ? "translate(1 0 0)"
+         : factor == "rotate"  ? "rotate(90deg, z)"
+         : factor == "scale"   ? "scale(2)"
+                               : "matrix(…), 16 numbers row by row";
+}
+
 // What `m` does, done about a point.
 Mat4 about(const Mat4& m, Vec3 centre) { return translation(centre) * m * translation(-centre); }
 
@@ -48,6 +55,10 @@ bool ValueReader::transform(Mat4& out) {
     if (std::find(std::begin(factors), std::end(factors), word) == std::end(factors)) break;
     c.space();
     c.word();
+    c.space();
+    if (c.peek() != '(')
+      return c.fail_here(Code::syntax, fmt::format("an opening bracket '(' is missing here, behind '{}'", word),
+                         fmt::format("as in {}", example(word)));
     if (!c.open()) return false;
     Mat4 m;
     double n[16];
@@ -67,6 +78,8 @@ bool ValueReader::transform(Mat4& out) {
       n[1] = n[2] = n[0];
       c.space();
       if (c.peek() != ')' && c.peek() != '@' && (!scalar(n[1]) || !scalar(n[2]))) return false;
+      if (n[0] == 0 && n[1] == 0 && n[2] == 0 && warn)
+        warn("a scale of 0 shrinks all to a point: nothing is seen", word, "to hide something: hide NAME");
       m = scaling({n[0], n[1], n[2]});
     } else {
       const char* start = (c.space(), c.at);

@@ -298,10 +298,13 @@ bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, Fun
   const Type type = component < 0 ? spec.type : component_type(spec.type);
   const auto in_range = [&](double d) {
     if (d >= spec.low && d <= spec.high) return true;
+    const auto said = [&](double limit) {
+      return type == Type::angle ? fmt::format("{:.4g}deg", limit * 180 / pi) : write_number(limit);
+    };
     return c.fail(Code::range,
-                  d < spec.low ? fmt::format("{} is at least {}", spec.name, write_number(spec.low))
-                               : fmt::format("{} is at most {}", spec.name, write_number(spec.high)),
-                  since(start, c));
+                  d < spec.low ? fmt::format("{} is at least {}", spec.name, said(spec.low))
+                               : fmt::format("{} is at most {}", spec.name, said(spec.high)),
+                  since(start, c), f == fn::fov ? "a camera sees less than 180deg" : "");
   };
   switch (type) {
     case Type::scalar: {

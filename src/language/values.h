@@ -44,6 +44,7 @@ struct ValueReader {
 
 // The reverse. `name_of` gives names to objects.
 std::string write_number(double v);          // shortest form that reads back to the same double
+std::string write_seconds(Time);             // a time that reads back to the same flick
 std::string write_text(const std::string&);  // quoted
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);

@@ -31,28 +31,12 @@ struct Writer {
   std::string length(Time t) const {
     const double frames = document.rate().frame_number(t) - 1;
     if (frames == std::round(frames) && document.rate().span(frames) == t) return write_number(frames) + "f";
-    return seconds(t);
+    return write_seconds(t);
   }
   std::string point(Time t) const {
     const std::string f = format_time(t, document);
-    return f.back() == 'f' ? f : seconds(t);
+    return f.back() == 'f' ? f : write_seconds(t);
   }
-  // Ten decimals are finer than a flick; long times are written as a clock's, or the double that reads the seconds
-  // would lose flicks.
-  static std::string seconds(Time t) {
-    const auto trim = [](std::string text) {
-      while (text.back() == '0') text.pop_back();
-      if (text.back() == '.') text.pop_back();
-      return text;
-    };
-    const std::int64_t flicks = std::abs(t.flicks);
-    const char* sign = t.flicks < 0 ? "-" : "";
-    if (flicks < 10'000 * flicks_per_second) return sign + trim(fmt::format("{:.10f}", Time{flicks}.seconds())) + "s";
-    const std::int64_t minutes = flicks / (60 * flicks_per_second);
-    return fmt::format("{}{}:{:02}:{}", sign, minutes / 60, minutes % 60,
-                       trim(fmt::format("{:013.10f}", Time{flicks % (60 * flicks_per_second)}.seconds())));
-  }
-
   static std::string bezier(const std::array<double, 4>& b) {
     return fmt::format("bezier({} {} {} {})", write_number(b[0]), write_number(b[1]), write_number(b[2]),
                        write_number(b[3]));
@@ -214,19 +198,33 @@ struct Writer {
       }
   }
 
-  // Display lists, those that are called before those that call them.
+  // Display lists as they are from the beginning, then what they become later.
   void lists() {
+    lists(*s.lists, *s.lists, "make ");
+    DisplayLists now = *s.lists;
+    for (const auto& [from, changed] : *s.later_lists) {
+      change(now, changed);
+      const std::string at = "at " + point(from) + " ";
+      lists(changed, now, at + "make ");
+      for (const auto& [name, list] : changed)
+        if (!list->there) out += at + "delete " + name + "\n";
+    }
+    if (!s.main.empty()) out += "start " + s.main + "\n";
+  }
+
+  // Those that are called before those that call them.
+  void lists(const DisplayLists& meant, const DisplayLists& now, const std::string& make) {
     std::set<std::string, std::less<>> written;
     std::vector<std::pair<const std::string*, bool>> todo;
-    for (auto list = s.lists->rbegin(); list != s.lists->rend(); ++list) todo.push_back({&list->first, false});
+    for (auto list = meant.rbegin(); list != meant.rend(); ++list) todo.push_back({&list->first, false});
     while (!todo.empty()) {
       const auto [name, called] = todo.back();
       todo.pop_back();
-      const auto list = s.lists->find(*name);
-      if (list == s.lists->end() || written.contains(*name)) continue;
+      const auto list = now.find(*name);
+      if (list == now.end() || written.contains(*name)) continue;
       if (called) {
         written.insert(*name);
-        out += "make " + *name + "\n" + write_rows(*list->second);
+        if (meant.contains(*name)) out += make + *name + "\n" + write_rows(*list->second);
         continue;
       }
       todo.push_back({name, true});
@@ -234,7 +232,6 @@ struct Writer {
       for (std::size_t i = 0; i < commands.size(); ++i)
         if (commands[i].what == Drawing::call) todo.push_back({&*std::get<Text>(commands[i].value), false});
     }
-    if (!s.main.empty()) out += "start " + s.main + "\n";
   }
 
   void environment(const std::string& name, const Environment& e) {
@@ -293,7 +290,7 @@ struct Writer {
       const auto* text = std::get_if<Text>(&v);
       const auto* p = std::get_if<Vec3>(&v);
       out += " " + key + "=";
-      if (d) out += time ? seconds(from_seconds(*d)) : write_number(*d);
+      if (d) out += time ? write_seconds(from_seconds(*d)) : write_number(*d);
       if (text) out += write_text(**text);
       if (p) out += write_vector(*p);
     }
@@ -307,7 +304,7 @@ struct Writer {
     std::string flat = name;
     std::replace(flat.begin(), flat.end(), '/', '-');
     flat += "-" + std::to_string(s.names.find(name).index);  // "a/b-c" and "a-b/c" stay apart
-    while (s.names.find(flat) || s.lists->contains(flat)) flat += "-";
+    while (s.names.find(flat) || !versions(s, flat).empty()) flat += "-";
     return flat;
   }
 

@@ -13,6 +13,22 @@ namespace betwixt {
 
 std::string write_number(double v) { return v == 0 ? "0" : fmt::format("{}", v); }
 
+// Ten decimals are finer than a flick; long times are written as a clock's, or the double that reads the seconds
+// would lose flicks.
+std::string write_seconds(Time t) {
+  const auto trim = [](std::string text) {
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text;
+  };
+  const std::int64_t flicks = std::abs(t.flicks);
+  const char* sign = t.flicks < 0 ? "-" : "";
+  if (flicks < 10'000 * flicks_per_second) return sign + trim(fmt::format("{:.10f}", Time{flicks}.seconds())) + "s";
+  const std::int64_t minutes = flicks / (60 * flicks_per_second);
+  return fmt::format("{}{}:{:02}:{}", sign, minutes / 60, minutes % 60,
+                     trim(fmt::format("{:013.10f}", Time{flicks % (60 * flicks_per_second)}.seconds())));
+}
+
 std::string write_text(const std::string& s) {
   std::string out = "\"";
   for (char ch : s) {

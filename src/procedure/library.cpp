@@ -215,6 +215,14 @@ int value(lua_State* l) {
   return charge(l, 20), results;
 }
 
+// Says of what was asked in a call, not of the question that it became.
+int touches_nobody(lua_State* l, int argument, const Error& e) {
+  const std::string name = lua_tostring(l, argument), asked = "value('" + name + ".touching'): ";
+  const bool ours = e.message.starts_with(asked);
+  return fail_with(l, (ours ? "touching('" + name + "'): " + e.message.substr(asked.size()) : e.message) +
+                          (e.hint.empty() ? "" : "; " + e.hint));
+}
+
 // touching(A [, time]): a list of names; touching(A, B [, time]): whether they do.
 int touching_of(lua_State* l, Machine& m) {
   if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "touching: the name of an object comes first, in quotes");
@@ -228,8 +236,9 @@ int touching_of(lua_State* l, Machine& m) {
     return m.call->questions->value(lua_tostring(l, i) + std::string(".touching"), at, m.call->steps);
   };
   const auto found = ask(1);
-  if (!found || !two) return push_reading(l, "touching", found);
-  if (const auto other = ask(2); !other) return push_reading(l, "touching", other);
+  if (!found) return touches_nobody(l, 1, found.error());
+  if (!two) return push_reading(l, "touching", found);
+  if (const auto other = ask(2); !other) return touches_nobody(l, 2, other.error());
   const auto& names = *std::get<Names>(*found);
   lua_pushboolean(l, std::find(names.begin(), names.end(), lua_tostring(l, 2)) != names.end());
   return 1;

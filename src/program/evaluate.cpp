@@ -211,11 +211,12 @@ void Program::Compiled::add_lights(Frame& frame, const double* numbers, const st
 
 std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
   const Scene& scene = document.scene();
-  const auto cut = scene.cuts->upper_bound(t);
-  if (cut != scene.cuts->begin() && std::prev(cut)->second) return std::prev(cut)->second.index;
-  if (scene.view) return scene.view.index;
-  for (const Node& n : nodes)
-    if (n.kind == Kind::camera) return n.object;
+  for (const auto* by_time : {&*scene.cuts, &*scene.views}) {
+    const auto next = by_time->upper_bound(t);
+    if (next != by_time->begin() && std::prev(next)->second) return std::prev(next)->second.index;
+  }
+  for (const Node& n : nodes)  // those of display lists are looked through while their lists say so
+    if (n.kind == Kind::camera && !scene.objects[n.object].derived) return n.object;
   return std::nullopt;
 }
 

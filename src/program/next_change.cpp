@@ -51,7 +51,8 @@ std::optional<Time> Program::next_change(Time t) const {
   for (const Siting& siting : code.sitings)
     for (const Siting::Change& change : siting.changes) next.may(change.from);
   for (const Hand& hand : code.hands) next.may(hand.from);
-  if (const auto cut = scene.cuts->upper_bound(t); cut != scene.cuts->end()) next.may(cut->first);
+  for (const auto* cameras : {&*scene.cuts, &*scene.views})
+    if (const auto cut = cameras->upper_bound(t); cut != cameras->end()) next.may(cut->first);
   for (const auto& note : *scene.notes) next.may(note.first);
   return next.at;
 }

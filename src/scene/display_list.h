@@ -21,6 +21,7 @@
 
 #include "base/cow.h"
 #include "betwixt/result.h"
+#include "betwixt/time.h"
 #include "betwixt/value.h"
 
 namespace betwixt {
@@ -76,24 +77,48 @@ class DisplayCommands {
 struct DisplayList {
   DisplayCommands commands;
   std::map<std::string, std::size_t, std::less<>> tags;  // the command that each labels; may be the next to come
+  bool there = true;                                     // else it has been deleted
   friend bool operator==(const DisplayList&, const DisplayList&) = default;
 };
 using DisplayLists = std::map<std::string, Cow<DisplayList>, std::less<>>;
+// What lists are from a time on; each until a later time says more of it.
+using LaterLists = std::map<Time, DisplayLists>;
+inline constexpr Time from_the_beginning{INT64_MIN};
 
-// The calls that lead from one list to another, both included; empty: none do.
-std::vector<std::string> calls(const Scene&, const std::string& from, const std::string& to);
+// A list as it is at a time; none where it is not there.
+const DisplayList* list_at(const Scene&, std::string_view name, Time);
+// What it is from this very time on; begins as what it was before.
+DisplayList& edit_list(Scene&, const std::string& name, Time from);
+// The times from which on a list is there as somebody has made or edited it; none: there never is such a list.
+std::vector<Time> versions(const Scene&, std::string_view name);
+std::vector<std::string_view> list_names(const Scene&);
+void delete_list(Scene&, const std::string& name, Time from);  // from the beginning: for all times
+void change(DisplayLists&, const DisplayLists& later);
+
+// The calls that lead from one list to another at a time, both included; empty: none do.
+std::vector<std::string> calls(const DisplayLists&, const std::string& from, const std::string& to);
+// … in what is made of a list from one of these times on. Lists change at other times too: all are looked at.
+std::vector<std::string> calls(const Scene&, const std::string& from, const std::string& to,
+                               const std::vector<Time>& versions_of_to);
+bool ever_calls(const Scene&, const std::string& from, const std::string& to);
 
 // A command of the list that closes what is not open, or opens what is never closed.
 std::optional<std::size_t> unbalanced(const DisplayList&);
 
 inline constexpr std::size_t most_derived = 100'000;  // objects of an expansion
+inline constexpr std::size_t most_scanned = 300'000;  // and of all its versions, each counted by itself
 inline constexpr int deepest_derived = 200;           // instances and environments in one another
 
 // The begins of an environment that gets another name.
 void rename_environment(Scene&, const std::string& old, const std::string& name);
+// A list that gets another name, and all calls of it.
+void rename_list(Scene&, const std::string& old, const std::string& name);
 
-// Makes the objects of the main list what its commands say. Those that are still there keep their numbers, and nothing
-// is touched that has not changed. Where it would be too many of them, nothing is done.
+// Makes the objects of the main list what its commands say, at all times: what is equal before and after an edit is one
+// object, all else is shown while it holds and hidden at other times. Objects that are still there keep their numbers,
+// and nothing is touched that has not changed. Where it would be too many of them, nothing is done.
 Status expand(Scene&);
+// … where only names have changed: its objects are the same as before, and keep what hangs on them.
+void expand_renamed(Scene&);
 
 }  // namespace betwixt

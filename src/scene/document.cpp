@@ -213,7 +213,13 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
   if (dot == std::string_view::npos) return no("a target has a dot, as in 'ball.position'");
   Target t;
   t.object = dot == 0 ? self : s.names.find(text.substr(0, dot));
-  if (!find_object(s, t.object)) return no("there is no object '" + std::string(text.substr(0, dot)) + "'");
+  if (!find_object(s, t.object)) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < s.objects.size() && names.size() < 1000; ++i)
+      if (!s.objects[i].removed) names.push_back(s.objects[i].name);
+    const auto name = text.substr(0, dot);
+    return no("there is no object '" + std::string(name) + "'", did_you_mean(name, names));
+  }
   std::vector<std::string_view> words;
   for (std::string_view rest = text.substr(dot + 1);;) {
     const auto next = rest.find('.');
@@ -439,10 +445,10 @@ struct Compare {
     return true;
   }
   bool all() const {
-    if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range && a.background == b.background &&
-          a.notes_shown == b.notes_shown && a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases &&
-          a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording && a.lists == b.lists &&
-          a.main == b.main))
+    if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range &&
+          a.background == b.background && a.notes_shown == b.notes_shown && a.policy == b.policy &&
+          a.defined == b.defined && a.aliases == b.aliases && a.notes == b.notes && a.procedures == b.procedures &&
+          a.recording == b.recording && a.lists == b.lists && a.later_lists == b.later_lists && a.main == b.main))
       return false;
     const auto same_dial = [&](const Dial& x, const Dial& y) {
       return x.address == y.address && ra(x.target.object) == rb(y.target.object) &&
@@ -481,6 +487,7 @@ std::pair<Time, Time> Document::range() const {
       }
   }
   if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
+  if (!scene_->later_lists->empty()) last = std::max(last, scene_->later_lists->rbegin()->first);
   if (last <= Time{}) return {{}, scene_->rate.frame(std::max(1.0, std::round(scene_->rate.per_second())))};
   return {{}, last};
 }

@@ -113,11 +113,12 @@ struct Scene {
   Cow<std::vector<std::pair<Time, std::string>>> notes;                       // sorted by time
   Cow<std::vector<NamedProcedure>> procedures;  // events speak of twerpers by their place here
   Cow<std::vector<Dial>> dials;
-  Cow<DisplayLists> lists;
+  Cow<DisplayLists> lists;                // from the beginning
+  Cow<LaterLists> later_lists;            // what edits at a time have made of them
   std::string main;                       // the list that is expanded; may be empty
   Cow<std::vector<ObjectId>> expansion;   // the objects it has become, what holds others before them
   Cow<std::vector<std::uint32_t>> spare;  // removed objects whose numbers can be given to derived ones
-  ObjectId view;                          // the main list's camera
+  Cow<std::map<Time, ObjectId>> views;    // the main list's camera from when on; none: it has none then
   std::uint64_t environment_events = 0;   // so far: the order of those in one tick
   bool smooth_ticks = false;              // environments move between their ticks, where they can (R-E1d)
   bool recording = false;                 // what dials say becomes events

@@ -120,4 +120,9 @@ int find_component(Type type, std::string_view name) {
   return -1;
 }
 
+std::string a_kind(Kind kind) {
+  const std::string_view name = kind_names[static_cast<std::size_t>(kind)];
+  return (name[0] == 'e' ? "an " : "a ") + std::string(name);
+}
+
 }  // namespace betwixt

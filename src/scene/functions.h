@@ -79,9 +79,10 @@ enum : FunctionId {
 };
 }
 
+std::string a_kind(Kind);  // "a sphere", "an environment"
 inline constexpr std::array<std::string_view, 17> kind_names{
-    "group",   "sphere",   "box",    "cylinder", "cone", "torus", "plane",  "disc",
-    "polygon", "polyline", "points", "text",     "mesh", "light", "camera", "layer", "environment"};
+    "group",    "sphere", "box",  "cylinder", "cone",  "torus",  "plane", "disc",       "polygon",
+    "polyline", "points", "text", "mesh",     "light", "camera", "layer", "environment"};
 std::optional<Kind> find_kind(std::string_view name);
 inline bool drawn(Kind k) {
   return k != Kind::group && k != Kind::light && k != Kind::camera && k != Kind::layer && k != Kind::environment;

@@ -11,6 +11,7 @@
 
 #include "base/names.h"
 #include "betwixt/session.h"
+#include "language/help.h"
 #include "language/journal.h"
 #include "language/json.h"
 #include "language/looking.h"
@@ -234,7 +235,7 @@ Imaging::Reply Imaging::enter_whole(Host host, Visitor& h, std::string_view line
     return {};
   }
   for (const Word& w : words()) {
-    if (w.word != verb) continue;
+    if (w.word != verb || !w.run) continue;
     const auto all = split(line);
     if ((verb == "notes" || verb == "start") && all.size() > 1) break;  // `notes off`, `start LIST`: of the language
     const auto done = (this->*w.run)(h, all, now);
@@ -287,7 +288,8 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
   }
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
   const bool opens = !row && deed.after.carried.sheet_open;
-  deed.kept = !opens || !deed.after.document.scene().lists.same(from.document.scene().lists);
+  const Scene &is = deed.after.document.scene(), &was = from.document.scene();
+  deed.kept = !opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
   if (Status s = within_ceiling(from.document.scene(), deed.after.document.scene()); !s) return s.error();
   return deed;
 }
@@ -467,14 +469,23 @@ const std::vector<Imaging::Word>& Imaging::words() {
       {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", &Imaging::undo},
       {"redo", "redo", "Does again what was taken back.", &Imaging::redo},
       {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.",
-       &Imaging::subscribe},
+       &Imaging::subscribe,
+       "  changes   what was carried out, and which host said it\n"
+       "  contacts  what begins or ends to touch, what enters or leaves the view\n"
+       "  frames    the number and time of each frame that was shown, and how late in µs it was\n"
+       "  notes     notes whose time has come\n"
+       "  example: subscribe changes contacts\n"},
       {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", &Imaging::unsubscribe},
       {"start", "start", "The time is 0 now, and goes on.", &Imaging::start},
       {"pause", "pause", "The time stands.", &Imaging::pause},
       {"go", "go", "The time goes on.", &Imaging::go},
       {"seek", "seek TIME", "The time is another one now.", &Imaging::seek},
       {"save", "save", "Says where the history is kept; everything answered is in it.", &Imaging::save},
+      {"bundle", "bundle, then commands, then end",
+       "The commands up to end are done together, all at one moment or none; end has the answer.", nullptr,
+       "  example: bundle\n           create ball sphere\n           set ball.environments (spin)\n           end\n"},
       {"end", "end", "Ends a bundle: all that stands in it is done, or nothing.", &Imaging::end},
+      {"quit", "quit", "Ends the connection; all else goes on.", nullptr},
       {"open", "open", "", &Imaging::not_for_hosts},
       {"load", "load", "", &Imaging::not_for_hosts},
       {"plot", "plot", "", &Imaging::not_for_hosts},
@@ -503,6 +514,8 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
     if (!asked) return asked.error();
     t = *asked, end -= 2;
   }
+  if (end > 2 && w.back() == "at")
+    return fail(Code::syntax, "a time is missing behind 'at'", fmt::format("as in eval {} at 24f", w[1].substr(0, 60)));
   if (end < 2) return fail(Code::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
   std::vector<Target> targets;
   for (std::size_t i = 1; i < end; ++i) {
@@ -520,17 +533,19 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
   return out + "}" + said(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
-Result<std::string> Imaging::help(Visitor&, const std::vector<std::string>& w, Nanos) {
+Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w, Nanos now) {
   if (w.size() > 2) return one_word_too_many(w[2], "help [WORD]");
   std::string out;
   if (w.size() < 2) {
     for (const Word& word : words())
       if (!word.sentence.empty()) out += fmt::format("{:12} {}\n", word.word, word.sentence);
-    return said(out + "\n" + *look_up(document(), ""));
+    return said(out + "\n" + help_overview(document().scene(), false));
   }
-  for (const Word& word : words())
-    if (word.word == w[1] && !word.sentence.empty())
-      return said(fmt::format("{}\n  usage: {}\n", word.sentence, word.usage));
+  for (const Word& word : words()) {
+    if (word.word != w[1]) continue;
+    if (word.sentence.empty()) return not_for_hosts(h, {w[1]}, now);
+    return said(fmt::format("{}\n  usage: {}\n{}", word.sentence, word.usage, word.more));
+  }
   return said_of(look_up(document(), w[1]));
 }
 
@@ -668,7 +683,7 @@ Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, N
 }
 
 Result<std::string> Imaging::end(Visitor&, const std::vector<std::string>&, Nanos) {
-  return fail(Code::syntax, "no bundle is open");
+  return fail(Code::syntax, "no bundle is open", "the end of an environment in a display list is indented");
 }
 
 }  // namespace betwixt

@@ -115,7 +115,8 @@ class Imaging {
   };
   struct Word {
     std::string_view word, usage, sentence;
-    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);
+    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null: taken elsewhere
+    std::string_view more = {};  // lines that its help ends with
   };
   static const std::vector<Word>& words();
 

@@ -91,10 +91,23 @@ check 'check ends soon' 0 'stopped: it took more than' check slow.bx
 verdict 'within seconds' "$([ $SECONDS -lt 8 ] && echo yes)" "$SECONDS s"
 rm procs.bx slow.bx
 check 'help of a subcommand' 0 'betwixt render examples/bounce.bx' help render
-check 'help alone' 0 'Usage:' help
+check 'help alone' 0 '  contacts ' help
+check 'help alone says where to go on' 0 'betwixt help WORD explains a word of the language' help
 check 'help of a word' 0 'usage: copy TARGET' help copy
 check 'help of a filter' 0 'filter ball.position wobble' help wobble
 check 'help of no word' 2 "did you mean 'wobble'?" help wobbel
+
+cat >idle.bx <<'BX'
+animate wind every 1t by rotate(90deg, z)
+create ball sphere
+set ball.environments (wnid)
+create box box
+set box.transform rotate(90deg, z)
+BX
+check 'an environment that nobody animates' 0 "idle.bx: notice: 'ball' is in the environment 'wnid', which nobody animates
+  did you mean 'wind'?" check idle.bx
+check 'what is as good as 0 is 0' 0 'matrix(0 -1 0 0 1 0 0 0 0 0 1 0 0 0 0 1)' eval idle.bx box.world --at 1f
+check 'but not in JSON' 0 'e-16' eval idle.bx box.world --at 1f --json
 
 # Films.
 for e in mp4 webm gif apng; do

@@ -346,6 +346,28 @@ TEST(DisplayList, An_environment_may_get_another_name) {
   expect_numbers(s, "sky/turn-2/star-1.world", "14t", {0, -1, 0, 3, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
 }
 
+// shows: C66 C67
+TEST(DisplayList, A_list_may_get_another_name_and_keeps_what_hangs_on_it) {
+  const std::string before = std::string(stars) + "at 10t edit star\n  point (7 7)\ncreate moon sphere\n" +
+                             "couple moon to sky/spin-1/star-1\n";
+  const Script s(before + "rename star sun\nrename sky heaven\nrename spin turn\n");
+  const Document& d = s.loaded.document;
+  EXPECT_TRUE(d.find("heaven/turn-1/sun-1/polygon-1"));
+  EXPECT_FALSE(d.find("sky"));
+  EXPECT_EQ(d.scene().main, "heaven");
+  EXPECT_TRUE(std::get<bool>(s.read("heaven/turn-2/sun-1/point-1.display", "10t")));
+  EXPECT_EQ(s.numbers("moon.world", "4t"), Script(before).numbers("moon.world", "4t"));
+  EXPECT_NE(s.numbers("moon.world", "4t"), s.numbers("moon.world", "5t"));
+  EXPECT_TRUE(read(write(d)).document == d) << write(d);
+  EXPECT_EQ(errors(read(std::string(stars) + "rename star sky\n")),
+            std::vector<std::string>{"15:13: there is a 'sky' already"});
+  EXPECT_EQ(errors(read("create a group\ncreate a/b group\nremove a\nmake b\n  point (0 0)\nrename b a\n")),
+            std::vector<std::string>{"6:10: 'a/b' has a name that what 'a' draws may want"});
+  EXPECT_EQ(errors(read("make b\n  push\nrename b c\n")),
+            std::vector<std::string>{"2:3: this 'push' is never followed by its 'pop'"});
+  EXPECT_EQ(errors(read("make b\n  push\nrename b c\nedit c\n  pop\n")), std::vector<std::string>{});
+}
+
 // shows: C72
 TEST(DisplayList, A_deleted_list_draws_nothing) {
   const auto loaded = read(std::string(stars) + "delete star\n");
@@ -387,7 +409,7 @@ TEST(DisplayList, Errors_say_what_and_where) {
       {"edit star\n", "1:6: there is no display list 'star'"},
       {"delete star\n", "1:8: there is no display list 'star'"},
       {"start star\n", "1:7: there is no display list 'star'"},
-      {"at 3f make a\n", "1:7: 'make' has no time: it holds for the whole film"},
+      {"at 3f start a\n", "1:7: 'start' has no time: it holds for the whole film"},
       {"create b group\nmake a\n  call b\n", "3:8: 'b' is an object of the film, not a display list"},
       {"make a\n  color rde\n", "2:9: there is no colour 'rde'"},
       {"make\n  point (0 0)\n", "1:5: the name of the new display list is missing here"},

@@ -95,7 +95,7 @@ TEST(Layers, UnknownNamesAreSaid) {
   EXPECT_EQ(message("on upp set a.radius 2"), "3:4: there is no layer 'upp'");
   EXPECT_EQ(message("on up create b sphere"), "3:7: 'create' works on no layer");
   EXPECT_EQ(message("on up on up set a.radius 2"), "3:7: 'on' works on no layer");
-  EXPECT_EQ(message("layer up add"), "3:7: there is a 'up' already");
+  EXPECT_EQ(message("layer up add"), "3:7: there is a layer 'up' already");
   EXPECT_EQ(message("layer down sum"), "3:12: a layer adds or mixes");
   EXPECT_EQ(message("filter a.position smoth"), "3:19: there is no filter 'smoth'");
   EXPECT_EQ(message("filter a.position smooth with=5f"), "3:26: 'smooth' has no 'with'");

@@ -154,7 +154,7 @@ TEST(FrameClock, SaysWhatAScreenCannot) {
 }
 
 TEST(Histogram, KnowsQuantilesToThreePercent) {
-  rc::check("beside the sorted numbers", [] {
+  EXPECT_TRUE(rc::check("beside the sorted numbers", [] {
     auto numbers = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::uint64_t>>(
         rc::gen::map(rc::gen::pair(rc::gen::arbitrary<std::uint64_t>(), rc::gen::inRange(0, 64)),
                      [](const auto& p) { return p.first >> p.second; })));
@@ -169,7 +169,7 @@ TEST(Histogram, KnowsQuantilesToThreePercent) {
       RC_ASSERT(said >= exact);
       RC_ASSERT(static_cast<double>(said - exact) <= 0.032 * static_cast<double>(exact));
     }
-  });
+  }));
   EXPECT_EQ(Histogram().quantile(0.5), 0u);
 }
 

@@ -101,6 +101,10 @@ TEST(Imaging, SaysNoInWords) {
            {"save", "this server keeps no history"},
            {"end", "no bundle is open"},
            {"eval", "what shall be evaluated?"},
+           {"eval ball at", "a time is missing behind 'at'\",\"hint\":\"as in eval ball at 24f\""},
+           {"point (0 0)", "'point' is a row of a display list, not a command\",\"hint\":\"rows are indented"},
+           {"help plot", "they write no files here"},
+           {"help play", "a server always plays"},
            {"eval ball", "there is no object 'ball'"},
            {"subscribe", "to what?"},
            {"subscribe gossip", "there are no events called 'gossip'"},
@@ -260,7 +264,7 @@ TEST(Imaging, TimeIsTheHosts) {
 
 // shows: C124 C130 R-E1
 TEST(Imaging, MomentsAndTimesFit) {
-  rc::check("the first moment of a time has that time, the one before has not", [] {
+  EXPECT_TRUE(rc::check("the first moment of a time has that time, the one before has not", [] {
     Transport t;
     t.running = true;
     t.since = *rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 60);
@@ -269,7 +273,7 @@ TEST(Imaging, MomentsAndTimesFit) {
     const Nanos m = t.when(asked);
     RC_ASSERT(t.time(m) >= asked);
     RC_ASSERT(t.time(m - 1) < asked);
-  });
+  }));
 }
 
 TEST(Imaging, TellsThoseWhoAsked) {
@@ -408,9 +412,55 @@ TEST(Imaging, LeavesFilesAlone) {
 }
 
 // Random hosts: whatever they say in whatever order, the history makes the document.
+TEST(Imaging, HelpIsForHosts) {
+  Stage s;
+  const auto host = s.imaging.arrive();
+  const std::string all = s.say(host, "help");
+  for (const char* word : {"Words of the shell", "\\n  plot ", "\\n  open ", "\\n  play "})
+    EXPECT_FALSE(holds(all, word)) << word;
+  for (const char* word : {"bundle ", "subscribe ", "animate ", "Rows of display lists"}) EXPECT_TRUE(holds(all, word));
+  EXPECT_TRUE(holds(s.say(host, "help bundle"), "done together, all at one moment or none; end has the answer"));
+  const std::string events = s.say(host, "help subscribe");
+  for (const char* topic : {"changes", "contacts", "frames", "notes"})
+    EXPECT_TRUE(holds(events, fmt::format("\\n  {} ", topic))) << events;
+  EXPECT_TRUE(holds(s.say(host, "help quit"), "Ends the connection"));
+}
+
+// shows: R-E12 R-E16
+TEST(Imaging, AHostMayEditAListFromATimeOn) {
+  Stage s;
+  const auto a = s.imaging.arrive(), b = s.imaging.arrive();
+  for (const char* line : {"make l", "  tag x", "  point (1 0)", "start l"}) s.done(a, line, tick(1));
+  s.done(a, "at 300t edit l", tick(10));
+  s.done(b, "at 200t make m", tick(10));
+  s.done(a, "  replace x", tick(11));
+  s.done(b, "  point (3 0)", tick(11));
+  s.done(a, "  vector (0 0) (2 0)", tick(12));
+  s.done(a, "edit l", tick(13));
+  s.done(a, "  call m", tick(13));
+  const auto shown = [&](const char* name, int t) {
+    const std::string answer = s.say(a, fmt::format("eval {}.display at {}t", name, t), tick(20));
+    return holds(answer, fmt::format("\"{}.display\":true", name));
+  };
+  for (const auto& [t, point, vector, called] :
+       {std::tuple(199, true, false, false), std::tuple(200, true, false, true), std::tuple(299, true, false, true),
+        std::tuple(300, false, true, true)}) {
+    EXPECT_EQ(shown("l/point-1", t), point) << t;
+    EXPECT_EQ(shown("l/vector-1", t), vector) << t;
+    EXPECT_EQ(shown("l/m-1/point-1", t), called) << t;
+  }
+  s.expect_history();
+  EXPECT_TRUE(holds(s.imaging.history(), "at 10s edit l\n  replace x 0\n  vector (0 0) (2 0)\n"))
+      << s.imaging.history();
+  s.done(b, "undo", tick(30));
+  s.done(b, "undo", tick(30));
+  EXPECT_FALSE(shown("l/vector-1", 300));
+  s.expect_history();
+}
+
 // shows: R-E12
 TEST(Imaging, HistoriesMakeTheDocument) {
-  rc::check("the history loads as the document", [] {
+  EXPECT_TRUE(rc::check("the history loads as the document", [] {
     std::mt19937 random(static_cast<unsigned>(*rc::gen::inRange(0, 1'000'000)));
     const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     Imaging imaging({});
@@ -439,13 +489,25 @@ TEST(Imaging, HistoriesMakeTheDocument) {
           "# said",
           "seek 10t",
           fmt::format("at {}t animate {} every 1t by translate(1 0 0)", pick(200), e()),
+          fmt::format("make l{}", pick(2)),
+          fmt::format("at {}t make l{}", pick(200), pick(2)),
+          fmt::format("edit l{}", pick(2)),
+          fmt::format("at {}t edit l{}", pick(200), pick(2)),
+          fmt::format("at {}t delete l{}", pick(200), pick(2)),
+          fmt::format("delete l{}", pick(2)),
+          fmt::format("start l{}", pick(2)),
+          "  point (0 0)",
+          fmt::format("  color {}", pick(2) ? "red" : "blue"),
+          fmt::format("  tag t{}", pick(2)),
+          fmt::format("  replace t{}", pick(2)),
+          fmt::format("  call l{}", pick(2)),
       };
       imaging.enter(hosts[pick(3)], lines[pick(static_cast<int>(std::size(lines)))], now);
     }
     const Loaded again = load_text(imaging.history(), "");
     if (has_errors(again.diagnostics) || !(again.document == imaging.document()))
       RC_FAIL(imaging.history() + (again.diagnostics.empty() ? "" : to_string(again.diagnostics[0])));
-  });
+  }));
 }
 
 }  // namespace
