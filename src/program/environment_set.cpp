@@ -42,6 +42,7 @@ constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 constexpr std::int64_t horizon = 2 * Environment::furthest;  // as for environments
 constexpr std::size_t cache = std::size_t{4} << 20;          // bytes; what is larger hardly stays in one
 constexpr std::size_t most_threads = 8;                      // that memory is fast enough for
+constexpr std::int64_t far = 30;                             // ticks, after which nearly all are due
 constexpr double large = 1e-2 * Power::bound;                // so far no number is held at the bound
 
 std::int64_t step_at(std::int64_t tick, std::int64_t interval, std::int64_t phase) {
@@ -342,7 +343,7 @@ void EnvironmentSet::touch(Range r) {
 std::span<const EnvironmentSet::Range> EnvironmentSet::advance(std::int64_t tick) {
   tick = std::clamp(tick, -horizon, horizon);
   changed_.clear();
-  if (tick < tick_) {
+  if (tick < tick_ || (large_ && tick - tick_ > far)) {
     seek(tick);
     touch({0, slots()});
     return changed_;

@@ -212,10 +212,7 @@ TEST(EnvironmentSet, OfVeryManyEachHasTheBitsItHasAmongFew) {
   EnvironmentSet large(all);
   constexpr std::size_t few = 1000;
   for (std::int64_t tick : {100, 101, 103, 1'000'000}) {
-    if (tick == 101)
-      large.advance(tick);
-    else
-      large.seek(tick);
+    large.advance(tick);
     for (std::size_t first = 0; first < all.size(); first += few) {
       EnvironmentSet s(
           {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(first + few)});
