@@ -49,16 +49,6 @@ fs::path real(const std::string& file) {
   return fs::weakly_canonical(fs::absolute(file, ignored), ignored);
 }
 
-// Environments that have not been killed for good.
-std::size_t environments(const Scene& s) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < s.objects.size(); ++i) {
-    const Object& o = s.objects[i];
-    if (!o.removed && o.environment && o.environment->generation_at(Environment::furthest)) ++n;
-  }
-  return n;
-}
-
 // Hosts make names from their own numbers: O3000001 is of host 3 (betwixt/aim.h). What a history has of them stays
 // theirs: the highest of these hosts.
 std::uint64_t last_host_named(std::string_view text) {
@@ -86,7 +76,7 @@ Nanos Transport::when(Time t) const {
   return since + static_cast<Nanos>((static_cast<Wide>((t - at).flicks) * 625 + 440) / 441);
 }
 
-Imaging::Imaging(Options options) : options_(std::move(options)), history_(options_.undo) {}
+Imaging::Imaging(Options options) : options_(std::move(options)), history_(options_.undo, options_.ceilings.history) {}
 
 Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& save, bool overwrite, Nanos now) {
   std::error_code ignored;
@@ -246,19 +236,14 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
     }
     deed.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
   }
-  deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
+  const std::size_t events = count_events(from.document.scene(), from.events, scene);
+  deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried(), events};
   const bool opens = !row && deed.after.carried.sheet_open;
   deed.kept = !opens || !deed.after.document.scene().lists.same(from.document.scene().lists);
-  if (Status s = within_ceiling(from.document.scene(), deed.after.document.scene()); !s) return s.error();
+  const Status fits =
+      within(options_.ceilings, from.document.scene(), from.events, deed.after.document.scene(), events);
+  if (!fits) return fits.error();
   return deed;
-}
-
-// Objects only ever join at the end, so that nothing is counted where none has.
-Status Imaging::within_ceiling(const Scene& before, const Scene& after) const {
-  if (after.objects.size() == before.objects.size() || after.objects.size() <= options_.ceiling) return Nothing{};
-  if (environments(after) <= options_.ceiling || environments(after) <= environments(before)) return Nothing{};
-  return fail(Code::range, fmt::format("there would be more than {} environments", options_.ceiling),
-              "kill some that are not needed any more");
 }
 
 Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Nanos now) {

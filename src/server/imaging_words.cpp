@@ -138,9 +138,9 @@ Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>& w, 
   if (!more.empty()) more = "," + more;
   return fmt::format(
       ",\"stats\":{{\"uptime\":{:.3f},\"hosts\":{},\"lines\":{},\"commands\":{},\"refused\":{},\"bytes\":{},"
-      "\"steps\":{}{}}}",
+      "\"steps\":{},\"objects\":{},\"events\":{},\"history\":{}{}}}",
       static_cast<double>(now - begun_) / 1e9, hosts_.size(), lines_, commands_, refused_, bytes_, history_.steps(),
-      more);
+      document().scene().objects.size(), history_.now().events, history_.bytes(), more);
 }
 
 Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>& w, Nanos) {
