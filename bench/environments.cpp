@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "copying.h"
 #include "program/environment_set.h"
 
 using namespace betwixt;
@@ -53,15 +54,24 @@ std::size_t allocated() {
   return info.uordblks + info.hblkhd;
 }
 
-// What the machine can do just now: gigabytes a second read and written by a copy of large arrays.
+// What one core can do just now: gigabytes a second read and written by a copy of large arrays, past the caches.
 std::vector<double> copying() {
-  constexpr std::size_t bytes = std::size_t{96} << 20;
-  std::vector<char, LargePages<char>> from(bytes, 1), to(bytes);
+  constexpr std::size_t size = std::size_t{12} << 20;
+  std::vector<double, LargePages<double>> from(size, 1), to(size);
   std::vector<double> rate;
-  for (int i = 0; i < 20; ++i)
-    rate.push_back(2e-6 * bytes / milliseconds([&] { std::copy(from.begin(), from.end(), to.begin()); }));
+  for (int i = 0; i < 40; ++i)
+    rate.push_back(2e-6 * sizeof(double) * size /
+                   milliseconds([&] { copy_past_caches(from.data(), to.data(), size); }));
   insist(to == from, "a copy");
   return rate;
+}
+// Read and written for an update, were each form as frequent as the others.
+double bytes_an_update() {
+  using environments::Form;
+  double sum = 0;
+  for (Form f : {Form::translation, Form::spin, Form::screw, Form::similarity})
+    sum += static_cast<double>(8 * (environments::rows(f) + environments::matrix_rows(f)) + sizeof(std::uint16_t));
+  return sum / 4;
 }
 
 // ---- A million environments
@@ -298,8 +308,11 @@ int main() {
   fmt::print("{:34} {:8.1f} {:8.1f}\n", "  times as long", b.least / a.least, b.median / a.median);
   print("seek of all", near);
   print("seek of all, up to 1e9 ticks", far);
-  const Spread copy = spread(copying());
-  fmt::print("the machine just now copies {:.1f} GB/s (median)\n", copy.median);
+  const std::vector<double> copies = copying();
+  const double best = *std::max_element(copies.begin(), copies.end());
+  fmt::print(
+      "one core copies {:.1f} GB/s just now (median {:.1f}); an update reads and writes {:.0f} bytes: {:.2f} ns\n",
+      best, spread(copies).median, bytes_an_update(), bytes_an_update() / best);
   fmt::print("{} bytes an environment beside its track (lists: {}); {:.0f} ms to build; {:.1f} % of slots empty\n",
              bytes, Lists::bytes(), build,
              100.0 * static_cast<double>(idle) / static_cast<double>(due * rounds * ticks_a_round / 60));

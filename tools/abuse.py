@@ -6,6 +6,7 @@ import os
 import random
 import signal
 import socket
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -21,12 +22,21 @@ animate spin every 1t by rotate(3deg, z)
 """
 HALVES = [b"create half sph", b"bundle\nremove ball\n", b"set ball.position (1 2", b'note """', b"ball.position\n  1f (",
           b"(" * 1000, b"token x\n", b"at 9999999999999t halt spin", b"\n" * 1000, b"\x00\xff\xfe\n"]
+MOST_GROWTH = 0.5  # MiB a minute; the well-behaved host's own commands, one a second, take a tenth of it
 MINE = "good"  # what the well-behaved host's objects are called; the others know none of these
 
 
 def memory(pid):
     with open(f"/proc/{pid}/statm") as f:
         return int(f.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+def growth(rests):
+    """MiB a minute, of memory at the end of each: the median of the slopes between any two. The first third is left out:
+    until then buffers and the allocator's pools find their size. None: too few to tell."""
+    settled = list(enumerate(rests))[(len(rests) + 2) // 3:]
+    slopes = [(b - a) / (j - i) for i, a in settled for j, b in settled if i < j]
+    return statistics.median(slopes) if len(settled) >= 4 else None
 
 
 def connect(where):
@@ -117,9 +127,15 @@ def main():
         good = Server(where, timeout=60)
         good.do("create good sphere")
         first, before = good.stats(), memory(server.pid)
-        until = time.monotonic() + 60 * minutes
-        abusers = [in_a_child(lambda: abuse(where, until)) for _ in range(3)]
-        largest, slowest, wrong, seen = before, 0.0, 0, 0
+        print(f"memory {before:.1f} MiB at the start")
+        over = time.monotonic() + 60 * minutes
+
+        def round_of_abuse():
+            until = min(time.monotonic() + 60, over)
+            return until, [in_a_child(lambda: abuse(where, until)) for _ in range(3)]
+
+        until, abusers = round_of_abuse()
+        largest, slowest, wrong, seen, rests = before, 0.0, 0, 0, []
         events = good.subscribe("frames", wait=30)
         frame = None
         for event in events:
@@ -138,13 +154,18 @@ def main():
                 slowest = max(slowest, time.monotonic() - begun)
                 wrong += value != 1 + seen % 7
                 largest = max(largest, memory(server.pid))
-                if time.monotonic() > until:
+                if time.monotonic() < until:
+                    continue
+                for child in abusers:
+                    os.waitpid(child, 0)
+                time.sleep(2)
+                rests.append(memory(server.pid))
+                print(f"memory {rests[-1]:.1f} MiB after minute {len(rests)}", flush=True)
+                if time.monotonic() > over:
                     break
+                until, abusers = round_of_abuse()
         good.do("unsubscribe")
-        for child in abusers:
-            os.waitpid(child, 0)
-        time.sleep(2)
-        last, after = good.stats(), memory(server.pid)
+        last, after, grows = good.stats(), memory(server.pid), growth(rests)
         good.close()
         server.terminate()
         code = server.wait()
@@ -158,7 +179,9 @@ def main():
         print(f"the well-behaved host: {seen} frames, {wrong} of them wrong; slowest answer {1000 * slowest:.1f} ms")
         print(f"memory {before:.1f} MiB before, {largest:.1f} at most, {after:.1f} after; "
               f"{last['hosts']} host left; the server ended with {code}")
-        sys.exit(wrong > 0 or code != 0 or last["hosts"] != 1)
+        print("too short to tell whether memory grows: six minutes are enough" if grows is None else
+              f"memory grows by {grows:.2f} MiB a minute; {MOST_GROWTH} are allowed")
+        sys.exit(wrong > 0 or code != 0 or last["hosts"] != 1 or (grows or 0) > MOST_GROWTH)
 
 
 main()

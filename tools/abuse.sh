@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # The imaging server under abuse: random bytes, half commands, lines of a gigabyte, a thousand connections, clients
-# killed in mid-command. All the time one well-behaved host looks whether its frames come when they should.
+# killed in mid-command. All the time one well-behaved host looks whether its frames come when they should. Once a minute
+# the abuse rests, and what the server's memory holds then is printed: it fails where that grows steadily.
 #   tools/abuse.sh [MINUTES] [PROGRAM]
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 minutes=${1:-10} program=$(realpath -- "${2:-$root/build/release/bin/betwixt}")

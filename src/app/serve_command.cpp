@@ -230,7 +230,12 @@ void add_serve(CLI::App& app, int& exit_code) {
   sub->add_option("--hosts", call->serve.hosts, "at once; 1000 if not said")
       ->type_name("N")
       ->check(CLI::Range(1, 100'000).description(""));
-  sub->add_option("--ceiling", call->imaging.ceiling, "environments; 2000000 if not said")->type_name("N");
+  Ceilings& most = call->imaging.ceilings;
+  sub->add_option("--ceiling", most.environments, "environments; 2000000 if not said")->type_name("N");
+  sub->add_option("--objects", most.objects, "environments and removed ones included; 3000000 if not said")
+      ->type_name("N");
+  sub->add_option("--events", most.events, "on tracks; 20000000 if not said")->type_name("N");
+  sub->add_option("--history", most.history, "bytes of accepted commands; 268435456 if not said")->type_name("N");
   sub->footer("Example:\n  betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal");
   sub->callback([call, &exit_code] { exit_code = serve(*call); });
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "base/names.h"
+#include "language/line_words.h"
 
 namespace betwixt {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 constexpr int most_errors = 1000;  // said; the rest is noise
 constexpr std::ptrdiff_t longest_logical_line = 1
                                                 << 24;  // how far a bracket may reach before it counts as never closed
-
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
 
 bool starts_like_time(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
 

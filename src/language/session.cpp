@@ -10,6 +10,7 @@
 #include "base/names.h"
 #include "language/help.h"
 #include "language/journal.h"
+#include "language/line_words.h"
 #include "language/looking.h"
 #include "language/reader.h"
 
@@ -27,9 +28,6 @@ Answer refused(const std::string& message, const std::string& hint = {}) {
 Answer refused(const Error& e) { return refused(e.message, e.hint); }
 
 std::string count(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
-
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
-bool indented(std::string_view line) { return !line.empty() && blank(line[0]); }
 
 bool starts_like_time(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
 
@@ -63,28 +61,6 @@ LogicalLine logical_line(std::string_view text) {
     if (c.word().empty()) ++c.at;
   }
   return {c.end, c.depth > 0};
-}
-
-// Words of a line: between blanks, or in double quotes; a comment is none.
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < line.size();) {
-    if (blank(line[i])) {
-      ++i;
-      continue;
-    }
-    if (line[i] == '#' && (i + 1 == line.size() || blank(line[i + 1]))) break;
-    std::string word;
-    if (line[i] == '"') {
-      const std::size_t close = line.find('"', i + 1);
-      word = line.substr(i + 1, close == std::string_view::npos ? close : close - i - 1);
-      i = close == std::string_view::npos ? line.size() : close + 1;
-    } else {
-      while (i < line.size() && !blank(line[i])) word += line[i++];
-    }
-    words.push_back(std::move(word));
-  }
-  return words;
 }
 
 bool is_verb(std::string_view word) {
@@ -201,13 +177,13 @@ struct Session::State {
     }
     if (has_errors(all)) return std::nullopt;
     Step step{std::string(line), {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried(), {}}};
-    const bool remark = split(line).empty();
+    const bool remark = line_words(line).empty();
     step.after.sheet = remark ? from.sheet : step.after.carried.sheet;
     return step;
   }
 
   static void hint_word(std::string_view line, std::string& hint) {
-    const auto words = split(line);
+    const auto words = line_words(line);
     std::vector<std::string_view> known;
     for (const HelpEntry& e : help_entries())
       if (e.group == HelpGroup::shell || is_verb(e.word)) known.push_back(e.word);
@@ -235,7 +211,7 @@ struct Session::State {
     Answer answer;
     std::optional<Step> step = carry_out(now(), line, answer.said);
     if (!step) {
-      const auto words = split(line);
+      const auto words = line_words(line);
       const auto target = [&](std::size_t i) { return first_dot(words[i]) != std::string_view::npos; };
       const std::size_t verb = !words.empty() && words[0] == "at" ? 2 : 0;
       const bool list = words.size() > verb && (words[verb] == "make" || words[verb] == "edit");
@@ -620,7 +596,7 @@ Session::Answer Session::enter(std::string_view line) {
   std::string shifted;  // a person need not indent
   if (!s.now().sheet.empty() && starts_like_time(line[0])) line = shifted = "  " + std::string(line);
   const bool row = indented(line) && (!s.now().sheet.empty() || s.sheet_refused);
-  const auto words = row ? std::vector<std::string>() : split(trimmed(line));
+  const auto words = row ? std::vector<std::string>() : line_words(trimmed(line));
   if (words.empty() || (is_verb(words[0]) && (words[0] != "notes" || words.size() > 1))) return s.command(line);
   for (const HelpEntry& e : help_entries())
     if (e.group == HelpGroup::shell && e.word == words[0]) return s.shell_word(words);
@@ -633,7 +609,7 @@ std::vector<std::string> Session::complete(std::string_view line) const {
   const Document& d = document();
   const std::size_t blank_at = line.find_last_of(" \t,(=");
   const std::string_view last = blank_at == std::string_view::npos ? line : line.substr(blank_at + 1);
-  const auto words = split(line.substr(0, line.size() - last.size()));
+  const auto words = line_words(line.substr(0, line.size() - last.size()));
   const bool row = !state_->now().sheet.empty() && !line.empty() && (indented(line) || starts_like_time(line[0]));
   std::vector<std::string> all;
   if (const std::size_t dot = last.find('.'); dot != std::string_view::npos) {

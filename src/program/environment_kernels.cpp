@@ -4,8 +4,9 @@
 
 #include <hwy/cache_control.h>
 
-#include <algorithm>
 #include <numbers>
+
+#include "scene/power.h"
 
 // This file is compiled once for each kind of machine.
 #undef HWY_TARGET_INCLUDE
@@ -95,35 +96,69 @@ HWY_INLINE Growth exponential(V x) {
   return {hn::Add(power, growth), hn::Add(growth, hn::Sub(power, number(1)))};
 }
 
+// In the coordinates `major`, u and v, which turn the same way round as x, y and z.
 struct Vector {
   V x, y, z;
 };
 
 // Some lanes of a block.
 struct Input {
+  const Delays* delays;
   const Row* rows;
   std::size_t lane;
   HWY_INLINE V operator[](std::size_t row) const { return hn::Load(D(), rows[row].of.data() + lane); }
-  HWY_INLINE Vector vector(std::size_t row) const { return {(*this)[row], (*this)[row + 1], (*this)[row + 2]}; }
   // How often the motion has been applied.
   HWY_INLINE VI exponent(std::int64_t step) const {
     const I i;
-    return hn::Max(hn::Sub(hn::Set(i, step), hn::BitCast(i, (*this)[0])), hn::Zero(i));
+    const hn::Rebind<std::uint16_t, D> narrow;
+    const U u;
+    const hn::Rebind<std::uint32_t, D> middle;
+    const auto delay = hn::PromoteTo(u, hn::PromoteTo(middle, hn::Load(narrow, delays->of.data() + lane)));
+    return hn::Max(hn::Sub(hn::Set(i, step), hn::BitCast(i, delay)), hn::Zero(i));
+  }
+  HWY_INLINE Vector axis() const {
+    const V u = (*this)[1], v = (*this)[2];
+    return {hn::Sqrt(hn::Sub(hn::Sub(number(1), hn::Mul(u, u)), hn::Mul(v, v))), u, v};
+  }
+  HWY_INLINE Vector centre(const Vector& axis) const {
+    const V u = (*this)[3], v = (*this)[4];
+    return {hn::Neg(hn::Div(hn::Add(hn::Mul(axis.y, u), hn::Mul(axis.z, v)), axis.x)), u, v};
   }
 };
+
+// Where the elements of matrices in the coordinates `major`, u, v go: (r, c) is number 4 r + c.
+struct Places {
+  Places(Form form, std::size_t major) {
+    const std::size_t last_column = turns(form) ? 9 : 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const std::size_t row = (r + major) % 3;
+      for (std::size_t c = 0; c < 3; ++c) of[4 * r + c] = 3 * row + (c + major) % 3;
+      of[4 * r + 3] = last_column + row;
+    }
+  }
+  std::array<std::size_t, 12> of;
+};
+
 // Going through to memory is for whole lines of the cache only.
 constexpr bool whole_lines = hn::MaxLanes(D()) == lanes;
 template <bool through>
 struct Output {
-  Block* block;
+  const Places& places;
+  Row* rows;
   std::size_t lane;
   HWY_INLINE void put(std::size_t element, V v) const {
-    double* const at = block->m[element].data() + lane;
+    double* const at = rows[places.of[element]].of.data() + lane;
     if constexpr (through && whole_lines)
       hn::Stream(v, D(), at);
     else
       hn::Store(v, D(), at);
   }
+};
+
+// In registers, to go on with.
+struct Matrix {
+  std::array<V, 12>& m;
+  HWY_INLINE void put(std::size_t element, V v) const { m[element] = v; }
 };
 
 template <class Out>
@@ -154,65 +189,111 @@ HWY_INLINE void store_shift(const Out& out, Vector a, Vector c, V across, V sine
   out.put(11, element(c.z, a.z, a.x, c.y, a.y, c.x));
 }
 
+template <class Out>
+HWY_INLINE void store_similarity(const Out& out, const Input& in, const Vector& axis, const Circle& at, Growth size) {
+  const V sine = hn::Mul(size.scale, at.sine), versine = hn::Mul(size.scale, at.versine);
+  store_turn(out, axis, sine, hn::Mul(size.scale, at.cosine), versine);
+  store_shift(out, axis, in.centre(axis), hn::Sub(versine, size.growth), sine, hn::Mul(size.growth, in[5]));
+}
+
 template <Form form, class Out>
 HWY_INLINE void apply(std::int64_t step, const Input& in, const Out& out) {
   const D d;
   const VI exponent = in.exponent(step);
   if constexpr (form == Form::translation) {
     const V n = hn::ConvertTo(d, exponent);
-    for (std::size_t row = 0; row < 3; ++row) out.put(4 * row + 3, hn::Mul(n, in[row + 1]));
+    for (std::size_t row = 0; row < 3; ++row) out.put(4 * row + 3, hn::Mul(n, in[row]));
     return;
   }
   const U u;
-  const Circle at = circle(hn::BitCast(u, exponent) * hn::BitCast(u, in[1]));
-  const Vector axis = in.vector(2);
+  const Circle at = circle(hn::BitCast(u, exponent) * hn::BitCast(u, in[0]));
+  const Vector axis = in.axis();
   if constexpr (form == Form::spin) {
     store_turn(out, axis, at.sine, at.cosine, at.versine);
   } else if constexpr (form == Form::screw) {
     store_turn(out, axis, at.sine, at.cosine, at.versine);
-    store_shift(out, axis, in.vector(5), at.versine, at.sine, hn::Mul(hn::ConvertTo(d, exponent), in[8]));
+    store_shift(out, axis, in.centre(axis), at.versine, at.sine, hn::Mul(hn::ConvertTo(d, exponent), in[5]));
   } else if constexpr (form == Form::similarity) {
     // The first application is the M that later ones begin with: only those are held.
-    const V n = hn::ConvertTo(d, exponent), log_scale = in[9];
+    const V n = hn::ConvertTo(d, exponent), log_scale = in[6];
     const V later = hn::Max(hn::Mul(hn::Sub(n, number(1)), log_scale), number(-log_bound));
-    const Growth size = exponential(hn::IfThenElseZero(hn::Gt(n, number(0)), hn::Add(later, log_scale)));
-    const V sine = hn::Mul(size.scale, at.sine), versine = hn::Mul(size.scale, at.versine);
-    store_turn(out, axis, sine, hn::Mul(size.scale, at.cosine), versine);
-    store_shift(out, axis, in.vector(5), hn::Sub(versine, size.growth), sine, hn::Mul(size.growth, in[8]));
+    store_similarity(out, in, axis, at,
+                     exponential(hn::IfThenElseZero(hn::Gt(n, number(0)), hn::Add(later, log_scale))));
   }
 }
 
-// Blocks are small pieces of memory with work between them, which the processor alone does not foresee.
-constexpr std::size_t ahead = 4;
+HWY_INLINE V bounded(V x) { return hn::Min(hn::Max(x, number(-Power::bound)), number(Power::bound)); }
+
+// A = M M^(n-1), both factors and the product held.
+HWY_INLINE void apply_held(std::int64_t step, const Input& in, const Output<false>& out) {
+  const D d;
+  const I i;
+  const U u;
+  const VI exponent = in.exponent(step);
+  const auto begun = hn::RebindMask(d, hn::Gt(exponent, hn::Zero(i)));
+  const VI later = hn::Max(hn::Sub(exponent, hn::Set(i, 1)), hn::Zero(i));
+  const VU turns = hn::BitCast(u, in[0]);
+  const V log_scale = in[6], all = hn::Mul(hn::ConvertTo(d, later), log_scale);
+  const Vector axis = in.axis();
+  std::array<V, 12> once, power;
+  store_similarity(Matrix{once}, in, axis, circle(turns), exponential(log_scale));
+  store_similarity(Matrix{power}, in, axis, circle(hn::BitCast(u, later) * turns),
+                   exponential(hn::Min(hn::Max(all, number(-log_bound)), number(log_bound))));
+  for (V& e : power) e = bounded(e);
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 4; ++c) {
+      V sum = c == 3 ? once[4 * r + 3] : hn::Zero(d);
+      for (std::size_t k = 0; k < 3; ++k) sum = hn::Add(sum, hn::Mul(once[4 * r + k], power[4 * k + c]));
+      out.put(4 * r + c, hn::IfThenElse(begun, bounded(sum), number(r == c ? 1 : 0)));
+    }
+}
+
+// The processor alone does not foresee what is read between so much that is written, and nothing of the next run.
+constexpr std::size_t ahead = 96;  // rows
 
 template <Form form, bool through>
-void apply_all(std::int64_t step, const Row* in, std::size_t blocks, Block* out) {
-  for (std::size_t b = 0; b < blocks; ++b) {
+void apply_all(const Run& run, std::int64_t step, const Row* then) {
+  constexpr std::size_t height = rows(form), near = ahead / height;
+  const Places places(form, run.major);
+  for (std::size_t b = 0; b < run.blocks; ++b) {
     if constexpr (through) {
-      const Row* const soon = in + std::min(b + ahead, blocks - 1) * rows(form);
-      for (std::size_t row = 0; row < rows(form); ++row) hwy::Prefetch(soon + row);
+      // Addresses, not pointers: there may be nothing any more, which does no harm.
+      const std::size_t soon = b + near;
+      const auto begin = reinterpret_cast<std::uintptr_t>(soon < run.blocks ? run.in : then);
+      const std::uintptr_t from = begin + (soon < run.blocks ? soon : soon - run.blocks) * height * sizeof(Row);
+      for (std::size_t row = 0; row < height; ++row)
+        __builtin_prefetch(reinterpret_cast<const void*>(from + row * sizeof(Row)), 0, 2);  // into the second cache
     }
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(D()))
-      apply<form>(step, Input{in + b * rows(form), lane}, Output<through>{out + b, lane});
+      apply<form>(step, Input{run.delays + b, run.in + b * height, lane},
+                  Output<through>{places, run.out + b * matrix_rows(form), lane});
   }
 }
 
 template <bool through>
-void evaluate_form(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out) {
-  switch (form) {
+void evaluate_form(const Run& run, std::int64_t step, const Row* then) {
+  switch (run.form) {
     case Form::translation:
-      return apply_all<Form::translation, through>(step, in, blocks, out);
+      return apply_all<Form::translation, through>(run, step, then);
     case Form::spin:
-      return apply_all<Form::spin, through>(step, in, blocks, out);
+      return apply_all<Form::spin, through>(run, step, then);
     case Form::screw:
-      return apply_all<Form::screw, through>(step, in, blocks, out);
+      return apply_all<Form::screw, through>(run, step, then);
     case Form::similarity:
-      return apply_all<Form::similarity, through>(step, in, blocks, out);
+      return apply_all<Form::similarity, through>(run, step, then);
   }
 }
 
-void evaluate_here(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out, bool through) {
-  through ? evaluate_form<true>(form, step, in, blocks, out) : evaluate_form<false>(form, step, in, blocks, out);
+void evaluate_here(const Run& run, std::int64_t step, bool through, const Row* then) {
+  through ? evaluate_form<true>(run, step, then) : evaluate_form<false>(run, step, then);
+}
+
+void evaluate_held_here(const Run& run, std::int64_t step) {
+  const Places places(run.form, run.major);
+  for (std::size_t b = 0; b < run.blocks; ++b)
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(D()))
+      apply_held(step, Input{run.delays + b, run.in + b * rows(Form::similarity), lane},
+                 Output<false>{places, run.out + b * matrix_rows(Form::similarity), lane});
 }
 
 }  // namespace
@@ -224,10 +305,13 @@ HWY_AFTER_NAMESPACE();
 namespace betwixt::environments {
 
 HWY_EXPORT(evaluate_here);
+HWY_EXPORT(evaluate_held_here);
 
-void evaluate(Form form, std::int64_t step, const Row* in, std::size_t blocks, Block* out, bool through) {
-  HWY_DYNAMIC_DISPATCH(evaluate_here)(form, step, in, blocks, out, through);
+void evaluate(const Run& run, std::int64_t step, bool through, const Row* then) {
+  HWY_DYNAMIC_DISPATCH(evaluate_here)(run, step, through, then);
 }
+
+void evaluate_held(const Run& run, std::int64_t step) { HWY_DYNAMIC_DISPATCH(evaluate_held_here)(run, step); }
 
 void settle() { hwy::FlushStream(); }
 

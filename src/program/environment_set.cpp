@@ -7,28 +7,33 @@
 #include <cassert>
 #include <functional>
 #include <limits>
-#include <ranges>
+#include <system_error>
+#include <thread>
 #include <tuple>
+#include <utility>
 
 namespace betwixt {
 
-using environments::Block;
 using environments::Form;
 using environments::lanes;
 using environments::Row;
+using environments::Run;
 
 // A motion that is applied every `interval` ticks from `tick` on, for good.
 struct EnvironmentSet::Steady {
   std::size_t member = 0;
   std::int64_t tick = 0, interval = 1;
   Form form = Form::translation;
+  std::size_t major = 0;
   std::int64_t safe = 0;  // the last step at which A is not near Power::bound
   const Power* power = nullptr;
 
   std::int64_t phase() const { return (tick % interval + interval) % interval; }
   // A = M^(step - first)
   std::int64_t first() const { return (tick - phase()) / interval - 1; }
-  auto group() const { return std::tuple(interval, phase(), form); }
+  std::uint16_t delay() const { return static_cast<std::uint16_t>(first() & 0xffff); }
+  auto beat() const { return std::tuple(interval, phase()); }
+  auto group() const { return std::tuple(beat(), form, major, first() - delay()); }
 };
 
 namespace {
@@ -36,6 +41,8 @@ namespace {
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 constexpr std::int64_t horizon = 2 * Environment::furthest;  // as for environments
 constexpr std::size_t cache = std::size_t{4} << 20;          // bytes; what is larger hardly stays in one
+constexpr std::size_t most_threads = 8;                      // that memory is fast enough for
+constexpr std::int64_t far = 30;                             // ticks, after which nearly all are due
 constexpr double large = 1e-2 * Power::bound;                // so far no number is held at the bound
 
 std::int64_t step_at(std::int64_t tick, std::int64_t interval, std::int64_t phase) {
@@ -68,18 +75,54 @@ double safe_powers(const Power& power, Form form) {
   return f.log_scale < 0 ? large : std::log(large / reach) / f.log_scale;
 }
 
-void fill(const Power& power, Form form, std::int64_t first, Row* rows, std::size_t lane) {
+std::size_t major_of(const Power& power, Form form) {
+  if (form == Form::translation) return 0;
+  const Vec3 a = power.similarity().axis;
+  const auto longer = [&](int i, int j) { return std::abs(a[i]) < std::abs(a[j]); };
+  return static_cast<std::size_t>(std::max({0, 1, 2}, longer));
+}
+
+void fill(const Power::Similarity& f, Form form, std::size_t major, Row* rows, std::size_t lane) {
   const auto put = [&](double x) { (rows++)->of[lane] = x; };
-  const auto put_vector = [&](Vec3 v) { put(v.x), put(v.y), put(v.z); };
-  const Power::Similarity& f = power.similarity();
-  put(std::bit_cast<double>(first));
-  if (form == Form::translation) return put_vector(f.slide);
-  put(std::bit_cast<double>(f.turns));
-  put_vector(f.axis);
+  if (form == Form::translation) return put(f.slide.x), put(f.slide.y), put(f.slide.z);
+  // A turn about an axis is the turn back about the opposite one.
+  const int m = static_cast<int>(major), u = (m + 1) % 3, v = (m + 2) % 3;
+  const bool back = f.axis[m] < 0;
+  const double sign = back ? -1 : 1;
+  put(std::bit_cast<double>(back ? 0 - f.turns : f.turns));
+  put(sign * f.axis[u]), put(sign * f.axis[v]);
   if (form == Form::spin) return;
-  put_vector(f.centre);
-  put(rise(f));
+  put(f.centre[u]), put(f.centre[v]);
+  put(sign * rise(f));
   if (form == Form::similarity) put(f.log_scale);
+}
+
+// From `first` on, each piece whose members have the same key.
+template <class Iterator, class Key, class F>
+void for_each_piece(Iterator first, Iterator last, Key key, F&& work) {
+  while (first != last) {
+    const auto value = std::invoke(key, *first);
+    const Iterator end = std::find_if(first, last, [&](const auto& s) { return std::invoke(key, s) != value; });
+    work(first, end);
+    first = end;
+  }
+}
+
+// Work on parts of [0, count), one thread each, and all on this one where the system has no more of them.
+template <class F>
+void in_parts(std::size_t count, std::size_t parts, const F& work) {
+  std::vector<std::thread> threads;
+  std::size_t begin = 0;
+  try {
+    for (std::size_t k = 1; k < parts; ++k) {
+      const std::size_t end = k * count / parts;
+      threads.emplace_back([&work, begin, end] { work(begin, end); });
+      begin = end;
+    }
+  } catch (const std::system_error&) {
+  }
+  work(begin, count);
+  for (std::thread& t : threads) t.join();
 }
 
 }  // namespace
@@ -94,11 +137,12 @@ std::optional<EnvironmentSet::Steady> EnvironmentSet::steady(const Member& m, st
   const std::int64_t tick = e.event(0).tick + a->from.value_or(0);
   const Environment::Span* span = e.span(0, tick);
   if (!span || !span->running) return std::nullopt;
-  const std::optional<Form> form = form_of(span->motion->power);
+  const Power& power = span->motion->power;
+  const std::optional<Form> form = form_of(power);
   if (!form) return std::nullopt;
-  const double powers = safe_powers(span->motion->power, *form);
+  const double powers = safe_powers(power, *form);
   if (!(powers >= 1)) return std::nullopt;
-  Steady s{index, tick, a->timing.interval, *form, 0, &span->motion->power};
+  Steady s{index, tick, a->timing.interval, *form, major_of(power, *form), 0, &power};
   s.safe = s.first() + static_cast<std::int64_t>(powers);
   return s;
 }
@@ -115,42 +159,56 @@ EnvironmentSet::EnvironmentSet(std::vector<Member> members) : members_(std::move
   std::sort(all.begin(), all.end(), [](const Steady& a, const Steady& b) {
     return std::tuple(a.group(), a.safe, a.member) < std::tuple(b.group(), b.safe, b.member);
   });
-  const auto end_of = [&](Iterator first) {
-    return std::find_if(first, all.cend(), [&](const Steady& s) { return s.group() != first->group(); });
-  };
-  std::size_t blocks = 0, rows = 0;
-  for (auto first = all.cbegin(); first != all.cend(); first = end_of(first)) {
-    const std::size_t more = blocks_for(static_cast<std::size_t>(end_of(first) - first));
+  std::size_t blocks = 0, motion_rows = 0, matrix_rows = 0;
+  for_each_piece(all.cbegin(), all.cend(), &Steady::group, [&](Iterator first, Iterator last) {
+    const std::size_t more = blocks_for(static_cast<std::size_t>(last - first));
     blocks += more;
-    rows += more * environments::rows(first->form);
-  }
+    motion_rows += more * environments::rows(first->form);
+    matrix_rows += more * environments::matrix_rows(first->form);
+  });
   blocks_.reserve(blocks);
-  rows_.reserve(rows);
+  motions_.reserve(motion_rows);
+  matrices_.reserve(matrix_rows);
+  delays_.reserve(blocks);
+  safe_.reserve(blocks * lanes);
   member_at_.reserve(blocks * lanes + others_.size());
-  for (auto first = all.cbegin(); first != all.cend(); first = end_of(first)) add_group(first, end_of(first));
+  for_each_piece(all.cbegin(), all.cend(), &Steady::beat,
+                 [&](Iterator first, Iterator last) { add_beat(first, last); });
   for (std::size_t i = 0; i < others_.size(); ++i) {
     slot_of_[others_[i].member] = static_cast<std::uint32_t>(steady_slots() + i);
     member_at_.push_back(static_cast<std::uint32_t>(others_[i].member));
   }
-  large_ = blocks_.size() * sizeof(Block) > cache;
+  large_ = matrices_.size() * sizeof(Row) > cache;
   seek(-horizon);
+}
+
+void EnvironmentSet::add_beat(Iterator first, Iterator last) {
+  Beat b{first->interval, first->phase(), first->tick, groups_.size(), 0};
+  for (Iterator s = first; s != last; ++s) b.begin = std::min(b.begin, s->tick);
+  for_each_piece(first, last, &Steady::group, [&](Iterator from, Iterator to) { add_group(from, to); });
+  b.groups_end = groups_.size();
+  beats_.push_back(b);
 }
 
 void EnvironmentSet::add_group(Iterator first, Iterator last) {
   const auto count = static_cast<std::size_t>(last - first);
-  const std::size_t height = environments::rows(first->form), slots = blocks_for(count) * lanes;
-  Group g{first->interval, first->phase(), first->tick,  first->safe,
-          blocks_.size(),  slots / lanes,  rows_.size(), first->form};
-  Block identity;
-  for (std::size_t i : {0, 5, 10}) identity.m[i].fill(1);
-  blocks_.resize(blocks_.size() + g.blocks, identity);
-  rows_.resize(rows_.size() + g.blocks * height);
-  member_at_.resize(member_at_.size() + slots, nobody);
+  const std::size_t height = environments::rows(first->form), blocks = blocks_for(count);
+  const Group g{
+      first->first() - first->delay(), first->safe, blocks_.size(), blocks, motions_.size(), first->major, first->form};
+  motions_.resize(g.row + blocks * height);
+  delays_.resize(g.block + blocks);
+  safe_.resize((g.block + blocks) * lanes, std::numeric_limits<std::int64_t>::max());
+  member_at_.resize((g.block + blocks) * lanes, nobody);
   for (std::size_t i = 0; i < count; ++i) {
     const Steady& s = first[static_cast<std::ptrdiff_t>(i)];
-    const std::size_t slot = g.first * lanes + i;
-    g.begin = std::min(g.begin, s.tick);
-    fill(*s.power, s.form, s.first(), &rows_[g.rows + i / lanes * height], i % lanes);
+    const std::size_t slot = g.block * lanes + i, lane = i % lanes;
+    if (lane == 0) {
+      blocks_.push_back({static_cast<std::uint32_t>(matrices_.size()), s.form});
+      matrices_.resize(matrices_.size() + environments::matrix_rows(s.form));
+    }
+    fill(s.power->similarity(), s.form, s.major, &motions_[g.row + i / lanes * height], lane);
+    delays_[slot / lanes].of[lane] = s.delay();
+    safe_[slot] = s.safe;
     slot_of_[s.member] = static_cast<std::uint32_t>(slot);
     member_at_[slot] = static_cast<std::uint32_t>(s.member);
   }
@@ -163,76 +221,116 @@ std::optional<std::size_t> EnvironmentSet::member(std::size_t slot) const {
   return member_at_[slot] == nobody ? std::nullopt : std::optional<std::size_t>(member_at_[slot]);
 }
 
+// Those that differ from the identity's.
+template <class Rows, class F>
+void EnvironmentSet::for_each_element(Rows& matrices, const Block& b, const F& work) {
+  auto row = matrices.begin() + b.row;
+  for (int i = 0; environments::turns(b.form) && i < 9; ++i) work(i / 3, i % 3, *row++);
+  for (int i = 0; environments::shifts(b.form) && i < 3; ++i) work(i, 3, *row++);
+}
+
 Mat4 EnvironmentSet::matrix(std::size_t member) const {
   const std::size_t slot = slot_of_[member];
   if (slot >= steady_slots()) return others_[slot - steady_slots()].matrix;
-  const Block& b = blocks_[slot / lanes];
   Mat4 a;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) a(r, c) = b.m[static_cast<std::size_t>(4 * r + c)][slot % lanes];
+  for_each_element(matrices_, blocks_[slot / lanes],
+                   [&](int r, int c, const Row& row) { a(r, c) = row.of[slot % lanes]; });
   return a;
 }
 
 EnvironmentSet::Range EnvironmentSet::slots_of(std::size_t what) const {
-  if (what >= groups_.size()) {
-    const std::size_t slot = steady_slots() + what - groups_.size();
+  if (what >= beats_.size()) {
+    const std::size_t slot = steady_slots() + what - beats_.size();
     return {slot, slot + 1};
   }
-  const Group& g = groups_[what];
-  return {g.first * lanes, (g.first + g.blocks) * lanes};
+  const Group &first = groups_[beats_[what].group], &last = groups_[beats_[what].groups_end - 1];
+  return {first.block * lanes, (last.block + last.blocks) * lanes};
 }
 
 // ---- Going
 
-void EnvironmentSet::evaluate(std::size_t what) {
-  if (what < groups_.size()) return evaluate(groups_[what]);
-  Other& o = others_[what - groups_.size()];
+const Row* EnvironmentSet::motions_of(std::size_t what) const {
+  return what < beats_.size() ? &motions_[groups_[beats_[what].group].row] : nullptr;
+}
+
+void EnvironmentSet::evaluate(Other& o) {
   o.matrix = members_[o.member].environment->at(members_[o.member].generation, tick_);
 }
 
-void EnvironmentSet::evaluate(const Group& g) {
-  const std::int64_t step = step_at(tick_, g.interval, g.phase);
-  environments::evaluate(g.form, step, &rows_[g.rows], g.blocks, &blocks_[g.first], large_);
-  if (step > g.safe) hold_bounds(g, step);
+// Those of its blocks that lie within `blocks`. `then`: the rows that are read after these.
+void EnvironmentSet::evaluate(const Beat& b, Range blocks, const Row* then) {
+  const std::int64_t step = step_at(tick_, b.interval, b.phase);
+  for (std::size_t i = b.group; i < b.groups_end; ++i) {
+    const Group& g = groups_[i];
+    const Range part{std::max(g.block, blocks.begin), std::min(g.block + g.blocks, blocks.end)};
+    if (part.begin < part.end) evaluate(g, part, step, i + 1 < b.groups_end ? &motions_[groups_[i + 1].row] : then);
+  }
 }
 
-// The members of a group stand in the order in which they come near the bound.
-void EnvironmentSet::hold_bounds(const Group& g, std::int64_t step) {
-  const auto slots = std::views::iota(g.first * lanes, (g.first + g.blocks) * lanes);
-  const auto end = std::ranges::partition_point(slots, [&](std::size_t slot) {
-    const auto m = member(slot);
-    return m && steady(members_[*m], *m)->safe < step;
-  });
-  for (std::size_t slot : std::ranges::subrange(slots.begin(), end)) {
+Run EnvironmentSet::run(const Group& g, std::size_t begin, std::size_t end) {
+  if (begin == end) return {};
+  const Row* const in = &motions_[g.row + (begin - g.block) * environments::rows(g.form)];
+  return {g.form, g.major, &delays_[begin], in, &matrices_[blocks_[begin].row], end - begin};
+}
+
+void EnvironmentSet::evaluate(const Group& g, Range blocks, std::int64_t step, const Row* then) {
+  // The members of a group stand in the order in which they come near the bound.
+  const std::size_t begin = blocks.begin * lanes;
+  std::size_t held = begin;
+  if (step > g.safe) {
+    const auto at = [&](std::size_t slot) { return safe_.begin() + static_cast<std::ptrdiff_t>(slot); };
+    held += static_cast<std::size_t>(std::lower_bound(at(begin), at(blocks.end * lanes), step) - at(begin));
+  }
+  environments::evaluate(run(g, held / lanes, blocks.end), step - g.first, large_, then);
+  if (begin < held) hold(g, {begin, held}, step);
+}
+
+void EnvironmentSet::hold(const Group& g, Range slots, std::int64_t step) {
+  const std::size_t full = slots.end / lanes, rest = slots.end % lanes;
+  if (g.form == Form::similarity) {
+    environments::evaluate_held(run(g, slots.begin / lanes, full), step - g.first);
+    if (rest == 0) return;
+    std::array<Row, environments::matrix_rows(Form::similarity)> some;
+    Run last = run(g, full, full + 1);
+    Row* const out = std::exchange(last.out, some.data());
+    environments::evaluate_held(last, step - g.first);
+    for (std::size_t row = 0; row < some.size(); ++row) std::copy_n(some[row].of.begin(), rest, out[row].of.begin());
+    return;
+  }
+  // Few go so far without growing.
+  for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
     const Member& m = members_[member_at_[slot]];
     const Mat4 a = m.environment->at(m.generation, tick_);
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) blocks_[slot / lanes].m[static_cast<std::size_t>(4 * r + c)][slot % lanes] = a(r, c);
+    for_each_element(matrices_, blocks_[slot / lanes], [&](int r, int c, Row& row) { row.of[slot % lanes] = a(r, c); });
   }
 }
 
 std::optional<std::int64_t> EnvironmentSet::due(std::size_t what, std::int64_t tick) const {
-  if (what >= groups_.size()) {
-    const Member& m = members_[others_[what - groups_.size()].member];
+  if (what >= beats_.size()) {
+    const Member& m = members_[others_[what - beats_.size()].member];
     const auto next = m.environment->next_due(tick);
     const auto then = next ? m.environment->generation_at(*next) : std::nullopt;
     return then && *then > m.generation ? std::nullopt : next;  // killed: nothing of it will change any more
   }
-  const Group& g = groups_[what];
-  if (tick < g.begin) return g.begin;
-  const std::int64_t next = (step_at(tick, g.interval, g.phase) + 1) * g.interval + g.phase;
+  const Beat& b = beats_[what];
+  if (tick < b.begin) return b.begin;
+  const std::int64_t next = (step_at(tick, b.interval, b.phase) + 1) * b.interval + b.phase;
   return next > horizon ? std::nullopt : std::optional(next);
 }
 
 void EnvironmentSet::seek(std::int64_t tick) {
   tick_ = std::clamp(tick, -horizon, horizon);
+  const std::size_t parts = large_ ? std::min<std::size_t>(std::thread::hardware_concurrency(), most_threads) : 1;
+  in_parts(blocks_.size(), parts, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t what = 0; what < beats_.size(); ++what)
+      evaluate(beats_[what], {begin, end}, motions_of(std::min(what + 1, beats_.size() - 1)));
+    environments::settle();
+  });
+  for (Other& o : others_) evaluate(o);
   queue_.clear();
-  for (std::size_t what = 0; what < things(); ++what) {
-    evaluate(what);
+  for (std::size_t what = 0; what < things(); ++what)
     if (const auto next = due(what, tick_)) queue_.push_back({*next, what});
-  }
   std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
-  environments::settle();
 }
 
 void EnvironmentSet::touch(Range r) {
@@ -245,17 +343,24 @@ void EnvironmentSet::touch(Range r) {
 std::span<const EnvironmentSet::Range> EnvironmentSet::advance(std::int64_t tick) {
   tick = std::clamp(tick, -horizon, horizon);
   changed_.clear();
-  if (tick < tick_) {
+  if (tick < tick_ || (large_ && tick - tick_ > far)) {
     seek(tick);
     touch({0, slots()});
     return changed_;
   }
   tick_ = tick;
+  due_.clear();
   while (!queue_.empty() && queue_.front().tick <= tick) {
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-    const std::size_t what = queue_.back().what;
+    due_.push_back(queue_.back().what);
     queue_.pop_back();
-    evaluate(what);
+  }
+  for (std::size_t i = 0; i < due_.size(); ++i) {
+    const std::size_t what = due_[i];
+    if (what < beats_.size())
+      evaluate(beats_[what], {0, blocks_.size()}, motions_of(due_[std::min(i + 1, due_.size() - 1)]));
+    else
+      evaluate(others_[what - beats_.size()]);
     touch(slots_of(what));
     if (const auto next = due(what, tick)) {
       queue_.push_back({*next, what});

@@ -53,6 +53,17 @@ class Objects {
   const Object& operator[](std::size_t i) const { return *(*chunks_[i / chunk])[i % chunk]; }
   Object& edit(std::size_t i) { return chunks_[i / chunk].edit()[i % chunk].edit(); }
   std::size_t add(Object object);
+  // f(number) for those that may be others than the ones of `before`; what both share is passed over.
+  template <class F>
+  void each_changed(const Objects& before, F&& f) const {
+    for (std::size_t c = 0; c < chunks_.size(); ++c) {
+      const bool there = c < before.chunks_.size();
+      if (there && chunks_[c].same(before.chunks_[c])) continue;
+      for (std::size_t k = 0; k < chunks_[c]->size(); ++k)
+        if (!there || k >= before.chunks_[c]->size() || !(*chunks_[c])[k].same((*before.chunks_[c])[k]))
+          f(chunk * c + k);
+    }
+  }
 
  private:
   static constexpr std::size_t chunk = 128;

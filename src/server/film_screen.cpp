@@ -72,7 +72,8 @@ class Film final : public Screen {
       if (s) s = sink_->pack(0, standing);
     }
     until(end_);
-    if (s && next > 0) s = sink_->finish([] { return true; });
+    if (s && next == 0) s = fail(Code::range, "no frame was shown, so there is no film");
+    if (s) s = sink_->finish([] { return true; });
     if (s) return;
     const std::lock_guard lock(mutex_);
     failed_ = s.error();

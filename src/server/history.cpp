@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "language/journal.h"
+#include "server/ceilings.h"
 
 namespace betwixt {
 namespace {
@@ -64,7 +65,8 @@ Diagnostics History::begin(std::string text, const std::string& name, const Load
   Reader reader(scene, all, options);
   reader.carry({}, name);
   reader.read_text(base_, name);
-  now_ = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
+  const std::size_t events = count_events({}, 0, scene);
+  now_ = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried(), events};
   return all;
 }
 
@@ -110,7 +112,23 @@ std::string History::text() const {
   return out;
 }
 
+std::size_t History::Step::bytes() const {
+  std::size_t n = sheet.size() + 1;
+  for (const std::string& line : lines) n += line.size() + 1;
+  return n;
+}
+
 Status History::append(Step step) {
+  const std::size_t bytes = step.bytes();
+  if (bytes_ + bytes > longest_)
+    return fail(Code::range, fmt::format("the history would be longer than {} bytes", longest_),
+                "undo takes commands back; betwixt serve --history N lets it grow");
+  if (Status s = write(std::move(step)); !s) return s;
+  bytes_ += bytes;
+  return Nothing{};
+}
+
+Status History::write(Step step) {
   step.begins = end_;
   steps_.push_back(std::move(step));
   if (file_ < 0) return Nothing{};
@@ -128,6 +146,7 @@ Status History::take_back() {
   const off_t to = steps_.back().begins;
   if (file_ >= 0 && ::ftruncate(file_, to) != 0) return not_kept(std::strerror(errno));
   end_ = to, dirty_ = true;
+  bytes_ -= steps_.back().bytes();
   steps_.pop_back();
   return Nothing{};
 }

@@ -21,10 +21,12 @@ class History {
   struct Point {
     Document document;
     Reader::Carried carried;
+    std::size_t events = 0;  // of the document
   };
 
   // `depth`: so many commands can be undone. The texts of all are kept, the documents before them only of these.
-  explicit History(std::size_t depth) : depth_(depth) {}
+  // `longest`: so many bytes of commands, beside the author's text.
+  History(std::size_t depth, std::size_t longest) : depth_(depth), longest_(longest) {}
   ~History();
   History(const History&) = delete;
   History& operator=(const History&) = delete;
@@ -36,7 +38,7 @@ class History {
 
   const Point& now() const { return now_; }
   // Commands that were carried out together: one step. `sheet`: the line that their rows stand below; may be empty.
-  // On failure (the disk is full) nothing has changed.
+  // On failure (the disk is full, the history is too long) nothing has changed.
   Status take(Point after, const std::vector<std::string>& lines, const std::string& sheet);
   Status undo();
   Status redo();
@@ -45,18 +47,21 @@ class History {
 
   std::string text() const;
   std::size_t steps() const { return steps_.size(); }
+  std::size_t bytes() const { return bytes_; }  // of commands
 
  private:
   struct Step {
     std::vector<std::string> lines;
     std::string sheet;
     off_t begins = 0;  // in the file
+    std::size_t bytes() const;
   };
   std::string written(std::size_t i) const;
   Status append(Step step);
+  Status write(Step step);
   Status take_back();  // the last step, from the file and from the list
 
-  const std::size_t depth_;
+  const std::size_t depth_, longest_;
   std::string base_;
   Point now_;
   std::vector<Step> steps_;
@@ -64,6 +69,7 @@ class History {
   std::vector<std::pair<Step, Point>> undone_;
   int file_ = -1;
   off_t end_ = 0;
+  std::size_t bytes_ = 0;
   bool dirty_ = false;
 };
 

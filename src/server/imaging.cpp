@@ -11,10 +11,10 @@
 
 #include "base/names.h"
 #include "betwixt/session.h"
-#include "language/help.h"
 #include "language/journal.h"
 #include "language/json.h"
-#include "language/looking.h"
+#include "language/line_words.h"
+#include "server/answers.h"
 
 namespace betwixt {
 namespace {
@@ -23,34 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_bundle = 16 << 20;  // bytes
 constexpr int most_open_lines = 10'000;           // of one command
-constexpr int slots = 30;                         // of the source's counter (C97)
-
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
-bool indented(std::string_view line) { return !line.empty() && blank(line[0]); }
-
-// Words between blanks; a comment is none.
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < line.size();) {
-    if (blank(line[i])) {
-      ++i;
-      continue;
-    }
-    if (line[i] == '#' && (i + 1 == line.size() || blank(line[i + 1]))) break;
-    const std::size_t start = i;
-    while (i < line.size() && !blank(line[i]) && line[i] != '\n') ++i;
-    words.emplace_back(line.substr(start, i - start));
-    if (i < line.size() && line[i] == '\n') break;
-  }
-  return words;
-}
-
-std::string_view first_word(std::string_view line) {
-  std::size_t from = 0, to = 0;
-  while (from < line.size() && blank(line[from])) ++from;
-  for (to = from; to < line.size() && !blank(line[to]) && line[to] != '\n';) ++to;
-  return line.substr(from, to - from);
-}
 
 // Commands about environments that give no time happen when they come, and say so in the history.
 bool happens_now(std::string_view line) {
@@ -61,7 +33,7 @@ bool happens_now(std::string_view line) {
 // What a host puts into an environment it puts into the one of that name now, not into the first one (R-E9): `set
 // TARGET NAMES` is an event then.
 std::string joining(std::string_view line, std::int64_t stamp) {
-  const auto all = split(line);
+  const auto all = line_words(line);
   if (all.size() < 3 || all[0] != "set" || !(all[1].ends_with(".environments") || all[1].ends_with(".drive")))
     return {};
   const auto target = line.find(all[1], line.find("set") + 3);
@@ -71,32 +43,10 @@ std::string joining(std::string_view line, std::int64_t stamp) {
 // Shows a display list; the clock begins with it.
 bool starts_show(std::string_view line) { return first_word(line) == "start"; }
 
-std::string said(const std::string& text) { return text.empty() ? "" : ",\"said\":" + json_text(text); }
-
-Result<std::string> said_of(const Result<std::string>& text) {
-  if (!text) return text.error();
-  return said(*text);
-}
-
-Error one_word_too_many(const std::string& word, std::string_view usage) {
-  return fail(Code::syntax, fmt::format("'{}' is one word too many", word.substr(0, 60)),
-              fmt::format("usage: {}", usage));
-}
-
 // One path for one file, whether it is there or not.
 fs::path real(const std::string& file) {
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(file, ignored), ignored);
-}
-
-// Environments that have not been killed for good.
-std::size_t environments(const Scene& s) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < s.objects.size(); ++i) {
-    const Object& o = s.objects[i];
-    if (!o.removed && o.environment && o.environment->generation_at(Environment::furthest)) ++n;
-  }
-  return n;
 }
 
 // Hosts make names from their own numbers: O3000001 is of host 3 (betwixt/aim.h). What a history has of them stays
@@ -126,7 +76,7 @@ Nanos Transport::when(Time t) const {
   return since + static_cast<Nanos>((static_cast<Wide>((t - at).flicks) * 625 + 440) / 441);
 }
 
-Imaging::Imaging(Options options) : options_(std::move(options)), history_(options_.undo) {}
+Imaging::Imaging(Options options) : options_(std::move(options)), history_(options_.undo, options_.ceilings.history) {}
 
 Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& save, bool overwrite, Nanos now) {
   std::error_code ignored;
@@ -228,7 +178,7 @@ Imaging::Reply Imaging::enter_whole(Host host, Visitor& h, std::string_view line
   const bool row = indented(line) && !h.sheet.empty();
   const std::string_view verb = row ? std::string_view() : first_word(line);
   if (verb == "bundle" || verb == "quit") {
-    const auto all = split(line);
+    const auto all = line_words(line);
     if (all.size() > 1) return no(h, now, one_word_too_many(all[1], verb));
     if (verb == "quit") return {yes(h, now, "").line, true};
     h.bundling = true;
@@ -236,7 +186,7 @@ Imaging::Reply Imaging::enter_whole(Host host, Visitor& h, std::string_view line
   }
   for (const Word& w : words()) {
     if (w.word != verb || !w.run) continue;
-    const auto all = split(line);
+    const auto all = line_words(line);
     if ((verb == "notes" || verb == "start") && all.size() > 1) break;  // `notes off`, `start LIST`: of the language
     const auto done = (this->*w.run)(h, all, now);
     return done ? yes(h, now, *done) : no(h, now, done.error());
@@ -256,9 +206,9 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
   deed.line = prefix + std::string(line);
   if (std::string joins = row ? std::string() : joining(line, stamp); !joins.empty()) deed.line = std::move(joins);
   const int longer = static_cast<int>(deed.line.size()) - static_cast<int>(line.size());
-  deed.remark = split(line).empty();
+  deed.remark = line_words(line).empty();
   // A begin belongs to the environment that has the name now.
-  if (const auto all = split(line); row && all.size() == 2 && all[0] == "begin" && sheet.starts_with("edit "))
+  if (const auto all = line_words(line); row && all.size() == 2 && all[0] == "begin" && sheet.starts_with("edit "))
     deed.line = fmt::format("  begin {} since {}t", all[1], stamp);
   deed.sheet = row ? sheet : "";
   if (deed.remark) return deed;
@@ -286,20 +236,15 @@ Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::
     }
     deed.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
   }
-  deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
+  const std::size_t events = count_events(from.document.scene(), from.events, scene);
+  deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried(), events};
   const bool opens = !row && deed.after.carried.sheet_open;
   const Scene &is = deed.after.document.scene(), &was = from.document.scene();
   deed.kept = !opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
-  if (Status s = within_ceiling(from.document.scene(), deed.after.document.scene()); !s) return s.error();
+  const Status fits =
+      within(options_.ceilings, from.document.scene(), from.events, deed.after.document.scene(), events);
+  if (!fits) return fits.error();
   return deed;
-}
-
-// Objects only ever join at the end, so that nothing is counted where none has.
-Status Imaging::within_ceiling(const Scene& before, const Scene& after) const {
-  if (after.objects.size() == before.objects.size() || after.objects.size() <= options_.ceiling) return Nothing{};
-  if (environments(after) <= options_.ceiling || environments(after) <= environments(before)) return Nothing{};
-  return fail(Code::range, fmt::format("there would be more than {} environments", options_.ceiling),
-              "kill some that are not needed any more");
 }
 
 Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Nanos now) {
@@ -345,11 +290,11 @@ void Imaging::changed(Host by, const std::string& line, Nanos now) {
 
 // Display lists have an `end` of their own: an indented one does not end the bundle.
 Imaging::Reply Imaging::collect(Host host, Visitor& h, std::string_view line, Nanos now) {
-  const auto all = split(line);
-  const bool lone =
-      all.size() == 1 && !indented(line) && (h.bundle.empty() || !Session::needs_more(h.bundle.back().second));
-  if (lone && all[0] == "end") return end_bundle(host, h, now);
-  if (lone && all[0] == "bundle" && !h.bundle_broken)
+  const std::string_view verb = first_word(line);
+  const bool lone = line_words(line).size() == 1 && !indented(line) &&
+                    (h.bundle.empty() || !Session::needs_more(h.bundle.back().second));
+  if (lone && verb == "end") return end_bundle(host, h, now);
+  if (lone && verb == "bundle" && !h.bundle_broken)
     h.bundle_broken = fail(Code::syntax, fmt::format("line {}: a bundle is open already", h.line));
   h.bundle_size += line.size() + 64;
   if (h.bundle_size > largest_bundle && !h.bundle_broken)
@@ -381,7 +326,7 @@ Imaging::Reply Imaging::end_bundle(Host host, Visitor& h, Nanos now) {
     const std::string_view verb = first_word(line);
     const bool row = indented(line) && !sheet.empty();
     const auto word = std::find_if(words().begin(), words().end(), [&](const Word& w) { return w.word == verb; });
-    Result<Deed> deed = !row && (verb == "quit" || (word != words().end() && split(line).size() == 1))
+    Result<Deed> deed = !row && (verb == "quit" || (word != words().end() && line_words(line).size() == 1))
                             ? fail(Code::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
                                    "a bundle holds commands of the language")
                             : carry_out(point, sheet, line, at);
@@ -451,239 +396,6 @@ void Imaging::tell_contacts(const Shown& f) {
   for (const ContactEvent& e : watch_->step(program().frame(f.time))) all += to_json(e, document()) + "\n";
   for (const Host host : to)
     if (!all.empty()) events_.push_back({host, all});
-}
-
-// ---- words of the server
-
-const std::vector<Imaging::Word>& Imaging::words() {
-  static const std::vector<Word> all{
-      {"eval", "eval TARGET… [at TIME]", "Values, now or at a time.", &Imaging::eval},
-      {"list", "list [PATTERN]", "The objects, their kinds and how many events they have.", &Imaging::look},
-      {"describe", "describe NAME|TARGET", "What an object is, has and hangs on; of a target, its events.",
-       &Imaging::look},
-      {"notes", "notes", "The notes and their times.", &Imaging::look},
-      {"help", "help [WORD]", "Explains a word; without one, lists all.", &Imaging::help},
-      {"time", "time", "The tick, the seconds and the slot of now.", &Imaging::time},
-      {"stats", "stats", "How the server is doing: frames, lateness, hosts.", &Imaging::stats},
-      {"history", "history", "The document as a script: every command that was accepted.", &Imaging::history_word},
-      {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", &Imaging::undo},
-      {"redo", "redo", "Does again what was taken back.", &Imaging::redo},
-      {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.",
-       &Imaging::subscribe,
-       "  changes   what was carried out, and which host said it\n"
-       "  contacts  what begins or ends to touch, what enters or leaves the view\n"
-       "  frames    the number and time of each frame that was shown, and how late in µs it was\n"
-       "  notes     notes whose time has come\n"
-       "  example: subscribe changes contacts\n"},
-      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", &Imaging::unsubscribe},
-      {"start", "start", "The time is 0 now, and goes on.", &Imaging::start},
-      {"pause", "pause", "The time stands.", &Imaging::pause},
-      {"go", "go", "The time goes on.", &Imaging::go},
-      {"seek", "seek TIME", "The time is another one now.", &Imaging::seek},
-      {"save", "save", "Says where the history is kept; everything answered is in it.", &Imaging::save},
-      {"bundle", "bundle, then commands, then end",
-       "The commands up to end are done together, all at one moment or none; end has the answer.", nullptr,
-       "  example: bundle\n           create ball sphere\n           set ball.environments (spin)\n           end\n"},
-      {"end", "end", "Ends a bundle: all that stands in it is done, or nothing.", &Imaging::end},
-      {"quit", "quit", "Ends the connection; all else goes on.", nullptr},
-      {"open", "open", "", &Imaging::not_for_hosts},
-      {"load", "load", "", &Imaging::not_for_hosts},
-      {"plot", "plot", "", &Imaging::not_for_hosts},
-      {"play", "play", "", &Imaging::not_for_hosts},
-      {"stop", "stop", "", &Imaging::not_for_hosts},
-  };
-  return all;
-}
-
-Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w[0] == "open") return fail(Code::name, "'open' is not for hosts: a server has one document");
-  if (w[0] == "load")
-    return fail(Code::name, "'load' is not for hosts: plug-ins are programs", "betwixt serve --load PLUGIN loads one");
-  if (w[0] == "plot") return fail(Code::name, "'plot' is not for hosts: they write no files here", "eval gives values");
-  return fail(Code::name, fmt::format("'{}' is not for hosts: a server always plays", w[0]),
-              "see start, pause, go, seek");
-}
-
-Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  std::size_t end = w.size();
-  Time t = transport_.time(now);
-  if (w.size() >= 3 && w[w.size() - 2] == "at") {
-    const std::string& text = w.back();
-    const bool bare = text.find_first_not_of("0123456789.-") == std::string::npos;
-    const auto asked = parse_time(bare ? text + "f" : text, document());
-    if (!asked) return asked.error();
-    t = *asked, end -= 2;
-  }
-  if (end > 2 && w.back() == "at")
-    return fail(Code::syntax, "a time is missing behind 'at'", fmt::format("as in eval {} at 24f", w[1].substr(0, 60)));
-  if (end < 2) return fail(Code::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
-  std::vector<Target> targets;
-  for (std::size_t i = 1; i < end; ++i) {
-    const auto found = find_targets(w[i], document());
-    if (!found) return found.error();
-    for (const Target& target : *found)
-      if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
-  }
-  std::vector<std::string> problems;
-  const std::vector<Reading> values = program().read(targets, t, &problems);
-  std::string out = fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()));
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    out += fmt::format("{}{}:{}", i ? "," : "", json_text(document().name(targets[i])),
-                       json(values[i], targets[i], document()));
-  return out + "}" + said(fmt::format("{}", fmt::join(problems, "\n")));
-}
-
-Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 2) return one_word_too_many(w[2], "help [WORD]");
-  std::string out;
-  if (w.size() < 2) {
-    for (const Word& word : words())
-      if (!word.sentence.empty()) out += fmt::format("{:12} {}\n", word.word, word.sentence);
-    return said(out + "\n" + help_overview(document().scene(), false));
-  }
-  for (const Word& word : words()) {
-    if (word.word != w[1]) continue;
-    if (word.sentence.empty()) return not_for_hosts(h, {w[1]}, now);
-    return said(fmt::format("{}\n  usage: {}\n{}", word.sentence, word.usage, word.more));
-  }
-  return said_of(look_up(document(), w[1]));
-}
-
-Result<std::string> Imaging::look(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w[0] == "notes") return said(list_notes(document()));
-  if (w.size() > 2) return one_word_too_many(w[2], w[0] == "list" ? "list [PATTERN]" : "describe NAME");
-  const std::string word = w.size() > 1 ? w[1] : "";
-  return said_of(w[0] == "list" ? list_objects(document(), word) : describe(document(), word));
-}
-
-Result<std::string> Imaging::time(Visitor& h, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "time");
-  const Time t = transport_.time(now);
-  const std::int64_t slot = ((tick(now) % slots) + slots) % slots;
-  return fmt::format(",\"seconds\":{},\"slot\":{},\"running\":{},\"host\":{}", json_number(t.seconds()), slot,
-                     transport_.running, h.host);
-}
-
-Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "stats");
-  std::string more = options_.stats ? options_.stats() : "";
-  if (!more.empty()) more = "," + more;
-  return fmt::format(
-      ",\"stats\":{{\"uptime\":{:.3f},\"hosts\":{},\"lines\":{},\"commands\":{},\"refused\":{},\"bytes\":{},"
-      "\"steps\":{}{}}}",
-      static_cast<double>(now - begun_) / 1e9, hosts_.size(), lines_, commands_, refused_, bytes_, history_.steps(),
-      more);
-}
-
-Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w.size() > 1) return one_word_too_many(w[1], "history");
-  return ",\"said\":" + json_text(history_.text());
-}
-
-Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "undo");
-  if (Status s = history_.undo(); !s) return s.error();
-  changed(0, "undo", now);
-  return std::string();
-}
-
-Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "redo");
-  if (Status s = history_.redo(); !s) return s.error();
-  changed(0, "redo", now);
-  return std::string();
-}
-
-namespace {
-Result<unsigned> topics_of(const std::vector<std::string>& w) {
-  static constexpr std::string_view names[] = {"changes", "notes", "frames", "contacts"};
-  unsigned topics = 0;
-  for (std::size_t i = 1; i < w.size(); ++i) {
-    const auto found = std::find(std::begin(names), std::end(names), w[i]);
-    if (found == std::end(names))
-      return fail(Code::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
-                  "changes, contacts, frames or notes");
-    topics |= 1u << (found - std::begin(names));
-  }
-  return topics;
-}
-}  // namespace
-
-Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
-  const auto topics = topics_of(w);
-  if (!topics) return topics.error();
-  if (*topics == 0) return fail(Code::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes");
-  if (*topics & contacts && !(h.topics & contacts)) watch_.reset();  // all begins anew, for whoever knows nothing yet
-  h.topics |= *topics;
-  return std::string();
-}
-
-Result<std::string> Imaging::unsubscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
-  const auto topics = topics_of(w);
-  if (!topics) return topics.error();
-  h.topics &= *topics == 0 ? 0u : ~*topics;
-  return std::string();
-}
-
-// The source's StartAniProc (C80).
-void Imaging::start_clock(Nanos now) {
-  transport_ = {true, now, Time{}};
-  told_ = Time{-1};
-  watch_.reset();
-}
-
-// What was animated while the clock ran before its start comes again only then.
-std::string Imaging::yet_to_come() const {
-  const Scene& scene = document().scene();
-  std::int64_t last = 0;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (const auto& e = scene.objects[i].environment; e && e->size() > 0 && !scene.objects[i].removed)
-      last = std::max(last, e->event(e->size() - 1).tick);
-  if (last <= options_.latency) return {};
-  return fmt::format(
-      "warning: commands about environments were given up to tick {}, and take effect then; with --wait "
-      "the time stands at 0 until start\n",
-      last);
-}
-
-Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>&, Nanos now) {
-  start_clock(now);
-  changed(0, "start", now);
-  return said(yet_to_come());
-}
-
-Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "pause");
-  transport_ = {false, now, transport_.time(now)};
-  changed(0, "pause", now);
-  return std::string();
-}
-
-Result<std::string> Imaging::go(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "go");
-  transport_ = {true, now, transport_.time(now)};
-  changed(0, "go", now);
-  return std::string();
-}
-
-Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() != 2) return fail(Code::syntax, "to which time?", "usage: seek TIME, as in seek 2.5s");
-  const auto to = parse_time(w[1], document());
-  if (!to) return to.error();
-  transport_.since = now, transport_.at = *to;
-  told_ = *to - Time{1};
-  changed(0, "seek " + w[1], now);
-  return std::string();
-}
-
-Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w.size() > 1) return fail(Code::name, "a host cannot choose the file", "betwixt serve --save FILE does");
-  if (save_.empty()) return fail(Code::name, "this server keeps no history", "betwixt serve --save FILE does");
-  return said(fmt::format("kept in '{}'", save_));
-}
-
-Result<std::string> Imaging::end(Visitor&, const std::vector<std::string>&, Nanos) {
-  return fail(Code::syntax, "no bundle is open", "the end of an environment in a display list is indented");
 }
 
 }  // namespace betwixt

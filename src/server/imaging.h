@@ -17,6 +17,7 @@
 
 #include "betwixt/contacts.h"
 #include "betwixt/program.h"
+#include "server/ceilings.h"
 #include "server/history.h"
 
 namespace betwixt {
@@ -44,10 +45,10 @@ struct Shown {
 class Imaging {
  public:
   struct Options {
-    std::int64_t latency = 1;         // ticks: a command about environments takes effect so long after it came
-    std::size_t ceiling = 2'000'000;  // environments; one more is refused, and changes nothing (R-E8)
-    std::size_t undo = 1000;          // commands that can be undone
-    bool sweep = false;               // what is fast is noticed even where it slips through between two frames
+    std::int64_t latency = 1;  // ticks: a command about environments takes effect so long after it came
+    Ceilings ceilings;
+    std::size_t undo = 1000;  // commands that can be undone
+    bool sweep = false;       // what is fast is noticed even where it slips through between two frames
     ContactOptions contacts;
     bool wait = false;  // the clock stands at 0 until a host says `start`
     LoadOptions load;
@@ -122,7 +123,6 @@ class Imaging {
 
   Result<Deed> carry_out(const History::Point& from, const std::string& sheet, std::string_view line,
                          std::int64_t stamp) const;
-  Status within_ceiling(const Scene& before, const Scene& after) const;
   Reply enter_whole(Host, Visitor&, std::string_view line, Nanos now);
   Reply command(Host, Visitor&, std::string_view line, Nanos now);
   Reply collect(Host, Visitor&, std::string_view line, Nanos now);

@@ -185,6 +185,59 @@ TEST(EnvironmentSet, FarTimesAndBoundsAreThoseOfTheEnvironment) {
   }
 }
 
+// Growing at different speeds, a group comes to the bound one after the other; each alone is in a set of its own.
+TEST(EnvironmentSet, WhatGrowsIsHeldWhereTheEnvironmentHoldsItWhateverStandsBesideIt) {
+  Random r(11);
+  std::vector<Member> all;
+  for (int i = 0; i < 60; ++i)
+    all.push_back(steady(whole(r, 0, 9), 1, translation(vector(r, 5)) * turn(r) * even(between(r, 0.99, 1.1))));
+  for (int i = 0; i < 20; ++i) all.push_back(steady(0, 2, translation(vector(r, 1e14))));
+  for (int i = 0; i < 20; ++i) all.push_back(steady(0, 2, translation(vector(r, 1e14)) * turn(r)));
+  EnvironmentSet together(all);
+  std::vector<EnvironmentSet> alone;
+  for (const Member& m : all) alone.emplace_back(std::vector{m});
+  for (std::int64_t tick : {300, 380, 400, 430, 435, 440, 500, 700, 1000, 5000, 20'000, 1'000'000, 1'000'000'000}) {
+    together.seek(tick);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      alone[i].seek(tick);
+      ASSERT_LT(difference(together.matrix(i), asked(all[i], tick)), 1e-12) << "member " << i << " at " << tick;
+      ASSERT_TRUE(same_bits(together.matrix(i), alone[i].matrix(0))) << "member " << i << " at " << tick;
+    }
+  }
+}
+
+// What is large goes to memory past the caches, and is sought by several threads.
+TEST(EnvironmentSet, OfVeryManyEachHasTheBitsItHasAmongFew) {
+  const std::vector<Member> all = many(60'000, any, 12);
+  EnvironmentSet large(all);
+  constexpr std::size_t few = 1000;
+  for (std::int64_t tick : {100, 101, 103, 1'000'000}) {
+    large.advance(tick);
+    for (std::size_t first = 0; first < all.size(); first += few) {
+      EnvironmentSet s(
+          {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(first + few)});
+      s.seek(tick);
+      for (std::size_t i = 0; i < few; ++i)
+        ASSERT_TRUE(same_bits(large.matrix(first + i), s.matrix(i))) << "member " << first + i << " at " << tick;
+    }
+  }
+}
+
+TEST(EnvironmentSet, BeginningsFarApartAreInTheirOwnTimes) {
+  std::vector<Member> all;
+  for (std::int64_t tick : {-1'000'000, -65'537, -65'536, -1, 0, 65'535, 65'536, 200'000})
+    all.push_back(steady(tick, 1, step));
+  EnvironmentSet s(all);
+  for (std::int64_t t : {-1'000'001, -1'000'000, -65'536, -1, 0, 1, 65'535, 65'536, 199'999, 200'000, 3'000'000}) {
+    s.seek(t);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::int64_t begin = all[i].environment->event(0).tick;
+      EXPECT_EQ(s.matrix(i), translation({t < begin ? 0 : static_cast<double>(t - begin + 1), 0, 0}))
+          << i << " at " << t;
+    }
+  }
+}
+
 TEST(EnvironmentSet, WhatShrinksIsHeldWhereTheEnvironmentHoldsIt) {
   const std::vector<Member> all{steady(0, 1, even(0.5)), steady(0, 1, turn_about_z * even(0.99))};
   EnvironmentSet s(all);

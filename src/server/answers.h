@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What answers to hosts are made of.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "betwixt/result.h"
+#include "language/json.h"
+
+namespace betwixt {
+
+// The member of an answer that says something; nothing for nothing.
+inline std::string said(const std::string& text) { return text.empty() ? "" : ",\"said\":" + json_text(text); }
+
+inline Error one_word_too_many(const std::string& word, std::string_view usage) {
+  return fail(Code::syntax, fmt::format("'{}' is one word too many", word.substr(0, 60)),
+              fmt::format("usage: {}", usage));
+}
+
+}  // namespace betwixt

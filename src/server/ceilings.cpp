@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "server/ceilings.h"
+
+#include <fmt/format.h>
+
+namespace betwixt {
+namespace {
+
+std::size_t events_of(const Strand& s) {
+  std::size_t n = s.track->events.size();
+  for (const Cow<Track>& t : s.components) n += t->events.size();
+  return n;
+}
+
+std::size_t events_of(const Object& o) {
+  std::size_t n = o.environment ? o.environment->size() : 0;
+  for (const Slot& s : o.slots) n += events_of(s) + events_of(s.velocity);
+  return n;
+}
+
+// That have not been killed for good.
+std::size_t environments(const Scene& s) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    if (!o.removed && o.environment && o.environment->generation_at(Environment::furthest)) ++n;
+  }
+  return n;
+}
+
+// Objects only ever join at the end, so that nothing is counted where none has.
+bool too_many_environments(std::size_t most, const Scene& before, const Scene& after) {
+  if (after.objects.size() == before.objects.size() || after.objects.size() <= most) return false;
+  const std::size_t n = environments(after);
+  return n > most && n > environments(before);
+}
+
+Error too_many(const char* what, std::size_t most, const std::string& hint) {
+  return fail(Code::range, fmt::format("there would be more than {} {}", most, what), hint);
+}
+
+}  // namespace
+
+std::size_t count_events(const Scene& before, std::size_t events, const Scene& after) {
+  after.objects.each_changed(before.objects, [&](std::size_t i) {
+    if (i < before.objects.size()) events -= events_of(before.objects[i]);
+    events += events_of(after.objects[i]);
+  });
+  return events;
+}
+
+Status within(const Ceilings& c, const Scene& before, std::size_t events_before, const Scene& after,
+              std::size_t events_after) {
+  if (too_many_environments(c.environments, before, after))
+    return too_many("environments", c.environments, "kill some that are not needed any more");
+  if (after.objects.size() > c.objects && after.objects.size() > before.objects.size())
+    return too_many("objects, removed ones included", c.objects, "betwixt serve --objects N lets more in");
+  if (events_after > c.events && events_after > events_before)
+    return too_many("events", c.events, "erase some; betwixt serve --events N lets more in");
+  return Nothing{};
+}
+
+}  // namespace betwixt
