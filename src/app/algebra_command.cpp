@@ -19,7 +19,7 @@ struct Call {
   std::string motion, points = "1,0", method;
   std::vector<std::string> at;
   std::int64_t steps = 24;
-  bool count = false, json = false, inverse = false;
+  bool count = false, json = false, inverse = false, css = false;
 };
 
 constexpr Method methods[] = {Method::matrix, Method::geometric, Method::differences, Method::best};
@@ -200,7 +200,7 @@ Result<Asked> read(const Call& call) {
 int algebra(const Call& call) {
   auto asked = read(call);
   if (!asked) return complain(asked.error(), wrong_call);
-  auto motion = parse_motion(call.motion);
+  auto motion = call.css ? from_css(call.motion) : parse_motion(call.motion);
   if (!motion) return complain_about(call.motion, motion.error());
   for (const Factor& f : motion->factors)
     if (!f.about.empty())
@@ -274,6 +274,8 @@ void add_algebra(CLI::App& app, int& exit_code) {
       })
       ->type_name("NAME");
   sub->add_flag("--count", call->count, "operations per step, as the source prints them and as they are");
+  sub->add_flag("--css", call->css,
+                "MOTION is a list of CSS transforms, in pixels: \"translate(10px, 0) rotate(90deg)\"");
   sub->add_flag("--inverse", call->inverse, "the motion that undoes this one");
   sub->add_flag("--json", call->json, "one JSON object");
   sub->footer("Example:\n  betwixt algebra \"T(6.28 0) R(-1turn @ 0 1)\" --steps 12 --points \"0,0 0,2\" --count");
