@@ -52,10 +52,12 @@ cat >"$work/reader.html" <<'HTML'
   want('the slider says what it is', slider.getAttribute('aria-label') && slider.getAttribute('aria-valuetext') === 't = 0.500');
   want('the slider is noted in the address', location.hash === '#t=0.500');
   const button = document.getElementById('play');
+  // A browser without a screen draws when it likes: the clock of this page takes its place.
+  window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);
   drag(0);
   button.click();
   want('the button says Pause', button.getAttribute('aria-label') === 'Pause');
-  for (let i = 0; i < 400 && at() === 0; ++i) await later(20);  // the browser draws when it finds the time
+  for (let i = 0; i < 100 && at() === 0; ++i) await later(20);
   want('play goes on', at() > 0 && at() < 1);
   document.body.dispatchEvent(new KeyboardEvent('keydown', {key: ' ', bubbles: true, cancelable: true}));
   const halted = at();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page's words and pictures are made by its own script, lesson.js, from the data below. The script works out A(t) by
-// itself; frames of ours let it say how well.
+// The page's words stand in lesson.html; its script, lesson.js, makes pictures and tables from the data below. It works
+// out A(t) by itself; frames of ours let it say how well.
 #include "app/lesson.h"
 
 #include <fmt/format.h>
@@ -76,13 +76,13 @@ double round_unit(double about) {
   return power * (about < 1.5 * power ? 1 : about < 3.5 * power ? 2 : about < 7.5 * power ? 5 : 10);
 }
 
-// How wide the letter is: large enough to be seen beside all ways, centres and points.
+// How wide the letter is: large enough to be seen beside all ways, centres (there and back again) and points.
 double unit_for(const Motion& motion, const Points& points) {
   double reach = 0;
   const auto take = [&](Vec3 v) { reach = std::max({reach, std::abs(v.x), std::abs(v.y)}); };
-  for (const Factor& f : motion.factors) take(f.kind == Kind::translate ? f.by : f.centre);
+  for (const Factor& f : motion.factors) take(f.kind == Kind::translate ? f.by : 2 * f.centre);
   for (const Vec3& p : points) take(p);
-  return reach > 0 ? round_unit(0.16 * reach) : 1;
+  return reach > 1e-300 ? round_unit(0.18 * reach) : 1;
 }
 
 Points letter_f(double unit) {

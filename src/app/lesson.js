@@ -1,6 +1,6 @@
-'use strict';
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
+'use strict';
 (() => {
   const lesson = JSON.parse(document.getElementById('lesson').textContent);
   const {factors, unit, figure, points} = lesson;
@@ -11,9 +11,9 @@
   // ---- The algebra. A matrix [a b c d e f] takes (x, y) to (a x + c y + e, b x + d y + f).
 
   const identity = [1, 0, 0, 1, 0, 0];
-  const times = (m, n) => [
-    m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1], m[0] * n[2] + m[2] * n[3], m[1] * n[2] + m[3] * n[3],
-    m[0] * n[4] + m[2] * n[5] + m[4], m[1] * n[4] + m[3] * n[5] + m[5]];
+  const times = (m, n) =>
+      [m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1], m[0] * n[2] + m[2] * n[3], m[1] * n[2] + m[3] * n[3],
+       m[0] * n[4] + m[2] * n[5] + m[4], m[1] * n[4] + m[3] * n[5] + m[5]];
   const moved = (m, [x, y]) => [m[0] * x + m[2] * y + m[4], m[1] * x + m[3] * y + m[5]];
   const about = ([x, y], [a, b, c, d]) => [a, b, c, d, x - a * x - c * y, y - b * x - d * y];
 
@@ -37,15 +37,23 @@
     if (x === null || !Number.isFinite(x)) return '∞';
     const short = +x.toPrecision(digits);
     return (Math.abs(short) >= 1e6 || (short !== 0 && Math.abs(short) < 1e-4) ? short.toExponential() : String(short))
-      .replace(/-/g, '−').replace('e+', 'e');
+        .replace(/-/g, '−')
+        .replace('e+', 'e');
   };
   const place = ([x, y], digits) => `(${number(x, digits)}, ${number(y, digits)})`;
+  // As many digits at any time, so that they do not jump about; small figures have small numbers.
   const fixed = (x) => {
-    const digits = Math.abs(x) >= 1000 ? 1 : Math.abs(x) >= 100 ? 3 : 5;
-    return Math.abs(x) >= 1e7 ? number(x, 6) : (Math.abs(x) < 5e-7 ? 0 : x).toFixed(digits).replace('-', '−');
+    if (Math.abs(x) < 1e-7 * Math.min(1, unit)) x = 0;
+    if (Math.abs(x) >= 1e7 || (unit < 0.01 && x !== 0 && Math.abs(x) < 0.01)) return number(x, 5);
+    return x.toFixed(Math.abs(x) >= 1000 ? 1 : Math.abs(x) >= 100 ? 3 : 5).replace('-', '−');
   };
   // An error of floating point, as one says it.
-  const tiny = (x) => x === null ? 'lost' : x === 0 ? 'none' : x >= 0.01 ? number(x, 2) : x.toExponential(1).replace('-', '−');
+  const tiny = (x) => {
+    if (x === null) return 'lost';
+    if (x === 0) return 'none';
+    return x >= 0.01 ? number(x, 2) : x.toExponential(1).replace('-', '−');
+  };
+  const grouped = (n) => n.toLocaleString('en').replace(/,/g, '\u202f');
   const counted = (n, one, many) => `${n} ${n === 1 ? one : many}`;
 
   const way = ([x, y]) => {
@@ -58,30 +66,35 @@
     const size = Math.abs(turns), whole = Math.abs(size - Math.round(size)) < 1e-9;
     if (size === 0.5) return 'half a turn';
     if (size === 0.25) return 'a quarter of a turn';
-    if (whole && size > 0.5) return Math.round(size) === 1 ? 'one whole turn' : `${number(size)} whole turns`;
-    return size < 1 ? `by ${number(360 * size)}°` : `${number(size)} turns`;
+    if (whole && size > 0.5) return Math.round(size) === 1 ? 'one whole turn' : `${number(size, 12)} whole turns`;
+    return size < 1 ? `by ${number(360 * size)}°` : `${number(size, 8)} turns`;
   };
-  const growth = (g) => g === 1 ? 'as it is' : g === 0 ? 'nothing at all' : g === -1 ? 'its own mirror image' :
-    g < 0 ? `mirrored and ${number(-g)} times as large` : g === 2 ? 'twice as large' : g === 0.5 ? 'half as large' :
-    `${number(g)} times as large`;
+  const growth = (g) => {
+    const plain = {'-1': 'its own mirror image', '0': 'nothing at all', '0.5': 'half as large', '2': 'twice as large'};
+    return plain[g] || `${g < 0 ? 'mirrored and ' : ''}${number(Math.abs(g))} times as large`;
+  };
   const centreOf = (f) => f.about ? `${f.about}, here at ${place(f.centre)}` : place(f.centre);
   const described = (f) => {
     if (f.kind === 'T') return f.by[0] || f.by[1] ? `Moves everything ${way(f.by)}.` : 'Moves nothing.';
     if (f.kind === 'R') {
       if (f.turns === 0) return 'Turns nothing.';
-      return `Turns everything ${turning(f.turns)} about ${centreOf(f)}, ${f.turns > 0 ? 'counterclockwise' : 'clockwise'}.`;
+      const round = f.turns > 0 ? 'counterclockwise' : 'clockwise';
+      return `Turns everything ${turning(f.turns)} about ${centreOf(f)}, ${round}.`;
     }
     const [x, y] = f.by;
-    const what = x === 1 && y === 1 ? 'Leaves every size as it is' : x === y ? `Makes everything ${growth(x)}` :
-      y === 1 ? `Makes the width ${growth(x)}` : x === 1 ? `Makes the height ${growth(y)}` :
-      `Makes the width ${growth(x)} and the height ${growth(y)}`;
-    return `${what}. The centre ${centreOf(f)} stays. ` + (f.linear ?
-      'It grows by the same amount in every step (the linear law).' :
-      'It grows by the same factor in every step (the exponential law).');
+    let what = `Makes the width ${growth(x)} and the height ${growth(y)}`;
+    if (x === y) what = x === 1 ? 'Leaves every size as it is' : `Makes everything ${growth(x)}`;
+    else if (y === 1) what = `Makes the width ${growth(x)}`;
+    else if (x === 1) what = `Makes the height ${growth(y)}`;
+    return `${what}. The centre ${centreOf(f)} stays. `
+        + (f.linear ? 'It grows by the same amount in every step (the linear law).' :
+                      'It grows by the same factor in every step (the exponential law).');
   };
   // What of the factor is done by t.
   const partly = (f, t) => {
-    const at = f.kind === 'T' || (!f.centre[0] && !f.centre[1]) ? '' : ` @ ${f.about || f.centre.map((x) => number(x)).join(' ')}`;
+    let at = '';
+    if (f.about) at = ` @ ${f.about}`;
+    else if (f.centre && (f.centre[0] || f.centre[1])) at = ` @ ${f.centre.map((x) => number(x)).join(' ')}`;
     if (f.kind === 'T') return `T(${f.by.map((x) => number(t * x)).join(' ')})`;
     if (f.kind === 'R') return `R(${number(360 * t * f.turns)}°${at})`;
     const m = factorAt(f, t);
@@ -104,7 +117,8 @@
   const pictures = [];  // what is drawn anew when t changes
   const corners = figure.concat(points);
   const tip = figure[8], foot = figure[0];
-  const followed = [{p: tip, name: 'the top'}, {p: foot, name: 'the foot'}].concat(points.map((p) => ({p, name: place(p)})));
+  const followed =
+      [{p: tip, name: 'the top'}, {p: foot, name: 'the foot'}].concat(points.map((p) => ({p, name: place(p)})));
   const followedColour = (i) => i === 0 ? 'var(--accent)' : i === 1 ? 'var(--other)' : colour(i);
 
   // Enough of them that a quick turn looks round.
@@ -122,7 +136,7 @@
   };
 
   // A window on the plane: where places come to stand on the paper.
-  const view = (parent, places, label, wide = 640, shapes = [0.42, 0.8]) => {
+  const view = (parent, places, label, wide, shapes) => {
     let x0 = Infinity, x1 = -Infinity, y0 = Infinity, y1 = -Infinity;
     for (const [x, y] of places) x0 = Math.min(x0, x), x1 = Math.max(x1, x), y0 = Math.min(y0, y), y1 = Math.max(y1, y);
     const air = 0.08 * Math.max(x1 - x0, y1 - y0, unit);
@@ -130,9 +144,11 @@
     const shape = Math.min(shapes[1], Math.max(shapes[0], (y1 - y0) / (x1 - x0)));
     const high = Math.round(wide * shape), scale = Math.min(wide / (x1 - x0), high / (y1 - y0));
     const left = (x0 + x1) / 2 - wide / 2 / scale, top = (y0 + y1) / 2 + high / 2 / scale;
-    const svg = put(parent, 'svg', {class: 'picture', viewBox: `0 0 ${wide} ${high}`, role: 'img', 'aria-label': label});
+    const svg =
+        put(parent, 'svg', {class: 'picture', viewBox: `0 0 ${wide} ${high}`, role: 'img', 'aria-label': label});
     const on = ([x, y]) => [(x - left) * scale, (top - y) * scale];
-    const path = (ps, closed) => 'M' + ps.map((p) => on(p).map((v) => v.toFixed(1)).join(' ')).join('L') + (closed ? 'Z' : '');
+    const path = (ps, closed) =>
+        'M' + ps.map((p) => on(p).map((v) => v.toFixed(1)).join(' ')).join('L') + (closed ? 'Z' : '');
     const grid = put(svg, 'g', {'stroke-width': 1, fill: 'none', 'aria-hidden': true});
     const marks = put(svg, 'g', {'aria-hidden': true});
     const rows = Math.max(2, Math.round(8 * high / wide)), columns = 8;
@@ -149,48 +165,74 @@
     return {svg, on, path};
   };
 
-  const cross = (parent, stroke) => put(parent, 'path', {d: 'M-7 0H7M0 -7V7', stroke, 'stroke-width': 2, fill: 'none', 'stroke-linecap': 'round'});
+  const cross = (parent, stroke) =>
+      put(parent, 'path', {d: 'M-7 0H7M0 -7V7', stroke, 'stroke-width': 2, fill: 'none', 'stroke-linecap': 'round'});
   const stand = (element, [x, y]) => element.setAttribute('transform', `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
   const ghosts = [1, 2, 3, 4, 5, 6, 7, 8].map((k) => k / 8);
 
-  // at: the matrix of t. options: n samples; trails; crosses: {colour, at}; dashed paths of another way: {at, n}.
-  const draw = (parent, at, label, {n, crosses = [], other, wide, shapes, trails = followed}) => {
+  // at: the matrix of t. options: n samples; crosses: {colour, at}; dashed paths of another way: {at, n}.
+  const draw = (parent, at, label, {n, crosses = [], other, wide, shapes}) => {
     const way = sample(at, n);
     const poses = ghosts.map(at);
     const places = corners.slice();
-    for (const m of way) for (const p of trails) places.push(moved(m, p.p));
-    for (const m of poses) for (const p of corners) places.push(moved(m, p));
+    for (const m of way)
+      for (const p of followed) places.push(moved(m, p.p));
+    for (const m of poses)
+      for (const p of corners) places.push(moved(m, p));
     const otherWay = other ? sample(other.at, other.n) : [];
-    for (const m of otherWay) for (const p of corners) places.push(moved(m, p));
-    for (const c of crosses) for (let k = 0; k <= 32; ++k) places.push(c.at(k / 32));
+    for (const m of otherWay)
+      for (const p of corners) places.push(moved(m, p));
+    for (const c of crosses)
+      for (let k = 0; k <= 32; ++k) places.push(c.at(k / 32));
     const v = view(parent, places, label, wide, shapes);
     const ink = (name, attributes) => put(v.svg, name, {fill: 'none', 'stroke-linejoin': 'round', ...attributes});
     for (const m of poses)
       ink('path', {d: v.path(figure.map((p) => moved(m, p)), true), stroke: 'var(--soft)', 'stroke-opacity': 0.35});
     ink('path', {d: v.path(figure, true), stroke: 'var(--soft)', 'stroke-dasharray': '4 3', 'stroke-width': 1.2});
-    for (const c of crosses) if (c.n) ink('path', {d: v.path(sample(c.at, c.n)), stroke: c.colour, 'stroke-dasharray': '1 4', 'stroke-linecap': 'round', 'stroke-width': 1.6});
-    trails.forEach((p, i) => {
+    for (const c of crosses)
+      if (c.n)
+        ink('path', {
+          d: v.path(sample(c.at, c.n)),
+          stroke: c.colour,
+          'stroke-dasharray': '1 4',
+          'stroke-linecap': 'round',
+          'stroke-width': 1.6
+        });
+    followed.forEach((p, i) => {
       ink('path', {d: v.path(way.map((m) => moved(m, p.p))), stroke: followedColour(i), 'stroke-width': 2});
       if (other)
-        ink('path', {d: v.path(otherWay.map((m) => moved(m, p.p))), stroke: followedColour(i), 'stroke-width': 2, 'stroke-dasharray': '7 5'});
+        ink('path', {
+          d: v.path(otherWay.map((m) => moved(m, p.p))),
+          stroke: followedColour(i),
+          'stroke-width': 2,
+          'stroke-dasharray': '7 5'
+        });
     });
     const second = other && ink('path', {stroke: 'var(--ink)', 'stroke-dasharray': '5 3', 'stroke-width': 1.4});
     const shape = ink('path', {fill: 'var(--ink)', 'fill-opacity': 0.14, stroke: 'var(--ink)', 'stroke-width': 1.6});
-    const dots = trails.map((_, i) => put(v.svg, 'circle', {r: 4.5, fill: followedColour(i), stroke: 'var(--panel)', 'stroke-width': 1.5}));
+    const dots = followed.map(
+        (_, i) => put(v.svg, 'circle', {r: 4.5, fill: followedColour(i), stroke: 'var(--panel)', 'stroke-width': 1.5}));
     const marks = crosses.map((c) => cross(v.svg, c.colour));
     pictures.push((t) => {
       const m = at(t);
       shape.setAttribute('d', v.path(figure.map((p) => moved(m, p)), true));
       if (other) second.setAttribute('d', v.path(figure.map((p) => moved(other.at(t), p)), true));
-      dots.forEach((d, i) => stand(d, v.on(moved(m, trails[i].p))));
+      dots.forEach((d, i) => stand(d, v.on(moved(m, followed[i].p))));
       marks.forEach((c, i) => stand(c, v.on(crosses[i].at(t))));
     });
   };
 
   // A centre is carried by the factors on its left.
-  const carried = (some, first) => some.flatMap((f, i) => f.kind === 'T' ? [] : [{
-    colour: colour(first + i), n: i > 0 ? fine(some.slice(0, i)) : 0,
-    at: (t) => moved(product(some.slice(0, i), t), f.centre)}]);
+  const carried = (some, first) => {
+    const centres = [];
+    some.forEach((f, i) => {
+      if (f.kind === 'T') return;
+      const over = some.slice(0, i);
+      const at = (t) => moved(product(over, t), f.centre);
+      centres.push({colour: colour(first + i), n: i > 0 ? fine(over) : 0, at});
+    });
+    return centres;
+  };
 
   // ---- The whole motion
 
@@ -201,21 +243,29 @@
   } else {
     byId('string').textContent = 'a motion of no factors';
   }
-  byId('lead').textContent = count === 0 ? 'Nothing moves. Every method agrees.' : count === 1 ?
-    'A motion of one factor. T moves, R turns, S scales.' :
-    `A motion of ${count} factors. Read it from the right: ${factors[count - 1].text} comes first, ${factors[0].text} last. `
-    + 'Each factor also moves the centres of those on its right.';
+  const lead = () => {
+    if (count === 0) return 'Nothing moves. Every method agrees.';
+    if (count === 1) return 'A motion of one factor. T moves, R turns, S scales.';
+    const first = factors[count - 1].text, last = factors[0].text;
+    return `A motion of ${count} factors. Read it from the right: ${first} comes first, ${last} last. `
+        + 'Each factor also moves the centres of those on its right.';
+  };
+  byId('lead').textContent = lead();
 
-  draw(byId('stage'), motion, 'The figure at rest, on its way and at the end; the paths of its points', {
-    n: fine(factors), crosses: carried(factors, 0), wide: 760, shapes: [0.4, 0.85]});
+  draw(
+      byId('stage'), motion, 'The figure at rest, on its way and at the end; the paths of its points',
+      {n: fine(factors), crosses: carried(factors, 0), wide: 760, shapes: [0.4, 0.85]});
   const legend = byId('legend');
   const key = (parent, stroke, text, dashed) => {
     put(parent, 'span', {class: dashed ? 'key dashed' : 'key', style: `border-color: ${stroke}`});
     parent.append(text + ' ');
   };
-  followed.forEach((p, i) => key(legend, followedColour(i), `${p.name}${i < 2 ? ` of the figure, ${place(p.p)} at rest` : ''};`));
-  legend.append(factors.some((f) => f.kind !== 'T') ?
-    'crosses are centres, in the colours of their factors; dots show how they are carried. ' : '');
+  followed.forEach(
+      (p, i) => key(
+          legend, followedColour(i),
+          (i < 2 ? `${p.name} of the figure, ${place(p.p)} at rest` : p.name) + (i + 1 < followed.length ? ';' : '.')));
+  if (factors.some((f) => f.kind !== 'T'))
+    legend.append('Crosses are centres, in the colours of their factors; dots show how they are carried. ');
   legend.append('Thin letters: every eighth part of the motion.');
 
   const now = spans(byId('now'), factors.map(() => ''));
@@ -223,18 +273,24 @@
   const cells = [0, 1, 2].map(() => put(byId('matrix'), 'tr')).map((row) => [0, 1, 2].map(() => put(row, 'td')));
   pictures.push((t) => {
     const m = motion(t);
-    [[m[0], m[2], m[4]], [m[1], m[3], m[5]]].forEach((row, r) => row.forEach((x, c) => { cells[r][c].textContent = fixed(x); }));
-    ['0', '0', '1'].forEach((x, c) => { cells[2][c].textContent = x; });
-    now.forEach((s, i) => { s.textContent = partly(factors[i], t); });
+    [[m[0], m[2], m[4]], [m[1], m[3], m[5]]].forEach((row, r) => row.forEach((x, c) => {
+      cells[r][c].textContent = fixed(x);
+    }));
+    ['0', '0', '1'].forEach((x, c) => {
+      cells[2][c].textContent = x;
+    });
+    now.forEach((s, i) => {
+      s.textContent = partly(factors[i], t);
+    });
     byId('corner').textContent = `${place(tip)} → (${moved(m, tip).map(fixed).join(', ')})`;
   });
 
   // ---- One factor at a time
 
-  byId('factors-lead').textContent = count === 0 ? 'There are none. An empty string is the identity at every t.' :
-    count === 1 ? 'There is only one here.' :
-    'In the order in which they act on the figure, from the right of the string to its left. ' +
-    'Left: the factor alone. Right: the factor after all those before it.';
+  const order = 'In the order in which they act on the figure, from the right of the string to its left. '
+      + 'Left: the factor alone. Right: the factor after all those before it.';
+  byId('factors-lead').textContent =
+      ['There are none. An empty string is the identity at every t.', 'There is only one here.'][count] || order;
   for (let i = count - 1; i >= 0; --i) {
     const f = factors[i], card = put(byId('cards'), 'li');
     put(card, 'h3', {style: `color: ${colour(i)}`}, f.text);
@@ -242,12 +298,15 @@
     const pair = put(card, 'div', {class: 'pair'});
     const one = (some, first, caption) => {
       const box = put(pair, 'figure');
-      draw(box, (t) => product(some, t), `${caption}: ${some.map((s) => s.text).join(' ')}`,
-        {n: fine(some), crosses: carried(some, first), wide: 460, shapes: [0.5, 0.75]});
+      draw(
+          box, (t) => product(some, t), `${caption}: ${some.map((s) => s.text).join(' ')}`,
+          {n: fine(some), crosses: carried(some, first), wide: 460, shapes: [0.5, 0.75]});
       put(box, 'figcaption', {}, caption);
     };
     one([f], i, 'Alone');
-    if (i < count - 1) one(factors.slice(i), i, i === 0 ? 'After all the others: the whole motion' : `After ${counted(count - 1 - i, 'factor', 'factors')}`);
+    if (i < count - 1)
+      one(factors.slice(i), i,
+          i === 0 ? 'After all the others: the whole motion' : `After ${counted(count - 1 - i, 'factor', 'factors')}`);
   }
 
   // ---- Methods
@@ -257,8 +316,10 @@
     geometric: 'Points are pushed, grown and sheared where they are.',
     'geometric, linear law': 'The same for scalings by the linear law, for which the paper counts it.',
     differences: 'One constant matrix, times the points of the step before.',
-    best: 'The cheapest exact way that the string compiler finds.'};
-  byId('ways-caption').textContent = `Counted for this string and ${lesson.steps} steps; the best way is sought for ${lesson.countedFor} points.`;
+    best: 'The cheapest exact way that the string compiler finds.'
+  };
+  byId('ways-caption').textContent =
+      `Counted for this string and ${lesson.steps} steps; the best way is sought for ${lesson.countedFor} points.`;
   for (const w of lesson.ways) {
     const row = put(byId('ways'), 'tr', w.name === 'best' ? {class: 'best'} : {});
     put(put(row, 'th', {scope: 'row'}, w.name), 'small', {}, means[w.name]);
@@ -273,7 +334,7 @@
     };
     if (w.refused) {
       const why = put(row, 'td', {class: 'refused', colspan: w.printed ? 1 : 4}, `Refuses: ${w.refused}.`);
-      if (w.hint) put(why, 'small', {}, w.hint);
+      if (w.hint) put(why, 'small', {}, w.hint.replace(/`([^`]*)`/g, '“$1”'));
       if (!w.printed) continue;
       printed('step');
       cell('Before:', '–');
@@ -282,12 +343,16 @@
     }
     cell('Per step:', w.step, `each point: ${w.does}`);
     printed('step');
-    cell('Before:', w.before, w.functions ? `and ${counted(w.functions, 'sine or the like', 'sines and the like')}` : '');
+    cell(
+        'Before:', w.before,
+        w.functions ? `and ${counted(w.functions, 'sine or the like', 'sines and the like')}` : '');
     printed('before');
   }
   const able = lesson.ways.filter((w) => !w.refused);
-  const most = Math.max(1, ...lesson.ways.flatMap((w) => [w.operations || 0, w.printed && !w.refused ? w.printed.operations : 0]));
-  put(byId('bars'), 'p', {class: 'label'}, `Operations per step for ${lesson.countedFor} points. Dashed: as the paper prints.`);
+  const most = Math.max(
+      1, ...lesson.ways.flatMap((w) => [w.operations || 0, w.printed && !w.refused ? w.printed.operations : 0]));
+  put(byId('bars'), 'p', {class: 'label'},
+      `Operations per step for ${lesson.countedFor} points. Dashed: as the paper prints.`);
   for (const w of able) {
     const row = put(byId('bars'), 'div', w.name === 'best' ? {class: 'best'} : {});
     put(row, 'span', {}, w.name);
@@ -295,7 +360,7 @@
     const bar = (n, name) => {
       const b = put(bars, 'b', {class: name});
       put(b, 'span', {style: `width: ${(100 * n / most).toFixed(2)}%`});
-      put(b, 'em', {}, n.toLocaleString('en').replace(/,/g, '\u202f'));
+      put(b, 'em', {}, grouped(n));
     };
     bar(w.operations, 'ours');
     if (w.printed) bar(w.printed.operations, 'printed');
@@ -304,82 +369,87 @@
   // ---- Drift
 
   const drifting = able.filter((w) => w.f32.alone.length > 0);
-  byId('drift-lead').textContent = 'Who goes from step to step carries every rounding along. Here the whole motion is taken in '
-    + `${lesson.driftSteps.toLocaleString('en').replace(/,/g, '\u202f')} small steps, and the points of the figure are compared with the `
-    + 'closed form. Solid lines: left alone. Dashed lines: the closed form is taken anew every 256 steps, in f32 every 64. '
-    + 'f32 has about 7 decimal digits, f64 about 16. The last step always comes from the closed form, so the end is exact.';
-  const methodColour = (name) => `var(--m${['matrix', 'geometric', 'differences', 'best'].indexOf(name.split(',')[0])})`;
+  byId('drift-steps').textContent = grouped(lesson.driftSteps);
+  const rank = (name) => ['matrix', 'geometric', 'differences', 'best'].indexOf(name.split(',')[0]);
+  const methodColour = (name) => `var(--m${rank(name)})`;
+  const methodWidth = (name) => [4.5, 3.4, 2.4, 1.6][rank(name)];  // where lines meet, each is seen
   const driftPicture = (kind, low, high) => {
     const box = put(byId('drifts'), 'figure'), wide = 460, tall = 300, left = 52, right = 16, top = 16, below = 34;
-    const svg = put(box, 'svg', {class: 'picture', viewBox: `0 0 ${wide} ${tall}`, role: 'img',
-      'aria-label': `Largest distance so far in ${kind} against steps, both by powers of ten; the numbers are in the table below`});
+    const svg = put(box, 'svg', {
+      class: 'picture',
+      viewBox: `0 0 ${wide} ${tall}`,
+      role: 'img',
+      'aria-label':
+          `Largest distance so far in ${kind} against steps, both by powers of ten; the numbers are in the table below`
+    });
     const x = (step) => left + Math.log10(step) / Math.log10(lesson.driftSteps) * (wide - left - right);
-    const y = (d) => tall - below - (Math.log10(Math.min(Math.max(d, 10 ** low), 10 ** high)) - low) / (high - low) * (tall - top - below);
+    const y = (d) => tall - below
+        - (Math.log10(Math.min(Math.max(d, 10 ** low), 10 ** high)) - low) / (high - low) * (tall - top - below);
     for (let p = low; p <= high; p += 2) {
       put(svg, 'path', {d: `M${left} ${y(10 ** p)}H${wide - right}`, stroke: 'var(--grid)'});
-      put(svg, 'text', {x: left - 8, y: y(10 ** p) + 4, 'text-anchor': 'end'}, p === 0 ? '1' : `1e${p}`.replace('-', '−'));
+      put(svg, 'text', {x: left - 8, y: y(10 ** p) + 4, 'text-anchor': 'end'},
+          p === 0 ? '1' : `1e${p}`.replace('-', '−'));
     }
-    for (let s = 1; s <= lesson.driftSteps; s *= 10)
-      put(svg, 'text', {x: x(s), y: tall - 12, 'text-anchor': s === 1 ? 'start' : s === lesson.driftSteps ? 'end' : 'middle'}, s === 1 ? '1 step' : s >= 1000 ? `${s / 1000}k` : s);
+    for (let s = 1; s <= lesson.driftSteps; s *= 10) {
+      const anchor = s === 1 ? 'start' : s === lesson.driftSteps ? 'end' : 'middle';
+      const label = s === 1 ? '1 step' : s >= 1000 ? `${s / 1000}k` : s;
+      put(svg, 'text', {x: x(s), y: tall - 12, 'text-anchor': anchor}, label);
+    }
     const places = lesson.marks.map(x);
     for (const w of drifting)
       for (const how of ['renewed', 'alone'])
-        put(svg, 'path', {fill: 'none', stroke: methodColour(w.name), 'stroke-width': 2, 'stroke-linejoin': 'round',
+        put(svg, 'path', {
+          fill: 'none',
+          stroke: methodColour(w.name),
+          'stroke-width': methodWidth(w.name),
+          'stroke-linejoin': 'round',
           'stroke-dasharray': how === 'alone' ? 'none' : '3 4',
-          d: 'M' + w[kind][how].map((d, i) => `${places[i].toFixed(1)} ${y(d === null ? 10 ** high : d).toFixed(1)}`).join('L')});
+          d: 'M'
+              + w[kind][how]
+                    .map((d, i) => `${places[i].toFixed(1)} ${y(d === null ? 10 ** high : d).toFixed(1)}`)
+                    .join('L')
+        });
     const caption = put(box, 'figcaption', {}, `${kind}. `);
     for (const w of drifting) key(caption, methodColour(w.name), w.name);
   };
-  const all = drifting.flatMap((w) => ['f32', 'f64'].flatMap((k) => [...w[k].alone, ...w[k].renewed])).filter((d) => d > 0);
+  const all =
+      drifting.flatMap((w) => ['f32', 'f64'].flatMap((k) => [...w[k].alone, ...w[k].renewed])).filter((d) => d > 0);
   const even = (p) => 2 * Math.floor(p / 2);
-  const lowest = Math.min(-16, even(Math.log10(Math.min(1, ...all)))), highest = Math.max(0, even(Math.log10(Math.max(1, ...all))) + 2);
-  if (all.length > 0) {
-    driftPicture('f32', Math.max(lowest, -24), Math.min(highest, 12));
-    driftPicture('f64', Math.max(lowest, -24), Math.min(highest, 12));
-  } else {
-    byId('drift-lead').append(' For this string nothing is lost at all.');
-  }
+  const lowest = Math.min(-16, even(Math.log10(Math.min(1, ...all))));
+  const highest = Math.max(0, even(Math.log10(Math.max(1, ...all))) + 2);
+  if (all.length > 0)
+    for (const kind of ['f32', 'f64']) driftPicture(kind, Math.max(lowest, -24), Math.min(highest, 12));
+  byId('drift-none').hidden = all.length > 0;
+  const lost = drifting.some((w) => !(w.f32.alone.at(-1) <= 100 * w.f32.renewed.at(-1)));
+  byId('drift-why').hidden = !(lost && turnsOf(factors) > 0);
   for (const w of drifting) {
     const row = put(byId('losses'), 'tr', w.name === 'best' ? {class: 'best'} : {});
     put(row, 'th', {scope: 'row'}, w.name);
     for (const kind of ['f32', 'f64'])
       for (const how of ['alone', 'renewed'])
-        put(row, 'td', {class: 'number', 'data-label': `${kind}, ${how === 'alone' ? 'left alone' : how}:`}, tiny(w[kind][how].at(-1)));
+        put(row, 'td', {class: 'number', 'data-label': `${kind}, ${how === 'alone' ? 'left alone' : how}:`},
+            tiny(w[kind][how].at(-1)));
   }
 
   // ---- Other ways to the same end
 
-  const told = {
-    root: ['The root of the whole', 'Take the matrix of the whole motion and draw its N-th root: one constant matrix that, '
-      + 'taken N times, ends where the motion ends. That is what the method of differences needs. But the whole matrix does '
-      + 'not know which way it came: whole turns are lost, and the root takes a way of its own. So the method refuses.'],
-    scheme: ['The geometric scheme', 'For this row of its table the paper moves the points by equal pushes towards the end. '
-      + 'Start and end are right. In between the figure is elsewhere: a matrix and a push do not change places for free. '
-      + 'Both ways here scale by the linear law.'],
-    law: ['The two laws of scaling', 'Solid: every step scales by the same factor, as zooming does. Dashed: every step adds '
-      + 'the same amount, as CSS and SVG do. Both start and end alike.'],
-  };
-  const paths = lesson.paths;
-  const drawn = paths.filter((p) => p.frames);
-  byId('between-lead').textContent = paths.length === 0 ?
-    'For this string there is nothing to tell: every method that takes it follows the same path.' :
-    drawn.length === 0 ? '' : 'What starts and ends alike need not be alike on the way. Solid: the motion. Dashed: the other way.';
+  const paths = lesson.paths.filter((p) => p.frames);
+  byId('paths-none').hidden = lesson.paths.length > 0;
+  byId('paths-lead').hidden = paths.length === 0;
+  byId('no-root').hidden = paths.length === lesson.paths.length;
   const lookup = (frames) => (t) => {
     const at = t * (frames.length - 1), k = Math.min(frames.length - 2, Math.floor(at)), part = at - k;
     return frames[k].map((x, i) => x + part * (frames[k + 1][i] - x));
   };
   for (const p of paths) {
-    if (!p.frames) {
-      put(byId('paths'), 'p', {}, 'The matrix of the whole motion has no real N-th root for every N: no one constant matrix can make '
-        + 'its steps. The method of differences must refuse.');
-      continue;
-    }
     const box = put(byId('paths'), 'div', {class: 'path'}), picture = put(box, 'figure'), words = put(box, 'div');
-    draw(picture, (t) => product(factors, t, p.base === 'linear'), `${told[p.kind][0]}: the motion and the other way`, {
-      n: fine(factors), other: {at: lookup(p.frames), n: p.frames.length - 1}, wide: 560, shapes: [0.5, 0.9], trails: followed});
-    put(words, 'h3', {}, told[p.kind][0]);
-    put(words, 'p', {}, told[p.kind][1]);
-    put(words, 'p', {class: 'small'}, `The largest distance: ${number(p.gap, 3)}, at t = ${number(p.at, 3)}. The letter is ${number(1.5 * unit)} high.`);
+    words.append(byId(`path-${p.kind}`).content.cloneNode(true));
+    const other = {at: lookup(p.frames), n: p.frames.length - 1};
+    draw(
+        picture, (t) => product(factors, t, p.base === 'linear'), words.querySelector('h3').textContent,
+        {n: fine(factors), other, wide: 560, shapes: [0.5, 0.9]});
+    const most = `The largest distance: ${number(p.gap, 3)}, at t = ${number(p.at, 3)}.`;
+    put(words, 'p', {class: 'small'}, `${most} The letter is ${number(1.5 * unit)} high.`);
   }
 
   // ---- Now you
@@ -392,8 +462,9 @@
     return Math.max(...frame.map((x, i) => Math.abs(own[i] - x) / Math.max(1, Math.abs(x))));
   }));
   document.documentElement.dataset.apart = apart;
-  byId('checked').textContent = `This page works out A(t) by itself; at ${lesson.frames.length} moments it was compared with the `
-    + `program, and differs by ${apart === 0 ? 'nothing' : `at most ${tiny(apart)}`}.`;
+  byId('checked').textContent =
+      `This page works out A(t) by itself; at ${lesson.frames.length} moments it was compared with the ` +
+      `program, and differs by ${apart === 0 ? 'nothing' : `at most ${tiny(apart)}`}.`;
 
   // ---- Time
 
@@ -424,14 +495,19 @@
       if (playing !== from) return;
       if (before !== null) show(t + (time - before) / 1000 / seconds);
       before = time;
-      if (t < 1) requestAnimationFrame(tick);
-      else stop();
+      if (t < 1)
+        requestAnimationFrame(tick);
+      else
+        stop();
     };
     requestAnimationFrame(tick);
   };
   const toggle = () => playing ? stop() : start();
   play.addEventListener('click', toggle);
-  slider.addEventListener('input', () => { stop(); show(+slider.value); });
+  slider.addEventListener('input', () => {
+    stop();
+    show(+slider.value);
+  });
   slider.addEventListener('change', () => history.replaceState(null, '', `#t=${t.toFixed(3)}`));
   document.addEventListener('keydown', (e) => {
     if (e.key !== ' ' || e.target === play || e.ctrlKey || e.metaKey || e.altKey) return;
@@ -440,7 +516,11 @@
   });
   const fromAddress = () => {
     const asked = /^#t=([0-9.]+)$/.exec(location.hash);
-    if (asked && Number.isFinite(+asked[1])) { stop(); show(+asked[1]); return true; }
+    if (asked && Number.isFinite(+asked[1])) {
+      stop();
+      show(+asked[1]);
+      return true;
+    }
     return false;
   };
   addEventListener('hashchange', fromAddress);
