@@ -288,7 +288,7 @@
   // ---- One factor at a time
 
   const order = 'In the order in which they act on the figure, from the right of the string to its left. '
-      + 'Left: the factor alone. Right: the factor after all those before it.';
+      + 'Each is shown alone first, and then after all those before it.';
   byId('factors-lead').textContent =
       ['There are none. An empty string is the identity at every t.', 'There is only one here.'][count] || order;
   for (let i = count - 1; i >= 0; --i) {
