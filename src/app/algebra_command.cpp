@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/command.h"
+#include "app/lesson.h"
 #include "betwixt/algebra.h"
 #include "language/json.h"
 #include "language/values.h"
@@ -16,10 +17,10 @@ namespace betwixt {
 namespace {
 
 struct Call {
-  std::string motion, points = "1,0", method;
+  std::string motion, points = "1,0", method, lesson;
   std::vector<std::string> at;
   std::int64_t steps = 24;
-  bool count = false, json = false, inverse = false, css = false;
+  bool count = false, json = false, inverse = false, css = false, pointed = false;
 };
 
 constexpr Method methods[] = {Method::matrix, Method::geometric, Method::differences, Method::best};
@@ -211,6 +212,13 @@ int algebra(const Call& call) {
   if (!motion) return complain(motion.error(), wrong_input);
   asked->motion = *std::move(motion);
   if (const Status fine = check(asked->motion); !fine) return complain(fine.error(), wrong_input);
+  if (!call.lesson.empty()) {
+    LessonOptions options{call.steps, {}};
+    if (call.pointed)
+      for (const Point& p : asked->points) options.points.push_back(p.at);
+    const Status done = write_lesson(call.lesson, asked->motion, options);
+    return done ? static_cast<int>(all_done) : complain(done.error(), wrong_input);
+  }
   if (!is_planar(asked->motion))
     for (Point& p : asked->points) p.numbers = 3;
   if (call.inverse && !call.json) fmt::print("{}\n", to_string(asked->motion));
@@ -276,10 +284,14 @@ void add_algebra(CLI::App& app, int& exit_code) {
   sub->add_flag("--count", call->count, "operations per step, as the source prints them and as they are");
   sub->add_flag("--css", call->css,
                 "MOTION is a list of CSS transforms, in pixels: \"translate(10px, 0) rotate(90deg)\"");
+  sub->add_option("--lesson", call->lesson, "writes a page that teaches the string")->type_name("OUT.html");
   sub->add_flag("--inverse", call->inverse, "the motion that undoes this one");
   sub->add_flag("--json", call->json, "one JSON object");
   sub->footer("Example:\n  betwixt algebra \"T(6.28 0) R(-1turn @ 0 1)\" --steps 12 --points \"0,0 0,2\" --count");
-  sub->callback([call, &exit_code] { exit_code = algebra(*call); });
+  sub->callback([call, sub, &exit_code] {
+    call->pointed = sub->count("--points") > 0;
+    exit_code = algebra(*call);
+  });
 }
 
 }  // namespace betwixt
