@@ -3,15 +3,16 @@
 _betwixt() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]} words
   if [ "$COMP_CWORD" = 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W 'play render frame eval plot check tidy contacts serve shell help --help --version' -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W 'play render frame eval plot check tidy algebra contacts serve shell help --help --version' -- "$current")
     return
   fi
   case $previous in
     --style) words='shaded wireframe hidden-line' ;;
     --samples) words='1 4 9 16' ;;
     --size) words='320x180 640x360 960x540 1280x720 1920x1080 3840x2160' ;;
-    --at | --frames | --jobs | --listen) return ;;
-    -o | --output | --record)
+    --at | --frames | --jobs | --listen | --steps | --points) return ;;
+    --method) words='matrix geometric differences best' ;;
+    -o | --output | --record | --lesson)
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
       ;;
@@ -24,6 +25,7 @@ _betwixt() {
       eval) words='--at --json' ;;
       plot) words='-o --output --frames' ;;
       tidy) words='--write' ;;
+      algebra) words='--steps --at --points --method --count --css --lesson --inverse --json' ;;
       contacts) words='--frames --swept --related' ;;
       serve) words='--socket --tcp --anywhere --token-file --to --rate --size --style --samples --class --sweep --wait --latency --save --overwrite --hosts --ceiling' ;;
       shell) words='--recover --discard' ;;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-set -l commands play render frame eval plot check tidy contacts serve shell help
+set -l commands play render frame eval plot check tidy algebra contacts serve shell help
 complete -c betwixt -f
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a play -d 'play a film'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a render -d 'make a film'
@@ -8,6 +8,7 @@ complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a frame -d '
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a eval -d 'print values at times'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a plot -d 'draw values against time'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a check -d 'report errors and warnings'
+complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a algebra -d 'the frames of a string of T, R and S, and what they cost'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a contacts -d 'print what touches and what leaves the view'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a serve -d 'show a document that other programs change while it runs'
 complete -c betwixt -n "not __fish_seen_subcommand_from $commands" -a tidy -d 'print a script in its canonical form'
@@ -33,10 +34,17 @@ complete -c betwixt -n '__fish_seen_subcommand_from play' -l listen -x -d 'dials
 complete -c betwixt -n '__fish_seen_subcommand_from play' -l record -r -F -d 'write what came in'
 complete -c betwixt -n '__fish_seen_subcommand_from play' -l overwrite -d '--record may replace a file'
 complete -c betwixt -n '__fish_seen_subcommand_from play' -l terminal -d 'play in the terminal'
-complete -c betwixt -n '__fish_seen_subcommand_from eval' -l json -d 'print JSON'
+complete -c betwixt -n '__fish_seen_subcommand_from eval algebra' -l json -d 'print JSON'
 complete -c betwixt -n '__fish_seen_subcommand_from tidy' -l write -d 'write the script back'
 complete -c betwixt -n '__fish_seen_subcommand_from shell' -l recover -d 'do again what was not saved'
 complete -c betwixt -n '__fish_seen_subcommand_from shell' -l discard -d 'throw away what was not saved'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l steps -x -d 'how many steps lead to the end'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l points -x -d 'what is moved'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l method -x -a 'matrix geometric differences best' -d 'how it goes from step to step'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l count -d 'operations per step'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l css -d 'the motion is a list of CSS transforms'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l lesson -r -F -d 'write a page that teaches the string'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l inverse -d 'the motion that undoes this one'
 complete -c betwixt -n '__fish_seen_subcommand_from contacts' -l swept -d 'what touches between two ticks too'
 complete -c betwixt -n '__fish_seen_subcommand_from serve' -l socket -r -F -d 'hosts come in there'
 complete -c betwixt -n '__fish_seen_subcommand_from serve' -l tcp -x -d 'hosts come in there, with a token'
