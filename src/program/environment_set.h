@@ -22,7 +22,7 @@
 
 #include "betwixt/math.h"
 #include "program/environment_kernels.h"
-#include "program/large_pages.h"
+#include "base/large_pages.h"
 #include "scene/environment.h"
 
 namespace betwixt {
