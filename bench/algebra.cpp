@@ -309,8 +309,9 @@ int main(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
   if (what != "drift") speeds(argc > 2 ? argv[2] : "");
   if (what == "speed") return 0;
-  fmt::print("\nlargest distance of points on the unit circle from where they are, {} a step\n{:40}    {:>10}{:>10}{:>10}\n", theta,
-             "", "1e3 steps", "1e5", "1e7");
+  fmt::print(
+      "\nlargest distance of points on the unit circle from where they are, {} a step\n{:40}    {:>10}{:>10}{:>10}\n",
+      theta, "", "1e3 steps", "1e5", "1e7");
   drift<float>();
   drift<double>();
 }
