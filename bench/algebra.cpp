@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "algebra/stepper.h"
-#include "copies.h"
+#include "kernel_copies.h"
 
 using namespace betwixt;
 using namespace betwixt::algebra;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "copies.h"
+#include "kernel_copies.h"
 
 #include <thread>
 #include <vector>
@@ -8,7 +8,7 @@
 // This file is compiled once for each kind of machine.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "copies.cpp"
+#define HWY_TARGET_INCLUDE "kernel_copies.cpp"
 #include <hwy/foreach_target.h>
 //
 #include <hwy/highway.h>
