@@ -104,9 +104,10 @@ bool whole_lines(const Arrays<Number>& a) {
 }
 
 template <class Number>
-void step_threaded(Kernel kernel, const Arrays<Number>& a, const Number* inputs) {
+void step_threaded(Kernel kernel, const Arrays<Number>& a, const Number* inputs, unsigned most_threads) {
   const bool through = a.count * 4 * sizeof(Number) > cache && whole_lines(a);
-  const std::size_t most = std::max(1u, std::thread::hardware_concurrency());
+  static const unsigned machine = std::max(1u, std::thread::hardware_concurrency());  // asking takes a microsecond
+  const std::size_t most = most_threads > 0 ? std::min(most_threads, machine) : machine;
   const std::size_t threads = std::clamp<std::size_t>(a.count / thread_share, 1, most);
   constexpr std::size_t grain = line / sizeof(Number);
   const auto bound = [&](std::size_t i) { return i == threads ? a.count : a.count / threads * i / grain * grain; };
@@ -119,8 +120,12 @@ void step_threaded(Kernel kernel, const Arrays<Number>& a, const Number* inputs)
 
 }  // namespace
 
-void step_all(Kernel kernel, const Arrays<float>& a, const float* inputs) { step_threaded(kernel, a, inputs); }
-void step_all(Kernel kernel, const Arrays<double>& a, const double* inputs) { step_threaded(kernel, a, inputs); }
+void step_all(Kernel kernel, const Arrays<float>& a, const float* inputs, unsigned most_threads) {
+  step_threaded(kernel, a, inputs, most_threads);
+}
+void step_all(Kernel kernel, const Arrays<double>& a, const double* inputs, unsigned most_threads) {
+  step_threaded(kernel, a, inputs, most_threads);
+}
 
 namespace counting {
 #define BETWIXT_INLINE inline

@@ -107,9 +107,10 @@ Arrays<Number> part(const Arrays<Number>& a, std::size_t from, std::size_t to) {
 
 // One point after the other.
 void step_plainly(Kernel, const Arrays<Counted>&, const Counted* inputs);
-// By vectors, and on several threads where the points are many. The same bits as above.
-void step_all(Kernel, const Arrays<float>&, const float* inputs);
-void step_all(Kernel, const Arrays<double>&, const double* inputs);
+// By vectors, and on several threads where the points are many, but on no more than `most_threads`; 0: as many as the
+// machine has. The same bits as above.
+void step_all(Kernel, const Arrays<float>&, const float* inputs, unsigned most_threads = 0);
+void step_all(Kernel, const Arrays<double>&, const double* inputs, unsigned most_threads = 0);
 
 // Operations (products, sums) per step and point, counted by doing one.
 int operations_per_point(Kernel);

@@ -268,7 +268,7 @@ void Stepper<Number>::run(Kernel kernel) {
   if constexpr (std::is_same_v<Number, Counted>)
     step_plainly(kernel, arrays(), inputs_.data());
   else
-    step_all(kernel, arrays(), inputs_.data());
+    step_all(kernel, arrays(), inputs_.data(), threads_);
 }
 
 template class Stepper<float>;

@@ -4,28 +4,16 @@
 // Runs a plan: points from frame to frame, in f32, in f64 or in numbers that count.
 #pragma once
 
-#include <new>
 #include <span>
 #include <vector>
 
 #include "algebra/plan.h"
+#include "base/large_pages.h"
 
 namespace betwixt::algebra {
 
-// Arrays that begin with a line of the cache.
 template <class T>
-struct LineAllocator {
-  using value_type = T;
-  static constexpr std::align_val_t line{64};
-  LineAllocator() = default;
-  template <class U>
-  LineAllocator(const LineAllocator<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
-  friend bool operator==(LineAllocator, LineAllocator) { return true; }
-};
-template <class T>
-using Line = std::vector<T, LineAllocator<T>>;
+using Line = std::vector<T, LargePages<T>>;
 
 // What plans for these numbers are made of: constants are worked out in f64.
 template <class Number>
@@ -49,6 +37,7 @@ class Stepper {
   void step();
   // After so many steps the closed form is taken anew: 256, in f32 64; 0 for never.
   void renew_every(int steps) { renew_ = steps; }
+  void use_threads(unsigned most) { threads_ = most; }  // 0: as many as the machine has
   std::span<const Number> x() const { return {drawn_x(), rest_x_.size()}; }
   std::span<const Number> y() const { return {drawn_y(), rest_x_.size()}; }
 
@@ -73,6 +62,7 @@ class Stepper {
   std::vector<Number> p_, q_;  // of the registers
   std::int64_t k_ = 0;
   int renew_ = 256, since_ = 0;
+  unsigned threads_ = 0;
   bool placed_ = false;
 };
 

@@ -20,9 +20,9 @@
 #include <span>
 #include <vector>
 
+#include "base/large_pages.h"
 #include "betwixt/math.h"
 #include "program/environment_kernels.h"
-#include "program/large_pages.h"
 #include "scene/environment.h"
 
 namespace betwixt {

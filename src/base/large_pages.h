@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Memory for large arrays that are gone through from end to end. In pages of 2 MiB, where the system has them, the
-// processor looks up far fewer addresses: reading is twice as fast.
+// Memory for arrays that are gone through from end to end. In pages of 2 MiB, where the system has them, the processor
+// looks up far fewer addresses: reading is twice as fast. Smaller arrays begin with a small page: of arrays that begin
+// alike, the same places of all lie alike, and what is read ahead in one is not taken for what was just written in
+// another (processors compare the last 12 bits of addresses first). The smallest begin with a line of the cache.
 #pragma once
 
 #include <sys/mman.h>
@@ -37,7 +39,9 @@ struct LargePages {
     return bytes < page ? bytes : (bytes + page - 1) / page * page;
   }
   static std::align_val_t alignment(std::size_t n) {
-    return std::align_val_t{n * sizeof(T) < page ? alignof(T) : page};
+    constexpr std::size_t line = 64, small_page = 4096;
+    const std::size_t bytes = n * sizeof(T);
+    return std::align_val_t{bytes < small_page ? line : bytes < page ? small_page : page};
   }
 };
 
