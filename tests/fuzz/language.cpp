@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any text at all: it loads, is tidied, compiles and gives frames without a crash; what tidy returns means the same.
+// Any text at all: as a motion, and as a script, which loads, is tidied, compiles and gives frames without a crash;
+// what tidy returns means the same.
 #include "betwixt/language.h"
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "betwixt/algebra.h"
 #include "betwixt/program.h"
 
 using namespace betwixt;
@@ -19,8 +21,30 @@ static void insist(bool holds, const char* what) {
   std::abort();
 }
 
+// A motion is written so that it reads back the same, and has frames and counts.
+static void motion(std::string_view text) {
+  for (const auto& read : {parse_motion(text), from_css(text)}) {
+    if (!read) {
+      insist(!read.error().message.empty() && read.error().place.column > 0, "an error has words and a place");
+      continue;
+    }
+    const auto again = parse_motion(to_string(*read));
+    insist(again && *again == *read, "a written motion reads back the same");
+    at(*read, 0.3);
+    if (read->factors.size() > 12 || !check(*read)) continue;
+    for (const Method m : {Method::matrix, Method::geometric, Method::differences, Method::best}) {
+      const double x = 1, y = -2;
+      auto steps = Steps<double>::make(*read, 3, m, {&x, 1}, {&y, 1});
+      if (!steps) continue;
+      steps->step(), steps->seek(-1), steps->seek(2), steps->step();
+      count_operations(*read, 3, m, 10);
+    }
+  }
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
+  motion(text);
   const Loaded loaded = load_text(text, "fuzz.bx");
   for (const Diagnostic& d : loaded.diagnostics) insist(!to_string(d).empty(), "a diagnostic has words");
 

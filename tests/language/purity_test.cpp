@@ -46,7 +46,7 @@ class Film {
   std::string line() {
     const int i = below(5);
     const int to = i > 0 ? below(i) : 4;  // upwards, but for one that may close a circle and be refused
-    switch (below(17)) {
+    switch (below(18)) {
       case 0:
         return fmt::format("at {}f o{}.position.velocity {}\n", frame(), i, vector());
       case 1:
@@ -87,6 +87,9 @@ class Film {
       case 15:
         return fmt::format("at {}t animate spin every {}t by rotate({}deg, z) translate(0 0.1 0)\n", below(90),
                            1 + below(4), below(90));
+      case 16:
+        return fmt::format("at 8f..{}f o{}.motion T{} R({}deg @ o{} axis 1 2 3) S(1.1 0.9 @ {} 0) ease-out=4f\n",
+                           10 + below(50), i, vector(), below(900), below(5), number());
       default:
         return fmt::format("at {}f o{}.color.r.velocity 0.25\n", frame(), i);
     }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "language/script.h"
@@ -132,7 +133,7 @@ class Author {
   }
   void command() {
     const std::string o = object();
-    switch (below(14)) {
+    switch (below(16)) {
       case 0:
         return sheet(
             o + ".position", [this] { return vector(); }, true);
@@ -171,11 +172,37 @@ class Author {
         return say(fmt::format("scale {}.position 1f..30f (1 -1 0.5)", o));
       case 12:
         return say(fmt::format("at {} {} {}", time(), pick({"show", "hide"}), o));
+      case 13:
+        return motions(o);
+      case 14:
+        return say(fmt::format(fmt::runtime(pick({"move {}.motion 1f..30f by 7f", "stretch {}.motion 1f..30f by 1.5",
+                                                  "copy {}.motion 1f..30f to 60f", "clear {}.motion 5f..15f"})),
+                               o));
       default:
         return say(fmt::format("stretch {}.position 1f..30f by 1.5", o));
     }
   }
 
+  // Segments one after the other, some touching; an object's motions are written once.
+  void motions(const std::string& o) {
+    if (o == "some" || !moved_.insert(o).second) return;
+    say(o + ".motion");
+    int at = 1 + below(5);
+    for (int i = 1 + below(3); i > 0; --i) {
+      const int end = at + 1 + below(20);
+      std::string row = fmt::format("  {}f..{}f", at, end);
+      for (int k = 1 + below(3); k > 0; --k)
+        row += " " + pick({"T(1 2.5)", "T(0.1 0 -3)", "R(90deg)", "R(-2.5turn @ o1)", "R(1rad @ 1 2 3 axis 0 1 1)",
+                           "S(2)", "S(0.3 7 @ 1 -1)", "S(-1 0 1 @ o0 linear)"});
+      if (chance(3)) row += " " + pick({"smooth", "hold", "bezier(0.1 0 0.2 1)"});
+      if (chance(3)) row += " ease-out=2f";
+      if (chance(3)) row += " ease-in=3f";
+      say(row);
+      at = end + (chance(2) ? 0 : below(5));
+    }
+  }
+
+  std::set<std::string> moved_;
   std::mt19937_64 random_;
   std::string out_;
 };
