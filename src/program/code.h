@@ -249,6 +249,9 @@ Result<Value> fit(const Value&, Type, const Scene&);
 Vec3 to_angles(Quat);
 Value example_of(Type);  // some value of the type: where only code gives one and it does not
 
+// The motions of all nodes, whose attachments are known.
+void compile_motions(Program::Compiled&);
+
 inline Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
 
 std::optional<Mat4> inverse(const Mat4& affine);  // none where it is singular

@@ -392,68 +392,6 @@ struct Compiler {
     hands();
   }
 
-  // What was let go is looked at here without motions, and again with them: nothing of it is kept.
-  void motions() {
-    const std::vector<Frozen> asleep = code.frozen;
-    for (std::uint32_t i = 0; i < code.nodes.size(); ++i)
-      if (const Slot* slot = scene.objects[code.nodes[i].object].find(fn::motion); slot && !slot->track->events.empty())
-        moving(i, *slot->track);
-    code.frozen = asleep;
-    for (std::uint32_t i = 0; i < code.nodes.size(); ++i)
-      code.nodes[i].moving = moving_of.contains(i) ? moving_of[i] : -1;
-  }
-
-  // Each event counts how many motions are done by then; in between, a curve says how much of the next.
-  void moving(std::uint32_t node, const Track& track) {
-    Moving made;
-    Track progress = track;
-    progress.events = {};
-    Mat4 before;
-    const auto count = static_cast<double>(track.events.size());
-    double done = 0, at = 0;
-    bool open = false;
-    track.events.each([&](const Event& e) {
-      ++at;
-      Event p = e;
-      if (open) ++done, before = betwixt::at(made.pieces.back().motion, 1) * before;
-      p.value = done;
-      if (e.keep) return progress.events.put(std::move(p)), void();
-      const auto* moves = std::get_if<Moves>(&e.value);
-      open = moves && !(*moves)->factors.empty() && at < count;
-      if (p.twerper == Twerper::unset) p.twerper = Twerper::linear;
-      if (p.detail) p.detail.edit().before.reset();
-      progress.events.put(std::move(p));
-      if (open) made.pieces.push_back({placed_centres(node, **moves, e.time), before});
-    });
-    if (made.pieces.empty()) return;
-    made.progress = code.set.add(progress, Type::scalar);
-    moving_of[node] = static_cast<std::int32_t>(code.movings.size());
-    code.movings.push_back(std::move(made));
-  }
-  std::map<std::uint32_t, std::int32_t> moving_of{};
-
-  // A centre that is an object: where its tracks put it as the motion begins, seen from where the moved one's are.
-  Motion placed_centres(std::uint32_t node, Motion motion, Time t) {
-    for (Factor& f : motion.factors) {
-      if (f.about.empty()) continue;
-      const ObjectId id = scene.names.find(f.about);
-      f.about.clear();
-      if (!id || code.node_of[id.index] == ObjectId::nothing) continue;
-      Asking asking;
-      asking.at_rest = true;
-      const Vec3 place = translation_of(code.placement(code.node_of[id.index], t, asking).world);
-      const Node& n = code.nodes[node];
-      const Hand* hand = code.hand(n, t);
-      f.centre = place;
-      if (!hand || hand->hold < Hold::hang) continue;
-      const Mat4 parent = code.placement(static_cast<std::uint32_t>(hand->parent), t, asking).world;
-      double attach[4] = {};
-      code.evaluate(code.find(n.object, fn::attach_position), t, asking, attach);
-      if (const auto back = inverse(parent)) f.centre = transform_point(*back, place) - vec3(attach);
-    }
-    return motion;
-  }
-
   // Attachments in the order of time, over all objects: one that would close a circle with those in force then is left
   // out (R-H6). At one time, what lets go does so before anything takes hold.
   void hands() {
@@ -513,7 +451,7 @@ struct Compiler {
       ++n.hands;
       code.hands.push_back(hand);
     }
-    motions();
+    compile_motions(code);
     for (const std::int32_t f : in_time) {
       Asking asking;
       code.thaw(f, asking);

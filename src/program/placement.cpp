@@ -100,6 +100,22 @@ Said said_by(const Node& n, const double* numbers) {
           {}};
 }
 
+// The same of one node alone.
+Said said_at(const Program::Compiled& code, const Node& n, Time t, Asking& asking) {
+  double x[4] = {};
+  const auto numbers = [&](FunctionId f) {
+    code.evaluate(code.find(n.object, f), t, asking, x);
+    return vec3(x);
+  };
+  Said said;
+  numbers(fn::rotation);
+  said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
+  said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
+  said.attach = numbers(fn::attach_position);
+  said.own = code.driven(n, t, asking), said.motion = code.moved(n, t, asking);
+  return said;
+}
+
 }  // namespace
 
 const Hand* Program::Compiled::hand(const Node& n, Time t) const {
@@ -117,16 +133,7 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   const Hand& now = hands[n.first_hand + static_cast<std::uint32_t>(f.hand)];
   const Hand* before = f.hand > 0 ? &now - 1 : nullptr;
   const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
-  const auto numbers = [&](FunctionId function, double* out) {
-    evaluate(find(n.object, function), t, asking, out);
-    return vec3(out);
-  };
-  double r[4] = {}, x[4] = {};
-  Said said;
-  numbers(fn::rotation, r);
-  said.turn = n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r));
-  said.scale = numbers(fn::scale, x), said.pivot = numbers(fn::pivot, x), said.position = numbers(fn::position, x);
-  said.attach = numbers(fn::attach_position, x), said.own = driven(n, t, asking), said.motion = moved(n, t, asking);
+  const Said said = said_at(*this, n, t, asking);
   const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
   if (kept) thaw(before->frozen, asking);
   Sited old_parent;
@@ -200,19 +207,6 @@ std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& ask
     if (const Value v = value(find(n.object, fn::transform), t, asking); const auto* own = std::get_if<Matrix>(&v))
       m = m * **own;
   return m;
-}
-
-// M = A_k(u) ... A_1(1), u of piece k done: the motions act where the position is.
-std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t, const Asking& asking) const {
-  if (n.moving < 0 || asking.at_rest) return std::nullopt;
-  const Moving& m = movings[static_cast<std::size_t>(n.moving)];
-  double done = 0;
-  set.evaluate(m.progress, t, &done);
-  const auto k = static_cast<std::size_t>(std::clamp(std::floor(done), 0.0, static_cast<double>(m.pieces.size() - 1)));
-  const Moving::Piece& piece = m.pieces[k];
-  Mat4 whole = betwixt::at(piece.motion, done - static_cast<double>(k)) * piece.before;
-  for (double& x : whole.m) x = std::isfinite(x) ? std::clamp(x, -1e18, 1e18) : 0;
-  return whole;
 }
 
 // Where all nodes are. For each one up to the root and, unwinding, down again; nothing is worked out twice (G85, G86).
@@ -304,16 +298,7 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
     const Node& n = nodes[chain.back()];
     const Hand* h = hand(n, t);
     if (h && h->frozen >= 0) thaw(h->frozen, asking);
-    double x[4] = {};
-    const auto numbers = [&](FunctionId f) {
-      evaluate(find(n.object, f), t, asking, x);
-      return vec3(x);
-    };
-    Said said;
-    numbers(fn::rotation);
-    said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
-    said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
-    said.attach = numbers(fn::attach_position), said.own = driven(n, t, asking), said.motion = moved(n, t, asking);
+    const Said said = said_at(*this, n, t, asking);
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     const bool held = h && h->hold >= Hold::hang;
     if (!held) placed.around = f && f->held ? f->around : Mat4{};
@@ -341,8 +326,9 @@ Bearing Program::bearing(ObjectId object, Time t) const {
     b.carries = b.carries * linear_part(f.before);
   }
   b.carries = around * b.carries;
+  if (const auto motion = code.moved(n, t, asking)) b.carries = b.carries * linear_part(*motion);
   // Its track says how fast it goes; what carries it, or carried it up to now, is looked at as it goes by.
-  if (held || (h && h->from == t)) {
+  if (held || (h && h->from == t) || n.moving >= 0) {
     constexpr Time look{flicks_per_second / 2000};
     b.speed = 1000 * (3.0 * b.place - 4.0 * place(t - look) + place(t - look - look));
   } else {

@@ -141,6 +141,17 @@ TEST(Motions, GoThroughSpace) {
   expect_place(s, "a", "6f", {g * c, 0, 2 - g * c});
 }
 
+// What falls after a motion goes on as fast as that was, and down, however it has been turned.
+TEST(Motions, MayEndInAFall) {
+  const Script s(
+      "rate 24\ncreate a sphere position=(0 5 0)\nat 1f..25f a.motion T(6 0) R(90deg @ a)\nat 25f fall a ground=0\n");
+  expect_place(s, "a", "25f", {6, 5, 0});
+  const Vec3 later = place(s, "a", "37f");
+  EXPECT_NEAR(later.x, 9, 1e-6);
+  EXPECT_NEAR(later.y, 5 - 0.5 * 9.81 * 0.25, 1e-6);
+  EXPECT_NEAR(later.z, 0, 1e-9);
+}
+
 TEST(Motions, AreReadAndWrittenAndKeepTheirNames) {
   const Loaded first = read(
       "rate 24\ncreate sun sphere\ncreate a sphere\na.motion\n  1f..24f T(6.28 0) R(-1turn @ 0 1) ease-in=4f\n"
