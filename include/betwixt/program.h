@@ -38,6 +38,8 @@ class Program {
   std::vector<Target> reads(const Target&, Time) const;
 
   Bearing bearing(ObjectId, Time) const;
+  // The motions of an object in the order of time, their centres as places.
+  std::vector<Motion> motions(ObjectId) const;
   // The first time after `t` at which a frame may differ from the one at `t`: `t` itself while something goes on
   // moving, none if nothing ever will. Until then nothing need be evaluated or drawn.
   std::optional<Time> next_change(Time t) const;

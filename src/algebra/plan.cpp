@@ -135,8 +135,8 @@ class Horner {
   Horner(Builder<Number>& make, std::int64_t steps) : make_(make), steps_(static_cast<double>(steps)) {}
 
   void add(const Offset<Number>& d) {
-    add(Term<Number>{false, d.x, d.y});
-    add(Term<Number>{true, d.drift_x, d.drift_y});
+    merge(Term<Number>{false, d.x, d.y});
+    merge(Term<Number>{true, d.drift_x, d.drift_y});
   }
   void multiply(const Block& b, bool collapse) {
     std::vector<Term<Number>> through, stuck;
@@ -148,19 +148,21 @@ class Horner {
     }
     for (Term<Number>& t : through) {
       if (b.linear) {
-        add(t);
-        add(Term<Number>{true, t.x * slope(b.slope_x), t.y * slope(b.slope_y)});
+        const Number x = t.x * slope(b.slope_x), y = t.y * slope(b.slope_y);
+        terms_.push_back(t);
+        terms_.push_back({true, x, y});
         continue;
       }
+      // Those that differed before differ now.
       t.turns += b.turns, t.log_x += b.log_x, t.log_y += b.log_y;
-      add(t);
+      terms_.push_back(t);
     }
   }
   Pair result() { return worked_out(terms_); }
 
  private:
   Number slope(double whole) { return Number(whole) / Number(steps_); }
-  void add(const Term<Number>& t) {
+  void merge(const Term<Number>& t) {
     if (t.x == Number(0) && t.y == Number(0)) return;
     for (Term<Number>& o : terms_)
       if (o.like(t)) {

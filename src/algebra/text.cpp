@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "base/names.h"
 #include "betwixt/algebra.h"
@@ -39,10 +40,19 @@ struct Reader : algebra::Cursor {
     while (at < text.size() && std::string_view(" \t\r\n,()@").find(text[at]) == std::string_view::npos) ++at;
     return text.substr(from, at - from);
   }
+  std::string_view next_word() {
+    const std::size_t from = at;
+    const std::string_view w = word();
+    at = from;
+    return w;
+  }
+  // 'nan' and 'inf' too, which number() then refuses by their names.
   bool at_number() {
     space();
     const char c = peek();
-    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+    if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return true;
+    const std::string_view w = next_word();
+    return w == "nan" || w == "NaN" || w == "inf" || w == "infinity" || w == "Infinity";
   }
   template <std::size_t n>
   bool number(double& out, const Unit (&units)[n], const char* kind, bool unit_needed = false) {
@@ -51,18 +61,18 @@ struct Reader : algebra::Cursor {
     if (peek() == '+') ++at;
     const char* first = text.data() + at;
     const auto [end, bad] = std::from_chars(first, text.data() + text.size(), out);
-    const bool read = end != first && !(bad == std::errc() && !(out - out == 0));
-    if (!read || bad == std::errc::result_out_of_range) {
+    const bool finite = bad == std::errc() && std::isfinite(out);
+    if (!finite) {
       word();
       const std::size_t to = std::max(at, from + 1);
-      return bad == std::errc::result_out_of_range || (end != first && !read)
+      return end != first || bad == std::errc::result_out_of_range
                  ? fail(from, to, Code::range, fmt::format("'{}' is no finite number", text.substr(from, to - from)))
                  : fail(from, to, Code::syntax, "a number is wanted here");
     }
     at += static_cast<std::size_t>(end - first);
     const std::size_t unit_from = at;
     const std::string_view name = word();
-    if (name.empty() && !unit_needed) return true;
+    if (name.empty() && (!unit_needed || out == 0)) return true;
     for (const Unit& u : units)
       if (name == u.name) {
         out = out * u.of / u.divisor;
@@ -70,17 +80,53 @@ struct Reader : algebra::Cursor {
       }
     std::string known;
     for (const Unit& u : units) known += (known.empty() ? "" : ", ") + std::string(u.name);
-    return fail(name.empty() ? from : unit_from, at, Code::type,
-                name.empty() ? fmt::format("an angle needs its unit: {}", text.substr(from, at - from))
-                             : fmt::format("'{}' is not a unit of {}", name, kind),
-                fmt::format("units are {}", known));
+    if (!name.empty())
+      return fail(unit_from, at, Code::type, fmt::format("'{}' is not a unit of {}", name, kind),
+                  fmt::format("units are {}", known));
+    const std::size_t to = at;
+    space();
+    const std::string_view apart = next_word();
+    const bool blank = std::any_of(units, units + n, [&](const Unit& u) { return u.name == apart; });
+    return fail(from, to, Code::type, fmt::format("an angle needs its unit: {}", text.substr(from, to - from)),
+                blank ? fmt::format("no blank before it: {}{}", text.substr(from, to - from), apart)
+                      : fmt::format("units are {}", known));
   }
-  bool numbers(double (&out)[3], int& count) {
+  // Without units: factors, directions.
+  bool plain_number(double& out) {
+    const std::size_t from = at;
+    if (!number(out, lengths, "length")) {
+      if (error->code != Code::type) return false;
+    } else if (const char last = text[at - 1]; last != 'm') {
+      return true;
+    }
+    error.reset();
+    return fail(from, at, Code::type,
+                fmt::format("a plain number is wanted here, not {}", text.substr(from, at - from)));
+  }
+  bool numbers(double (&out)[3], int& count, bool plain = false) {
     for (count = 0; at_number(); ++count) {
       if (count == 3) return fail(at, at + 1, Code::syntax, "no more than three numbers stand here");
-      if (!number(out[count], lengths, "length")) return false;
+      if (!(plain ? plain_number(out[count]) : number(out[count], lengths, "length"))) return false;
     }
     return true;
+  }
+  // The end of a factor, or what does not belong into it.
+  bool close(Kind kind) {
+    if (accept(')')) return true;
+    if (at == text.size()) return fail(at, at + 1, Code::syntax, "')' is missing");
+    const std::size_t from = at;
+    if (peek() == '@')
+      ++at;
+    else
+      word();
+    const std::size_t to = std::max(at, from + 1);
+    constexpr const char* forms[] = {"T(6 0) or T(6 0 0)", "R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)",
+                                     "S(2 2 @ 0 0), behind it perhaps linear"};
+    constexpr const char* names[] = {"translation", "rotation", "scaling"};
+    return fail(
+        from, to, Code::syntax,
+        fmt::format("'{}' does not belong here, in a {}", text.substr(from, to - from), names[static_cast<int>(kind)]),
+        forms[static_cast<int>(kind)]);
   }
   // Behind '@': a place or a name.
   bool centre(Factor& f, int& dimensions) {
@@ -120,15 +166,17 @@ struct Reader : algebra::Cursor {
       double n[3] = {};
       int count = 0;
       space();
+      const bool bracket = accept('(');
       if (!at_number()) {
         const std::size_t name_at = at;
         const std::string_view name = word();
         if (name.size() != 1 || name[0] < 'x' || name[0] > 'z')
           return fail(name_at, at, Code::syntax, "an axis is wanted here", "axis x, y or z, or three numbers");
         n[name[0] - 'x'] = 1, count = 3;
-      } else if (!numbers(n, count)) {
+      } else if (!numbers(n, count, true)) {
         return false;
       }
+      if (bracket && !accept(')')) return fail(at, at + 1, Code::syntax, "')' is missing");
       if (count != 3) return fail(from, at, Code::syntax, "an axis has three numbers", "as in axis 0 1 0");
       f.axis = {n[0], n[1], n[2]};
       if (f.axis == Vec3{}) return fail(from, at, Code::range, "this axis has no direction");
@@ -142,7 +190,7 @@ struct Reader : algebra::Cursor {
     double n[3] = {1, 1, 1};
     int count = 0;
     f.kind = Kind::scale;
-    if (!numbers(n, count)) return false;
+    if (!numbers(n, count, true)) return false;
     if (count == 0)
       return fail(from, at, Code::syntax, "a scaling has one, two or three numbers", "S(2), S(2 1) or S(2 1 1)");
     f.by = count == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], count == 3 ? n[2] : 1};
@@ -180,8 +228,7 @@ struct Reader : algebra::Cursor {
                       : f.kind == Kind::rotate  ? rotate(f)
                                                 : scale(f, from);
     if (!read) return false;
-    if (!accept(')')) return fail(at, at + 1, Code::syntax, "')' is missing");
-    return true;
+    return close(f.kind);
   }
 };
 

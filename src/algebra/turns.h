@@ -26,7 +26,18 @@ inline Turn turn(std::uint64_t phase) {
   return {-c, s};
 }
 
-inline long double turns_of(double angle) { return angle / (2 * std::numbers::pi_v<long double>); }
+// Of an angle in radians; of those that a rounded angle can mean, parts of a turn down to thousandths of a degree are
+// taken at their word, so that 90deg and 1000000000turn end exactly.
+inline long double turns_of(double angle) {
+  const long double turns = angle / (2 * std::numbers::pi_v<long double>);
+  const long double rounding = std::abs(turns) * 0x1p-53L;
+  for (const long double parts : {4.0L, 360.0L, 1000.0L, 360'000.0L}) {
+    if (rounding * parts > 0.001L) break;  // anything might be meant
+    const long double meant = std::round(turns * parts) / parts;
+    if (std::abs(turns - meant) <= 3 * rounding) return meant;
+  }
+  return turns;
+}
 
 // Where the k-th of n parts of so many turns ends within its turn; k = t and n = 1 for fraction t. 0 where that is
 // beyond all numbers.

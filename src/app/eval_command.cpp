@@ -23,16 +23,23 @@ struct Asked {
 
 // What is as good as 0 beside the other numbers of a value is 0 for a reader: the sine of half a turn. (JSON says all.)
 Reading without_dust(Reading r) {
+  constexpr double dust = 1e-14;
+  const auto clean = [](const std::vector<double*>& all, double largest) {
+    for (const double* n : all) largest = std::max(largest, std::abs(*n));
+    for (double* n : all)
+      if (std::abs(*n) < dust * largest) *n = 0;
+  };
   std::vector<double*> all;
-  if (auto* m = std::get_if<Mat4>(&r))
-    for (double& n : m->m) all.push_back(&n);
+  if (auto* m = std::get_if<Mat4>(&r)) {  // what turns and what moves are of different sizes
+    for (std::size_t i = 0; i < 12; ++i) all.push_back(&m->m[i]);
+    clean(all, 0);
+    clean({&m->m[12], &m->m[13], &m->m[14]}, 1);
+    return r;
+  }
   if (auto* p = std::get_if<Vec3>(&r)) all = {&p->x, &p->y, &p->z};
   if (auto* a = std::get_if<Angles>(&r)) all = {&a->xyz.x, &a->xyz.y, &a->xyz.z};
   if (auto* q = std::get_if<Quat>(&r)) all = {&q->w, &q->x, &q->y, &q->z};
-  double largest = 0;
-  for (const double* n : all) largest = std::max(largest, std::abs(*n));
-  for (double* n : all)
-    if (std::abs(*n) < 1e-12 * largest) *n = 0;
+  clean(all, 0);
   return r;
 }
 

@@ -30,8 +30,7 @@ int frame(const Call& call) {
   Picture picture;
   const Frame made = Program::compile(*document).frame(*time);
   Problems().say(made.problems);
-  if (Status s = (*renderer)->render(made, picture); !s)
-    return complain(s.error(), wrong_input);
+  if (Status s = (*renderer)->render(made, picture); !s) return complain(s.error(), wrong_input);
   if (Status s = write_png(call.out, picture, !call.keep_old); !s) return complain(s.error(), wrong_call);
   return all_done;
 }

@@ -92,9 +92,10 @@ Stroke events(const Number& n, const Document& document, const Target& target, c
 
 // The curves of a target; none where it is not made of numbers.
 std::vector<Curve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
-  if (only_asked(target.function)) return {};  // a matrix
+  const bool asked = only_asked(target.function);
+  if (asked && target.component < 0) return {};  // a matrix
   const Document& document = program.document();
-  const Type type = spec_of(document.scene(), target.function).type;
+  const Type type = asked ? Type::scalar : spec_of(document.scene(), target.function).type;
   const std::size_t count = numbers(program.read(target, frames.first)).size();
   const bool angles = type == Type::angle || (type == Type::rotation && (count == 3 || target.component >= 0));
   const double unit = angles ? degrees : 1;
@@ -108,7 +109,7 @@ std::vector<Curve> curves(const Program& program, const Target& target, const Fr
     if (count > 1 && static_cast<int>(count) == component_count(type)) own.component = static_cast<int>(i);
     all.push_back(
         {document.name(target) + (part.empty() ? "" : fmt::format(".{}", part)) + (angles ? " (degrees)" : ""),
-         strokes(n, frames, last), events(n, document, own, frames, last)});
+         strokes(n, frames, last), asked ? Stroke{} : events(n, document, own, frames, last)});
   }
   return all;
 }

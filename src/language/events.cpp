@@ -320,11 +320,20 @@ bool Reader::put(const Selected& to, Event event, Cursor& c, std::string_view ab
 }
 
 bool Reader::time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
+  const char* const start = c.at;
   if (!c.time(from)) return false;
-  if (c.end - c.at < 2 || c.at[0] != '.' || c.at[1] != '.') return true;
+  const auto dots = [&](const char* at) { return c.end - at >= 2 && at[0] == '.' && at[1] == '.'; };
+  if (!dots(c.at)) {
+    const char* const behind = c.at;
+    c.space();
+    if (dots(c.at)) return c.fail(Code::syntax, "no blank stands in a segment", {c.at, 2}, "as in 1f..24f");
+    c.at = behind;
+    return true;
+  }
   c.at += 2;
   Time to;
   if (!c.time(to)) return false;
+  if (to < from) return c.fail(Code::range, "this segment ends before it begins", c.since(start));
   until = to;
   return true;
 }

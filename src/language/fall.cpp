@@ -119,6 +119,12 @@ bool Reader::fall(Cursor& c) {
     if (!inward)
       return c.fail(Code::range,
                     fmt::format("{} is flattened by what it hangs on; it cannot fall", s.objects[id.index].name), word);
+    if (const Slot* slot = s.objects[id.index].find(fn::motion))
+      if (const auto later = slot->track->events.between(time_, {INT64_MAX});
+          !later.empty() && later.back().time > time_)
+        note(Severity::notice,
+             fmt::format("{} falls while its motion goes on: the two are added", s.objects[id.index].name), word,
+             "let it fall when the motion has ended");
     if (bearing.place.y < laws.ground)
       note(Severity::notice,
            fmt::format("{} is below the ground, y = {}: it does not fall", s.objects[id.index].name,

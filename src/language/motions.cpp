@@ -5,7 +5,12 @@
 // one; where nothing moves, an empty motion stands.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+#include <set>
+
 #include "base/names.h"
+#include "betwixt/program.h"
 #include "language/reader.h"
 
 namespace betwixt {
@@ -87,6 +92,9 @@ bool ValueReader::motion(Moves& out) {
     Cursor name(f.about);
     ObjectId id;
     ValueReader reader{name, scene, {}, {}};
+    if (scene.aliases->contains(f.about))
+      return c.fail(Code::name, fmt::format("'{}' is an alias: a centre is one object, by its own name", f.about),
+                    about);
     if (!reader.object(id)) return c.fail(name.error->code, name.error->message, about, name.error->hint);
     if (!placed(scene.objects[id.index].kind))
       return c.fail(Code::type, fmt::format("'{}' is nowhere: it cannot be a centre", f.about), about);
@@ -102,6 +110,7 @@ bool Reader::moving(Cursor& c, const Selected& to, Time from, std::optional<Time
   if (to.velocity) return c.fail_here(Code::type, "a motion has no velocity");
   if (c.peek() == '=')
     return c.fail_here(Code::type, "a motion cannot be computed", "procedures compute positions, rotations and scales");
+  if (until && *until == from) return c.fail_here(Code::range, "a motion takes time, and this segment has none");
   Event e;
   e.time = from;
   Moves value;
@@ -111,8 +120,6 @@ bool Reader::moving(Cursor& c, const Selected& to, Time from, std::optional<Time
   e.value = std::move(value);
   if (!way(c, to, e) || !finish(c)) return false;
   const Document now(std::make_shared<const Scene>(s));
-  if (until && *until <= from)
-    return c.fail(Code::range, "a motion takes time: its segment ends where it begins", about);
   for (const Target& t : to.targets) {
     if (t.layer)
       return c.fail(Code::type, "a motion is no layer's: it is added to what the tracks say anyway", to.text);
@@ -154,6 +161,93 @@ bool Reader::moving(Cursor& c, const Selected& to, Time from, std::optional<Time
     events.put(std::move(begin));
   }
   return true;
+}
+
+// What operations on times have made of motions: where they last otherwise than before, or have no end.
+void Reader::lasting(const Scene& before, const Selected& on, std::string_view about) {
+  if (!on.spec || on.type() != Type::motion) return;
+  const Document now(std::make_shared<const Scene>(s));
+  struct Row {
+    Time from, length;
+    std::string text;
+  };
+  const auto rows = [](const Scene& scene, const Target& t, bool& open) {
+    std::vector<Row> all;
+    const Slot* slot = scene.objects[t.object.index].find(t.function);
+    if (!slot) return all;
+    slot->track->events.each([&](const Event& e) {
+      if (open) all.back().length = e.time - all.back().from;
+      open = moves(e);
+      if (open) all.push_back({e.time, {}, to_string(*std::get<Moves>(e.value))});
+    });
+    return all;
+  };
+  for (const Target& t : on.targets) {
+    bool was_open = false, open = false;
+    const std::vector<Row> was = rows(before, t, was_open), is = rows(s, t, open);
+    const auto known = [&](const Row& r) {
+      return std::any_of(was.begin(), was.end(),
+                         [&](const Row& o) { return o.length == r.length && o.text == r.text; });
+    };
+    if (open && !was_open)
+      return note(Severity::notice,
+                  fmt::format("'{}' has no end any more: what begins at {} does nothing", now.name(t),
+                              format_time(is.back().from, now)),
+                  about, "clear its beginning too, or give the track a row \"\" where it ends");
+    std::string otherwise;
+    for (std::size_t i = 0; i + (open ? 1 : 0) < is.size() && otherwise.size() < 200; ++i)
+      if (!was.empty() && !known(is[i]))
+        otherwise += fmt::format("{}{} goes from {} to {}", otherwise.empty() ? "" : ", ", is[i].text.substr(0, 80),
+                                 format_time(is[i].from, now), format_time(is[i].from + is[i].length, now));
+    if (!otherwise.empty()) return note(Severity::notice, fmt::format("of '{}' now {}", now.name(t), otherwise), about);
+  }
+}
+
+Track Reader::centred(Track track, const std::string& from, const std::string& to) {
+  if (from == to) return track;
+  track.events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
+    auto* m = std::get_if<Moves>(&e.value);
+    if (!m) return;
+    Motion own = **m;
+    for (Factor& f : own.factors)
+      if (f.about == from) f.about = to;
+    *m = Moves(std::move(own));
+  });
+  return track;
+}
+
+void Reader::keep_centres(const std::vector<ObjectId>& leaving, std::string_view about) {
+  std::set<std::string_view> names;
+  for (const ObjectId id : leaving) names.insert(s.objects[id.index].name);
+  const auto stays = [&](const Motion& m) {
+    return std::none_of(m.factors.begin(), m.factors.end(), [&](const Factor& f) { return names.contains(f.about); });
+  };
+  std::optional<Program> program;
+  for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
+    if (s.objects[i].removed || std::find(leaving.begin(), leaving.end(), ObjectId{i}) != leaving.end()) continue;
+    const Slot* slot = s.objects[i].find(fn::motion);
+    if (!slot) continue;
+    bool all = true;
+    slot->track->events.each([&](const Event& e) { all = all && (!moves(e) || stays(*std::get<Moves>(e.value))); });
+    if (all) continue;
+    const Document now(std::make_shared<const Scene>(s));
+    if (!program) program = Program::compile(now);
+    const std::vector<Motion> placed = program->motions(ObjectId{i});
+    std::size_t k = 0;
+    edit_track(s, Target{ObjectId{i}, fn::motion})->events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
+      if (!moves(e)) return;
+      Motion own = *std::get<Moves>(e.value);
+      for (std::size_t f = 0; f < own.factors.size(); ++f)
+        if (names.contains(own.factors[f].about)) {
+          own.factors[f].about.clear();
+          if (k < placed.size()) own.factors[f].centre = placed[k].factors[f].centre;
+        }
+      ++k;
+      e.value = Moves(std::move(own));
+    });
+    note(Severity::notice, fmt::format("'{}' turns about where that was", now.name(Target{ObjectId{i}, fn::motion})),
+         about);
+  }
 }
 
 }  // namespace betwixt

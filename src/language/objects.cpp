@@ -169,7 +169,7 @@ bool Reader::parameters(Cursor& c, Object& object) {
     }
     if (spec.type == Type::motion)
       return c.fail(Code::type, "a motion is not set: it takes a segment of time", key,
-                    fmt::format("as in at 1f..24f {}.motion T(6 0)", object.name.substr(0, 60)));
+                    "as in at 1f..24f wheel.motion T(6 0)");
     if (spec.type == Type::attachment)
       return c.fail(Code::type, "an attachment is not set", key, "couple A to B, attach A to B, hang A on B");
     Value v;
@@ -235,6 +235,9 @@ bool Reader::create(Cursor& c) {
     Object each = object;
     each.name = (*names)[i];
     each.leads = false;
+    if (original && each.find(fn::motion))
+      each.slot(fn::motion).track =
+          Cow<Track>(centred(*each.find(fn::motion)->track, s.objects[original.index].name, each.name));
     if (parents[i]) {
       each.slot(fn::attachment).set = Attachment{Hold::couple, parents[i], false};
       if (!s.objects[parents[i].index].leads) s.objects.edit(parents[i].index).leads = true;
@@ -269,6 +272,7 @@ bool Reader::remove(Cursor& c) {
   std::string_view word;
   std::vector<ObjectId> found;
   if (!objects(c, word, found) || !finish(c)) return false;
+  keep_centres(found, word);
   remove_objects(s, found);
   return true;
 }

@@ -117,7 +117,9 @@ Result<std::size_t> Reader::copy_track(const Scene& before, const Target& from, 
       // A whole value onto tracks of components: each takes its own.
       const bool apart = tracks.size() > 1;
       const int component = apart ? static_cast<int>(i) : originals.size() > 1 ? static_cast<int>(k) : -1;
-      const Track source = apart ? component_of(originals[k], component) : originals[k];
+      Track source = apart ? component_of(originals[k], component) : originals[k];
+      if (to.function == fn::motion)
+        source = centred(source, before.objects[from.object.index].name, s.objects[to.object.index].name);
       const auto shift = how.shift ? std::optional<Value>(part(*how.shift, component)) : std::nullopt;
       const auto done = copy_segment(source, how.segment, *tracks[i], how.start, shift, how.times);
       if (!done) return done.error();
@@ -200,6 +202,7 @@ bool Reader::copy(Cursor& c) {
     made += *done;
   }
   if (made == 0) note(Severity::notice, fmt::format("there are no events of '{}' there", from.text), word);
+  lasting(before, into, word);
   return true;
 }
 
@@ -211,7 +214,10 @@ bool Reader::move(Cursor& c) {
   if (!on_segment(c, word, on, segment)) return false;
   if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
-  return operate(c, on, word, true, [&](Track& t, int, bool) { return move_segment(t, segment, by); });
+  const Scene before = s;
+  if (!operate(c, on, word, true, [&](Track& t, int, bool) { return move_segment(t, segment, by); })) return false;
+  lasting(before, on, word);
+  return true;
 }
 
 bool Reader::stretch(Cursor& c) {
@@ -225,7 +231,10 @@ bool Reader::stretch(Cursor& c) {
   const char* at = c.at;
   if (!c.number(factor)) return false;
   if (!(factor > 0))
-    return c.fail(Code::range, "time is stretched by more than 0; 'reverse' turns it round", c.since(at));
+    return c.fail(Code::range,
+                  on.spec && on.type() == Type::motion ? "time is stretched by more than 0"
+                                                       : "time is stretched by more than 0; 'reverse' turns it round",
+                  c.since(at));
   return operate(c, on, word, true, [&](Track& t, int, bool velocity) -> Result<Changed> {
     // What takes longer goes slower.
     if (velocity)
@@ -314,12 +323,13 @@ bool Reader::clear(Cursor& c) {
     if (!c.time(segment.to)) return false;
     if (segment.to < segment.from) return c.fail(Code::range, "this segment ends before it begins", {at, 2});
   }
-  return operate(
-      c, on, word, false,
-      [&](Track& t, int, bool) -> Result<Changed> {
-        return Changed{t.events.erase(segment.from, segment.to), 0};
-      },
-      false);
+  const Scene before = s;
+  const auto erase = [&](Track& t, int, bool) -> Result<Changed> {
+    return Changed{t.events.erase(segment.from, segment.to), 0};
+  };
+  if (!operate(c, on, word, false, erase, false)) return false;
+  lasting(before, on, word);
+  return true;
 }
 
 bool Reader::stagger(Cursor& c) {

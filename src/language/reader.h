@@ -107,6 +107,11 @@ class Reader {
 
   // motions.cpp
   bool moving(Cursor& c, const Selected& to, Time from, std::optional<Time> until);
+  void lasting(const Scene& before, const Selected& on, std::string_view about);
+  // A copy that turned about the object itself turns about the one that it is copied to.
+  static Track centred(Track track, const std::string& from, const std::string& to);
+  // Motions about objects that are about to go keep the places.
+  void keep_centres(const std::vector<ObjectId>& leaving, std::string_view about);
 
   // objects.cpp
   bool create(Cursor& c);

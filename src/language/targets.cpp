@@ -103,12 +103,19 @@ bool Reader::targets(Cursor& c, std::string_view word, Selected& out, bool world
     return true;
   }
   if (const auto asked = find_asked(s.objects[objects[0].index].kind, function); asked && !component.empty()) {
+    if (!world_too) return c.fail(Code::type, fmt::format("'{}' can be asked for, not set", function), function);
+    if (*asked == world_function)  // where it is
+      for (const ObjectId id : objects)
+        for (int i = 0; i < 3; ++i)
+          if (const auto words = expand_braces(component, 100); words && find_asked(s.objects[id.index].kind, function))
+            for (const std::string& w : *words)
+              if (matches(w, component_name(Type::vector, i))) out.targets.push_back({id, *asked, i});
+    if (!out.targets.empty()) return true;
     const std::string whole(word.substr(0, word.size() - component.size() - 1));
-    return c.fail(
-        Code::name, fmt::format("'{}' has no part '{}'", whole, component.substr(0, 40)), component,
-        *asked == world_function || *asked == motion_function
-            ? fmt::format("{} is a matrix, row by row; where it puts things stands at the ends of the rows", whole)
-            : fmt::format("ask for {}", whole));
+    return c.fail(Code::name, fmt::format("'{}' has no part '{}'", whole, component.substr(0, 40)), component,
+                  *asked == world_function    ? fmt::format("{}.x, .y and .z say where it is", whole)
+                  : *asked == motion_function ? fmt::format("{} is a matrix, row by row", whole)
+                                              : fmt::format("ask for {}", whole));
   }
   for (ObjectId id : objects) {
     const Kind kind = s.objects[id.index].kind;

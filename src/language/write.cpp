@@ -23,6 +23,12 @@ struct Writer {
   }
   std::string value(const Value& v, const FunctionSpec& spec, int component) const {
     const bool turns = spec.type == Type::rotation || spec.type == Type::orientation;
+    if (const auto* m = std::get_if<Moves>(&v)) {  // a centre that is gone is the origin, as it is in the film
+      Motion motion = **m;
+      for (Factor& f : motion.factors)
+        if (!f.about.empty() && !s.names.find(f.about)) f.about.clear();
+      return write_value(Moves(std::move(motion)), spec, component, {});
+    }
     if (const auto* p = std::get_if<Vec3>(&v); p && turns && component < 0)  // a turning speed
       return "spin" + value(Angles{*p}, spec, -1).substr(5);
     return write_value(v, spec, component, [this](ObjectId id) { return name_of(id); });

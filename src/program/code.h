@@ -90,7 +90,6 @@ struct Asking {
   };
   std::map<std::int64_t, FoundContacts> found_contacts;
   std::uint64_t cost = 0;
-  bool at_rest = false;  // motions and environments are left out: where the centres of motions are
   std::vector<std::string> problems;
   std::vector<Target> read;  // what procedures looked at
 
@@ -132,6 +131,7 @@ struct Frozen {
 // The motions of one object, one after the other: each begins where the ones before it end. (rules, R-H7)
 struct Moving {
   struct Piece {
+    Time from;
     Motion motion;  // its centres are places
     Mat4 before;    // all pieces before it, whole
   };
@@ -214,7 +214,7 @@ struct Program::Compiled {
   Mat4 product(std::int32_t siting, Time t) const;  // of its environments
   Mat4 matrix(const Site&, Time t) const;           // A
   std::optional<Mat4> driven(const Node&, Time t, Asking&) const;
-  std::optional<Mat4> moved(const Node&, Time t, const Asking&) const;
+  std::optional<Mat4> moved(const Node&, Time t) const;
   std::vector<Mat4> worlds(Time t, const double* numbers, Asking&) const;
   Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;

@@ -112,7 +112,7 @@ Said said_at(const Program::Compiled& code, const Node& n, Time t, Asking& askin
   said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
   said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
   said.attach = numbers(fn::attach_position);
-  said.own = code.driven(n, t, asking), said.motion = code.moved(n, t, asking);
+  said.own = code.driven(n, t, asking), said.motion = code.moved(n, t);
   return said;
 }
 
@@ -225,7 +225,7 @@ std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers,
     const Hand* h = hand(nodes[i], t);
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     Said said = said_by(nodes[i], numbers);
-    said.own = driven(nodes[i], t, asking), said.motion = moved(nodes[i], t, asking);
+    said.own = driven(nodes[i], t, asking), said.motion = moved(nodes[i], t);
     w[i] = hang(said, h, f, above[i] >= 0 ? &w[static_cast<std::size_t>(above[i])] : nullptr);
     if (!sited) return;
     const Mat4* outer = above[i] >= 0  ? &around[static_cast<std::size_t>(above[i])]
@@ -303,7 +303,7 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
     const bool held = h && h->hold >= Hold::hang;
     if (!held) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(said, h, f, &placed);
-    if (n.around >= 0 && !asking.at_rest) placed.around = placed.around * product(n.around, t);
+    if (n.around >= 0) placed.around = placed.around * product(n.around, t);
   }
   return placed;
 }
@@ -326,7 +326,7 @@ Bearing Program::bearing(ObjectId object, Time t) const {
     b.carries = b.carries * linear_part(f.before);
   }
   b.carries = around * b.carries;
-  if (const auto motion = code.moved(n, t, asking)) b.carries = b.carries * linear_part(*motion);
+  if (const auto motion = code.moved(n, t)) b.carries = b.carries * linear_part(*motion);
   // Its track says how fast it goes; what carries it, or carried it up to now, is looked at as it goes by.
   if (held || (h && h->from == t) || n.moving >= 0) {
     constexpr Time look{flicks_per_second / 2000};

@@ -17,6 +17,12 @@ Reading part(const Value& v, int component) {
   return reading_of(v);
 }
 
+// All of a matrix, or one number of where it puts things.
+Reading place_in(const Mat4& m, int component) {
+  if (component < 0) return m;
+  return translation_of(m)[component];
+}
+
 }  // namespace
 
 Reading reading_of(const Value& v) {
@@ -47,7 +53,7 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
     if (target.function == motion_function) return e.matrix(tick).value_or(Mat4{});
     if (target.function == interval_function) return static_cast<double>(e.interval(tick).value_or(0));
     if (target.function == count_function) return static_cast<double>(e.count(generation, tick));
-    return e.at(generation, tick);
+    return place_in(e.at(generation, tick), target.component);
   }
   if (target.function == touching_function) {
     std::vector<std::string> names;
@@ -55,7 +61,8 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
     return Names(std::move(names));
   }
   if (target.function == in_view_function) return contacts(t, asking)->sight(target.object) != Sight::out;
-  if (target.function == world_function) return placement(node_of[object], t, asking).in_world();
+  if (target.function == world_function)
+    return place_in(placement(node_of[object], t, asking).in_world(), target.component);
   if (target.velocity) {
     const auto v = velocity(object, target.function, t, asking);
     return part(v.value_or(Value(0.0)), target.component);

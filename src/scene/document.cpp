@@ -513,7 +513,10 @@ std::string Document::name(ObjectId id) const {
 }
 
 std::string Document::name(const Target& t) const {
-  if (only_asked(t.function)) return name(t.object) + "." + std::string(asked_names[0xffff - t.function]);
+  if (only_asked(t.function)) {
+    const std::string whole = name(t.object) + "." + std::string(asked_names[0xffff - t.function]);
+    return t.component < 0 ? whole : whole + "." + std::string(component_name(Type::vector, t.component));
+  }
   const FunctionSpec& spec = spec_of(*scene_, t.function);
   std::string out = name(t.object) + "." + spec.name;
   if (t.component >= 0) out += "." + std::string(component_name(spec.type, t.component));

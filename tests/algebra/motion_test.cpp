@@ -54,12 +54,15 @@ TEST(Motion, IsWhereManyDigitsPutIt) {
 
 TEST(Motion, OfManyTurnsIsAsExactAsOfOne) {
   Motion wheel;
-  wheel.factors = {rotate_by(2 * pi * 1e9 * 0.75)};  // as a double has it
-  const auto quarter = frame(wheel, 333'333'333, 1'000'000'000);
+  wheel.factors = {rotate_by(2 * pi * 1e9 * 0.75)};
+  const auto quarter = frame(wheel, 333'333'333, 1'000'000'000);  // 249'999'999.75 turns
   ASSERT_TRUE(quarter);
-  const precise::Point q = precise::moved(wheel, 333'333'333, 1'000'000'000, {1, 0, 0});
-  EXPECT_NEAR((*quarter)(0, 0), q.at(0), 1e-9);
-  EXPECT_NEAR((*quarter)(1, 0), q.at(1), 1e-9);
+  EXPECT_EQ((*quarter)(0, 0), 0);
+  EXPECT_EQ((*quarter)(1, 0), -1);
+  for (const char* text : {"R(1000000000turn)", "R(1000turn)", "R(3turn)", "R(360000000000deg)", "R(720deg)"})
+    EXPECT_EQ(at(parsed(text), 1), Mat4()) << text;
+  EXPECT_EQ(at(parsed("R(90deg)"), 1)(0, 0), 0);
+  EXPECT_EQ(at(parsed("R(1e9turn)"), 0.25)(1, 0), 0);
 }
 
 TEST(Motion, BeginsAtRestAndEndsWithItsTotals) {
@@ -168,7 +171,18 @@ TEST(Motion, SaysWhereItsTextIsWrong) {
   EXPECT_EQ(said("S()"), "1+2 a scaling has one, two or three numbers | S(2), S(2 1) or S(2 1 1)");
   EXPECT_EQ(said("S(2 2 lin)"), "7+3 'lin' means nothing in a scaling | S(2 2 @ 0 0 linear)");
   EXPECT_EQ(said("T(1e999 0)"), "3+5 '1e999' is no finite number");
-  EXPECT_EQ(said("T(inf 0)"), "1+2 a translation has two or three numbers | T(6 0) or T(6 0 0)");
+  EXPECT_EQ(said("T(inf 0)"), "3+3 'inf' is no finite number");
+  EXPECT_EQ(said("T(0 nan)"), "5+3 'nan' is no finite number");
+  EXPECT_EQ(said("S(2cm)"), "3+3 a plain number is wanted here, not 2cm");
+  EXPECT_EQ(said("S(50%)"), "3+3 a plain number is wanted here, not 50%");
+  EXPECT_EQ(said("R(90 deg)"), "3+2 an angle needs its unit: 90 | no blank before it: 90deg");
+  EXPECT_EQ(said("T(1 0 @ 0 0)"), "7+1 '@' does not belong here, in a translation | T(6 0) or T(6 0 0)");
+  EXPECT_EQ(said("T(1 0 linear)"), "7+6 'linear' does not belong here, in a translation | T(6 0) or T(6 0 0)");
+  EXPECT_EQ(said("R(90deg axis x @ 0 0)"),
+            "16+1 '@' does not belong here, in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
+  EXPECT_EQ(said("S(2 2 linear linear)"),
+            "14+6 'linear' does not belong here, in a scaling | S(2 2 @ 0 0), behind it perhaps linear");
+  EXPECT_EQ(said("R(0) R(0 @ 1 1) R(1rad axis (0 1 0))"), "fine");
   EXPECT_EQ(said("R(35° @ ä)"), "9+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object");
 }
 

@@ -66,10 +66,9 @@ TEST(Newcomer, A_scale_of_nothing_is_pointed_out) {
 TEST(Newcomer, What_can_be_asked_for_has_no_parts) {
   const Loaded loaded = read(film);
   const std::tuple<const char*, const char*, const char*> table[] = {
-      {"spin.world.x", "'spin.world' has no part 'x'",
-       "spin.world is a matrix, row by row; where it puts things stands at the ends of the rows"},
-      {"ball.world.x", "'ball.world' has no part 'x'",
-       "ball.world is a matrix, row by row; where it puts things stands at the ends of the rows"},
+      {"spin.world.w", "'spin.world' has no part 'w'", "spin.world.x, .y and .z say where it is"},
+      {"ball.world.w", "'ball.world' has no part 'w'", "ball.world.x, .y and .z say where it is"},
+      {"spin.by.x", "'spin.by' has no part 'x'", "spin.by is a matrix, row by row"},
       {"spin.count.x", "'spin.count' has no part 'x'", "ask for spin.count"},
   };
   for (const auto& [target, message, hint] : table) {
