@@ -70,7 +70,7 @@ cat >"$work/reader.html" <<'HTML'
     [...e.attributes].some((a) => /NaN|Infinity|undefined/.test(a.value))));
   want('words are words', !/NaN|undefined|Infinity|\[object/.test(document.querySelector('main').innerText));
   want('pictures are named', [...document.querySelectorAll('svg.picture')].every((s) => s.getAttribute('aria-label')));
-  const turns = lesson.factors.reduce((n, f) => n + Math.abs(f.turns || 0), 0), many = 'too many to be drawn one by one';
+  const turns = lesson.factors.reduce((n, f) => n + Math.abs(f.turns || 0), 0), many = 'Too many turns to be drawn one by one';
   const corners = (e) => e.getAttribute('d').split('L').length;
   const lines = [...document.querySelectorAll('#stage path')].filter((e) => e.getAttribute('stroke-width') === '2' && corners(e) > 1);
   const shades = [...document.querySelectorAll('#stage path[stroke-opacity="0.22"]')];
@@ -126,7 +126,7 @@ S(-1 0 @ 1 1 linear)
 R(1000.25turn @ 1e-3 0)
 R(24turn) T(3 0)
 R(500turn) T(3 0)
-R(100000turn) S(20) R(99turn @ 3 0)
+R(10000turn) S(20) R(99turn @ 3 0)
 S(0 linear) S(1.0000001) S(1 1)
 T(1e-9 0) S(1e3)
 T(9e8 -9e8)

@@ -134,9 +134,11 @@
   // as can be drawn, in no rhythm that another turn could share.
   const mostTurns = 24, firstTurns = 3, perTurn = 64;
   const mostShaded = Math.min(600, Math.max(40, Math.floor(600000 / (2 * count + 2) / followed.length / perTurn)));
-  const denseNote =
-      `Too many turns to be drawn one by one: the lines are the first ${firstTurns}, the shade is where they run.`;
   const isDense = (some) => turnsOf(some) > mostTurns;
+  const denseNote = (some) => {
+    const where = turnsOf(some) > mostShaded ? `where ${mostShaded} of them run` : 'where they run';
+    return `Too many turns to be drawn one by one: the lines are the first ${firstTurns}, the shade is ${where}.`;
+  };
   const momentsOf = (some) => {
     const turns = turnsOf(some);
     if (!isDense(some)) return {line: evenly(0, 1, Math.ceil(160 + perTurn * turns + 16 * exponentsOf(some))), shade: []};
@@ -299,10 +301,7 @@
   if (factors.some((f) => f.kind !== 'T'))
     legend.append('Crosses are centres, in the colours of their factors; dots show how they are carried. ');
   legend.append('Thin letters: every eighth part of the motion. ');
-  if (isDense(factors))
-    legend.append(
-        `${number(turnsOf(factors), 6)} turns are too many to be drawn one by one: the lines are the first `
-        + `${firstTurns} of them, the shade is where they run.`);
+  if (isDense(factors)) legend.append(denseNote(factors));
 
   const now = spans(byId('now'), factors.map(() => ''));
   if (count === 0) byId('now').textContent = 'empty: the identity';
@@ -337,7 +336,7 @@
       draw(
           box, (t) => product(some, t), `${caption}: ${some.map((s) => s.text).join(' ')}`,
           {moments: momentsOf(some), crosses: carried(some, first), wide: 460, shapes: [0.5, 0.75]});
-      put(box, 'figcaption', {}, isDense(some) ? `${caption}. ${denseNote}` : caption);
+      put(box, 'figcaption', {}, isDense(some) ? `${caption}. ${denseNote(some)}` : caption);
     };
     one([f], i, 'Alone');
     if (i < count - 1)
@@ -489,7 +488,7 @@
           picture, (t) => product(factors, t, p.base === 'linear'), words.querySelector('h3').textContent,
           {moments, other, wide: 560, shapes: [0.5, 0.9]});
     if (isDense(factors))
-      put(picture, 'figcaption', {}, other ? denseNote : 'These are too many turns for this way to be drawn.');
+      put(picture, 'figcaption', {}, other ? denseNote(factors) : 'These are too many turns for this way to be drawn.');
     const most = `The largest distance: ${number(p.gap, 3)}, at t = ${number(p.at, 3)}.`;
     put(words, 'p', {class: 'small'}, `${most} The letter is ${number(1.5 * unit)} high.`);
   }
