@@ -34,3 +34,4 @@ install(FILES packaging/_betwixt DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-f
 install(FILES packaging/betwixt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt)
+install(FILES clients/python/betwixt_client.py DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt/python)

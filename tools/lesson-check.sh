@@ -70,6 +70,23 @@ cat >"$work/reader.html" <<'HTML'
     [...e.attributes].some((a) => /NaN|Infinity|undefined/.test(a.value))));
   want('words are words', !/NaN|undefined|Infinity|\[object/.test(document.querySelector('main').innerText));
   want('pictures are named', [...document.querySelectorAll('svg.picture')].every((s) => s.getAttribute('aria-label')));
+  const turns = lesson.factors.reduce((n, f) => n + Math.abs(f.turns || 0), 0), many = 'Too many turns to be drawn one by one';
+  const corners = (e) => e.getAttribute('d').split('L').length;
+  const lines = [...document.querySelectorAll('#stage path')].filter((e) => e.getAttribute('stroke-width') === '2' && corners(e) > 1);
+  const shades = [...document.querySelectorAll('#stage path[stroke-opacity="0.22"]')];
+  want('many turns are said', document.getElementById('legend').innerText.includes(many) === turns > 24);
+  want('and shaded', (shades.length > 0) === turns > 24 && shades.every((e) => corners(e) >= 64 * Math.min(turns, 40)));
+  want('turns are round', lines.every((e) => corners(e) >= 64 * Math.min(turns, 3)) && (turns > 24 || lines.every((e) => corners(e) >= 64 * turns)));
+  const words = {
+    'S(1)': 'Leaves every size as it is.',
+    'S(1.0000001)': 'Makes everything 1.0000001 times as large. The centre (0, 0) stays. The size grows by the same factor in every step (the exponential law).',
+    'S(0 linear)': 'Shrinks everything to one point. The centre (0, 0) stays. The size shrinks by the same amount in every step (the linear law).',
+    'S(2 0.5 @ 1 1)': 'Makes the width twice as large and the height half as large. The centre (1, 1) stays. The size changes by the same factor in every step (the exponential law).'
+  };
+  for (const card of document.querySelectorAll('#cards > li')) {
+    const text = words[card.querySelector('h3').innerText];
+    if (text) want('the words of ' + text, card.querySelector('p').innerText === text);
+  }
   want('nothing is loaded', performance.getEntriesByType('resource').length === 0);
   want('it fits: ' + root.scrollWidth + ' of ' + innerWidth, root.scrollWidth <= innerWidth);
   const cells = document.querySelector('#ways').innerText;
@@ -107,6 +124,10 @@ T(100 0) R(35deg @ 3 1) S(2 2 @ 0 0)
 T(1 0) R(90deg @ 1 0) S(1.5 @ 0 1) T(0 2) R(-1turn @ 2 2) S(0.5 1 @ 1 1) R(45deg) T(-1 -1) S(2 1 linear) R(0.5turn @ 3 0) T(2 0) R(-30deg @ 1 1)
 S(-1 0 @ 1 1 linear)
 R(1000.25turn @ 1e-3 0)
+R(24turn) T(3 0)
+R(500turn) T(3 0)
+R(10000turn) S(20) R(99turn @ 3 0)
+S(0 linear) S(1.0000001) S(1 1)
 T(1e-9 0) S(1e3)
 T(9e8 -9e8)
 MOTIONS

@@ -38,6 +38,7 @@ import math
 import mmap
 import operator
 import os
+import re
 import socket
 import struct
 import time
@@ -109,6 +110,11 @@ class Server:
         try:
             made.settimeout(timeout)
             made.connect(os.fspath(where))
+        except FileNotFoundError as why:
+            made.close()
+            if re.fullmatch(r"[^/]+:[0-9]+", os.fsdecode(where)):
+                raise ValueError(f"there is no socket {where}; by TCP the server's token is needed, too") from why
+            raise
         except BaseException:
             made.close()
             raise
@@ -396,7 +402,7 @@ class Host(Server):
         self._row(f"text {_quoted(text)}")
 
     def color(self, r, g, b):
-        self._row(f"color rgb({_numbers((r, g, b), 3, 'a colour is three numbers')})")
+        self._row(f"color rgb({_numbers((r, g, b), 3, 'a colour is three finite numbers')})")
 
     def texture(self, file):
         self._row(f"texture {_quoted(os.fspath(file))}")
@@ -408,10 +414,10 @@ class Host(Server):
         self._row(f"view from {_point(eye)} to {_point(at)}")
 
     def perspective(self, horizontal_angle_in_radians):
-        self._row(f"perspective {_numbers((horizontal_angle_in_radians,), 1, 'an angle is a number')}rad")
+        self._row(f"perspective {_numbers((horizontal_angle_in_radians,), 1, 'an angle is a finite number')}rad")
 
     def orthographic(self, height):
-        self._row(f"orthographic {_numbers((height,), 1, 'a height is a number')}")
+        self._row(f"orthographic {_numbers((height,), 1, 'a height is a finite number')}")
 
     # ---- environments
 
@@ -446,7 +452,8 @@ class Host(Server):
 
         The interval grows by `change` (below 0: shrinks) every `period` ticks, and stops for good at the `ceiling`. It
         starts `from_` and stops `until` so many ticks from now; None: at once, never. `keep_phase`: the first update
-        when the old motion's next one was due.
+        when the old motion's next one was due. An environment comes into being by this: a number that `make_environment`
+        has not given is taken, too.
         """
         line = f"animate {_name('E', environment)} every {operator.index(interval)}t by {_matrix(matrix)}"
         if change:
@@ -564,7 +571,7 @@ def _numbers(values, count, rule):
 
 
 def _point(p):
-    return f"({_numbers(p, 3, 'a point is three numbers')})"
+    return f"({_numbers(p, 3, 'a point is three finite numbers')})"
 
 
 def _transposed(m):
@@ -575,8 +582,8 @@ def _matrix(m):
     """Row vectors turn into column vectors: the language writes the columns of `m` as rows."""
     m = list(m)
     if len(m) != 16:
-        raise ValueError("a matrix is 16 numbers")
-    return f"matrix({_numbers(_transposed(m), 16, 'a matrix is 16 numbers')})"
+        raise ValueError("a matrix is 16 finite numbers")
+    return f"matrix({_numbers(_transposed(m), 16, 'a matrix is 16 finite numbers')})"
 
 
 def _quoted(text):

@@ -25,7 +25,8 @@ using Points = std::vector<Vec3>;
 
 constexpr std::size_t most_factors = 64, most_points = 50;
 constexpr double farthest = 1e9;
-constexpr int samples = 120;                // of a path
+constexpr int samples = 120;                // of a slow path
+constexpr double most_turns = 24;           // of a path that is sampled for its turns
 constexpr std::size_t counted_for = 1'000;  // points that `best` is made for
 constexpr std::int64_t drift_steps = 100'000;
 
@@ -50,7 +51,9 @@ bool drawable(const Motion& motion) {
   return true;
 }
 
-Status ready(const Motion& motion, const LessonOptions& options) {
+Status ready(const std::string& path, const Motion& motion, const LessonOptions& options) {
+  if (const std::string type = ending(path); type != "html" && type != "htm")
+    return fail(Code::range, fmt::format("a lesson is a .html, not \"{}\"", path));
   if (auto bad = check(motion); !bad) return bad;
   if (!is_planar(motion)) return fail(Code::type, "this motion leaves the plane", "a lesson is drawn in the plane");
   if (auto first = frame(motion, 0, options.steps); !first) return first.error();
@@ -126,18 +129,25 @@ Motion linear_law(Motion motion) {
 }
 bool exponential_law(const Motion& motion) { return !(linear_law(motion) == motion); }
 
-std::vector<Mat4> sampled(const Motion& motion) {
+std::vector<Mat4> sampled(const Motion& motion, int steps = samples) {
   std::vector<Mat4> frames;
-  for (int k = 0; k <= samples; ++k) frames.push_back(*frame(motion, k, samples));
+  for (int k = 0; k <= steps; ++k) frames.push_back(*frame(motion, k, steps));
   return frames;
 }
 
+double turns_of(const Motion& motion) {
+  double turns = 0;
+  for (const Factor& f : motion.factors)
+    if (f.kind == Kind::rotate) turns += std::abs(f.angle) / (2 * pi);
+  return turns;
+}
+
 // What becomes of three points says what becomes of all.
-std::vector<Mat4> stepped(const Motion& motion, Method method) {
+std::vector<Mat4> stepped(const Motion& motion, Method method, int count) {
   const std::vector<double> x{0, 1, 0}, y{0, 0, 1};
-  auto steps = Steps<double>::make(motion, samples, method, x, y);
+  auto steps = Steps<double>::make(motion, count, method, x, y);
   std::vector<Mat4> frames;
-  for (; steps && frames.size() <= samples; steps->step()) {
+  for (; steps && frames.size() <= static_cast<std::size_t>(count); steps->step()) {
     const auto px = steps->x(), py = steps->y();
     Mat4 m;
     m(0, 3) = px[0], m(0, 0) = px[1] - px[0], m(0, 1) = px[2] - px[0];
@@ -149,14 +159,16 @@ std::vector<Mat4> stepped(const Motion& motion, Method method) {
 
 // ---- Other paths to the same end
 
-// `base`: the motion that it is compared with, by its own law or by the linear one.
+// `base`: the motion that it is compared with, by its own law or by the linear one. `shown`: its frames are needed, as
+// the page cannot work them out.
 void add_path(Json& paths, const char* kind, const std::vector<Mat4>& frames, const Motion& base, const char* law,
-              const Points& points) {
+              const Points& points, bool shown) {
   if (frames.empty()) return;
-  const std::vector<Mat4> wanted = sampled(base);
+  const int steps = static_cast<int>(frames.size()) - 1;
+  const std::vector<Mat4> wanted = sampled(base, steps);
   double gap = 0, size = 0;
   int where = 0;
-  for (int k = 0; k <= samples; ++k)
+  for (int k = 0; k <= steps; ++k)
     for (const Vec3& p : points) {
       const auto i = static_cast<std::size_t>(k);
       const Vec3 is = transform_point(wanted[i], p);
@@ -165,11 +177,8 @@ void add_path(Json& paths, const char* kind, const std::vector<Mat4>& frames, co
       if (d > gap) gap = d, where = k;
     }
   if (gap <= 1e-7 * size) return;
-  paths.push_back({{"kind", kind},
-                   {"base", law},
-                   {"gap", gap},
-                   {"at", where / static_cast<double>(samples)},
-                   {"frames", list(frames)}});
+  paths.push_back({{"kind", kind}, {"base", law}, {"gap", gap}, {"at", where / static_cast<double>(steps)}});
+  if (shown) paths.back()["frames"] = list(frames);
 }
 
 std::vector<Mat4> root_path(const Motion& motion) {
@@ -184,14 +193,16 @@ std::vector<Mat4> root_path(const Motion& motion) {
 
 Json other_paths(const Motion& motion, const Points& points) {
   Json paths = Json::array();
+  const double turns = turns_of(motion);
+  const int steps = turns > most_turns ? samples : std::max(samples, static_cast<int>(std::ceil(48 * turns)));
   if (!count_operations(motion, samples, Method::differences, 1)) {
     const std::vector<Mat4> root = root_path(motion);
     if (root.empty()) paths.push_back({{"kind", "no root"}});
-    add_path(paths, "root", root, motion, "own", points);
+    add_path(paths, "root", root, motion, "own", points, true);
   }
   const Motion linear = linear_law(motion);
-  add_path(paths, "scheme", stepped(linear, Method::geometric), linear, "linear", points);
-  if (exponential_law(motion)) add_path(paths, "law", sampled(linear), motion, "own", points);
+  add_path(paths, "scheme", stepped(linear, Method::geometric, steps), linear, "linear", points, turns <= most_turns);
+  if (exponential_law(motion)) add_path(paths, "law", sampled(linear, steps), motion, "own", points, false);
   return paths;
 }
 
@@ -358,7 +369,7 @@ std::string filled(std::string_view page, std::initializer_list<std::pair<std::s
 }  // namespace
 
 Status write_lesson(const std::string& path, const Motion& motion, const LessonOptions& options) {
-  if (auto bad = ready(motion, options); !bad) return bad;
+  if (auto bad = ready(path, motion, options); !bad) return bad;
   const std::string text = to_string(motion);
   const std::string page = filled(lesson_html, {{"title", escaped(text.empty() ? "no factors" : text)},
                                                 {"style", lesson_css},

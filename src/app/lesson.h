@@ -18,7 +18,8 @@ struct LessonOptions {
 };
 
 // One HTML file that needs nothing else; written whole or not at all. Errors: those of `check`; type (a motion that
-// leaves the plane); range (steps below 1; more factors, points or larger numbers than a page can show); file, machine.
+// leaves the plane); range (a path that does not end in .html or .htm; steps below 1; more factors, points or larger
+// numbers than a page can show); file, machine.
 Status write_lesson(const std::string& path, const Motion&, const LessonOptions&);
 
 }  // namespace betwixt

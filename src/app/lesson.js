@@ -70,8 +70,9 @@
     return size < 1 ? `by ${number(360 * size)}°` : `${number(size, 8)} turns`;
   };
   const growth = (g) => {
-    const plain = {'-1': 'its own mirror image', '0': 'nothing at all', '0.5': 'half as large', '2': 'twice as large'};
-    return plain[g] || `${g < 0 ? 'mirrored and ' : ''}${number(Math.abs(g))} times as large`;
+    const plain = {'-1': 'its own mirror image', '0': 'zero', '0.5': 'half as large', '2': 'twice as large'};
+    const size = Math.abs(g), digits = Math.abs(size - 1) < 1e-3 ? 17 : 4;  // or nearly 1 would be 1
+    return plain[g] || `${g < 0 ? 'mirrored and ' : ''}${number(size, digits)} times as large`;
   };
   const centreOf = (f) => f.about ? `${f.about}, here at ${place(f.centre)}` : place(f.centre);
   const described = (f) => {
@@ -83,12 +84,14 @@
     }
     const [x, y] = f.by;
     let what = `Makes the width ${growth(x)} and the height ${growth(y)}`;
-    if (x === y) what = x === 1 ? 'Leaves every size as it is' : `Makes everything ${growth(x)}`;
+    if (x === 1 && y === 1) return 'Leaves every size as it is.';
+    if (x === y) what = x === 0 ? 'Shrinks everything to one point' : `Makes everything ${growth(x)}`;
     else if (y === 1) what = `Makes the width ${growth(x)}`;
     else if (x === 1) what = `Makes the height ${growth(y)}`;
-    return `${what}. The centre ${centreOf(f)} stays. `
-        + (f.linear ? 'It grows by the same amount in every step (the linear law).' :
-                      'It grows by the same factor in every step (the exponential law).');
+    const all = (fits) => f.by.every(fits);
+    const does = all((g) => g >= 1) ? 'grows' : all((g) => g >= 0 && g <= 1) ? 'shrinks' : 'changes';
+    return `${what}. The centre ${centreOf(f)} stays. The size ${does} by the same `
+        + (f.linear ? 'amount in every step (the linear law).' : 'factor in every step (the exponential law).');
   };
   // What of the factor is done by t.
   const partly = (f, t) => {
@@ -121,10 +124,33 @@
       [{p: tip, name: 'the top'}, {p: foot, name: 'the foot'}].concat(points.map((p) => ({p, name: place(p)})));
   const followedColour = (i) => i === 0 ? 'var(--accent)' : i === 1 ? 'var(--other)' : colour(i);
 
-  // Enough of them that a quick turn looks round.
   const turnsOf = (some) => some.reduce((n, f) => n + (f.kind === 'R' ? Math.abs(f.turns) : 0), 0);
-  const fine = (some) => Math.min(6000, Math.ceil(160 + 64 * turnsOf(some)));
-  const sample = (at, n) => Array.from({length: n + 1}, (_, k) => at(k / n));
+  const exponentsOf = (some) => some.reduce(
+      (n, f) => n + (f.kind === 'S' && !f.linear ? Math.max(...f.by.map((g) => Math.abs(Math.log(g)))) : 0), 0);
+  const evenly = (from, to, n) => Array.from({length: n + 1}, (_, k) => from + (to - from) * k / n);
+
+  // The moments that a path is drawn through, so many that a quick turn looks round. More turns than can be told apart
+  // are not drawn one by one: `line` is the first of them then, and `shade` shows where they run. It has all, or so many
+  // as can be drawn, in no rhythm that another turn could share.
+  const mostTurns = 24, firstTurns = 3, perTurn = 64;
+  const mostShaded = Math.min(600, Math.max(40, Math.floor(600000 / (2 * count + 2) / followed.length / perTurn)));
+  const isDense = (some) => turnsOf(some) > mostTurns;
+  const denseNote = (some) => {
+    const where = turnsOf(some) > mostShaded ? `where ${mostShaded} of them run` : 'where they run';
+    return `Too many turns to be drawn one by one: the lines are the first ${firstTurns}, the shade is ${where}.`;
+  };
+  const momentsOf = (some) => {
+    const turns = turnsOf(some);
+    if (!isDense(some)) return {line: evenly(0, 1, Math.ceil(160 + perTurn * turns + 16 * exponentsOf(some))), shade: []};
+    const line = evenly(0, firstTurns / turns, perTurn * firstTurns);
+    if (turns <= mostShaded) return {line, shade: [evenly(0, 1, Math.ceil(perTurn * turns))]};
+    const golden = (Math.sqrt(5) - 1) / 2;
+    const begin = (k) => (k + golden * k % 1) / mostShaded * (1 - 1 / turns);
+    return {
+      line,
+      shade: Array.from({length: mostShaded}, (_, k) => evenly(begin(k), begin(k) + 1 / turns, perTurn))
+    };
+  };
 
   // Round numbers that divide low to high into a few parts.
   const ticks = (low, high, most) => {
@@ -170,29 +196,37 @@
   const stand = (element, [x, y]) => element.setAttribute('transform', `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
   const ghosts = [1, 2, 3, 4, 5, 6, 7, 8].map((k) => k / 8);
 
-  // at: the matrix of t. options: n samples; crosses: {colour, at}; dashed paths of another way: {at, n}.
-  const draw = (parent, at, label, {n, crosses = [], other, wide, shapes}) => {
-    const way = sample(at, n);
+  // at: the matrix of t. options: moments; crosses: {colour, at, line}; dashed paths of another way: {at, line}.
+  const draw = (parent, at, label, {moments, crosses = [], other, wide, shapes}) => {
+    const way = moments.line.map(at);
+    const shade = moments.shade.map((turn) => turn.map(at));
     const poses = ghosts.map(at);
     const places = corners.slice();
-    for (const m of way)
+    for (const m of [way, ...shade].flat())
       for (const p of followed) places.push(moved(m, p.p));
     for (const m of poses)
       for (const p of corners) places.push(moved(m, p));
-    const otherWay = other ? sample(other.at, other.n) : [];
-    for (const m of otherWay)
+    const otherWay = other ? other.line.map(other.at) : [];
+    for (const m of other ? [...otherWay, ...ghosts.map(other.at)] : [])
       for (const p of corners) places.push(moved(m, p));
     for (const c of crosses)
       for (let k = 0; k <= 32; ++k) places.push(c.at(k / 32));
     const v = view(parent, places, label, wide, shapes);
     const ink = (name, attributes) => put(v.svg, name, {fill: 'none', 'stroke-linejoin': 'round', ...attributes});
+    if (shade.length > 0)
+      followed.forEach((p, i) => ink('path', {
+        d: shade.map((turn) => v.path(turn.map((m) => moved(m, p.p)))).join(''),
+        stroke: followedColour(i),
+        'stroke-width': 6,
+        'stroke-opacity': 0.22
+      }));
     for (const m of poses)
       ink('path', {d: v.path(figure.map((p) => moved(m, p)), true), stroke: 'var(--soft)', 'stroke-opacity': 0.35});
     ink('path', {d: v.path(figure, true), stroke: 'var(--soft)', 'stroke-dasharray': '4 3', 'stroke-width': 1.2});
     for (const c of crosses)
-      if (c.n)
+      if (c.line.length > 0)
         ink('path', {
-          d: v.path(sample(c.at, c.n)),
+          d: v.path(c.line.map(c.at)),
           stroke: c.colour,
           'stroke-dasharray': '1 4',
           'stroke-linecap': 'round',
@@ -229,7 +263,7 @@
       if (f.kind === 'T') return;
       const over = some.slice(0, i);
       const at = (t) => moved(product(over, t), f.centre);
-      centres.push({colour: colour(first + i), n: i > 0 ? fine(over) : 0, at});
+      centres.push({colour: colour(first + i), line: i > 0 ? momentsOf(over).line : [], at});
     });
     return centres;
   };
@@ -254,7 +288,7 @@
 
   draw(
       byId('stage'), motion, 'The figure at rest, on its way and at the end; the paths of its points',
-      {n: fine(factors), crosses: carried(factors, 0), wide: 760, shapes: [0.4, 0.85]});
+      {moments: momentsOf(factors), crosses: carried(factors, 0), wide: 760, shapes: [0.4, 0.85]});
   const legend = byId('legend');
   const key = (parent, stroke, text, dashed) => {
     put(parent, 'span', {class: dashed ? 'key dashed' : 'key', style: `border-color: ${stroke}`});
@@ -266,7 +300,8 @@
           (i < 2 ? `${p.name} of the figure, ${place(p.p)} at rest` : p.name) + (i + 1 < followed.length ? ';' : '.')));
   if (factors.some((f) => f.kind !== 'T'))
     legend.append('Crosses are centres, in the colours of their factors; dots show how they are carried. ');
-  legend.append('Thin letters: every eighth part of the motion.');
+  legend.append('Thin letters: every eighth part of the motion. ');
+  if (isDense(factors)) legend.append(denseNote(factors));
 
   const now = spans(byId('now'), factors.map(() => ''));
   if (count === 0) byId('now').textContent = 'empty: the identity';
@@ -300,8 +335,8 @@
       const box = put(pair, 'figure');
       draw(
           box, (t) => product(some, t), `${caption}: ${some.map((s) => s.text).join(' ')}`,
-          {n: fine(some), crosses: carried(some, first), wide: 460, shapes: [0.5, 0.75]});
-      put(box, 'figcaption', {}, caption);
+          {moments: momentsOf(some), crosses: carried(some, first), wide: 460, shapes: [0.5, 0.75]});
+      put(box, 'figcaption', {}, isDense(some) ? `${caption}. ${denseNote(some)}` : caption);
     };
     one([f], i, 'Alone');
     if (i < count - 1)
@@ -314,7 +349,7 @@
   const means = {
     matrix: 'The points at rest, times the matrix of the step. Its numbers go on from step to step.',
     geometric: 'Points are pushed, grown and sheared where they are.',
-    'geometric, linear law': 'The same for scalings by the linear law, for which the paper counts it.',
+    'geometric, linear law': 'The same for scalings by the linear law, for which the source counts it.',
     differences: 'One constant matrix, times the points of the step before.',
     best: 'The cheapest exact way that the string compiler finds.'
   };
@@ -328,9 +363,9 @@
       if (note) put(td, 'small', {}, note);
     };
     const printed = (part) => {
-      if (!w.printed) return cell('The paper:', '–');
+      if (!w.printed) return cell('The source:', '–');
       const after = part === 'before' && w.printed.after !== '0' ? `and ${w.printed.after} after the last step` : '';
-      cell('The paper:', w.printed[part], after);
+      cell('The source:', w.printed[part], after);
     };
     if (w.refused) {
       const why = put(row, 'td', {class: 'refused', colspan: w.printed ? 1 : 4}, `Refuses: ${w.refused}.`);
@@ -352,7 +387,7 @@
   const most = Math.max(
       1, ...lesson.ways.flatMap((w) => [w.operations || 0, w.printed && !w.refused ? w.printed.operations : 0]));
   put(byId('bars'), 'p', {class: 'label'},
-      `Operations per step for ${lesson.countedFor} points. Dashed: as the paper prints.`);
+      `Operations per step for ${lesson.countedFor} points. Dashed: as the source prints.`);
   for (const w of able) {
     const row = put(byId('bars'), 'div', w.name === 'best' ? {class: 'best'} : {});
     put(row, 'span', {}, w.name);
@@ -433,7 +468,7 @@
 
   // ---- Other ways to the same end
 
-  const paths = lesson.paths.filter((p) => p.frames);
+  const paths = lesson.paths.filter((p) => p.kind !== 'no root');
   byId('paths-none').hidden = lesson.paths.length > 0;
   byId('paths-lead').hidden = paths.length === 0;
   byId('no-root').hidden = paths.length === lesson.paths.length;
@@ -444,10 +479,16 @@
   for (const p of paths) {
     const box = put(byId('paths'), 'div', {class: 'path'}), picture = put(box, 'figure'), words = put(box, 'div');
     words.append(byId(`path-${p.kind}`).content.cloneNode(true));
-    const other = {at: lookup(p.frames), n: p.frames.length - 1};
-    draw(
-        picture, (t) => product(factors, t, p.base === 'linear'), words.querySelector('h3').textContent,
-        {n: fine(factors), other, wide: 560, shapes: [0.5, 0.9]});
+    const moments = momentsOf(factors);
+    let other = null;
+    if (p.frames) other = {at: lookup(p.frames), line: evenly(0, 1, p.frames.length - 1)};
+    if (p.kind === 'law') other = {at: (t) => product(factors, t, true), line: moments.line};
+    if (other)
+      draw(
+          picture, (t) => product(factors, t, p.base === 'linear'), words.querySelector('h3').textContent,
+          {moments, other, wide: 560, shapes: [0.5, 0.9]});
+    if (isDense(factors))
+      put(picture, 'figcaption', {}, other ? denseNote(factors) : 'These are too many turns for this way to be drawn.');
     const most = `The largest distance: ${number(p.gap, 3)}, at t = ${number(p.at, 3)}.`;
     put(words, 'p', {class: 'small'}, `${most} The letter is ${number(1.5 * unit)} high.`);
   }

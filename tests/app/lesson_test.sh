@@ -46,7 +46,7 @@ has 'nothing else to tell' "$page" '"paths":[]'
 lesson 'S(4 9)'
 has 'half of a growth' "$page" '[2.0,0.0,0.0,3.0,0.0,0.0]'
 has 'the other law' "$page" '"kind":"law"'
-has 'the paper counts the linear law' "$(method 'geometric, linear law')" '"step":"2Np"'
+has 'the source counts the linear law' "$(method 'geometric, linear law')" '"step":"2Np"'
 lesson 'S(2 0.5 @ 1 1) R(180deg)'
 has 'no root' "$page" '"kind":"no root"'
 has 'the end only' "$page" '"kind":"scheme","base":"linear"'
@@ -64,6 +64,13 @@ refused 'too far out' 'too far out' 'T(1e12 0)'
 refused 'far out in between' 'too far out' 'S(1e6) S(1e6)'
 refused 'too many factors' '65 factors are too many' "$(printf 'T(1 1) %.0s' {1..65})"
 refused 'no steps' '0 steps lead nowhere' --steps 0 'T(1 1)'
+for path in page.pdf page.html.png page html page.html/ .html; do
+  said=$("$program" algebra --lesson "$path" 'T(1 1)' 2>&1)
+  verdict "$path is no page" "$([ $? != 0 ] && [[ $said == *"a lesson is a .html, not \"$path\""* ]] && echo yes)" "$said"
+done
+is 'nothing is written' "$(find . -type f | wc -l)" 0
+"$program" algebra --lesson page.HTM 'T(1 1)' && has 'another ending' "$(tail -n 1 page.HTM)" '</html>'
+rm -f page.HTM
 said=$("$program" algebra --lesson nowhere/page.html 'T(1 1)' 2>&1)
 verdict 'no such folder' "$([ $? != 0 ] && [[ $said == *nowhere* ]] && echo yes)" "$said"
 is 'nothing is left' "$(find . -type f | wc -l)" 0

@@ -201,6 +201,10 @@ a.kill(free)
 fails("a name that was killed", Refused,
       f"'E{free}': there is nothing to halt: it has not been animated since it was killed", a.halt, free)
 
+named = a.make_environment() + 1000
+a.animate(named, 1, translate(1, 0, 0))
+check("animate takes any number", a.get_interval(named) == 1)
+
 # Editing, with other commands in between.
 a.edit_object(star)
 a.replace(tag)
@@ -331,15 +335,15 @@ with a.object() as o:
     lines = a.stats()["lines"]
     for call, bad in (a.point, (1, 2, math.nan)), (a.vector, ((0, 0), (0, 0, 0))), (a.polygon, ([(0, 0, 0, 0)] * 3,)), \
                      (a.view, ((0, 0, 1), (0, 0, math.inf))):
-        fails(call.__name__, ValueError, "a point is three numbers", call, *bad)
+        fails(call.__name__, ValueError, "a point is three finite numbers", call, *bad)
     fails("polygon", ValueError, "a polygon has at least three points", a.polygon, [(0, 0, 0)] * 2)
-    fails("color", ValueError, "a colour is three numbers", a.color, 0, math.inf, 0)
-    fails("perspective", ValueError, "an angle is a number", a.perspective, math.nan)
-    fails("orthographic", ValueError, "a height is a number", a.orthographic, math.nan)
+    fails("color", ValueError, "a colour is three finite numbers", a.color, 0, math.inf, 0)
+    fails("perspective", ValueError, "an angle is a finite number", a.perspective, math.nan)
+    fails("orthographic", ValueError, "a height is a finite number", a.orthographic, math.nan)
     for m in unit[1:], unit * 2, unit[1:] + [math.nan]:
-        fails("multiply_matrix", ValueError, "a matrix is 16 numbers", a.multiply_matrix, m)
-        fails("animate", ValueError, "a matrix is 16 numbers", a.animate, 1, 1, m)
-        fails("matrix", ValueError, "a matrix is 16 numbers", a.matrix(m).__enter__)
+        fails("multiply_matrix", ValueError, "a matrix is 16 finite numbers", a.multiply_matrix, m)
+        fails("animate", ValueError, "a matrix is 16 finite numbers", a.animate, 1, 1, m)
+        fails("matrix", ValueError, "a matrix is 16 finite numbers", a.matrix(m).__enter__)
     for call, bad in (a.point, ("1", 2, 3)), (a.color, (1, 2, None)), (a.multiply_matrix, (5,)), \
                      (a.multiply_matrix, ("x" * 16,)), (a.polygon, (1,)), (a.texture, (3,)), (a.call_object, ("O1",)), \
                      (a.halt, (1.5,)), (a.animate, (1, 1.5, unit)):
@@ -390,6 +394,10 @@ from common import *
 where, server = sys.argv[1], int(sys.argv[2])
 fails("nobody", Gone, "no server listens at /nowhere/at/all: No such file or directory", Host, "/nowhere/at/all")
 fails("too long", Gone, f"no server listens at {'x' * 200}: AF_UNIX path too long", Host, "x" * 200)
+tcp = "by TCP the server's token is needed, too"
+fails("no token", ValueError, f"there is no socket localhost:1; {tcp}", Host, "localhost:1")
+fails("no token", ValueError, f"there is no socket [::1]:9100; {tcp}", Host, "[::1]:9100")
+fails("a path", Gone, "no server listens at ./none:1: No such file or directory", Host, "./none:1")
 fails("no port", ValueError, "with a token, where is HOST:PORT", Host, "localhost", "t")
 shy = socket.create_server(("127.0.0.1", 0))
 port = shy.getsockname()[1]

@@ -20,7 +20,7 @@ cmake --install "$1" --prefix "$folder/to" >"$folder/log" 2>&1 || tail -n 5 "$fo
 mv "$folder/to" "$folder/prefix"
 for file in bin/betwixt include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
   share/zsh/site-functions/_betwixt share/fish/vendor_completions.d/betwixt.fish share/doc/betwixt/LICENSE \
-  share/betwixt/examples/bounce.bx; do
+  share/betwixt/examples/bounce.bx share/betwixt/python/betwixt_client.py; do
   verdict "is installed: $file" "$(ls "$folder/prefix/$file" 2>&1)" "$folder/prefix/$file"
 done
 { cmake -S "$here" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" && cmake --build "$folder/build"; } \
@@ -29,6 +29,8 @@ verdict "a stranger's program" "$("$folder/build/stranger" 2>&1)" "2 4 -1"
 verdict "the installed program" \
   "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
     sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"
+verdict "the installed client" "$(cd / && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$folder/prefix/share/betwixt/python \
+  python3 -c 'import betwixt_client; print(betwixt_client.__file__)' 2>&1)" "$folder/prefix/share/betwixt/python/betwixt_client.py"
 verdict "the manual page" "$(groff -man -ww -z "$folder/prefix/share/man/man1/betwixt.1" 2>&1)" ""
 # What --help names, the manual page and the completions know.
 prefix=$folder/prefix
