@@ -10,7 +10,7 @@ _betwixt() {
     --style) words='shaded wireframe hidden-line' ;;
     --samples) words='1 4 9 16' ;;
     --size) words='320x180 640x360 960x540 1280x720 1920x1080 3840x2160' ;;
-    --at | --frames | --jobs | --listen | --steps | --points) return ;;
+    --at | --frames | --jobs | --listen | --steps | --points | --origin) return ;;
     --method) words='matrix geometric differences best' ;;
     -o | --output | --record | --lesson)
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
@@ -25,7 +25,7 @@ _betwixt() {
       eval) words='--at --json' ;;
       plot) words='-o --output --frames' ;;
       tidy) words='--write' ;;
-      algebra) words='--steps --at --points --method --count --css --lesson --inverse --json' ;;
+      algebra) words='--steps --at --points --method --count --css --origin --to-css --lesson --inverse --json' ;;
       contacts) words='--frames --swept --related' ;;
       serve) words='--socket --tcp --anywhere --token-file --to --rate --size --style --samples --class --sweep --wait --latency --save --overwrite --hosts --ceiling' ;;
       shell) words='--recover --discard' ;;

@@ -43,6 +43,8 @@ complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l points -x -d 'wh
 complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l method -x -a 'matrix geometric differences best' -d 'how it goes from step to step'
 complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l count -d 'operations per step'
 complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l css -d 'the motion is a list of CSS transforms'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l origin -x -d 'transform-origin of --css'
+complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l to-css -d 'print it as lists of CSS transforms'
 complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l lesson -r -F -d 'write a page that teaches the string'
 complete -c betwixt -n '__fish_seen_subcommand_from algebra' -l inverse -d 'the motion that undoes this one'
 complete -c betwixt -n '__fish_seen_subcommand_from contacts' -l swept -d 'what touches between two ticks too'

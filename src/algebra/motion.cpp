@@ -46,6 +46,16 @@ Mat4 matrix(const Factor& f, double t) {
   return m;
 }
 
+// Of affine matrices: what is endless in one number spoils no other.
+Mat4 after(const Mat4& a, const Mat4& b) {
+  Mat4 r;
+  for (int i = 0; i < 3; ++i) {
+    for (int c = 0; c < 4; ++c) r(i, c) = a(i, 0) * b(0, c) + a(i, 1) * b(1, c) + a(i, 2) * b(2, c);
+    r(i, 3) += a(i, 3);
+  }
+  return r;
+}
+
 Error about_factor(const Motion& motion, std::size_t i, std::string_view what, std::string_view hint = {}) {
   const Factor& f = motion.factors[i];
   return fail(Code::range, fmt::format("factor {}, {}: {}", i + 1, letters[static_cast<int>(f.kind)], what),
@@ -110,7 +120,7 @@ bool is_planar(const Motion& motion) {
 
 Mat4 at(const Motion& motion, double t) {
   Mat4 product;
-  for (const Factor& f : motion.factors) product = product * matrix(f, t);
+  for (const Factor& f : motion.factors) product = after(product, matrix(f, t));
   return product;
 }
 
@@ -123,14 +133,14 @@ Result<Mat4> frame(const Motion& motion, std::int64_t k, std::int64_t steps) {
   const double t = static_cast<double>(k) / static_cast<double>(steps);
   for (const Factor& f : motion.factors) {
     if (f.kind != Kind::rotate) {
-      product = product * matrix(f, t);
+      product = after(product, matrix(f, t));
       continue;
     }
     Factor part = f;
     const std::uint64_t phase =
         algebra::phase(algebra::turns_of(f.angle), static_cast<long double>(k), static_cast<long double>(steps));
     part.angle = std::ldexp(static_cast<double>(static_cast<std::int64_t>(phase)), -63) * pi;
-    product = product * matrix(part, 1);
+    product = after(product, matrix(part, 1));
   }
   return product;
 }

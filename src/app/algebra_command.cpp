@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "app/command.h"
 #include "app/lesson.h"
@@ -17,10 +18,11 @@ namespace betwixt {
 namespace {
 
 struct Call {
-  std::string motion, points = "1,0", method, lesson;
+  std::string motion, points = "1,0", method, origin, steps_text;
+  std::optional<std::string> lesson;
   std::vector<std::string> at;
   std::int64_t steps = 24;
-  bool count = false, json = false, inverse = false, css = false, pointed = false;
+  bool count = false, json = false, inverse = false, css = false, to_css = false, pointed = false;
 };
 
 constexpr Method methods[] = {Method::matrix, Method::geometric, Method::differences, Method::best};
@@ -71,12 +73,22 @@ Result<std::vector<Point>> read_points(const std::string& text) {
     }
     points.push_back(p);
   }
+  if (points.empty()) return fail(Code::syntax, "--points: there is no point", "as in --points \"1,0 -0.5,2\"");
   return points;
 }
 
 // What is wrong with the motion, under its text.
 int complain_about(const std::string& text, const Error& e) {
-  Diagnostic d{Severity::error, e, text, e.place.column - 1};
+  constexpr int width = 100;  // of a long text what is around the place
+  const int from = std::max(0, e.place.column - 1 - width / 2);
+  const auto byte = [&](int character) {
+    std::size_t at = 0;
+    for (; at < text.size() && (character > 0 || (text[at] & 0xC0) == 0x80); ++at)
+      if ((text[at] & 0xC0) != 0x80) --character;
+    return at;
+  };
+  const std::size_t first = byte(from), last = byte(from + width);
+  Diagnostic d{Severity::error, e, text.substr(first, last - first), e.place.column - 1 - from};
   d.what.place.file = "motion";
   fmt::print(stderr, "{}", to_string(d));
   return wrong_input;
@@ -151,7 +163,7 @@ std::string count_json(const Call& call, const Asked& asked) {
 void print_counts(const Call& call, const Asked& asked) {
   const auto paper = printed_costs(asked.motion);
   fmt::print("Operations per step for Np points{}\n\n", paper ? ", row " + paper->row + " of the source's table" : "");
-  fmt::print("  {:<12} {:<16} {:<12} {:<12} {:<16} {}\n", "", "paper", "ours", "measured", "before the first",
+  fmt::print("  {:<12} {:<16} {:<12} {:<12} {:<18} {}\n", "", "paper", "ours", "measured", "before the first",
              "kernel");
   std::string notes;
   for (const Method m : methods) {
@@ -160,7 +172,7 @@ void print_counts(const Call& call, const Asked& asked) {
     if (paper && m == Method::matrix) printed = to_string(paper->matrix);
     if (paper && m == Method::geometric) printed = to_string(paper->geometric);
     if (c) {
-      fmt::print("  {:<12} {:<16} {:<12} {:<12} {:<16} {}\n", name_of(m), printed, to_string(c->planned),
+      fmt::print("  {:<12} {:<16} {:<12} {:<12} {:<18} {}\n", name_of(m), printed, to_string(c->planned),
                  to_string(c->step), to_string(c->before), c->kernel);
     } else {
       fmt::print("  {:<12} {:<16} -\n", name_of(m), printed);
@@ -198,10 +210,28 @@ Result<Asked> read(const Call& call) {
   return asked;
 }
 
-int algebra(const Call& call) {
+Status read_steps(Call& call) {
+  if (call.steps_text.empty()) return Nothing{};
+  const char* end = call.steps_text.data() + call.steps_text.size();
+  const auto [at, bad] = std::from_chars(call.steps_text.data(), end, call.steps);
+  if (bad == std::errc() && at == end) return Nothing{};
+  return fail(Code::syntax, fmt::format("--steps: '{}' is no whole number of steps", call.steps_text.substr(0, 60)));
+}
+
+int algebra(Call& call) {
+  if (const Status s = read_steps(call); !s) return complain(s.error(), wrong_call);
   auto asked = read(call);
   if (!asked) return complain(asked.error(), wrong_call);
-  auto motion = call.css ? from_css(call.motion) : parse_motion(call.motion);
+  Vec3 origin;
+  if (!call.origin.empty()) {
+    const auto place = read_points(call.origin);
+    if (!place || place->size() != 1)
+      return complain(fail(Code::syntax, fmt::format("--origin: '{}' is no point", call.origin.substr(0, 60)),
+                           "as in --origin 50,50"),
+                      wrong_call);
+    origin = (*place)[0].at;
+  }
+  auto motion = call.css ? from_css(call.motion, origin) : parse_motion(call.motion);
   if (!motion) return complain_about(call.motion, motion.error());
   for (const Factor& f : motion->factors)
     if (!f.about.empty())
@@ -212,16 +242,25 @@ int algebra(const Call& call) {
   if (!motion) return complain(motion.error(), wrong_input);
   asked->motion = *std::move(motion);
   if (const Status fine = check(asked->motion); !fine) return complain(fine.error(), wrong_input);
-  if (!call.lesson.empty()) {
+  if (call.lesson) {
     LessonOptions options{call.steps, {}};
     if (call.pointed)
       for (const Point& p : asked->points) options.points.push_back(p.at);
-    const Status done = write_lesson(call.lesson, asked->motion, options);
+    const Status done = write_lesson(*call.lesson, asked->motion, options);
     return done ? static_cast<int>(all_done) : complain(done.error(), wrong_input);
   }
   if (!is_planar(asked->motion))
     for (Point& p : asked->points) p.numbers = 3;
-  if (call.inverse && !call.json) fmt::print("{}\n", to_string(asked->motion));
+  if (call.to_css) {
+    const auto lists = to_css(asked->motion);
+    if (!lists) return complain(lists.error(), wrong_input);
+    fmt::print("from {}\nto {}\n", lists->from, lists->to);
+    return all_done;
+  }
+  if (call.count && !is_planar(asked->motion))
+    return complain(fail(Code::type, "this motion leaves the plane", "operations are counted in the plane only"),
+                    wrong_input);
+  if ((call.inverse || call.css) && !call.json) fmt::print("{}\n", to_string(asked->motion));
   // What cannot be is said before anything is written.
   if (asked->method) {
     const double none = 0;
@@ -233,19 +272,19 @@ int algebra(const Call& call) {
   if (end_only(*asked))
     fmt::print(stderr, "betwixt: notice: this scheme meets the motion at its end, and leaves it in between\n");
   if (call.json) {
-    std::string frames;
+    fmt::print("{{\"steps\":{},\"motion\":{},\"frames\":[", call.steps, json_text(to_string(asked->motion)));
+    const char* between = "";
     const Status done = go(call, *asked, [&](double k, const std::vector<Point>& points) {
-      frames += fmt::format("{}{{\"k\":{},\"points\":[", frames.empty() ? "" : ",", json_number(k));
+      std::string frame = fmt::format("{}{{\"k\":{},\"points\":[", std::exchange(between, ","), json_number(k));
       for (std::size_t i = 0; i < points.size(); ++i) {
-        frames += i ? ",[" : "[";
-        for (int c = 0; c < points[i].numbers; ++c) frames += (c ? "," : "") + json_number(points[i].at[c]);
-        frames += "]";
+        frame += i ? ",[" : "[";
+        for (int c = 0; c < points[i].numbers; ++c) frame += (c ? "," : "") + json_number(points[i].at[c]);
+        frame += "]";
       }
-      frames += "]}";
+      fmt::print("{}]}}", frame);
     });
     if (!done) return complain(done.error(), wrong_input);
-    fmt::print("{{\"steps\":{},\"motion\":{},\"frames\":[{}]{}}}\n", call.steps, json_text(to_string(asked->motion)),
-               frames, call.count ? ",\"count\":" + count_json(call, *asked) : "");
+    fmt::print("]{}}}\n", call.count ? ",\"count\":" + count_json(call, *asked) : "");
     return all_done;
   }
   if (call.count) {
@@ -267,7 +306,7 @@ void add_algebra(CLI::App& app, int& exit_code) {
   const auto call = std::make_shared<Call>();
   CLI::App* sub = app.add_subcommand("algebra", "the frames of a string of T(…), R(…) and S(…), and what they cost");
   sub->add_option("MOTION", call->motion, "the string, the leftmost applied last")->required()->type_name("");
-  sub->add_option("--steps", call->steps, "how many steps lead to the end (24)")->type_name("N");
+  sub->add_option("--steps", call->steps_text, "how many steps lead to the end (24)")->type_name("N");
   sub->add_option("--at", call->at, "these frames only: 0 is rest, N the end")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -284,9 +323,16 @@ void add_algebra(CLI::App& app, int& exit_code) {
   sub->add_flag("--count", call->count, "operations per step, as the source prints them and as they are");
   sub->add_flag("--css", call->css,
                 "MOTION is a list of CSS transforms, in pixels: \"translate(10px, 0) rotate(90deg)\"");
-  sub->add_option("--lesson", call->lesson, "writes a page that teaches the string")->type_name("OUT.html");
+  sub->add_option("--origin", call->origin, "of --css: what transform-origin is, in pixels (0,0)")
+      ->type_name("X,Y")
+      ->needs("--css");
+  sub->add_flag("--to-css", call->to_css,
+                "the motion as two lists of CSS transforms, to animate from one to the other");
   sub->add_flag("--inverse", call->inverse, "the motion that undoes this one");
-  sub->add_flag("--json", call->json, "one JSON object");
+  CLI::Option* json = sub->add_flag("--json", call->json, "one JSON object");
+  sub->add_option("--lesson", call->lesson, "writes a page that teaches the string")
+      ->type_name("OUT.html")
+      ->excludes(json);
   sub->footer("Example:\n  betwixt algebra \"T(6.28 0) R(-1turn @ 0 1)\" --steps 12 --points \"0,0 0,2\" --count");
   sub->callback([call, sub, &exit_code] {
     call->pointed = sub->count("--points") > 0;

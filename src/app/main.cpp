@@ -61,7 +61,7 @@ int help(const CLI::App& app, const std::string& word) {
   std::vector<std::string_view> known;
   std::vector<std::string> commands;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (sub->get_name() == word && word != "help") return fmt::print("{}", sub->help()), all_done;
+    if (sub->get_name() == word && word != "help") return fmt::print("{}", sub->help("betwixt")), all_done;
     commands.push_back(sub->get_name());
   }
   Scene words;

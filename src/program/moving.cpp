@@ -121,7 +121,7 @@ std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t) const {
   const auto k = static_cast<std::size_t>(std::clamp(std::floor(done), 0.0, static_cast<double>(m.pieces.size() - 1)));
   const Moving::Piece& piece = m.pieces[k];
   Mat4 whole = betwixt::at(piece.motion, done - static_cast<double>(k)) * piece.before;
-  for (double& x : whole.m) x = std::isfinite(x) ? std::clamp(x, -bound, bound) : 0;
+  for (double& x : whole.m) x = std::isnan(x) ? 0 : std::clamp(x, -bound, bound);
   return whole;
 }
 

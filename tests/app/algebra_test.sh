@@ -42,7 +42,12 @@ is 'undoes' "$(tail -n 1 <<<"$out")" '1       2 2'
 algebra '' --steps 1
 same 'the empty string' 0 1 0  1 1 0
 algebra --css 'translate(8px, 0) rotate(90deg)' --steps 1 --points 1,0
-same 'a list of CSS' 0 1 0  1 8 1
+is 'a list of CSS' "$(head -n 1 <<<"$out")" 'T(8 0) R(90deg)'
+is 'its end' "$(tail -n 1 <<<"$out")" '1       8 1'
+algebra --css 'rotate(90deg)' --origin 50,50 --steps 1 --at 1 --points 60,50
+is 'about its origin' "$(tail -n 1 <<<"$out")" '1       50 60'
+algebra 'T(8 0) R(90deg @ 1 2)' --to-css
+is 'as CSS' "$out" $'from translate(0px, 0px) translate(1px, 2px) rotate(0deg) translate(-1px, -2px)\nto translate(8px, 0px) translate(1px, 2px) rotate(90deg) translate(-1px, -2px)'
 for method in matrix geometric best; do
   algebra 'T(8 0) R(-1turn @ 0 1)' --steps 300 --at 75,150,300 --points 0,0 --method $method
   same "by $method" 75 1 1  150 4 2  300 8 0
@@ -83,5 +88,12 @@ refused 'not differences' 1 'no one matrix makes all steps of this motion' 'R(1t
 refused 'not geometric' 1 'the geometric method has no scheme for TST' 'T(1 0) S(2 linear) T(1 0)' --method geometric
 refused 'not in space' 1 'this motion leaves the plane' 'T(1 0 1)' --method best
 refused 'no inverse' 1 'under the linear law what undoes it is no such motion' 'S(2 linear)' --inverse
+refused 'too many steps' 2 "'99999999999999999999' is no whole number of steps" 'T(1 0)' --steps 99999999999999999999
+refused 'no points' 2 '--points: there is no point' 'T(1 0)' --points ''
+refused 'a lesson as JSON' 2 '--json excludes --lesson' 'T(1 0)' --lesson x.html --json
+refused 'a lesson as a plot' 1 'a lesson is a .html, not "x.svg"' 'T(1 0)' --lesson x.svg
+refused 'no origin' 2 "--origin: 'x' is no point" 'rotate(90deg)' --css --origin x
+refused 'counts in space' 1 'operations are counted in the plane only' 'T(1 0 1)' --count
+refused 'no CSS of growth' 1 'S' 'S(2)' --to-css
 refused 'no CSS' 1 'motion:1:1: error:' --css 'skew(10deg)'
 summary

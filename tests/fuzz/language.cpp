@@ -37,7 +37,7 @@ static void motion(std::string_view text) {
       auto steps = Steps<double>::make(*read, 3, m, {&x, 1}, {&y, 1});
       if (!steps) continue;
       steps->step(), steps->seek(-1), steps->seek(2), steps->step();
-      count_operations(*read, 3, m, 10);
+      insist(static_cast<bool>(count_operations(*read, 3, m, 10)), "what is stepped can be counted");
     }
   }
 }
