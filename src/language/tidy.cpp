@@ -204,7 +204,9 @@ class Tidier {
     for (std::size_t i = 1; i < tokens.size(); ++i) {
       if (tokens[i].text == "(") ++depth;
       if (tokens[i].text == ")") --depth;
-      if (depth == 0 && !(i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1))) return i + 1;
+      if (depth > 0 || (i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1))) continue;
+      const bool goes_on = i + 2 < tokens.size() && tokens[i + 2].text == "(" && tokens[i + 1].text.size() == 1;
+      if (!goes_on) return i + 1;  // a motion has factors: T(…) R(…)
     }
     return tokens.size();
   }

@@ -229,6 +229,13 @@ TEST(Motions, AreReadAndWrittenAndKeepTheirNames) {
   EXPECT_EQ(to_string(*std::get<Moves>(s.read("a.motion", "50f"))), "");
 }
 
+TEST(Motions, AreTidiedAsOneValue) {
+  EXPECT_EQ(tidy("create a box\na.motion\n 24f..148f T(1   0) linear\n  1f..24f T(6.280 0)   R(-1turn @ 0 1) S(2) "
+                 "ease-in=4f # hi\n"),
+            "create a box\na.motion\n  1f..24f    T(6.28 0) R(-1turn @ 0 1) S(2)  ease-in=4f  # hi\n"
+            "  24f..148f  T(1 0)                          linear\n");
+}
+
 TEST(Motions, MayBeCutOpenAndStillReadBack) {
   for (const char* cut : {"clear a.motion 20f..30f\n", "move a.motion 1f..60f by 5f\n", "clear a.motion 1f..1f\n",
                           "stretch a.motion 1f..60f by 2\n", "copy a.motion 1f..24f to 50f\n"}) {
