@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "algebra/kernels.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -55,6 +58,7 @@ void step_arrays(const Arrays<Number>& a, const Number* inputs, bool through) {
   else
     for (; i + lanes <= a.count; i += lanes) step_vector<k, false>(d, a, i, all);
   step_each<k>(part(a, i, a.count), inputs);
+  if (through) hwy::FlushStream();  // before another thread is told that it is there
 }
 
 template <class Number>
@@ -111,11 +115,15 @@ void step_threaded(Kernel kernel, const Arrays<Number>& a, const Number* inputs,
   const std::size_t threads = std::clamp<std::size_t>(a.count / thread_share, 1, most);
   constexpr std::size_t grain = line / sizeof(Number);
   const auto bound = [&](std::size_t i) { return i == threads ? a.count : a.count / threads * i / grain * grain; };
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < threads; ++i)
-    others.emplace_back([&, i] { dispatch(kernel, part(a, bound(i), bound(i + 1)), inputs, through); });
+  std::vector<std::jthread> others;  // they are waited for at the end
+  std::size_t taken = 1;
+  try {
+    for (; taken < threads; ++taken)
+      others.emplace_back([&, i = taken] { dispatch(kernel, part(a, bound(i), bound(i + 1)), inputs, through); });
+  } catch (const std::system_error&) {  // no more threads: the rest is done here
+  }
   dispatch(kernel, part(a, 0, bound(1)), inputs, through);
-  for (std::thread& t : others) t.join();
+  if (taken < threads) dispatch(kernel, part(a, bound(taken), a.count), inputs, through);
 }
 
 }  // namespace

@@ -153,7 +153,8 @@ Result<Motion> inverse(const Motion& motion) {
       return about_factor(motion, i, "under the linear law what undoes it is no such motion",
                           "under the exponential law every motion can be undone");
     if (f.kind == Kind::scale) f.by = {1 / f.by.x, 1 / f.by.y, 1 / f.by.z};
-    if (f.kind == Kind::scale && !finite(f.by)) return about_factor(motion, i, "a scaling by zero cannot be undone");
+    if (f.kind == Kind::scale && !finite(f.by))
+      return about_factor(motion, i, "what undoes this scaling is beyond all numbers");
     if (f.kind == Kind::translate) f.by = -f.by;
     f.angle = -f.angle;
     back.factors.push_back(std::move(f));

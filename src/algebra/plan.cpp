@@ -180,21 +180,37 @@ class Horner {
     return {make_.difference(make_.product(c, v.x), make_.product(s, v.y)),
             make_.sum(make_.product(s, v.x), make_.product(c, v.y))};
   }
-  // cosine and sine: what they are multiplied by
-  int component(const Term<Number>& t, Number cosine, Number sine, double log_growth) {
-    return t.turns == 0 ? make_.geometric(cosine, log_growth) : make_.wave(cosine, sine, t.turns, log_growth);
-  }
+  // One number of an offset: what it is made of, each kind once. What differs in the other number only is one kind
+  // here.
   int axis(const std::vector<Term<Number>>& terms, bool y) {
-    Number fixed = 0, drift = 0;
-    int sum = make_.constant(0);
+    struct Part {
+      bool drift;
+      long double turns;
+      double log_growth;
+      Number cosine, sine;  // what they are multiplied by
+    };
+    std::vector<Part> parts;
     for (const Term<Number>& t : terms) {
       const double log_growth = y ? t.log_y : t.log_x;
-      if (t.turns == 0 && log_growth == 0) {
-        (t.drift ? drift : fixed) = y ? t.y : t.x;
+      const Number cosine = y ? t.y : t.x, sine = t.turns == 0 ? Number(0) : y ? t.x : -t.y;
+      const auto like = std::find_if(parts.begin(), parts.end(), [&](const Part& p) {
+        return p.drift == t.drift && p.turns == t.turns && p.log_growth == log_growth;
+      });
+      if (like == parts.end())
+        parts.push_back({t.drift, t.turns, log_growth, cosine, sine});
+      else
+        like->cosine = like->cosine + cosine, like->sine = like->sine + sine;
+    }
+    Number fixed = 0, drift = 0;
+    int sum = make_.constant(0);
+    for (const Part& p : parts) {
+      if (p.turns == 0 && p.log_growth == 0) {
+        (p.drift ? drift : fixed) = p.cosine;
         continue;
       }
-      int c = y ? component(t, t.y, t.x, log_growth) : component(t, t.x, t.turns == 0 ? Number(0) : -t.y, log_growth);
-      if (t.drift) c = make_.product(make_.ramp(0, 1), c);
+      int c =
+          p.turns == 0 ? make_.geometric(p.cosine, p.log_growth) : make_.wave(p.cosine, p.sine, p.turns, p.log_growth);
+      if (p.drift) c = make_.product(make_.ramp(0, 1), c);
       sum = make_.sum(sum, c);
     }
     return make_.sum(make_.ramp(fixed, drift), sum);

@@ -54,7 +54,7 @@ To as(From x) {
 template <class Number>
 Stepper<Number>::Stepper(Plan<Constant> plan, Motion motion, std::span<const Number> x, std::span<const Number> y)
     : plan_(std::move(plan)), motion_(std::move(motion)), rest_x_(x.begin(), x.end()), rest_y_(y.begin(), y.end()) {
-  if (std::is_same_v<Number, float>) renew_ = 64;
+  if (std::is_same_v<Number, float>) renew_ = 32;
   const std::size_t n = rest_x_.size();
   const Uses use = uses(plan_.kernel);
   x_.resize(n), y_.resize(n), out_x_.resize(n), out_y_.resize(n);

@@ -35,7 +35,7 @@ class Stepper {
   std::int64_t frame() const { return k_; }
   void seek(std::int64_t k);  // by the closed form
   void step();
-  // After so many steps the closed form is taken anew: 256, in f32 64; 0 for never.
+  // After so many steps the closed form is taken anew: 256, in f32 32; 0 for never.
   void renew_every(int steps) { renew_ = steps; }
   void use_threads(unsigned most) { threads_ = most; }  // 0: as many as the machine has
   std::span<const Number> x() const { return {drawn_x(), rest_x_.size()}; }

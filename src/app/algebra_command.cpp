@@ -62,7 +62,8 @@ Result<std::vector<Point>> read_points(const std::string& text) {
   std::vector<Point> points;
   for (const std::string_view word : parts(text, " ;")) {
     const auto numbers = parts(word, ",");
-    if (numbers.size() != 2 && numbers.size() != 3)
+    const bool gaps = word.find(",,") != std::string_view::npos || word.front() == ',' || word.back() == ',';
+    if (gaps || (numbers.size() != 2 && numbers.size() != 3))
       return fail(Code::syntax, fmt::format("--points: '{}' is no point", word.substr(0, 60)),
                   "as in --points \"1,0 -0.5,2\"");
     Point p{{}, static_cast<int>(numbers.size())};
@@ -130,6 +131,12 @@ Status go(const Call& call, const Asked& asked, const Show& show) {
   return Nothing{};
 }
 
+// Where a scheme of the source meets the motion at its end only, it says so.
+bool end_only(const Motion& motion) {
+  const auto row = printed_costs(motion);
+  return row && (row->row == "ST" || row->row == "SR");
+}
+
 // ---- Counts
 
 std::string json(const Cost& c) {
@@ -153,9 +160,11 @@ std::string count_json(const Call& call, const Asked& asked) {
   for (const Method m : methods) {
     const auto c = count_operations(counted(asked.motion, m), call.steps, m, asked.points.size());
     out += fmt::format("{}{}:", m == Method::matrix ? "" : ",", json_text(name_of(m)));
-    out += c ? fmt::format("{{\"kernel\":{},\"ours\":{},\"measured\":{},\"before\":{}}}", json_text(c->kernel),
-                           json(c->planned), json(c->step), json(c->before))
-             : fmt::format("{{\"error\":{}}}", json_text(c.error().message));
+    const bool end = m == Method::geometric && end_only(asked.motion);
+    out +=
+        c ? fmt::format("{{\"kernel\":{},\"ours\":{},\"measured\":{},\"before\":{}{}}}", json_text(c->kernel),
+                        json(c->planned), json(c->step), json(c->before), end ? ",\"right_at\":\"the end only\"" : "")
+          : fmt::format("{{\"error\":{}}}", json_text(c.error().message));
   }
   return out + "}}";
 }
@@ -181,16 +190,11 @@ void print_counts(const Call& call, const Asked& asked) {
   }
   if (counted(asked.motion, Method::geometric) != asked.motion)
     notes += "  geometric: with the scalings by the linear law\n";
+  if (end_only(asked.motion)) notes += "  geometric: right at the end only\n";
   fmt::print("{}{}", notes.empty() ? "" : "\n", notes);
 }
 
 // ---- The call
-
-// Where a scheme of the source meets the motion at its end only, it says so.
-bool end_only(const Asked& asked) {
-  const auto row = printed_costs(asked.motion);
-  return asked.method == Method::geometric && row && (row->row == "ST" || row->row == "SR");
-}
 
 Result<Asked> read(const Call& call) {
   Asked asked;
@@ -269,10 +273,12 @@ int algebra(Call& call) {
     for (const Point& p : asked->points)
       if (p.numbers == 3) return complain(fail(Code::type, "the methods move points of the plane"), wrong_call);
   }
-  if (end_only(*asked))
+  if (asked->method == Method::geometric && end_only(asked->motion))
     fmt::print(stderr, "betwixt: notice: this scheme meets the motion at its end, and leaves it in between\n");
   if (call.json) {
-    fmt::print("{{\"steps\":{},\"motion\":{},\"frames\":[", call.steps, json_text(to_string(asked->motion)));
+    const bool made = call.css || call.inverse;  // what was not given as it is
+    fmt::print("{{\"steps\":{},{}\"frames\":[", call.steps,
+               made ? fmt::format("\"motion\":{},", json_text(to_string(asked->motion))) : "");
     const char* between = "";
     const Status done = go(call, *asked, [&](double k, const std::vector<Point>& points) {
       std::string frame = fmt::format("{}{{\"k\":{},\"points\":[", std::exchange(between, ","), json_number(k));

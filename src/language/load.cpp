@@ -115,7 +115,8 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   if (!reader.targets(c, word, found, true)) return c.error.value_or(fail(Code::name, "this names nothing"));
   const Program program = found.component < 0 ? Program() : Program::compile(d);
   for (const Target& t : found.targets)
-    if (t.component >= 0 && !t.velocity && program.compiled().find(t.object.index, t.function).orientation &&
+    if (t.component >= 0 && !t.velocity && !only_asked(t.function) &&
+        program.compiled().find(t.object.index, t.function).orientation &&
         program.compiled().find(t.object.index, t.function).live < 0)
       return fail(Code::type,
                   fmt::format("'{}' holds orientations, which have no separate angles",

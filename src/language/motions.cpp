@@ -27,20 +27,18 @@ std::string_view factors(const char* from, const char* end) {
       continue;
     }
     if (!letter(*p) || (p + 1 < end && (letter(p[1]) || p[1] == '-' || p[1] == '='))) break;
-    const char* open = p + 1;
-    while (open < end && (*open == ' ' || *open == '\t')) ++open;
-    if (open == end || *open != '(') {
-      last = line_end(p, end);  // whatever it is: the one who reads motions says what is wrong with it
+    const char* at = p + 1;
+    while (at < end && (*at == ' ' || *at == '\t')) ++at;
+    int depth = 0;
+    for (; at < end; ++at) {
+      depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
+      if (depth == 0) break;
+    }
+    if (at == end || *at != ')') {  // whatever it is: the one who reads motions says what is wrong with it
+      last = line_end(p, end);
       break;
     }
-    const char* close = std::find(open, end, ')');
-    if (close == end) {
-      last = line_end(open, end);
-      break;
-    }
-    // A new line or another bracket inside: the closing one is missing, or stands behind that of a centre.
-    if (const char* inner = std::find(open + 1, close, '('); inner != close) close = std::find(close + 1, end, ')');
-    p = last = close == end ? line_end(open, end) : close + 1;
+    p = last = at + 1;
   }
   return {from, static_cast<std::size_t>(last - from)};
 }
@@ -85,9 +83,15 @@ bool ValueReader::motion(Moves& out) {
     const Error& e = read.error();
     return c.fail(e.code, e.message, part(e.place.column, e.place.length), e.hint);
   }
+  std::size_t sign = 0;
   for (const Factor& f : read->factors) {
     if (f.about.empty()) continue;
-    const std::size_t at = text.find(f.about, text.find('@'));
+    const auto named = [&] {  // behind the next '@' that has a name behind it
+      sign = text.find('@', sign) + 1;
+      return text.find_first_not_of(" \t\r\n,", sign);
+    };
+    std::size_t at = named();
+    while (!letter(text[at])) at = named();
     const std::string_view about = quoted.empty() ? text.substr(at, f.about.size()) : c.since(start);
     Cursor name(f.about);
     ObjectId id;

@@ -131,12 +131,16 @@ struct Frozen {
 // The motions of one object, one after the other: each begins where the ones before it end. (rules, R-H7)
 struct Moving {
   struct Piece {
-    Time from;
-    Motion motion;  // its centres are places
-    Mat4 before;    // all pieces before it, whole
+    Time from, until;
+    Motion motion;      // its centres are places
+    Mat4 before;        // all pieces before it, whole
+    Curve progress;     // how much of it is done
+    bool open = false;  // it has no end, and does nothing
   };
-  std::vector<Piece> pieces;
-  Curve progress;  // how many pieces are done, and how much of the next
+  std::vector<Piece> pieces;  // by time
+  Time first, last;           // of the track's events
+  Extend extend_before = Extend::hold, extend_after = Extend::hold;
+  std::size_t placed = 0;  // whose centres are known: all, when compiling ends
 };
 
 struct Node {
@@ -250,7 +254,8 @@ Vec3 to_angles(Quat);
 Value example_of(Type);  // some value of the type: where only code gives one and it does not
 
 // The motions of all nodes, whose attachments are known.
-void compile_motions(Program::Compiled&);
+// `frozen`: by time, those that are let go or kept; they are worked out on the way.
+void compile_motions(Program::Compiled&, const std::vector<std::int32_t>& frozen);
 
 inline Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
 

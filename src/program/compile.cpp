@@ -451,11 +451,7 @@ struct Compiler {
       ++n.hands;
       code.hands.push_back(hand);
     }
-    compile_motions(code);
-    for (const std::int32_t f : in_time) {
-      Asking asking;
-      code.thaw(f, asking);
-    }
+    compile_motions(code, in_time);
   }
 };
 

@@ -38,37 +38,51 @@ void place_centres(Program::Compiled& code, const Node& node, Motion& motion, Ti
     }
     if (frozen) kept = frozen->before;
     const auto back = inverse(above), out = inverse(kept);
-    if (back && out) f.centre = transform_point(*out, transform_point(*back, place) - attach);
+    if (back && out)
+      f.centre = transform_point(*out, transform_point(*back, place) - attach);
+    else
+      code.notices.push_back("'" + code.document.name(ObjectId{node.object}) +
+                             "' is flattened by what it hangs on: its motion about '" + code.document.name(id) +
+                             "' is about the origin instead");
   }
 }
 
-// Each event counts how many motions are done by then; in between, a curve says how much of the next.
+// Between two events a curve goes from 0 to 1 as the first one's twerper and the eases of both say.
+Curve progress(CurveSet& set, const Track& track, const Event& begin, const Event& end) {
+  Track one = track;
+  one.events = {};
+  for (const Event* e : {&begin, &end}) {
+    Event p = *e;
+    p.value = e == &begin ? 0.0 : 1.0;
+    if (p.twerper == Twerper::unset) p.twerper = Twerper::linear;
+    one.events.put(std::move(p));
+  }
+  return set.add(one, Type::scalar);
+}
+
 Moving moving(CurveSet& set, const Track& track) {
   Moving made;
-  Track progress = track;
-  progress.events = {};
-  double done = 0;
-  bool open = false;
-  std::size_t left = track.events.size();
+  std::vector<Event> events;
   track.events.each([&](const Event& e) {
-    --left;
-    const auto* moves = std::get_if<Moves>(&e.value);
-    if (!moves || e.keep) return;
-    if (open) ++done;
-    open = !(*moves)->factors.empty() && left > 0;
-    if (open) made.pieces.push_back({e.time, **moves, {}});
-    Event p = e;
-    p.value = done;
-    if (p.twerper == Twerper::unset) p.twerper = Twerper::linear;
-    progress.events.put(std::move(p));
+    if (std::holds_alternative<Moves>(e.value) && !e.keep) events.push_back(e);
   });
-  if (!made.pieces.empty()) made.progress = set.add(progress, Type::scalar);
+  if (events.empty()) return made;
+  made.first = events.front().time, made.last = events.back().time;
+  made.extend_before = track.before, made.extend_after = track.after;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const Motion& motion = *std::get<Moves>(events[i].value);
+    if (motion.factors.empty()) continue;
+    const bool open = i + 1 == events.size();
+    Moving::Piece p{events[i].time, open ? Time{INT64_MAX} : events[i + 1].time, motion, {}, {}, open};
+    if (!open) p.progress = progress(set, track, events[i], events[i + 1]);
+    made.pieces.push_back(std::move(p));
+  }
   return made;
 }
 
 }  // namespace
 
-void compile_motions(Program::Compiled& code) {
+void compile_motions(Program::Compiled& code, const std::vector<std::int32_t>& frozen) {
   struct Start {
     Time time;
     std::uint32_t node;
@@ -87,20 +101,34 @@ void compile_motions(Program::Compiled& code) {
     code.movings.push_back(std::move(made));
   }
   std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
-  const auto piece = [&](const Start& s) -> Moving::Piece& {
-    return code.movings[static_cast<std::size_t>(code.nodes[s.node].moving)].pieces[s.piece];
+  // In the order of time: where things are when a motion begins takes the motions before it and what was let go; of the
+  // motions that begin with it nothing has been done yet.
+  auto next = frozen.begin();
+  const auto thaw = [&](Time until) {
+    for (; next != frozen.end(); ++next) {
+      const Frozen& f = code.frozen[static_cast<std::size_t>(*next)];
+      if (code.hands[code.nodes[f.node].first_hand + static_cast<std::uint32_t>(f.hand)].from > until) return;
+      Asking asking;
+      code.thaw(*next, asking);
+    }
   };
-  // In the order of time: where things are when a motion begins takes the motions before it, and of those that begin
-  // with it nothing has been done yet.
+  const auto moving_of = [&](const Start& s) -> Moving& {
+    return code.movings[static_cast<std::size_t>(code.nodes[s.node].moving)];
+  };
   for (std::size_t i = 0; i < starts.size();) {
     std::size_t end = i;
-    for (; end < starts.size() && starts[end].time == starts[i].time; ++end)
-      if (const Start& s = starts[end]; s.piece > 0) {
-        const Moving::Piece& last = (&piece(s))[-1];
-        piece(s).before = at(last.motion, 1) * last.before;
-      }
-    for (; i < end; ++i) place_centres(code, code.nodes[starts[i].node], piece(starts[i]).motion, starts[i].time);
+    for (; end < starts.size() && starts[end].time == starts[i].time; ++end) {
+      auto& pieces = moving_of(starts[end]).pieces;
+      const std::size_t k = starts[end].piece;
+      if (k > 0) pieces[k].before = at(pieces[k - 1].motion, 1) * pieces[k - 1].before;
+    }
+    thaw(starts[i].time);
+    for (std::size_t k = i; k < end; ++k)
+      place_centres(code, code.nodes[starts[k].node], moving_of(starts[k]).pieces[starts[k].piece].motion,
+                    starts[k].time);
+    for (; i < end; ++i) ++moving_of(starts[i]).placed;
   }
+  thaw({INT64_MAX});
 }
 
 std::vector<Motion> Program::motions(ObjectId object) const {
@@ -111,16 +139,29 @@ std::vector<Motion> Program::motions(ObjectId object) const {
   return all;
 }
 
-// M = A_k(u) ... A_1(1), u of piece k done: the motions act where the position is.
+// M = A_k(u) A_(k-1)(1) ... A_1(1), u of piece k done: the motions act where the position is.
 std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t) const {
   constexpr double bound = 1e18;
   if (n.moving < 0) return std::nullopt;
   const Moving& m = movings[static_cast<std::size_t>(n.moving)];
-  double done = 0;
-  set.evaluate(m.progress, t, &done);
-  const auto k = static_cast<std::size_t>(std::clamp(std::floor(done), 0.0, static_cast<double>(m.pieces.size() - 1)));
-  const Moving::Piece& piece = m.pieces[k];
-  Mat4 whole = betwixt::at(piece.motion, done - static_cast<double>(k)) * piece.before;
+  const Extend how = t < m.first ? m.extend_before : t > m.last ? m.extend_after : Extend::hold;
+  if (how >= Extend::cycle) t = {fold(t.flicks, m.first.flicks, m.last.flicks, how == Extend::bounce)};
+  const auto later = std::upper_bound(m.pieces.begin(), m.pieces.end(), t,
+                                      [](Time time, const Moving::Piece& p) { return time < p.from; });
+  auto k = static_cast<std::size_t>(later - m.pieces.begin());
+  // Before the first one a line goes on backwards.
+  const bool ahead = k == 0 && how == Extend::linear && m.pieces[0].from == m.first;
+  if (k == 0 && !ahead) return std::nullopt;
+  k = ahead ? 0 : k - 1;
+  const Moving::Piece& p = m.pieces[k];
+  if (k >= m.placed) {  // while centres are looked up: of what begins nothing is done, what is yet to come is not there
+    if (how != Extend::hold) return std::nullopt;
+    return p.before;
+  }
+  const bool beyond = t >= p.until && !(how == Extend::linear && p.until == m.last);
+  double done = p.open ? 0 : 1;
+  if (!p.open && !beyond) set.evaluate(p.progress, t, &done);
+  Mat4 whole = betwixt::at(p.motion, done) * p.before;
   for (double& x : whole.m) x = std::isnan(x) ? 0 : std::clamp(x, -bound, bound);
   return whole;
 }

@@ -25,15 +25,19 @@ std::optional<Time> Program::next_change(Time t) const {
   const Scene& scene = code.document.scene();
   if (!code.lives.empty()) return t;  // who knows what code looks at
   Next next{t, std::nullopt};
-  std::vector<Curve> curves;
-  for (const CurveUse& use : code.curves) curves.push_back(use.curve);
-  for (const Moving& m : code.movings) curves.push_back(m.progress);
-  for (const Curve& curve : curves) {
-    const auto [first, last] = code.set.span(curve);
-    const Extend out = t < first ? curve.before : curve.after;
+  for (const CurveUse& use : code.curves) {
+    const auto [first, last] = code.set.span(use.curve);
+    const Extend out = t < first ? use.curve.before : use.curve.after;
     if (first <= t && t < last) return t;
     if (out != Extend::hold && first < last) return t;
     next.may(first);
+  }
+  for (const Moving& m : code.movings) {
+    if ((t < m.first ? m.extend_before : t >= m.last ? m.extend_after : Extend::hold) != Extend::hold) return t;
+    for (const Moving::Piece& p : m.pieces) {
+      if (!p.open && p.from <= t && t < p.until) return t;
+      if (!p.open) next.may(p.from);
+    }
   }
   for (const StepTrack& steps : code.steps)
     if (const auto change = steps.next_change(t)) {

@@ -134,8 +134,9 @@ std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t,
   if (std::count_if(targets.begin(), targets.end(), wants_world) > 4)
     worlds = code_->worlds(t, code_->at(t, asking).data(), asking);
   for (const Target& target : targets)
-    out.push_back(wants_world(target) && !worlds.empty() ? Reading(worlds[code_->node_of[target.object.index]])
-                                                         : code_->read(target, t, asking));
+    out.push_back(wants_world(target) && !worlds.empty()
+                      ? place_in(worlds[code_->node_of[target.object.index]], target.component)
+                      : code_->read(target, t, asking));
   code_->say(failed, asking);
   if (problems) *problems = std::move(asking.problems);
   return out;

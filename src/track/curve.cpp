@@ -30,15 +30,6 @@ Quat power(Quat q, double s) {
   return exp({0, s * l.x, s * l.y, s * l.z});
 }
 
-// Where a time outside the events falls when the track repeats: `back` says that it runs backwards there.
-std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bounce) {
-  const std::int64_t period = last - first;
-  if (period <= 0) return first;
-  std::int64_t cycle = (t - first) / period, rest = (t - first) % period;
-  if (rest < 0) rest += period, --cycle;
-  return bounce && (cycle & 1) ? last - rest : first + rest;
-}
-
 // What a twerper means for orientations, which have ways of their own.
 Twerper for_orientation(Twerper t) {
   switch (t) {
@@ -104,6 +95,14 @@ double segment_factor(Twerper t, double u, const CurveDetail* from, const CurveD
 }
 
 }  // namespace
+
+std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bounce) {
+  const std::int64_t period = last - first;
+  if (period <= 0) return first;
+  std::int64_t cycle = (t - first) / period, rest = (t - first) % period;
+  if (rest < 0) rest += period, --cycle;
+  return bounce && (cycle & 1) ? last - rest : first + rest;
+}
 
 TwerperFailures::TwerperFailures() : outer_(std::exchange(listening, this)) {}
 TwerperFailures::~TwerperFailures() { listening = outer_; }

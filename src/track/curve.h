@@ -91,6 +91,8 @@ int to_numbers(const Value& value, double* out);
 // A twerper's blending factor: where along [0, 1] the motion is at u, given the eases as fractions of the segment.
 // (R-T7)
 double ease(double u, double ease_out, double ease_in);
+// Where a time outside first..last falls when a track repeats, or goes there and back (bounce).
+std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bounce);
 double bezier_factor(double u, const std::array<double, 4>& xy);
 Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen
 

@@ -113,21 +113,34 @@ inline Motion random_motion(std::mt19937& random, int length, bool space) {
     return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
   };
   const auto place = [&] { return Vec3{between(-5, 5), between(-5, 5), space ? between(-5, 5) : 0}; };
+  // Half of the time what falls together: ones, inverses, quarters of a turn, centres that are the same.
+  const auto special = [&] { return random() % 2 == 0; };
+  const auto factor = [&] {
+    constexpr double few[] = {1, 1, 0.5, 2};
+    return special() ? few[random() % 4] : between(0.4, 2.5);
+  };
+  const auto centre = [&](const Motion& m) {
+    if (special() && !m.factors.empty()) return m.factors.back().centre;
+    Vec3 c = place();
+    if (special()) c.x = 1;
+    return c;
+  };
   Motion motion;
   for (int i = 0; i < length; ++i) {
     const auto kind = random() % 3;
     if (kind == 0) {
       motion.factors.push_back(translate_by(place()));
     } else if (kind == 1) {
-      motion.factors.push_back(rotate_by(between(-20, 20), place(), space ? place() : Vec3{0, 0, 1}));
+      const double angle = special() ? pi / 2 * (static_cast<double>(random() % 9) - 4) : between(-20, 20);
+      motion.factors.push_back(rotate_by(angle, centre(motion), space ? place() : Vec3{0, 0, 1}));
     } else {
       const bool linear = random() % 3 == 0;
-      const double x = between(0.4, 2.5), y = random() % 3 == 0 ? x : between(0.4, 2.5);
+      const double x = factor(), y = random() % 3 == 0 ? x : factor();
       Factor f = scale_by({x, y,
-                           space    ? between(0.4, 2.5)
+                           space    ? factor()
                            : x == y ? x
                                     : 1},
-                          place(), linear ? Factor::Law::linear : Factor::Law::exponential);
+                          centre(motion), linear ? Factor::Law::linear : Factor::Law::exponential);
       if (linear && random() % 2 == 0) f.by.x = -f.by.x;
       motion.factors.push_back(f);
     }

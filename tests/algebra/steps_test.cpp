@@ -66,6 +66,19 @@ TEST(Steps, OfEveryMethodGoWhereTheMotionIs) {
   EXPECT_LE(sought, 1e-11);
 }
 
+// Terms that differ in one number only, and those that cancel.
+TEST(Steps, GoWhereTheMotionIsThoughFactorsFallTogether) {
+  for (const char* text :
+       {"S(1 2 @ 7 8) R(90deg @ 3 4)", "S(0.001 1 @ 1 7) R(90deg @ 2 0)", "S(3 1 @ -3 7) S(0.001 1 @ 1 100 linear)",
+        "S(1 3 @ 100 7) S(0.5 1 @ 100 -3) R(35deg @ 1 2)",
+        "R(180deg @ 2 7) S(0.5 @ 100 0) S(0.001 2 @ 0 0) S(3 1.5 @ 7 7)", "R(90deg @ 1 2) R(-90deg @ 3 4)",
+        "S(2 @ 1 1) T(1 2) S(0.5 @ 5 5)", "R(1turn @ 1 0) T(0 1) R(-1turn @ 2 0) T(3 0)",
+        "S(2 1 @ 1 1) S(0.5 1 @ 4 4) T(0 2)", "T(1 0) T(-1 0)", "R(1turn @ 5 5) R(-1turn @ 5 5) T(1 1)"})
+    for (const Method method : {Method::matrix, Method::best})
+      for (const std::int64_t steps : {1, 2, 7})
+        EXPECT_LE(worst(parsed(text), steps, method), 1e-11) << text << " by " << name_of(method);
+}
+
 TEST(Steps, StayWhereTheyBelongThroughManyRenewals) {
   for (const char* text :
        {"R(40turn @ 1 2)", "R(40turn) T(5 1)", "S(4 0.3) R(31turn @ 1 0)", "R(10turn) R(30turn @ 1 0)",
@@ -98,13 +111,17 @@ TEST(Steps, OfTheSourceMayMeetTheEndOnly) {
     steps->seek(25);
     const Vec3 p = transform_point(at(m, 0.5), {c.x[0], c.y[0], 0});
     EXPECT_GT(std::hypot(steps->x()[0] - p.x, steps->y()[0] - p.y), 0.5) << text;
-    // What the scheme makes without the help of the closed form at the end.
+    // The scheme itself, one step beyond the end and back by the closed form of its own states.
+    if (!std::string_view(text).ends_with("T(6 1)")) continue;
     auto own = Steps<double>::make(m, 50, Method::geometric, c.x, c.y);
-    for (int k = 0; k < 49; ++k) own->step();
-    const double x = own->x()[0], y = own->y()[0];
-    const Vec3 end = transform_point(at(m, 1), {c.x[0], c.y[0], 0});
-    const Vec3 start{c.x[0], c.y[0], 0};
-    EXPECT_LE(std::hypot(end.x - x, end.y - y), length(end - start)) << text;
+    double x[2], y[2];
+    for (int side : {0, 1}) {
+      own->seek(side == 0 ? 49 : 51);
+      x[side] = own->x()[0], y[side] = own->y()[0];
+    }
+    const Vec3 end = transform_point(at(m, 1), {c.x[0], c.y[0], 0});  // equal differences: the middle of the two
+    EXPECT_NEAR((x[0] + x[1]) / 2, end.x, 1e-11) << text;
+    EXPECT_NEAR((y[0] + y[1]) / 2, end.y, 1e-11) << text;
   }
 }
 
@@ -168,6 +185,37 @@ TEST(Kernels, GiveTheSameBitsByVectorsAndOneByOne) {
       for (std::size_t i = 0; i < 37; ++i) EXPECT_EQ(plain[a][i], static_cast<double>(counted[a][i])) << k << " " << a;
   }
 }
+
+// Whole arrays, past the caches and on two threads, against one point after the other.
+template <class Number>
+void expect_same_at_size() {
+  using namespace algebra;
+  constexpr std::size_t count = (std::size_t{1} << 20) + 37;
+  std::mt19937 random(9);
+  const auto number = [&] { return static_cast<double>(random() % 4001) / 1000.0 - 2; };
+  for (int k = 0; k < kernel_count; ++k) {
+    Line<Number> many[8], each[8];
+    for (int a = 0; a < 8; ++a) {
+      many[a].resize(count);
+      for (Number& x : many[a]) x = static_cast<Number>(number());
+      each[a] = many[a];
+    }
+    Number inputs[most_inputs];
+    for (Number& x : inputs) x = static_cast<Number>(number());
+    const auto arrays = [&](Line<Number>(&a)[8], std::size_t from, std::size_t to) {
+      return part(Arrays<Number>{a[0].data(), a[1].data(), a[2].data(), a[3].data(), a[4].data(), a[5].data(),
+                                 a[6].data(), a[7].data(), count},
+                  from, to);
+    };
+    step_all(static_cast<Kernel>(k), arrays(many, 0, count), inputs);
+    // In pieces that are no whole vectors, on one thread, through the caches.
+    for (std::size_t from = 0; from < count; from += 4999)
+      step_all(static_cast<Kernel>(k), arrays(each, from, std::min(count, from + 4999)), inputs, 1);
+    for (int a = 0; a < 8; ++a) EXPECT_TRUE(many[a] == each[a]) << k << " " << a;
+  }
+}
+TEST(Kernels, GiveTheSameBitsForManyInDouble) { expect_same_at_size<double>(); }
+TEST(Kernels, GiveTheSameBitsForManyInFloat) { expect_same_at_size<float>(); }
 
 // Table 1 of the source, the columns "matrix reachable" and "best exact": figures worked out by hand.
 TEST(Counts, ReachWhatCanBeReached) {

@@ -182,4 +182,8 @@ if command -v script >/dev/null; then
   verdict 'a progress bar' "$(grep -q 'frames/s' bar && echo yes)" "$(cat bar)"
 fi
 
+printf 'create a sphere position=(1 2 3)\nat 1f..25f a.motion T(8 0)\n' >moved.bx
+check 'where a motion has put something' 0 'a.world.x  5' eval moved.bx --at 13f a.world.x
+check 'where it goes' 0 '' plot moved.bx a.world.x -o moved.svg
+has 'a plot of where it goes' "$(cat moved.svg 2>&1)" 'a.world.x'
 summary

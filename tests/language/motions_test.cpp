@@ -133,6 +133,58 @@ TEST(Motions, GoByTwerpersAndEases) {
   expect_place(s, "a", "31f", {10, 0, 0});
 }
 
+// A row is right whatever stands in other rows: what swings over the end does not swing into the next motion.
+TEST(Motions, KeepToTheirSegments) {
+  const std::string one = "create b group\nat 1f..11f b.motion T(10 0) bezier(0.3 1.5 0.7 1.5)\n";
+  const Script alone(one), followed(one + "at 100f..111f b.motion T(0 50)\n");
+  for (const char* f : {"1f", "4f", "6f", "9f", "11f", "50f"}) expect_place(followed, "b", f, place(alone, "b", f));
+  EXPECT_GT(place(alone, "b", "6f").x, 10.1);
+  const Script smooth(
+      "create a group\nat 1f..11f a.motion T(10 0)\nat 31f..41f a.motion T(0 10)\ntwerper a.motion smooth\n");
+  for (const char* f : {"11f", "12f", "20f", "31f"}) expect_place(smooth, "a", f, {10, 0, 0});
+}
+
+TEST(Motions, GoOnAsTheirTrackIsExtended) {
+  const std::string rows = "create a group\nat 11f..21f a.motion T(10 0)\nat 21f..31f a.motion T(0 10)\n";
+  const Script cycle(rows + "extend a.motion cycle\n"), bounce(rows + "extend a.motion bounce\n"),
+      linear(rows + "extend a.motion linear\n");
+  expect_place(cycle, "a", "36f", {5, 0, 0});
+  expect_place(cycle, "a", "46f", {10, 5, 0});
+  expect_place(cycle, "a", "6f", {10, 5, 0});
+  expect_place(bounce, "a", "36f", {10, 5, 0});
+  expect_place(bounce, "a", "6f", {5, 0, 0});
+  expect_place(linear, "a", "36f", {10, 15, 0});
+  expect_place(linear, "a", "6f", {-5, 0, 0});
+  EXPECT_EQ(linear.program.next_change(Time{}), Time{});
+}
+
+TEST(Motions, TurnAboutEachOtherAndAboutWhatIsHeld) {
+  // Both see the other where it was before.
+  const Script both(
+      "create a group position=(1 0 0)\ncreate b group position=(3 0 0)\nat 1f..11f a.motion R(180deg @ b)\n"
+      "at 1f..11f b.motion R(180deg @ a)\n");
+  expect_place(both, "a", "11f", {5, 0, 0});
+  expect_place(both, "b", "11f", {-1, 0, 0});
+  // One after the other: the second sees what the first has done.
+  const Script then(
+      "create a group position=(1 0 0)\ncreate b group position=(3 0 0)\nat 1f..11f a.motion R(180deg @ b)\n"
+      "at 11f..21f b.motion R(180deg @ a)\n");
+  expect_place(then, "b", "21f", {7, 0, 0});
+  // A camera that looks at something and is held where it was.
+  const Script held(
+      "create p group position=(5 0 0)\np.position\n  1f (5 0 0) linear\n  21f (25 0 0)\n"
+      "create cam camera position=(0 0 9) look-at=(0 0 -50)\ncreate a sphere position=(1 0 0)\n"
+      "at 6f couple cam to p keep-world\nat 11f..21f a.motion R(180deg @ cam)\n");
+  const Vec3 cam = place(held, "cam", "11f");
+  EXPECT_NEAR(cam.x, 5, 1e-9);
+  expect_place(held, "a", "21f", {9, 0, 0});
+  // What repeats before its first row is left out where a centre is looked up: b is where its tracks put it.
+  const Script before(
+      "create a group position=(1 0 0)\ncreate b group position=(2 0 0)\ncreate c group position=(5 0 0)\n"
+      "at 1f..11f a.motion R(180deg @ b)\nat 46f..56f b.motion R(180deg @ c)\nextend b.motion cycle before\n");
+  expect_place(before, "a", "11f", {3, 0, 0});
+}
+
 TEST(Motions, GoThroughSpace) {
   const Script s(
       "create a group position=(1 0 0)\n"
@@ -170,6 +222,11 @@ TEST(Motions, KeepTheirCentres) {
   const Loaded gone = read(film + "remove hub\n");
   EXPECT_NE(said(gone.diagnostics).find("notice: 'a.motion' turns about where that was"), std::string::npos);
   EXPECT_NE(write(gone.document).find("R(90deg @ 1 1)"), std::string::npos) << write(gone.document);
+  // Of one that is still open, too.
+  const Script open(
+      "create hub group position=(1 1 0)\ncreate a sphere position=(2 1 0)\na.motion\n  1f R(90deg @ hub)\nremove hub\n"
+      "at 25f a.motion \"\"\n");
+  expect_place(open, "a", "25f", {1, 2, 0});
   // A copy that turned about itself turns about its own place.
   const Script s(
       "create a box position=(2 0 0)\nat 1f..25f a.motion R(90deg @ a)\ncreate b like a\nset b.position (5 0 0)\n"
@@ -196,6 +253,18 @@ TEST(Motions, SayWhatOperationsMakeOfThem) {
             std::string::npos);
   EXPECT_EQ(notices("move a.motion 1f..40f by 10f\n"), "");
   EXPECT_EQ(notices("copy a.motion 1f..25f to 50f\n"), "");
+}
+
+TEST(Motions, CanBeAskedWhereTheyHaveTakenThings) {
+  const Script s("create a{1..6} group position=(1 2 3)\nat 1f..11f a*.motion T(10 20 30)\n");
+  EXPECT_EQ(s.numbers("a1.world.x", "11f"), (std::vector<double>{11}));
+  EXPECT_EQ(s.numbers("a1.world.z", "6f"), (std::vector<double>{18}));
+  const auto all = find_targets("a*.world.y", s.loaded.document);
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->size(), 6u);
+  for (const Reading& r : s.program.read(*all, *parse_time("11f", s.loaded.document)))
+    EXPECT_EQ(numbers(r), (std::vector<double>{22}));
+  EXPECT_EQ(s.loaded.document.name((*all)[0]), "a1.world.y");
 }
 
 // What falls after a motion goes on as fast as that was, and down, however it has been turned.
@@ -266,6 +335,8 @@ TEST(Motions, SayWhatIsWrong) {
   EXPECT_EQ(error("  1f..24f R(90)\n"), "4:13: an angle needs its unit: 90");
   EXPECT_EQ(error("  1f..24f S(2 -1)\n"), "4:11: a scaling by -1 has no in-betweens");
   EXPECT_EQ(error("  1f..24f R(90deg @ son)\n"), "4:21: there is no object 'son'");
+  EXPECT_EQ(error("  1f..24f R(90deg @ sun) R(90deg @ su)\n"), "4:36: there is no object 'su'");
+  EXPECT_EQ(error("  1f..24f R(90deg @ (0 0 0) axis (0 1 0))\n"), "fine");
   EXPECT_EQ(error("  1f..24f\n"), "4:10: a motion is wanted here");
   EXPECT_EQ(error("  1f..24f 3\n"), "4:11: a motion is wanted here");
   EXPECT_EQ(error("  24f..24f T(1 0)\n"), "4:12: a motion takes time, and this segment has none");
