@@ -34,7 +34,15 @@ enum class Kernel : std::uint8_t {
   carried_shears,  // y += v, each point its own; shear y, draw y + o, shear v
   swung_shears,    // shear y; e += d; draw y + e
 };
-inline constexpr int kernel_count = 16;
+// with(name) for each.
+#define BETWIXT_KERNELS(with)                                                                                 \
+  with(offset) with(scale) with(matrix) with(move) with(slide) with(stretch) with(turn) with(grow) with(ramp) \
+      with(two_term) with(damped) with(conformal) with(shears) with(pushed_shears) with(carried_shears)       \
+          with(swung_shears)
+
+#define BETWIXT_ONE(name) +1
+inline constexpr int kernel_count = 0 BETWIXT_KERNELS(BETWIXT_ONE);
+#undef BETWIXT_ONE
 
 // The numbers of a point. In place: x, y are what is drawn.
 template <class V>
@@ -52,6 +60,7 @@ struct Uses {
   bool written = false;  // and written
   bool gain = false;     // du, dv are read
   bool drawn = true;     // ox, oy are written
+  int offset = -1;       // which input is the offset that a state is drawn with; -1: none is
 };
 constexpr Uses uses(Kernel k) {
   switch (k) {
@@ -66,29 +75,26 @@ constexpr Uses uses(Kernel k) {
     case Kernel::slide:
       return {.second = true, .drawn = false};
     case Kernel::ramp:
-      return {.second = true};
+      return {.second = true, .offset = 0};
     case Kernel::two_term:
+      return {.second = true, .written = true, .offset = 1};
     case Kernel::damped:
+      return {.second = true, .written = true, .offset = 4};
     case Kernel::carried_shears:
-      return {.second = true, .written = true};
+      return {.second = true, .written = true, .offset = 2};
     case Kernel::swung_shears:
       return {.second = true, .written = true, .gain = true};
-    case Kernel::grow:
     case Kernel::conformal:
+      return {.offset = 3};
+    case Kernel::grow:
     case Kernel::shears:
     case Kernel::pushed_shears:
-      return {};
+      return {.offset = 2};
   }
   return {};
 }
 
 inline constexpr int most_inputs = 6;  // of a kernel
-
-// with(name) for each.
-#define BETWIXT_KERNELS(with)                                                                                 \
-  with(offset) with(scale) with(matrix) with(move) with(slide) with(stretch) with(turn) with(grow) with(ramp) \
-      with(two_term) with(damped) with(conformal) with(shears) with(pushed_shears) with(carried_shears)       \
-          with(swung_shears)
 
 // Structure of arrays; those that a kernel does not use may be missing.
 template <class Number>

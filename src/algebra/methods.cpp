@@ -11,12 +11,6 @@
 namespace betwixt::algebra {
 namespace {
 
-std::string letters(const Motion& motion) {
-  std::string s;
-  for (const Factor& f : motion.factors) s += "TRS"[static_cast<int>(f.kind)];
-  return s;
-}
-
 template <class Number>
 struct Shears {
   Number a, b;
@@ -36,9 +30,15 @@ bool half_turn(long double turns, std::int64_t steps) {
   return std::abs(std::ldexp(static_cast<double>(part), -63)) > 1 - 1e-9;
 }
 
-long double turns_of(const Factor& f) { return algebra::turns_of(f.axis.z < 0 ? -f.angle : f.angle); }
-
 }  // namespace
+
+std::string letters(const Motion& motion) {
+  std::string s;
+  for (const Factor& f : motion.factors) s += "TRS"[static_cast<int>(f.kind)];
+  return s;
+}
+
+long double planar_turns(const Factor& f) { return turns_of(f.axis.z < 0 ? -f.angle : f.angle); }
 
 template <class Number>
 Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
@@ -75,10 +75,11 @@ Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
   }
   Block turned;
   for (const Factor& f : motion.factors)
-    if (f.kind == Factor::Kind::rotate) turned.turns += turns_of(f);
+    if (f.kind == Factor::Kind::rotate) turned.turns += planar_turns(f);
   long double so_far = 0;
   for (const Factor& f : motion.factors)
-    if (f.kind == Factor::Kind::rotate && (half_turn(so_far += turns_of(f), steps) || half_turn(turned.turns, steps)))
+    if (f.kind == Factor::Kind::rotate &&
+        (half_turn(so_far += planar_turns(f), steps) || half_turn(turned.turns, steps)))
       return fail(Code::range, "half a turn in one step cannot be made of shears", "more steps");
   plan.blocks = {turned};
   const Shears<Number> whole = shears<Number>(turned.turns, steps);
@@ -114,7 +115,7 @@ Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
     int x = add({R::Kind::constant, number(f[0].centre.x)}), y = add({R::Kind::constant, number(f[0].centre.y)});
     long double turns = 0;
     for (std::size_t j = 0; j + 1 < f.size(); ++j) {
-      turns += turns_of(f[j]);
+      turns += planar_turns(f[j]);
       const Vec3 from = f[j].centre, to = f[j + 1].centre;
       const int arm = sheared(number(to.x) - number(from.x), number(to.y) - number(from.y), turns);
       x = add({R::Kind::sum, {}, {}, 0, 0, x, arm}), y = add({R::Kind::sum, {}, {}, 0, 0, y, arm + 1});

@@ -363,7 +363,7 @@ Canonical<Number> canonical(const Motion& motion, std::int64_t steps) {
     }
     Block b;
     if (f.kind == Factor::Kind::rotate) {
-      b.turns = turns_of(f.axis.z < 0 ? -f.angle : f.angle);
+      b.turns = planar_turns(f);
     } else if (f.law == Factor::Law::linear) {
       b.linear = true;
       b.slope_x = value(Number(f.by.x) - Number(1)), b.slope_y = value(Number(f.by.y) - Number(1));

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "algebra/counted.h"
@@ -16,6 +17,9 @@
 #include "betwixt/algebra.h"
 
 namespace betwixt::algebra {
+
+std::string letters(const Motion&);       // "TRS"
+long double planar_turns(const Factor&);  // of a rotation, anticlockwise
 
 // A turn, a growth by the exponential law, both at once where it grows alike in x and y (a conformal block), or a
 // growth by the linear law.

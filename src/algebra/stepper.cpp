@@ -225,14 +225,7 @@ void Stepper<Number>::seek_points() {
   } else if (swung) {
     for (std::size_t i = 0; i < x_.size(); ++i) out_x_[i] = x_[i] + u_[i], out_y_[i] = y_[i] + v_[i];
   } else if (!in_place()) {
-    // The offsets stand behind the kernel's own constants.
-    const std::size_t offset = kernel == Kernel::pushed_shears ? 2
-                               : kernel == Kernel::grow || kernel == Kernel::shears || kernel == Kernel::carried_shears
-                                   ? 2
-                               : kernel == Kernel::ramp     ? 0
-                               : kernel == Kernel::two_term ? 1
-                               : kernel == Kernel::damped   ? 4
-                                                            : 3;
+    const auto offset = static_cast<std::size_t>(use.offset);
     for (std::size_t i = 0; i < x_.size(); ++i)
       out_x_[i] = x_[i] + inputs_[offset], out_y_[i] = y_[i] + inputs_[offset + 1];
   }

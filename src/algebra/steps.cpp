@@ -137,8 +137,7 @@ std::string to_string(const Cost& c) {
 }
 
 std::optional<Printed> printed_costs(const Motion& motion) {
-  std::string row;
-  for (const Factor& f : motion.factors) row += "TRS"[static_cast<int>(f.kind)];
+  const std::string row = algebra::letters(motion);
   const auto n = static_cast<long long>(row.size());
   if (n > 1 && row.find_first_not_of('R') == std::string::npos)
     return Printed{"R…R", {8, 14 * n - 20}, {8, 8 * n - 4}, {0, 10 * n}, {2, 6 * n - 2}, {2, 2 * n - 1}};

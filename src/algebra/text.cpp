@@ -129,7 +129,7 @@ struct Reader : algebra::Cursor {
         forms[static_cast<int>(kind)]);
   }
   // Behind '@': a place or a name.
-  bool centre(Factor& f, int& dimensions) {
+  bool centre(Factor& f) {
     space();
     const std::size_t from = at;
     if (!at_number() && peek() != '(') {
@@ -137,13 +137,13 @@ struct Reader : algebra::Cursor {
       if (!is_name(name))
         return fail(from, at, Code::syntax, "a centre is wanted here", "@ 0 1, @ 0 1 2 or the name of an object");
       f.about = name;
-      dimensions = 0;
       return true;
     }
     const bool bracket = accept('(');
     double n[3] = {};
-    if (!numbers(n, dimensions)) return false;
-    if (dimensions < 2) return fail(from, at, Code::syntax, "a centre has two or three numbers");
+    int count = 0;
+    if (!numbers(n, count)) return false;
+    if (count < 2) return fail(from, at, Code::syntax, "a centre has two or three numbers");
     if (bracket && !accept(')')) return fail(at, at + 1, Code::syntax, "')' is missing");
     f.centre = {n[0], n[1], n[2]};
     return true;
@@ -158,8 +158,7 @@ struct Reader : algebra::Cursor {
   }
   bool rotate(Factor& f) {
     if (!number(f.angle, angles, "angle", true)) return false;
-    int dimensions = 2;
-    if (accept('@') && !centre(f, dimensions)) return false;
+    if (accept('@') && !centre(f)) return false;
     space();
     const std::size_t from = at;
     if (const std::string_view w = word(); w == "axis") {
@@ -194,8 +193,7 @@ struct Reader : algebra::Cursor {
     if (count == 0)
       return fail(from, at, Code::syntax, "a scaling has one, two or three numbers", "S(2), S(2 1) or S(2 1 1)");
     f.by = count == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], count == 3 ? n[2] : 1};
-    int dimensions = count;
-    if (accept('@') && !centre(f, dimensions)) return false;
+    if (accept('@') && !centre(f)) return false;
     space();
     const std::size_t word_at = at;
     if (const std::string_view w = word(); w == "linear")
