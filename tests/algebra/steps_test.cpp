@@ -97,7 +97,8 @@ TEST(Steps, OfTheSourceGoWhereTheMotionIs) {
   }
   for (const char* text : {"T(6 1)", "S(3 0.5 @ 1 2)", "R(250deg @ 1 2)", "", "R(2turn @ 1 1) S(2 @ 1 1)",
                            "T(0 3) S(2 1 @ 3 0)", "R(1turn @ 1 1) R(0.3turn @ 1 1)"})
-    EXPECT_LE(worst(parsed(text), 50, Method::differences), 1e-12) << text;
+    for (const bool seeking : {false, true})
+      EXPECT_LE(worst(parsed(text), 50, Method::differences, seeking), 1e-12) << text;
 }
 
 // Two rows of the source's table meet the motion at its end, and leave it on the way.

@@ -178,6 +178,11 @@ TEST(Motions, TurnAboutEachOtherAndAboutWhatIsHeld) {
   const Vec3 cam = place(held, "cam", "11f");
   EXPECT_NEAR(cam.x, 5, 1e-9);
   expect_place(held, "a", "21f", {9, 0, 0});
+  // What is held where it was turns about a place in the world.
+  const Script kept(
+      "create hand group position=(5 0 0)\ncreate a group position=(1 0 0)\ncreate c group position=(1 3 0)\n"
+      "at 5f couple a to hand keep-world\nat 10f..20f a.motion R(90deg @ c)\n");
+  expect_place(kept, "a", "20f", {4, 3, 0});
   // What repeats before its first row is left out where a centre is looked up: b is where its tracks put it.
   const Script before(
       "create a group position=(1 0 0)\ncreate b group position=(2 0 0)\ncreate c group position=(5 0 0)\n"
