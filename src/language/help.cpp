@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "language/reader.h"
 
@@ -315,6 +316,14 @@ std::string help_overview(const Scene& scene, bool of_the_shell) {
 
 std::string help_text(std::string_view word, const Scene& scene) {
   std::string out;
+  static constexpr std::array<std::string_view, 2> factors[] = {
+      {"T", "a way, T(6 0) or T(6 0 0)"},
+      {"R", "a turn about a point, R(90deg @ 0 1), an object, R(1turn @ sun), or an axis, R(1turn @ 0 1 0 axis y)"},
+      {"S", "a scaling about a point, S(2), S(2 0.5 @ 0 1), or by the linear law, S(2 2 @ 0 0 linear)"}};
+  for (const auto& [letter, sentence] : factors)
+    if (letter == word)
+      out = fmt::format("{}, a factor of a motion: {}\n  example: at 1f..48f ball.motion T(6 0) R(-1turn @ ball)\n",
+                        letter, sentence);
   for (const HelpEntry& e : entries) {
     if (e.word != word) continue;
     if (!out.empty()) out += "\n";

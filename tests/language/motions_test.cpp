@@ -5,7 +5,9 @@
 #include <cmath>
 #include <complex>
 
+#include "language/help.h"
 #include "language/script.h"
+#include "scene/document.h"
 
 namespace betwixt {
 namespace {
@@ -258,6 +260,12 @@ TEST(Motions, SayWhatOperationsMakeOfThem) {
             std::string::npos);
   EXPECT_EQ(notices("move a.motion 1f..40f by 10f\n"), "");
   EXPECT_EQ(notices("copy a.motion 1f..25f to 50f\n"), "");
+}
+
+TEST(Motions, AreExplained) {
+  for (const char* letter : {"T", "R", "S"})
+    EXPECT_TRUE(help_text(letter, Scene()).starts_with(std::string(letter) + ", a factor of a motion: a ")) << letter;
+  EXPECT_NE(help_text("motion", Scene()).find("example: at 1f..48f ball.motion"), std::string::npos);
 }
 
 TEST(Motions, CanBeAskedWhereTheyHaveTakenThings) {
