@@ -34,7 +34,7 @@ verdict "the installed client" "$(cd / && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$
 verdict "the manual page" "$(groff -man -ww -z "$folder/prefix/share/man/man1/betwixt.1" 2>&1)" ""
 # What --help names, the manual page and the completions know.
 prefix=$folder/prefix
-for command in render play frame eval plot check tidy shell; do
+for command in render play frame eval plot check tidy algebra shell; do
   for option in $("$prefix/bin/betwixt" "$command" --help | grep -oE -- '--[a-z-]+' | sort -u); do
     for file in man/man1/betwixt.1 bash-completion/completions/betwixt zsh/site-functions/_betwixt \
       fish/vendor_completions.d/betwixt.fish; do
