@@ -30,7 +30,8 @@ struct Factor {
   Law law = Law::exponential;
   Vec3 by{};           // translate: the way; scale: the factors G
   Vec3 centre{};       // rotate, scale
-  std::string about;   // rotate, scale: the object whose place is the centre as the motion begins; empty: the centre as it stands
+  std::string about;   // rotate, scale: the object whose place is the centre as the motion begins; empty: the centre as
+                       // it stands
   Vec3 axis{0, 0, 1};  // rotate
   double angle = 0;    // rotate: all of it, whole turns too
   friend bool operator==(const Factor&, const Factor&) = default;
@@ -94,7 +95,8 @@ class Steps {
   std::int64_t frame() const;
   void step();                // to the next frame; there is no last one
   void seek(std::int64_t k);  // to any frame, by the closed form
-  // How many steps are taken before the closed form is taken anew: 256, in f32 32. 0: it never is.
+  // How many steps are taken before the closed form is taken anew: 256, in f32 64, and 32 for two-term
+  // recurrences and for the numbers of A_k. 0: it never is.
   void renew_every(int steps);
   std::span<const Number> x() const;
   std::span<const Number> y() const;

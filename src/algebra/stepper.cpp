@@ -54,7 +54,9 @@ To as(From x) {
 template <class Number>
 Stepper<Number>::Stepper(Plan<Constant> plan, Motion motion, std::span<const Number> x, std::span<const Number> y)
     : plan_(std::move(plan)), motion_(std::move(motion)), rest_x_(x.begin(), x.end()), rest_y_(y.begin(), y.end()) {
-  if (std::is_same_v<Number, float>) renew_ = 32;
+  const bool two_term = plan_.kernel == Kernel::two_term || plan_.kernel == Kernel::damped;
+  if (std::is_same_v<Number, float>) renew_ = two_term ? 32 : 64;
+  if (from_rest()) renew_ = 0;  // the points stay at rest
   const std::size_t n = rest_x_.size();
   const Uses use = uses(plan_.kernel);
   x_.resize(n), y_.resize(n), out_x_.resize(n), out_y_.resize(n);
@@ -235,7 +237,10 @@ template <class Number>
 void Stepper<Number>::step() {
   if (renew_ > 0 && since_ >= renew_) return seek(k_ + 1);
   ++k_, ++since_;
-  step_registers();
+  if (renew_registers_ > 0 && since_ % renew_registers_ == 0)
+    seek_registers();
+  else
+    step_registers();
   run(plan_.kernel);
   placed_ = k_ == plan_.steps;
   if (placed_) place(betwixt::at(motion_, 1));

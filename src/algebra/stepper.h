@@ -35,8 +35,9 @@ class Stepper {
   std::int64_t frame() const { return k_; }
   void seek(std::int64_t k);  // by the closed form
   void step();
-  // After so many steps the closed form is taken anew: 256, in f32 32; 0 for never.
-  void renew_every(int steps) { renew_ = steps; }
+  // After so many steps the closed form is taken anew; 0 for never. As it comes: of the registers, which cost nothing
+  // beside the points, 32; of the points 256, in f32 64, and 32 for the two-term kernels.
+  void renew_every(int steps) { renew_ = renew_registers_ = steps; }
   void use_threads(unsigned most) { threads_ = most; }  // 0: as many as the machine has
   std::span<const Number> x() const { return {drawn_x(), rest_x_.size()}; }
   std::span<const Number> y() const { return {drawn_y(), rest_x_.size()}; }
@@ -61,7 +62,7 @@ class Stepper {
   std::vector<Number> registers_, before_, inputs_;
   std::vector<Number> p_, q_;  // of the registers
   std::int64_t k_ = 0;
-  int renew_ = 256, since_ = 0;
+  int renew_ = 256, renew_registers_ = 32, since_ = 0;
   unsigned threads_ = 0;
   bool placed_ = false;
 };
