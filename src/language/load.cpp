@@ -6,6 +6,7 @@
 #include "exchange/geometry.h"
 #include "language/reader.h"
 #include "program/code.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -79,12 +80,7 @@ Result<Time> parse_time(std::string_view text, const Document& d) {
               "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5");
 }
 
-std::string format_time(Time t, const Document& d) {
-  const double n = d.rate().frame_number(t);
-  const Rate r = d.rate();
-  if (n == std::round(n) && r.frame(n) == t) return write_number(n) + "f";
-  return write_number(t.seconds()) + "s";
-}
+std::string format_time(Time t, const Document& d) { return format_time(t, d.rate()); }
 
 Result<std::vector<Target>> find_targets(std::string_view pattern, const Document& d) {
   Scene scene = d.scene();

@@ -195,16 +195,6 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
   return {};
 }
 
-namespace {
-constexpr std::string_view asked_names[] = {"world", "by", "every", "count", "touching", "in-view"};
-}
-std::optional<FunctionId> find_asked(Kind kind, std::string_view name) {
-  for (FunctionId i = 0; i < std::size(asked_names); ++i)
-    if (asked_names[i] == name && (i == 0 || (i < 4 ? kind == Kind::environment : drawn(kind))))
-      return static_cast<FunctionId>(0xffff - i);
-  return std::nullopt;
-}
-
 Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self) {
   const auto no = [&](const std::string& why, std::string hint = {}) {
     return fail(Code::name, "value('" + std::string(text.substr(0, 60)) + "'): " + why, std::move(hint));
@@ -506,22 +496,6 @@ std::vector<std::string> Document::names() const {
 }
 
 ObjectId Document::find(std::string_view name) const { return scene_->names.find(name); }
-
-std::string Document::name(ObjectId id) const {
-  const Object* o = find_object(*scene_, id);
-  return o ? o->name : "none";
-}
-
-std::string Document::name(const Target& t) const {
-  if (only_asked(t.function)) {
-    const std::string whole = name(t.object) + "." + std::string(asked_names[0xffff - t.function]);
-    return t.component < 0 ? whole : whole + "." + std::string(component_name(Type::vector, t.component));
-  }
-  const FunctionSpec& spec = spec_of(*scene_, t.function);
-  std::string out = name(t.object) + "." + spec.name;
-  if (t.component >= 0) out += "." + std::string(component_name(spec.type, t.component));
-  return t.velocity ? out + ".velocity" : out;
-}
 
 std::vector<std::pair<Time, std::string>> Document::notes(Time from, Time to) const {
   std::vector<std::pair<Time, std::string>> out;

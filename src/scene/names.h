@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What things are called: objects, targets, times. Of a scene as it stands: nobody needs a document for a message.
+#pragma once
+
+#include <string>
+
+#include "scene/document.h"
+
+namespace betwixt {
+
+std::string object_name(const Scene&, ObjectId);       // "none" where there is no such object
+std::string target_name(const Scene&, const Target&);  // "ball.position.x", "ball.position.velocity", "ball.world"
+std::string format_time(Time, Rate);                   // "24f" where it is on a frame, else seconds: "1.2345s"
+
+}  // namespace betwixt
