@@ -80,6 +80,9 @@ make_targets() {
   fi
 }
 
+# What ccache has to pass over to keep what is compiled behind precompiled headers.
+export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros,include_file_mtime,include_file_ctime}
+
 # One line for every tenth of the work.
 sparse() {
   awk -v what="$1" -F '[][/]' '/^\[[0-9]+\/[0-9]+\]/ && $3 > 3 && int(10 * $2 / $3) > tenth {

@@ -9,13 +9,13 @@ namespace {
 
 // ((a b) (c d)) of blocks at step k.
 template <class Number>
-struct Linear {
+struct LinearPart {
   Number a{1}, b{0}, c{0}, d{1};
   bool turned = false;
 };
 template <class Number>
-Linear<Number> linear_at(const std::vector<Block>& blocks, std::int64_t k, std::int64_t steps) {
-  Linear<Number> m;
+LinearPart<Number> linear_at(const std::vector<Block>& blocks, std::int64_t k, std::int64_t steps) {
+  LinearPart<Number> m;
   const Number part(static_cast<double>(k) / static_cast<double>(steps));
   for (const Block& l : blocks) {
     Number gx = 1, gy = 1;
@@ -174,13 +174,13 @@ void Stepper<Number>::seek_points() {
   const Kernel kernel = plan_.kernel;
   const Uses use = uses(kernel);
   const bool moved = !plan_.blocks.empty() && k_ != 0 && !from_rest();
-  const Linear<Constant> now = moved ? linear_at<Constant>(plan_.blocks, k_, plan_.steps) : Linear<Constant>{};
+  const LinearPart<Constant> now = moved ? linear_at<Constant>(plan_.blocks, k_, plan_.steps) : LinearPart<Constant>{};
   const bool recalls = kernel == Kernel::two_term || kernel == Kernel::damped;
-  const Linear<Constant> earlier =
-      recalls ? linear_at<Constant>(plan_.blocks, k_ - 1, plan_.steps) : Linear<Constant>{};
+  const LinearPart<Constant> earlier =
+      recalls ? linear_at<Constant>(plan_.blocks, k_ - 1, plan_.steps) : LinearPart<Constant>{};
   const bool swung = kernel == Kernel::swung_shears;
-  const Linear<Constant> whole =
-      swung ? linear_at<Constant>(plan_.blocks, plan_.steps, plan_.steps) : Linear<Constant>{};
+  const LinearPart<Constant> whole =
+      swung ? linear_at<Constant>(plan_.blocks, plan_.steps, plan_.steps) : LinearPart<Constant>{};
   const Constant k(static_cast<double>(k_));
   const bool centred = !(plan_.centre_x == Constant(0) && plan_.centre_y == Constant(0));
   const bool own = use.second && !recalls && !swung;  // each point gains something of its own
@@ -188,7 +188,7 @@ void Stepper<Number>::seek_points() {
   struct Point {
     Constant x, y;
   };
-  const auto times = [](const Linear<Constant>& m, Point p) -> Point {
+  const auto times = [](const LinearPart<Constant>& m, Point p) -> Point {
     if (!m.turned) return {m.a * p.x, m.d * p.y};
     return {m.a * p.x + m.b * p.y, m.c * p.x + m.d * p.y};
   };

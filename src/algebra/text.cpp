@@ -22,9 +22,9 @@ using Law = Factor::Law;
 
 using algebra::Unit;
 constexpr Unit lengths[] = {{"m", 1, 1}, {"cm", 1, 100}, {"mm", 1, 1000}};
-constexpr Unit angles[] = {{"deg", pi, 180}, {"°", pi, 180}, {"turn", 2 * pi, 1}, {"rad", 1, 1}};
+constexpr Unit angle_units[] = {{"deg", pi, 180}, {"°", pi, 180}, {"turn", 2 * pi, 1}, {"rad", 1, 1}};
 
-struct Reader : algebra::Cursor {
+struct MotionReader : algebra::Cursor {
   void space() {
     while (at < text.size() && std::string_view(" \t\r\n,").find(text[at]) != std::string_view::npos) ++at;
   }
@@ -157,7 +157,7 @@ struct Reader : algebra::Cursor {
     return true;
   }
   bool rotate(Factor& f) {
-    if (!number(f.angle, angles, "angle", true)) return false;
+    if (!number(f.angle, angle_units, "angle", true)) return false;
     if (accept('@') && !centre(f)) return false;
     space();
     const std::size_t from = at;
@@ -263,7 +263,7 @@ std::string written(double x) { return fmt::format("{}", x == 0 ? 0.0 : x); }
 
 std::string angle_text(double radians) {
   std::string best = written(radians) + "rad";
-  for (const Unit& u : {angles[2], angles[0]}) {
+  for (const Unit& u : {angle_units[2], angle_units[0]}) {
     const double count = radians * u.divisor / u.of;
     // Neighbours too: what was written as 90 may come back one bit beside it.
     for (const double n : {count, std::round(count * 1e9) / 1e9}) {
@@ -277,7 +277,7 @@ std::string angle_text(double radians) {
 }  // namespace algebra
 
 Result<Motion> parse_motion(std::string_view text) {
-  Reader r{{text}};
+  MotionReader r{{text}};
   Motion motion;
   for (r.space(); r.at < text.size(); r.space()) {
     if (!motion.factors.empty() && r.accept('*')) r.space();

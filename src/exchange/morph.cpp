@@ -119,14 +119,14 @@ struct Island {
   std::vector<Contour> holes;
 };
 // What is paired as one; its islands, the largest first.
-struct Glyph {
+struct DrawnGlyph {
   std::string text;
   std::vector<Island> islands;
   Bounds place;
 };
 
-Glyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
-  Glyph made{std::move(text), {}, {}};
+DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
+  DrawnGlyph made{std::move(text), {}, {}};
   std::vector<std::pair<double, Contour*>> sorted;
   for (Contour& c : contours) {
     if (single && turn(c, toward) < 0) std::reverse(c.begin(), c.end());  // a polygon is no hole
@@ -146,9 +146,9 @@ Glyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool s
   return made;
 }
 
-std::vector<Glyph> glyphs(const Outline& outline, bool single) {
+std::vector<DrawnGlyph> glyphs(const Outline& outline, bool single) {
   const Vec3 toward = facing(outline);
-  std::vector<Glyph> all;
+  std::vector<DrawnGlyph> all;
   for (std::size_t i = 0; i < outline.letters.size(); ++i) {
     const auto at = [&](std::size_t n) { return outline.contours.begin() + static_cast<std::ptrdiff_t>(n); };
     const std::size_t end = i + 1 < outline.letters.size() ? outline.letters[i + 1].first : outline.contours.size();
@@ -268,7 +268,7 @@ void pair_parts(const std::vector<Part>& a, const std::vector<Part>& b, const Bo
     if (!taken[i]) lone(more[i], carried(middle(more[i]), to, from), swapped ? Way::shrink : Way::grow, out);
 }
 
-void pair_glyphs(const Glyph& a, const Glyph& b, std::vector<Pair>& out) {
+void pair_glyphs(const DrawnGlyph& a, const DrawnGlyph& b, std::vector<Pair>& out) {
   const auto holes = [&](const Contour& p, const Contour& q) { out.push_back(paired(p, q)); };
   const auto outers = [&](const Island& p, const Island& q) {
     out.push_back(paired(p.outer, q.outer));
@@ -282,7 +282,7 @@ using Partners = std::vector<std::pair<std::size_t, std::size_t>>;
 
 // By least cost: nothing for a letter that stays, 1 for another in its place, a little over 1/2 for one that comes or
 // goes. Among equals those at a like place in their texts are preferred.
-Partners partners(const std::vector<Glyph>& a, const std::vector<Glyph>& b) {
+Partners partners(const std::vector<DrawnGlyph>& a, const std::vector<DrawnGlyph>& b) {
   constexpr std::size_t most_cells = 1'000'000;
   constexpr double other = 1, missing = 0.55;
   const std::size_t n = a.size(), m = b.size(), row = m + 1;
@@ -331,7 +331,7 @@ Vec3 gap(const Bounds* before, const Bounds* after) {
 
 // Letters `first` up to `last` of `all` have no partner; `before` and `after` are the places of their neighbours'
 // partners.
-void lone_glyphs(const std::vector<Glyph>& all, std::size_t first, std::size_t last, const Bounds* before,
+void lone_glyphs(const std::vector<DrawnGlyph>& all, std::size_t first, std::size_t last, const Bounds* before,
                  const Bounds* after, Way way, std::vector<Pair>& out) {
   for (std::size_t i = first; i < last; ++i) {
     const Vec3 point = before == nullptr && after == nullptr ? middle(all[i].place) : gap(before, after);

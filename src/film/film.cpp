@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 constexpr int largest_side = 8192, most_jobs = 256;
-constexpr std::chrono::milliseconds beat{50};
+constexpr std::chrono::milliseconds wait_beat{50};
 
 Status check(const FilmOptions& o) {
   if (o.frames < 1) return fail(Code::range, "a film needs at least one frame");
@@ -74,7 +74,7 @@ class Crew {
   // Waits until picture k is there; none while it is not, and once in a while.
   std::optional<Status> wait(int k) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, beat, [&] { return slot(k).ready || failed_early_; });
+    changed_.wait_for(lock, wait_beat, [&] { return slot(k).ready || failed_early_; });
     if (slot(k).ready) return slot(k).how;
     if (failed_early_) return Status(*failed_early_);
     return std::nullopt;
@@ -166,7 +166,7 @@ Result<FilmStats> make_film(const FilmOptions& options, const std::function<Resu
 
   FilmStats stats;
   const KeepGoing keep_going = [&, told = start]() mutable {
-    if (!progress || Clock::now() - told < beat) return true;
+    if (!progress || Clock::now() - told < wait_beat) return true;
     told = Clock::now();
     return progress(stats.frames, options.frames, since(start));
   };

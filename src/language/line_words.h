@@ -11,6 +11,7 @@
 namespace betwixt {
 
 inline bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
+inline bool starts_like_time(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
 inline bool indented(std::string_view line) { return !line.empty() && blank(line[0]); }
 
 // Of the first line of a text: what stands between blanks, or in double quotes; a comment is none.

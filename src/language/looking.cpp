@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-std::string count(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 std::size_t events_of(const Strand& s) {
   std::size_t n = s.track->events.size();
@@ -80,7 +80,7 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
     const Target t{id, *f, -1};
     said += fmt::format("  {:16} {}", name, written(program.read(t, first), t, d));
     if (const std::size_t n = events_of(*slot); n > 0)
-      said += fmt::format(" at {}; {}", format_time(first, d), count(n, "event"));
+      said += fmt::format(" at {}; {}", format_time(first, d), counted(n, "event"));
     said += "\n";
   }
   if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
@@ -89,7 +89,7 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
       for (const Slot& slot : d.scene().objects[i].slots)
         if (slot.layer == id)
           said += fmt::format("  on {:13} {}\n", d.name(Target{{static_cast<std::uint32_t>(i)}, slot.function}),
-                              count(events_of(slot), "event"));
+                              counted(events_of(slot), "event"));
   return said;
 }
 
@@ -143,8 +143,8 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
   for (const std::string& name : lists) {
     const std::vector<Time> from = versions(d.scene(), name);
     said += fmt::format("{:{}}  {:8}  {}{}\n", name, wide, "list",
-                        count(list_at(d.scene(), name, from[0])->commands.size(), "row"),
-                        from.size() > 1 ? fmt::format(", {}", count(from.size(), "version")) : "");
+                        counted(list_at(d.scene(), name, from[0])->commands.size(), "row"),
+                        from.size() > 1 ? fmt::format(", {}", counted(from.size(), "version")) : "");
   }
   for (ObjectId id : ids) {
     const Object& o = d.scene().objects[id.index];
@@ -152,7 +152,7 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
     if (o.kind == Kind::layer)
       for (std::size_t i = 0; i < d.scene().objects.size(); ++i) events += events_of(d.scene().objects[i], id);
     said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, kind_names[static_cast<std::size_t>(o.kind)],
-                        count(events, "event"));
+                        counted(events, "event"));
   }
   return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said;
 }

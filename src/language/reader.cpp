@@ -17,8 +17,6 @@ constexpr int most_errors = 1000;  // said; the rest is noise
 constexpr std::ptrdiff_t longest_logical_line = 1
                                                 << 24;  // how far a bracket may reach before it counts as never closed
 
-bool starts_like_time(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
-
 }  // namespace
 
 void Reader::report(Severity severity, Error error, std::string_view about) {

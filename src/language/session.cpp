@@ -29,8 +29,6 @@ Answer refused(const Error& e) { return refused(e.message, e.hint); }
 
 std::string count(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-bool starts_like_time(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
-
 std::string_view trimmed(std::string_view s, bool both = true) {
   while (both && !s.empty() && (blank(s.front()) || s.front() == '\n')) s.remove_prefix(1);
   while (!s.empty() && (blank(s.back()) || s.back() == '\n')) s.remove_suffix(1);

@@ -9,7 +9,7 @@ constexpr float line_width = 1.4F;  // pixels of the picture
 
 // Each corner of a line's rectangle knows both ends. They are cut at the near plane and divided here, so that
 // everything after is in pixels.
-const char* const vertex = R"(
+const char* const line_vertex = R"(
 layout(location = 0) in vec3 start;
 layout(location = 1) in vec3 end;
 layout(location = 2) in vec2 corner;  // 0 start or 1 end, and which side: -1 or 1
@@ -48,7 +48,7 @@ void main() {
 }
 )";
 
-const char* const fragment = R"(
+const char* const line_fragment = R"(
 in float off;
 flat in vec4 paint;
 uniform float reach;
@@ -62,7 +62,7 @@ void main() {
 }  // namespace
 
 Result<Lines> Lines::create() {
-  auto program = gl::new_program(vertex, fragment);
+  auto program = gl::new_program(line_vertex, line_fragment);
   if (!program) return program.error();
   Lines l;
   l.program_ = *std::move(program);

@@ -13,7 +13,7 @@ const char* const uniforms = R"(
 uniform mat4 clip;
 uniform vec4 light;
 )";
-const char* const vertex = R"(
+const char* const shadow_vertex = R"(
 #ifdef VEIL
 flat out float solidity;
 #endif
@@ -31,7 +31,7 @@ void main() {
 )";
 // What lets some light through casts a shadow with holes, which softening makes a lighter one; what lets half of it
 // through casts none. So a thing that fades out takes its shadow with it.
-const char* const fragment = R"(
+const char* const shadow_fragment = R"(
 #ifdef VEIL
 flat in float solidity;
 void main() {
@@ -88,9 +88,9 @@ Result<Shadow> Shadow::create() {
   Shadow s;
   auto target = gl::new_target(0, GL_DEPTH_COMPONENT24, map_size, map_size);
   if (!target) return target.error();
-  const std::string source = std::string(vertex_inputs) + uniforms + ball_outline + vertex;
+  const std::string source = std::string(vertex_inputs) + uniforms + ball_outline + shadow_vertex;
   for (auto* to : {&s.meshes_, &s.balls_, &s.veils_}) {
-    auto program = gl::new_program(source, fragment,
+    auto program = gl::new_program(source, shadow_fragment,
                                    to == &s.balls_   ? "#define BALL"
                                    : to == &s.veils_ ? "#define VEIL"
                                                      : "");

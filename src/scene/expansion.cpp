@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-const std::string& name_in(const DisplayCommand& c) { return *std::get<Text>(c.value); }
+const std::string& name_of_call(const DisplayCommand& c) { return *std::get<Text>(c.value); }
 
 bool draws(Drawing d) { return d <= Drawing::text; }
 
@@ -42,7 +42,7 @@ struct Measure {
       if (c.what == Drawing::begin) ++size.objects, size.depth = std::max(size.depth, 1 + ++open);
       if (c.what == Drawing::end) open = std::max(0, open - 1);
       if (c.what != Drawing::call) continue;
-      const Size inside = (*this)(name_in(c), depth + 1);
+      const Size inside = (*this)(name_of_call(c), depth + 1);
       size.objects = std::min(enough, size.objects + inside.objects);
       size.depth = std::max(size.depth, 1 + open + inside.depth);
     }
@@ -102,12 +102,12 @@ struct Expansion {
 
   // An environment moves what is in it behind the matrix so far: a group of its own carries that one.
   Level environment(const DisplayCommand& c, Level at) {
-    const std::string word = numbered(at.group, name_in(c));
+    const std::string word = numbered(at.group, name_of_call(c));
     const std::int32_t above = at.group;
     if (!(at.m == Mat4{})) at = group(word + "-base", at, above);
     at = group(word, at, above);
     Slot& drive = parts.back().object.slot(fn::drive);
-    const Value names = Names({name_in(c)});
+    const Value names = Names({name_of_call(c)});
     if (!c.since) {
       drive.set = names;
       return at;
@@ -182,8 +182,8 @@ struct Expansion {
           restore(Drawing::begin);
           break;
         case Drawing::call:
-          called.insert(name_in(c));
-          if (const auto other = lists.find(name_in(c)); other != lists.end())
+          called.insert(name_of_call(c));
+          if (const auto other = lists.find(name_of_call(c)); other != lists.end())
             list(*other->second, group(numbered(at.group, other->first), at, at.group), look, nullptr);
           break;
         case Drawing::view:

@@ -42,11 +42,11 @@ struct Told {
 Value look(Input& input, double seconds) { return input.at(std::clamp(seconds, -longest_seconds, longest_seconds)); }
 
 // A value as numbers that can be added up; none for what has none.
-struct Numbers {
+struct Sample {
   double n[4] = {};
   int count = 0;
 };
-Numbers numbers(const Value& v) {
+Sample numbers(const Value& v) {
   if (const auto* d = std::get_if<double>(&v)) return {{*d}, 1};
   if (const auto* p = std::get_if<Vec3>(&v)) return {{p->x, p->y, p->z}, 3};
   if (const auto* c = std::get_if<Color>(&v)) return {{c->r, c->g, c->b}, 3};
@@ -66,8 +66,8 @@ Value value_of(const Value& like, const double* n) {
 
 // The track at the points first, first + 1, … of a grid.
 struct Samples {
-  Value like;               // the kind that they all have
-  std::vector<Numbers> at;  // empty: not numbers, or of several kinds
+  Value like;              // the kind that they all have
+  std::vector<Sample> at;  // empty: not numbers, or of several kinds
 };
 // Where some rotations are angles and others orientations, all become orientations. Of the two quaternions that an
 // orientation has, it is the nearer to the one before.
@@ -81,7 +81,7 @@ Samples samples(Input& input, double first, int count, double cell) {
   s.at.reserve(values.size());
   for (const Value& v : values) {
     const auto* angles = turn == values.end() ? nullptr : std::get_if<Angles>(&v);
-    Numbers n = numbers(angles ? Value(from_angles(angles->xyz)) : v);
+    Sample n = numbers(angles ? Value(from_angles(angles->xyz)) : v);
     if (!s.at.empty() && turn != values.end()) {
       const double* before = s.at.back().n;
       double cosine = 0;
@@ -112,8 +112,8 @@ Value smooth(const Told& told, Input& input, double seconds) {
   const double here = std::floor(seconds / cell), first = here - reach + 1;
   const Samples s = samples(input, first, 2 * reach, cell);
   if (s.at.empty()) return look(input, seconds);
-  const Numbers& base = s.at[reach - 1];  // means of differences from it: a constant stays what it is to the last bit
-  Numbers mean = base;
+  const Sample& base = s.at[reach - 1];  // means of differences from it: a constant stays what it is to the last bit
+  Sample mean = base;
   for (int k = 0; k < 2 * reach; ++k) {
     const double weight = spline((first + k - seconds / cell) / cells_between_knots) / cells_between_knots;
     for (int i = 0; i < base.count; ++i) mean.n[i] += weight * (s.at[static_cast<std::size_t>(k)].n[i] - base.n[i]);
@@ -158,7 +158,7 @@ Value spring(const Told& told, Input& input, double seconds) {
   const Samples s = samples(input, first, count, cell);
   if (s.at.empty()) return look(input, seconds);
   const Oscillator::Step whole = mass.step(cell), rest = mass.step(seconds - last * cell);
-  Numbers out = s.at.front();
+  Sample out = s.at.front();
   for (int i = 0; i < out.count; ++i) {
     const double start = out.n[i];
     double x = 0, v = 0;  // from the start: a constant stays what it is to the last bit
@@ -197,7 +197,7 @@ template <class F>
 Value add(const Value& v, F&& to_component) {
   if (const auto* q = std::get_if<Quat>(&v))
     return *q * from_angles({to_component(0), to_component(1), to_component(2)});
-  Numbers n = numbers(v);
+  Sample n = numbers(v);
   for (int i = 0; i < n.count; ++i) n.n[i] += to_component(i);
   return value_of(v, n.n);
 }
@@ -219,7 +219,7 @@ Value wobble(const Told& told, Input& input, double seconds) {
 template <class F>
 Value each(const Value& v, F&& of_component) {
   if (std::holds_alternative<Quat>(v)) return v;
-  Numbers n = numbers(v);
+  Sample n = numbers(v);
   for (int i = 0; i < n.count; ++i) n.n[i] = of_component(n.n[i]);
   return value_of(v, n.n);
 }
