@@ -27,11 +27,21 @@ install(FILES cmake/betwixtConfig.cmake cmake/dependencies.cmake ${CMAKE_BINARY_
 install(DIRECTORY include/betwixt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 if(TARGET betwixt_command)
   install(TARGETS betwixt_command)
+  # What shells complete and what the manual says, as the program itself says it.
+  foreach(row IN ITEMS "manual betwixt.1 ${CMAKE_INSTALL_MANDIR}/man1"
+                       "bash betwixt ${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+                       "zsh _betwixt ${CMAKE_INSTALL_DATADIR}/zsh/site-functions"
+                       "fish betwixt.fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+    separate_arguments(row UNIX_COMMAND "${row}")
+    list(POP_FRONT row what file folder)
+    set(printed ${CMAKE_BINARY_DIR}/packaging/${file})
+    add_custom_command(OUTPUT ${printed} COMMAND betwixt_command help --print ${what} > ${printed} VERBATIM)
+    list(APPEND all_printed ${printed})
+    install(FILES ${printed} DESTINATION ${folder})
+  endforeach()
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/packaging)
+  add_custom_target(packaging ALL DEPENDS ${all_printed})
 endif()
-install(FILES packaging/betwixt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES packaging/betwixt.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME betwixt)
-install(FILES packaging/_betwixt DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-install(FILES packaging/betwixt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt)
 install(FILES clients/python/betwixt_client.py DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt/python)

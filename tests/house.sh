@@ -31,6 +31,11 @@ verdict "a room includes by a path that goes up" "$(grep -rnE '^\s*#\s*include\s
 verdict "a public header includes a third party" \
   "$(grep -rnE '^\s*#\s*include' include | grep -vE 'include\s*(<[a-z0-9_]+>|<stddef\.h>|"betwixt/[a-z_]+\.h")')"
 verdict "using namespace in a header" "$(grep -rnE '^\s*using namespace' --include='*.h' src include)"
+# What is dear to include is included once.
+verdict "one file sees the library of command lines" \
+  "$(grep -rlE '^\s*#\s*include\s*<CLI/' src | grep -vx src/app/command_line.cpp)"
+verdict "two files see the library for JSON" \
+  "$(grep -rlE '^\s*#\s*include\s*<nlohmann/' src | grep -vxE 'src/(server/aim|app/lesson).cpp')"
 verdict "a file without its licence" "$(
   files | while read -r file; do
     [ "$(head -n 2 "$file")" = "// SPDX-FileCopyrightText: 2026 The Betwixt authors

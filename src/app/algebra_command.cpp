@@ -6,10 +6,12 @@
 
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "app/command.h"
 #include "app/lesson.h"
+#include "app/subcommand.h"
 #include "betwixt/algebra.h"
 #include "language/json.h"
 #include "language/values.h"
@@ -17,12 +19,12 @@
 namespace betwixt {
 namespace {
 
-struct Call {
-  std::string motion, points = "1,0", method, origin, steps_text;
-  std::optional<std::string> lesson;
+struct AlgebraCall {
+  std::string motion, method, origin, steps_text;
+  std::optional<std::string> points, lesson;
   std::vector<std::string> at;
   std::int64_t steps = 24;
-  bool count = false, json = false, inverse = false, css = false, to_css = false, pointed = false;
+  bool count = false, json = false, inverse = false, css = false, to_css = false;
 };
 
 constexpr Method methods[] = {Method::matrix, Method::geometric, Method::differences, Method::best};
@@ -33,7 +35,7 @@ struct Point {
   int numbers = 2;
 };
 
-struct Asked {
+struct AskedFrames {
   Motion motion;
   std::vector<Point> points;
   std::vector<double> frames;  // empty: all
@@ -102,7 +104,7 @@ std::string point_text(const Point& p, const char* between) {
 
 // The frames one after the other, each with its points moved.
 template <class Show>
-Status go(const Call& call, const Asked& asked, const Show& show) {
+Status go(const AlgebraCall& call, const AskedFrames& asked, const Show& show) {
   const std::size_t count = asked.frames.empty() ? static_cast<std::size_t>(call.steps) + 1 : asked.frames.size();
   const auto k_of = [&](std::size_t i) { return asked.frames.empty() ? static_cast<double>(i) : asked.frames[i]; };
   std::vector<Point> moved = asked.points;
@@ -151,7 +153,7 @@ Motion counted(const Motion& motion, Method m) {
   return as;
 }
 
-std::string count_json(const Call& call, const Asked& asked) {
+std::string count_json(const AlgebraCall& call, const AskedFrames& asked) {
   std::string out = "{";
   if (const auto paper = printed_costs(asked.motion))
     out += fmt::format("\"row\":{},\"paper\":{{\"matrix\":{},\"geometric\":{}}},", json_text(paper->row),
@@ -169,7 +171,7 @@ std::string count_json(const Call& call, const Asked& asked) {
   return out + "}}";
 }
 
-void print_counts(const Call& call, const Asked& asked) {
+void print_counts(const AlgebraCall& call, const AskedFrames& asked) {
   const auto paper = printed_costs(asked.motion);
   fmt::print("Operations per step for Np points{}\n\n", paper ? ", row " + paper->row + " of the source's table" : "");
   fmt::print("  {:<12} {:<16} {:<12} {:<12} {:<18} {}\n", "", "paper", "ours", "measured", "before the first",
@@ -196,9 +198,9 @@ void print_counts(const Call& call, const Asked& asked) {
 
 // ---- The call
 
-Result<Asked> read(const Call& call) {
-  Asked asked;
-  auto points = read_points(call.points);
+Result<AskedFrames> read(const AlgebraCall& call) {
+  AskedFrames asked;
+  auto points = read_points(call.points.value_or("1,0"));
   if (!points) return points.error();
   asked.points = *std::move(points);
   if (call.steps < 1) return frame({}, 0, call.steps).error();
@@ -214,7 +216,7 @@ Result<Asked> read(const Call& call) {
   return asked;
 }
 
-Status read_steps(Call& call) {
+Status read_steps(AlgebraCall& call) {
   if (call.steps_text.empty()) return Nothing{};
   const char* end = call.steps_text.data() + call.steps_text.size();
   const auto [at, bad] = std::from_chars(call.steps_text.data(), end, call.steps);
@@ -222,10 +224,8 @@ Status read_steps(Call& call) {
   return fail(Code::syntax, fmt::format("--steps: '{}' is no whole number of steps", call.steps_text.substr(0, 60)));
 }
 
-int algebra(Call& call) {
-  if (const Status s = read_steps(call); !s) return complain(s.error(), wrong_call);
-  auto asked = read(call);
-  if (!asked) return complain(asked.error(), wrong_call);
+// What the motion is, in `asked`; the exit code where it is none.
+int read_motion(const AlgebraCall& call, AskedFrames& asked) {
   Vec3 origin;
   if (!call.origin.empty()) {
     const auto place = read_points(call.origin);
@@ -244,61 +244,65 @@ int algebra(Call& call) {
           wrong_input);
   if (call.inverse) motion = inverse(*motion);
   if (!motion) return complain(motion.error(), wrong_input);
-  asked->motion = *std::move(motion);
-  if (const Status fine = check(asked->motion); !fine) return complain(fine.error(), wrong_input);
-  if (call.lesson) {
-    LessonOptions options{call.steps, {}};
-    if (call.pointed)
-      for (const Point& p : asked->points) options.points.push_back(p.at);
-    const Status done = write_lesson(*call.lesson, asked->motion, options);
-    return done ? static_cast<int>(all_done) : complain(done.error(), wrong_input);
-  }
-  if (!is_planar(asked->motion))
-    for (Point& p : asked->points) p.numbers = 3;
-  if (call.to_css) {
-    const auto lists = to_css(asked->motion);
-    if (!lists) return complain(lists.error(), wrong_input);
-    fmt::print("from {}\nto {}\n", lists->from, lists->to);
-    return all_done;
-  }
-  if (call.count && !is_planar(asked->motion))
-    return complain(fail(Code::type, "this motion leaves the plane", "operations are counted in the plane only"),
-                    wrong_input);
-  if ((call.inverse || call.css) && !call.json) fmt::print("{}\n", to_string(asked->motion));
-  // What cannot be is said before anything is written.
-  if (asked->method) {
-    const double none = 0;
-    const auto steps = Steps<double>::make(asked->motion, call.steps, *asked->method, {&none, 1}, {&none, 1});
-    if (!steps) return complain(steps.error(), wrong_input);
-    for (const Point& p : asked->points)
-      if (p.numbers == 3) return complain(fail(Code::type, "the methods move points of the plane"), wrong_call);
-  }
-  if (asked->method == Method::geometric && end_only(asked->motion))
+  asked.motion = *std::move(motion);
+  const Status fine = check(asked.motion);
+  return fine ? static_cast<int>(all_done) : complain(fine.error(), wrong_input);
+}
+
+int teach(const AlgebraCall& call, const AskedFrames& asked) {
+  LessonOptions options{call.steps, {}};
+  if (call.points)
+    for (const Point& p : asked.points) options.points.push_back(p.at);
+  const Status done = write_lesson(*call.lesson, asked.motion, options);
+  return done ? static_cast<int>(all_done) : complain(done.error(), wrong_input);
+}
+
+int print_css(const AskedFrames& asked) {
+  const auto lists = to_css(asked.motion);
+  if (!lists) return complain(lists.error(), wrong_input);
+  fmt::print("from {}\nto {}\n", lists->from, lists->to);
+  return all_done;
+}
+
+// Says what cannot be before frames are written; the exit code where there is such.
+int look_ahead(const AskedFrames& asked, std::int64_t count) {
+  if (!asked.method) return all_done;
+  const double none = 0;
+  const auto steps = Steps<double>::make(asked.motion, count, *asked.method, {&none, 1}, {&none, 1});
+  if (!steps) return complain(steps.error(), wrong_input);
+  for (const Point& p : asked.points)
+    if (p.numbers == 3) return complain(fail(Code::type, "the methods move points of the plane"), wrong_call);
+  if (asked.method == Method::geometric && end_only(asked.motion))
     fmt::print(stderr, "betwixt: notice: this scheme meets the motion at its end, and leaves it in between\n");
-  if (call.json) {
-    const bool made = call.css || call.inverse;  // what was not given as it is
-    fmt::print("{{\"steps\":{},{}\"frames\":[", call.steps,
-               made ? fmt::format("\"motion\":{},", json_text(to_string(asked->motion))) : "");
-    const char* between = "";
-    const Status done = go(call, *asked, [&](double k, const std::vector<Point>& points) {
-      std::string frame = fmt::format("{}{{\"k\":{},\"points\":[", std::exchange(between, ","), json_number(k));
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        frame += i ? ",[" : "[";
-        for (int c = 0; c < points[i].numbers; ++c) frame += (c ? "," : "") + json_number(points[i].at[c]);
-        frame += "]";
-      }
-      fmt::print("{}]}}", frame);
-    });
-    if (!done) return complain(done.error(), wrong_input);
-    fmt::print("]{}}}\n", call.count ? ",\"count\":" + count_json(call, *asked) : "");
-    return all_done;
-  }
+  return all_done;
+}
+
+int print_json(const AlgebraCall& call, const AskedFrames& asked) {
+  const bool made = call.css || call.inverse;  // what was not given as it is
+  fmt::print("{{\"steps\":{},{}\"frames\":[", call.steps,
+             made ? fmt::format("\"motion\":{},", json_text(to_string(asked.motion))) : "");
+  const char* between = "";
+  const Status done = go(call, asked, [&](double k, const std::vector<Point>& points) {
+    std::string frame = fmt::format("{}{{\"k\":{},\"points\":[", std::exchange(between, ","), json_number(k));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      frame += i ? ",[" : "[";
+      for (int c = 0; c < points[i].numbers; ++c) frame += (c ? "," : "") + json_number(points[i].at[c]);
+      frame += "]";
+    }
+    fmt::print("{}]}}", frame);
+  });
+  if (!done) return complain(done.error(), wrong_input);
+  fmt::print("]{}}}\n", call.count ? ",\"count\":" + count_json(call, asked) : "");
+  return all_done;
+}
+
+int print_text(const AlgebraCall& call, const AskedFrames& asked) {
   if (call.count) {
-    print_counts(call, *asked);
+    print_counts(call, asked);
     if (call.at.empty() && call.method.empty()) return all_done;
     fmt::print("\n");
   }
-  const Status done = go(call, *asked, [&](double k, const std::vector<Point>& points) {
+  const Status done = go(call, asked, [&](double k, const std::vector<Point>& points) {
     fmt::print("{:<6}", write_number(k));
     for (const Point& p : points) fmt::print("  {}", point_text(p, " "));
     fmt::print("\n");
@@ -306,44 +310,81 @@ int algebra(Call& call) {
   return done ? static_cast<int>(all_done) : complain(done.error(), wrong_input);
 }
 
-}  // namespace
-
-void add_algebra(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("algebra", "the frames of a string of T(…), R(…) and S(…), and what they cost");
-  sub->add_option("MOTION", call->motion, "the string, the leftmost applied last")->required()->type_name("");
-  sub->add_option("--steps", call->steps_text, "how many steps lead to the end (24)")->type_name("N");
-  sub->add_option("--at", call->at, "these frames only: 0 is rest, N the end")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("K[,K…]");
-  sub->add_option("--points", call->points, "what is moved (\"1,0\")")->type_name("\"X,Y …\"");
-  sub->add_option("--method", call->method,
-                  "matrix, geometric, differences or best; without it each frame is worked out by itself")
-      ->check([](const std::string& m) {
-        for (const Method known : methods)
-          if (m == name_of(known)) return std::string();
-        return fmt::format("'{}' is no method: matrix, geometric, differences or best", m);
-      })
-      ->type_name("NAME");
-  sub->add_flag("--count", call->count, "operations per step, as the source prints them and as they are");
-  sub->add_flag("--css", call->css,
-                "MOTION is a list of CSS transforms, in pixels: \"translate(10px, 0) rotate(90deg)\"");
-  sub->add_option("--origin", call->origin, "of --css: what transform-origin is, in pixels (0,0)")
-      ->type_name("X,Y")
-      ->needs("--css");
-  sub->add_flag("--to-css", call->to_css,
-                "the motion as two lists of CSS transforms, to animate from one to the other");
-  sub->add_flag("--inverse", call->inverse, "the motion that undoes this one");
-  CLI::Option* json = sub->add_flag("--json", call->json, "one JSON object");
-  sub->add_option("--lesson", call->lesson, "writes a page that teaches the string")
-      ->type_name("OUT.html")
-      ->excludes(json);
-  sub->footer("Example:\n  betwixt algebra \"T(6.28 0) R(-1turn @ 0 1)\" --steps 12 --points \"0,0 0,2\" --count");
-  sub->callback([call, sub, &exit_code] {
-    call->pointed = sub->count("--points") > 0;
-    exit_code = algebra(*call);
-  });
+int algebra(AlgebraCall& call) {
+  if (const Status s = read_steps(call); !s) return complain(s.error(), wrong_call);
+  auto asked = read(call);
+  if (!asked) return complain(asked.error(), wrong_call);
+  if (const int code = read_motion(call, *asked); code != all_done) return code;
+  if (call.lesson) return teach(call, *asked);
+  const bool planar = is_planar(asked->motion);
+  if (!planar)
+    for (Point& p : asked->points) p.numbers = 3;
+  if (call.to_css) return print_css(*asked);
+  if (call.count && !planar)
+    return complain(fail(Code::type, "this motion leaves the plane", "operations are counted in the plane only"),
+                    wrong_input);
+  if ((call.inverse || call.css) && !call.json) fmt::print("{}\n", to_string(asked->motion));
+  if (const int code = look_ahead(*asked, call.steps); code != all_done) return code;
+  return call.json ? print_json(call, *asked) : print_text(call, *asked);
 }
 
+Status known_method(const std::string& name, std::string& to) {
+  for (const Method known : methods)
+    if (name == name_of(known)) return to = name, Nothing{};
+  return fail(Code::name, fmt::format("'{}' is no method: matrix, geometric, differences or best", name));
+}
+
+std::vector<Parameter> algebra_parameters(AlgebraCall& call) {
+  return {
+      {.name = "MOTION", .sentence = "the string, the leftmost applied last", .into = &call.motion, .required = true},
+      {.name = "--steps", .value = "N", .sentence = "how many steps lead to the end (24)", .into = &call.steps_text},
+      {.name = "--at",
+       .value = "K[,K…]",
+       .sentence = "these frames only: 0 is rest, N the end",
+       .into = &call.at,
+       .separated = true},
+      {.name = "--points", .value = "\"X,Y …\"", .sentence = "what is moved (\"1,0\")", .into = &call.points},
+      {.name = "--method",
+       .value = "NAME",
+       .sentence = "matrix, geometric, differences or best; without it each frame is worked out by itself",
+       .into = ReadValue([&call](const std::string& name) { return known_method(name, call.method); }),
+       .words = {"matrix", "geometric", "differences", "best"}},
+      {.name = "--count",
+       .sentence = "operations per step, as the source prints them and as they are",
+       .into = &call.count},
+      {.name = "--css",
+       .sentence = "MOTION is a list of CSS transforms, in pixels: \"translate(10px, 0) rotate(90deg)\"",
+       .into = &call.css},
+      {.name = "--origin",
+       .value = "X,Y",
+       .sentence = "of --css: what transform-origin is, in pixels (0,0)",
+       .into = &call.origin,
+       .needs = "--css"},
+      {.name = "--to-css",
+       .sentence = "the motion as two lists of CSS transforms, to animate from one to the other",
+       .into = &call.to_css},
+      {.name = "--inverse", .sentence = "the motion that undoes this one", .into = &call.inverse},
+      {.name = "--json", .sentence = "one JSON object", .into = &call.json},
+      {.name = "--lesson",
+       .value = "OUT.html",
+       .sentence = "writes a page that teaches the string",
+       .into = &call.lesson,
+       .offer = Offer::files,
+       .excludes = "--json"}};
+}
+
+Subcommand algebra_subcommand() {
+  const auto call = std::make_shared<AlgebraCall>();
+  return {.rank = 80,
+          .name = "algebra",
+          .sentence = "the frames of a string of T(…), R(…) and S(…), and what they cost",
+          .takes = algebra_parameters(*call),
+          .example = "betwixt algebra \"T(6.28 0) R(-1turn @ 0 1)\" --steps 12 --points \"0,0 0,2\" --count",
+          .manual = "The string is one of translations, rotations and scalings, the leftmost applied last.",
+          .run = [call] { return algebra(*call); }};
+}
+
+const Enlisted enlisted_algebra(algebra_subcommand);
+
+}  // namespace
 }  // namespace betwixt

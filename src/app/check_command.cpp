@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <memory>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 #include "base/names.h"
 #include "betwixt/program.h"
 #include "scene/document.h"
@@ -64,38 +66,42 @@ void say_idle_environments(const std::string& file, const Scene& s) {
   }
 }
 
-}  // namespace
+std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-void add_check(CLI::App& app, int& exit_code) {
-  auto* sub =
-      app.add_subcommand("check", "says all errors and warnings of a script, and what goes wrong in its frames");
-  auto file = std::make_shared<std::string>();
-  sub->add_option("FILE", *file, "the script")->required()->type_name("");
-  sub->footer("Example:\n  betwixt check examples/bounce.bx");
-  sub->callback([file, &exit_code] {
-    const Loaded loaded = load_file(*file, load_options());
-    int errors = 0, warnings = 0;
-    for (const Diagnostic& d : loaded.diagnostics) {
-      std::fputs(to_string(d).c_str(), stderr);
-      errors += d.severity == Severity::error;
-      warnings += d.severity == Severity::warning;
+int check(const std::string& file) {
+  const Loaded loaded = load_file(file, load_options());
+  std::size_t errors = 0, warnings = 0;
+  for (const Diagnostic& d : loaded.diagnostics) {
+    std::fputs(to_string(d).c_str(), stderr);
+    errors += d.severity == Severity::error;
+    warnings += d.severity == Severity::warning;
+  }
+  if (errors == 0)
+    for (const std::string& p : problems_of(loaded.document)) {
+      fmt::print(stderr, "{}: warning: {}\n", file, p);
+      ++warnings;
     }
-    if (errors == 0)
-      for (const std::string& p : problems_of(loaded.document)) {
-        fmt::print(stderr, "{}: warning: {}\n", *file, p);
-        ++warnings;
-      }
-    if (errors == 0) say_idle_environments(*file, loaded.document.scene());
-    const std::size_t objects = loaded.document.names().size();
-    const int frames = loaded.document.frame_count();
-    if (errors + warnings == 0)
-      fmt::print("{}: no errors, {} object{}, {} frame{}\n", *file, objects, objects == 1 ? "" : "s", frames,
-                 frames == 1 ? "" : "s");
-    else
-      fmt::print(stderr, "{} error{}, {} warning{}\n", errors, errors == 1 ? "" : "s", warnings,
-                 warnings == 1 ? "" : "s");
-    exit_code = errors ? wrong_input : all_done;
-  });
+  if (errors == 0) say_idle_environments(file, loaded.document.scene());
+  if (errors + warnings > 0)
+    fmt::print(stderr, "{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));
+  else
+    fmt::print("{}: no errors, {}, {}\n", file, counted(loaded.document.names().size(), "object"),
+               counted(static_cast<std::size_t>(loaded.document.frame_count()), "frame"));
+  return errors ? wrong_input : all_done;
 }
 
+Subcommand check_subcommand() {
+  const auto file = std::make_shared<std::string>();
+  return {.rank = 60,
+          .name = "check",
+          .sentence = "says all errors and warnings of a script, and what goes wrong in its frames",
+          .takes = {script_parameter(*file)},
+          .example = "betwixt check examples/bounce.bx",
+          .manual = "Up to 60 of its frames are looked at. The exit code is 1 if there is an error.",
+          .run = [file] { return check(*file); }};
+}
+
+const Enlisted enlisted_check(check_subcommand);
+
+}  // namespace
 }  // namespace betwixt

@@ -16,13 +16,6 @@ volatile sig_atomic_t stop_asked = 0;
 // A film longer than this is a mistake in the call.
 constexpr double most_frames = 10'000'000;
 
-// Reads "WxH"; false where it is none.
-bool read_size(const std::string& text, RenderOptions& to) {
-  int used = 0;
-  return text.size() <= 11 && std::sscanf(text.c_str(), "%5dx%5d%n", &to.width, &to.height, &used) == 2 &&
-         used == static_cast<int>(text.size());
-}
-
 }  // namespace
 
 int complain(const Error& e, int otherwise) {
@@ -42,25 +35,6 @@ std::optional<Document> open_script(const std::string& file) {
     if (d.severity != Severity::notice) std::fputs(to_string(d).c_str(), stderr);
   if (has_errors(loaded.diagnostics)) return std::nullopt;
   return std::move(loaded.document);
-}
-
-void add_picture_options(CLI::App& app, RenderOptions& to) {
-  app.add_option_function<std::string>(
-         "--size",
-         [&to](const std::string& text) {
-           if (!read_size(text, to) || to.width < 1 || to.height < 1 || to.width > 8192 || to.height > 8192)
-             throw CLI::ValidationError(
-                 "--size", fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
-         },
-         fmt::format("pixels; {}x{} if not said", to.width, to.height))
-      ->type_name("WxH");
-  std::vector<std::string> names;
-  for (const Style& s : styles()) names.emplace_back(s.name);
-  app.add_option("--style", to.style, fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.style))
-      ->type_name("STYLE");
-  app.add_option("--samples", to.samples, fmt::format("samples a pixel: 1, 4, 9 or 16; {} if not said", to.samples))
-      ->type_name("N")
-      ->check(CLI::IsMember({1, 4, 9, 16}).description(""));
 }
 
 Result<Time> read_time(const std::string& text, const Document& document, const std::string& option) {

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the subcommands share. Each has a file of its own that adds it to the command line; when the line asks for it,
-// it runs and leaves its exit code.
+// What the subcommands share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -13,23 +11,10 @@
 #include <vector>
 
 #include "betwixt/language.h"
-#include "betwixt/render.h"
 
 namespace betwixt {
 
 enum Exit { all_done = 0, wrong_input = 1, wrong_call = 2, machine_failed = 3, interrupted = 130 };
-
-void add_render(CLI::App&, int& exit_code);
-void add_frame(CLI::App&, int& exit_code);
-void add_plot(CLI::App&, int& exit_code);
-void add_play(CLI::App&, int& exit_code);
-void add_eval(CLI::App&, int& exit_code);
-void add_check(CLI::App&, int& exit_code);
-void add_tidy(CLI::App&, int& exit_code);
-void add_algebra(CLI::App&, int& exit_code);
-void add_contacts(CLI::App&, int& exit_code);
-void add_shell(CLI::App&, int& exit_code);
-void add_serve(CLI::App&, int& exit_code);
 
 // Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
 int complain(const Error&, int otherwise);
@@ -39,9 +24,6 @@ LoadOptions& load_options();
 
 // Loads a script, saying its errors and warnings on standard error; none where it has errors.
 std::optional<Document> open_script(const std::string& file);
-
-// --size, --style, --samples
-void add_picture_options(CLI::App&, RenderOptions&);
 
 // A time of the command line; a bare number is a frame. Errors name the option.
 Result<Time> read_time(const std::string& text, const Document&, const std::string& option);

@@ -5,19 +5,20 @@
 #include <fmt/format.h>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 #include "betwixt/program.h"
 #include "scene/document.h"
 
 namespace betwixt {
 namespace {
 
-struct Call {
+struct ContactsCall {
   std::string file, frames;
   bool sweep = false;
   ContactOptions options;
 };
 
-int contacts(const Call& call) {
+int contacts(const ContactsCall& call) {
   const auto document = open_script(call.file);
   if (!document) return wrong_input;
   const auto frames = read_frames(call.frames, *document);
@@ -40,17 +41,21 @@ int contacts(const Call& call) {
   return all_done;
 }
 
-}  // namespace
-
-void add_contacts(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("contacts", "prints what touches and what leaves the view, tick by tick");
-  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
-  sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
-  sub->add_flag("--swept", call->sweep, "what touches between two ticks too");
-  sub->add_flag("--related", call->options.related, "the parts of one body too");
-  sub->footer("Example:\n  betwixt contacts examples/bounce.bx --frames 1f..24f");
-  sub->callback([call, &exit_code] { exit_code = contacts(*call); });
+Subcommand contacts_subcommand() {
+  const auto call = std::make_shared<ContactsCall>();
+  return {.rank = 90,
+          .name = "contacts",
+          .sentence = "prints what touches and what leaves the view, tick by tick",
+          .takes = {script_parameter(call->file),
+                    frames_parameter(call->frames),
+                    {.name = "--swept", .sentence = "what touches between two ticks too", .into = &call->sweep},
+                    {.name = "--related", .sentence = "the parts of one body too", .into = &call->options.related}},
+          .example = "betwixt contacts examples/bounce.bx --frames 1f..24f",
+          .manual = "A line of JSON for each.",
+          .run = [call] { return contacts(*call); }};
 }
 
+const Enlisted enlisted_contacts(contacts_subcommand);
+
+}  // namespace
 }  // namespace betwixt

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 #include "betwixt/program.h"
 #include "language/json.h"
 #include "language/values.h"
@@ -15,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-struct Asked {
+struct EvalCall {
   std::string file;
   std::vector<std::string> times, targets;
   bool json = false;
@@ -64,18 +65,18 @@ std::string plain(const Reading& r, const Target& t, const Document& d) {
                      [&](ObjectId id) { return id ? d.name(id) : std::string(); });
 }
 
-int eval(const Asked& asked) {
-  const auto document = open_script(asked.file);
+int eval(const EvalCall& call) {
+  const auto document = open_script(call.file);
   if (!document) return wrong_input;
   std::vector<std::pair<std::string, Time>> times;
-  for (const auto& text : asked.times) {
+  for (const auto& text : call.times) {
     const auto t = read_time(text, *document, "--at");
     if (!t) return complain(t.error(), wrong_call);
     times.emplace_back(text, *t);
   }
   std::vector<Target> targets;
   std::set<std::tuple<std::uint32_t, std::uint16_t, int, bool>> named;  // a target asked for twice is answered once
-  std::vector<std::string> patterns = asked.targets;
+  std::vector<std::string> patterns = call.targets;
   if (patterns.empty()) patterns = document->names();
   for (const auto& pattern : patterns) {
     const auto found = find_targets(pattern, *document);
@@ -92,7 +93,7 @@ int eval(const Asked& asked) {
     problems.say(said);
     return values;
   };
-  if (asked.json) {
+  if (call.json) {
     std::string out = "{\"times\":[";
     for (std::size_t i = 0; i < times.size(); ++i) {
       out += fmt::format("{}{{\"at\":{},\"seconds\":{},\"values\":{{", i ? "," : "", json_text(times[i].first),
@@ -118,21 +119,28 @@ int eval(const Asked& asked) {
   return all_done;
 }
 
-}  // namespace
-
-void add_eval(CLI::App& app, int& exit_code) {
-  auto* sub = app.add_subcommand("eval", "prints values at times");
-  auto asked = std::make_shared<Asked>();
-  sub->add_option("FILE", asked->file, "the script")->required()->type_name("");
-  sub->add_option("TARGET", asked->targets, "ball.position, wheel*.color, ball; all if none is named")->type_name("");
-  sub->add_option("--at", asked->times, "the times: 24f, 2.5s, …")
-      ->required()
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("T[,T…]");
-  sub->add_flag("--json", asked->json, "one JSON object");
-  sub->footer("Example:\n  betwixt eval examples/bounce.bx --at 12f,24f ball.position --json");
-  sub->callback([asked, &exit_code] { exit_code = eval(*asked); });
+Subcommand eval_subcommand() {
+  const auto call = std::make_shared<EvalCall>();
+  return {.rank = 40,
+          .name = "eval",
+          .sentence = "prints values at times",
+          .takes = {script_parameter(call->file),
+                    {.name = "TARGET",
+                     .sentence = "ball.position, wheel*.color, ball; all if none is named",
+                     .into = &call->targets},
+                    {.name = "--at",
+                     .value = "T[,T…]",
+                     .sentence = "the times: 24f, 2.5s, …",
+                     .into = &call->times,
+                     .required = true,
+                     .separated = true},
+                    {.name = "--json", .sentence = "one JSON object", .into = &call->json}},
+          .example = "betwixt eval examples/bounce.bx --at 12f,24f ball.position --json",
+          .manual = "In JSON numbers are the shortest that read back the same; a world is 16 numbers, row by row.",
+          .run = [call] { return eval(*call); }};
 }
 
+const Enlisted enlisted_eval(eval_subcommand);
+
+}  // namespace
 }  // namespace betwixt

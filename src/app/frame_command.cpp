@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 #include "betwixt/picture.h"
 #include "betwixt/program.h"
 #include "film/output.h"
@@ -10,13 +11,13 @@
 namespace betwixt {
 namespace {
 
-struct Call {
+struct FrameCall {
   std::string file, at, out;
   RenderOptions picture;
   bool keep_old = false;
 };
 
-int frame(const Call& call) {
+int frame(const FrameCall& call) {
   if (!call.out.ends_with(".png") && !call.out.ends_with(".PNG"))
     return complain(fail(Code::range, "one picture is a .png, not \"" + call.out + "\"", "for films: betwixt render"),
                     wrong_call);
@@ -35,18 +36,32 @@ int frame(const Call& call) {
   return all_done;
 }
 
-}  // namespace
-
-void add_frame(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("frame", "makes one picture, a PNG");
-  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
-  sub->add_option("--at", call->at, "when: 24f, 2.5s, 00:01:02.5")->required()->type_name("TIME");
-  sub->add_option("-o,--output", call->out, "the picture")->required()->type_name("PICTURE");
-  add_picture_options(*sub, call->picture);
-  sub->add_flag("--no-overwrite", call->keep_old, "leave a picture alone that is there already");
-  sub->footer("Example:\n  betwixt frame examples/bounce.bx --at 24f -o bounce.png");
-  sub->callback([call, &exit_code] { exit_code = frame(*call); });
+Subcommand frame_subcommand() {
+  const auto call = std::make_shared<FrameCall>();
+  Subcommand s{.rank = 20,
+               .name = "frame",
+               .sentence = "makes one picture, a PNG",
+               .takes = {script_parameter(call->file),
+                         {.name = "--at",
+                          .value = "TIME",
+                          .sentence = "when: 24f, 2.5s, 00:01:02.5",
+                          .into = &call->at,
+                          .required = true},
+                         {.name = "-o,--output",
+                          .value = "PICTURE",
+                          .sentence = "the picture",
+                          .into = &call->out,
+                          .required = true,
+                          .offer = Offer::files}},
+               .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png",
+               .run = [call] { return frame(*call); }};
+  append_picture_parameters(s.takes, call->picture);
+  s.takes.push_back(
+      {.name = "--no-overwrite", .sentence = "leave a picture alone that is there already", .into = &call->keep_old});
+  return s;
 }
 
+const Enlisted enlisted_frame(frame_subcommand);
+
+}  // namespace
 }  // namespace betwixt

@@ -13,13 +13,14 @@
 
 #include "algebra/power.h"
 #include "app/lesson_page.h"
+#include "app/markup.h"
 #include "exchange/files.h"
 
 namespace betwixt {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Kind = Factor::Kind;
+using FactorKind = Factor::Kind;
 using Law = Factor::Law;
 using Points = std::vector<Vec3>;
 
@@ -83,7 +84,7 @@ double round_unit(double about) {
 double unit_for(const Motion& motion, const Points& points) {
   double reach = 0;
   const auto take = [&](Vec3 v) { reach = std::max({reach, std::abs(v.x), std::abs(v.y)}); };
-  for (const Factor& f : motion.factors) take(f.kind == Kind::translate ? f.by : 2 * f.centre);
+  for (const Factor& f : motion.factors) take(f.kind == FactorKind::translate ? f.by : 2 * f.centre);
   for (const Vec3& p : points) take(p);
   return reach > 1e-300 ? round_unit(0.18 * reach) : 1;
 }
@@ -112,10 +113,10 @@ Json list(const std::vector<Mat4>& frames) {
 
 Json data_of(const Factor& f) {
   Json j{{"kind", std::string(1, "TRS"[static_cast<int>(f.kind)])}, {"text", to_string(Motion{{f}})}};
-  if (f.kind == Kind::translate) return j["by"] = pair(f.by), j;
+  if (f.kind == FactorKind::translate) return j["by"] = pair(f.by), j;
   j["centre"] = pair(f.centre);
   if (!f.about.empty()) j["about"] = f.about;
-  if (f.kind == Kind::rotate)
+  if (f.kind == FactorKind::rotate)
     j["turns"] = (f.axis.z < 0 ? -f.angle : f.angle) / (2 * pi);
   else
     j["by"] = pair(f.by), j["linear"] = f.law == Law::linear;
@@ -124,7 +125,7 @@ Json data_of(const Factor& f) {
 
 Motion linear_law(Motion motion) {
   for (Factor& f : motion.factors)
-    if (f.kind == Kind::scale) f.law = Law::linear;
+    if (f.kind == FactorKind::scale) f.law = Law::linear;
   return motion;
 }
 bool exponential_law(const Motion& motion) { return !(linear_law(motion) == motion); }
@@ -138,7 +139,7 @@ std::vector<Mat4> sampled(const Motion& motion, int steps = samples) {
 double turns_of(const Motion& motion) {
   double turns = 0;
   for (const Factor& f : motion.factors)
-    if (f.kind == Kind::rotate) turns += std::abs(f.angle) / (2 * pi);
+    if (f.kind == FactorKind::rotate) turns += std::abs(f.angle) / (2 * pi);
   return turns;
 }
 
@@ -322,23 +323,6 @@ Json data_of(const Motion& motion, const LessonOptions& options) {
 
 // ---- The page
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 // Nothing in it can end the element that it stands in.
 std::string for_script(const Json& data) {
   std::string out;
@@ -347,21 +331,6 @@ std::string for_script(const Json& data) {
       out += "\\u003c";
     else
       out += c;
-  }
-  return out;
-}
-
-// In one pass: what is filled in is not looked at again.
-std::string filled(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string>> parts) {
-  std::string out;
-  while (!page.empty()) {
-    const std::size_t open = page.find("{{"), close = page.find("}}", open);
-    const bool found = open != page.npos && close != page.npos;
-    out += page.substr(0, found ? open : page.npos);
-    if (!found) break;
-    for (const auto& [name, text] : parts)
-      if (page.substr(open + 2, close - open - 2) == name) out += text;
-    page.remove_prefix(close + 2);
   }
   return out;
 }

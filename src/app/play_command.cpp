@@ -10,6 +10,7 @@
 
 #include "app/command.h"
 #include "app/live_input.h"
+#include "app/subcommand.h"
 #include "app/terminal.h"
 #include "betwixt/program.h"
 #include "exchange/files.h"
@@ -22,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Call {
+struct PlayCall {
   std::string file, frames, listen, record;
   RenderOptions picture{960, 540, 1};  // a character blends its pixels anyway
   bool terminal = false, loop = false, overwrite = false;
@@ -61,7 +62,7 @@ class Playhead {
 class Player {
  public:
   // `live`: what controls say; null: nobody listens.
-  Player(const Document& document, const Call& call, const FrameList& frames, Terminal& terminal, LiveInput* live)
+  Player(const Document& document, const PlayCall& call, const FrameList& frames, Terminal& terminal, LiveInput* live)
       : document_(document),
         program_(Program::compile(document)),
         call_(call),
@@ -236,7 +237,7 @@ class Player {
 
   Document document_;
   Program program_;
-  const Call& call_;
+  const PlayCall& call_;
   const FrameList& frames_;
   Terminal& terminal_;
   LiveInput* const live_;
@@ -261,7 +262,7 @@ Document recording(const Document& document, bool on) {
 
 // Where what controls say is written when the film ends; empty: nowhere. That the place is free is seen before
 // anybody plays.
-Result<std::string> record_place(const Document& document, const Call& call) {
+Result<std::string> record_place(const Document& document, const PlayCall& call) {
   if (call.listen.empty() && !call.record.empty())
     return fail(Code::range, "--record: there is nothing to record", "--listen PORT takes in what controls say");
   if (call.listen.empty() || (call.record.empty() && !document.scene().recording)) return std::string();
@@ -281,7 +282,7 @@ Status write_recording(const Document& document, const std::string& place, bool 
   return write_whole(place, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, overwrite);
 }
 
-Status play(const Document& document, const Call& call) {
+Status play(const Document& document, const PlayCall& call) {
   const Result<FrameList> frames = read_frames(call.frames, document);
   if (!frames) return frames.error();
   const Result<std::string> place = record_place(document, call);
@@ -310,7 +311,7 @@ Status play(const Document& document, const Call& call) {
   return played;
 }
 
-int play(const Call& call) {
+int play(const PlayCall& call) {
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   if (Status played = play(*document, call); !played) return complain(played.error(), wrong_call);
@@ -320,29 +321,46 @@ int play(const Call& call) {
 }  // namespace
 
 Status play_document(const Document& document, const std::string& frames) {
-  Call call;
+  PlayCall call;
   call.frames = frames;
   return play(document, call);
 }
 
-void add_play(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("play", "plays in the terminal, in real time");
-  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
-  sub->add_flag("--terminal", call->terminal, "in the terminal; in this version that is always so");
-  sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
-  add_picture_options(*sub, call->picture);
-  sub->add_flag("--loop", call->loop, "again and again");
-  sub->add_option("--listen", call->listen,
-                  "what the script's dials turn is moved by OSC sent to this port, and by MIDI; "
-                  "from this machine only, unless an address of its own is named")
-      ->type_name("[HOST:]PORT");
-  sub->add_option("--record", call->record, "what came in is written as a script at the end")->type_name("OUT.bx");
-  sub->add_flag("--overwrite", call->overwrite, "--record may replace a file");
-  sub->footer(
-      "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, q quits.\n"
-      "Example:\n  betwixt play examples/bounce.bx --terminal --loop");
-  sub->callback([call, &exit_code] { exit_code = play(*call); });
+namespace {
+
+Subcommand play_subcommand() {
+  const auto call = std::make_shared<PlayCall>();
+  Subcommand s{.rank = 30,
+               .name = "play",
+               .sentence = "plays in the terminal, in real time",
+               .takes = {script_parameter(call->file),
+                         {.name = "--terminal",
+                          .sentence = "in the terminal; in this version that is always so",
+                          .into = &call->terminal},
+                         frames_parameter(call->frames)},
+               .note =
+                   "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and "
+                   "end, q quits.",
+               .example = "betwixt play examples/bounce.bx --terminal --loop",
+               .manual = "Frames are dropped rather than slowed down.",
+               .run = [call] { return play(*call); }};
+  append_picture_parameters(s.takes, call->picture);
+  s.takes.push_back({.name = "--loop", .sentence = "again and again", .into = &call->loop});
+  s.takes.push_back({.name = "--listen",
+                     .value = "[HOST:]PORT",
+                     .sentence = "what the script's dials turn is moved by OSC sent to this port, and by MIDI; "
+                                 "from this machine only, unless an address of its own is named",
+                     .into = &call->listen});
+  s.takes.push_back({.name = "--record",
+                     .value = "OUT.bx",
+                     .sentence = "what came in is written as a script at the end",
+                     .into = &call->record,
+                     .offer = Offer::files});
+  s.takes.push_back({.name = "--overwrite", .sentence = "--record may replace a file", .into = &call->overwrite});
+  return s;
 }
 
+const Enlisted enlisted_play(play_subcommand);
+
+}  // namespace
 }  // namespace betwixt

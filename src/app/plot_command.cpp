@@ -11,6 +11,7 @@
 
 #include "app/command.h"
 #include "app/plot_svg.h"
+#include "app/subcommand.h"
 #include "betwixt/program.h"
 #include "film/output.h"
 #include "scene/document.h"
@@ -18,7 +19,7 @@
 namespace betwixt {
 namespace {
 
-struct Call {
+struct PlotCall {
   std::string file, out, frames;
   std::vector<std::string> targets;
 };
@@ -126,7 +127,7 @@ Status write_text(const std::string& path, const std::string& text) {
   return done;
 }
 
-int plot(const Call& call) {
+int plot(const PlotCall& call) {
   if (!call.out.ends_with(".svg"))
     return complain(fail(Code::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
   if (Status s = check_place(call.out, true); !s) return complain(s.error(), wrong_call);
@@ -167,17 +168,30 @@ Status plot_document(const Document& document, const std::vector<std::string>& w
   return write_text(out, to_svg(drawing));
 }
 
-void add_plot(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("plot", "draws values against time, an SVG");
-  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
-  sub->add_option("TARGET", call->targets, "what to draw: ball.position.y, 'wheel*.rotation'")
-      ->required()
-      ->type_name("");
-  sub->add_option("-o,--output", call->out, "the drawing")->required()->type_name("PLOT.svg");
-  sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f")->type_name("A..B");
-  sub->footer("Example:\n  betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg");
-  sub->callback([call, &exit_code] { exit_code = plot(*call); });
+namespace {
+
+Subcommand plot_subcommand() {
+  const auto call = std::make_shared<PlotCall>();
+  return {.rank = 50,
+          .name = "plot",
+          .sentence = "draws values against time, an SVG",
+          .takes = {script_parameter(call->file),
+                    {.name = "TARGET",
+                     .sentence = "what to draw: ball.position.y, 'wheel*.rotation'",
+                     .into = &call->targets,
+                     .required = true},
+                    {.name = "-o,--output",
+                     .value = "PLOT.svg",
+                     .sentence = "the drawing",
+                     .into = &call->out,
+                     .required = true,
+                     .offer = Offer::files},
+                    frames_parameter(call->frames)},
+          .example = "betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg",
+          .run = [call] { return plot(*call); }};
 }
 
+const Enlisted enlisted_plot(plot_subcommand);
+
+}  // namespace
 }  // namespace betwixt

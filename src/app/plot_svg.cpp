@@ -9,29 +9,14 @@
 #include <cmath>
 #include <limits>
 
+#include "app/markup.h"
+
 namespace betwixt {
 namespace {
 
 constexpr double left = 76, right = 28, top = 56, below = 66, width = 960, height = 540, legend_row = 22;
 constexpr std::array<const char*, 10> colors{"#2f6fb3", "#d9822b", "#3f9b5f", "#c23b4b", "#7c5bb0",
                                              "#8a6248", "#c5629f", "#5d6670", "#a0a12f", "#2aa3b5"};
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 32)
-      out += c;
-  }
-  return out;
-}
 
 std::string label(double v) { return fmt::format("{:.10g}", std::abs(v) < 1e-12 ? 0 : v); }
 

@@ -9,13 +9,14 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 #include "betwixt/film.h"
 #include "betwixt/program.h"
 
 namespace betwixt {
 namespace {
 
-struct Call {
+struct RenderCall {
   std::string file, out, frames;
   RenderOptions picture;
   int jobs = 0;
@@ -72,7 +73,7 @@ void print_stats(const FilmStats& s) {
              s.painting, each(s.painting), s.encoding, each(s.encoding), each(s.seconds));
 }
 
-int render(const Call& call) {
+int render(const RenderCall& call) {
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   const Result<FrameList> frames = read_frames(call.frames, *document);
@@ -116,24 +117,38 @@ int render(const Call& call) {
   return all_done;
 }
 
-}  // namespace
-
-void add_render(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("render", "makes a film: .mp4 .webm .gif .apng or numbered pictures");
-  sub->add_option("FILE", call->file, "the script")->required()->type_name("");
-  sub->add_option("-o,--output", call->out, "the film; its ending says what is made, frame-%04d.png: numbered pictures")
-      ->required()
-      ->type_name("OUT");
-  sub->add_option("--frames", call->frames, "these only, ends included: 1f..24f, 1..24, 0.5s..2s")->type_name("A..B");
-  add_picture_options(*sub, call->picture);
-  sub->add_option("--jobs", call->jobs, "pictures made at once; if not said, what suits this machine")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256).description(""));
-  sub->add_flag("--no-overwrite", call->keep_old, "leave a film alone that is there already");
-  sub->add_flag("--stats", call->stats, "say how long painting and encoding took");
-  sub->footer("Example:\n  betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f");
-  sub->callback([call, &exit_code] { exit_code = render(*call); });
+Subcommand render_subcommand() {
+  const auto call = std::make_shared<RenderCall>();
+  Subcommand s{.rank = 10,
+               .name = "render",
+               .sentence = "makes a film: .mp4 .webm .gif .apng or numbered pictures",
+               .takes = {script_parameter(call->file),
+                         {.name = "-o,--output",
+                          .value = "OUT",
+                          .sentence = "the film; its ending says what is made, frame-%04d.png: numbered pictures",
+                          .into = &call->out,
+                          .required = true,
+                          .offer = Offer::files},
+                         frames_parameter(call->frames, "1f..24f, 1..24, 0.5s..2s")},
+               .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
+               .manual =
+                   "All but pictures need the program ffmpeg. A progress bar with frames per second and the time "
+                   "left is shown on a terminal. A film that is stopped or fails leaves nothing under its final "
+                   "name.",
+               .run = [call] { return render(*call); }};
+  append_picture_parameters(s.takes, call->picture);
+  s.takes.push_back({.name = "--jobs",
+                     .value = "N",
+                     .sentence = "pictures made at once; if not said, what suits this machine",
+                     .into = &call->jobs,
+                     .range = {{1, 256}}});
+  s.takes.push_back(
+      {.name = "--no-overwrite", .sentence = "leave a film alone that is there already", .into = &call->keep_old});
+  s.takes.push_back({.name = "--stats", .sentence = "say how long painting and encoding took", .into = &call->stats});
+  return s;
 }
 
+const Enlisted enlisted_render(render_subcommand);
+
+}  // namespace
 }  // namespace betwixt

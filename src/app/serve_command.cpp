@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 #include "app/terminal.h"
 #include "app/window.h"
 #include "film/output.h"
@@ -18,7 +19,7 @@
 namespace betwixt {
 namespace {
 
-struct Call {
+struct ServeCall {
   std::string file, socket, tcp, token_file, to, save, rate, priority;
   RenderOptions picture{960, 540, 1};
   Imaging::Options imaging;
@@ -78,7 +79,7 @@ class WindowScreen final : public Screen {
   Picture picture_;
 };
 
-Result<NewScreen> screen_of(const Call& call, Rate rate) {
+Result<NewScreen> screen_of(const ServeCall& call, Rate rate) {
   const RenderOptions picture = call.picture;
   if (call.to.empty() || call.to == "nowhere") return NewScreen();
   if (call.to.starts_with("film:"))
@@ -121,7 +122,7 @@ Result<Rate> rate_of(const std::string& text, Rate otherwise) {
   return Rate{num, den};
 }
 
-Result<std::string> token_of(const Call& call) {
+Result<std::string> token_of(const ServeCall& call) {
   if (call.token_file.empty()) return new_token();
   const auto text = read_script(call.token_file);
   if (!text) return text.error();
@@ -133,7 +134,7 @@ Result<std::string> token_of(const Call& call) {
   return token;
 }
 
-Result<Listener> listen(const Call& call) {
+Result<Listener> listen(const ServeCall& call) {
   if (!call.tcp.empty()) return Listener::tcp(call.tcp, call.anywhere);
   const std::string path = call.socket.empty() ? default_socket() : call.socket;
   if (path.empty()) return fail(Code::range, "there is no folder for sockets", "--socket PATH or --tcp HOST:PORT");
@@ -149,7 +150,7 @@ int stops() {
   return ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-int serve(Call& call) {
+int serve(ServeCall& call) {
   ::mallopt(M_MMAP_THRESHOLD, 1 << 18);  // what hosts' long lines and answers took is given back when they go
   call.serve.stop = stops();
   call.imaging.load = load_options();
@@ -199,45 +200,97 @@ int serve(Call& call) {
   return served ? static_cast<int>(all_done) : complain(served.error(), machine_failed);
 }
 
-}  // namespace
-
-void add_serve(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("serve", "shows a document that other programs change while it runs");
-  sub->add_option("FILE", call->file, "the script it begins with")->type_name("");
-  auto* socket =
-      sub->add_option("--socket", call->socket, "hosts come in there; $XDG_RUNTIME_DIR/betwixt.sock if not said");
-  socket->type_name("PATH");
-  sub->add_option("--tcp", call->tcp, "hosts come in there, with a token")->type_name("HOST:PORT")->excludes(socket);
-  sub->add_flag("--anywhere", call->anywhere, "--tcp may be an address that other machines can reach");
-  sub->add_option("--token-file", call->token_file, "holds the token; if not said, one is made and printed")
-      ->type_name("FILE");
-  sub->add_option("--to", call->to, "where frames go: nowhere, window, terminal, film:OUT.mp4, ring:NAME")
-      ->type_name("PLACE");
-  sub->add_option("--rate", call->rate, "frames a second; the script's if not said")->type_name("N");
-  add_picture_options(*sub, call->picture);
-  sub->add_option("--class", call->priority, "fifo, nice or ordinary; the best that is granted if not said")
-      ->type_name("CLASS")
-      ->check(CLI::IsMember({"fifo", "nice", "ordinary"}).description(""));
-  sub->add_flag("--sweep", call->imaging.sweep, "contacts are noticed even between two frames");
-  sub->add_flag("--wait", call->imaging.wait, "time stands at 0 until a host says start");
-  sub->add_option("--latency", call->imaging.latency, "ticks from a command to its effect; 1 if not said")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000).description(""));
-  sub->add_option("--save", call->save, "keeps the history there: every command, before it is answered")
-      ->type_name("FILE");
-  sub->add_flag("--overwrite", call->overwrite, "--save may replace a file");
-  sub->add_option("--hosts", call->serve.hosts, "at once; 1000 if not said")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100'000).description(""));
-  Ceilings& most = call->imaging.ceilings;
-  sub->add_option("--ceiling", most.environments, "environments; 2000000 if not said")->type_name("N");
-  sub->add_option("--objects", most.objects, "environments and removed ones included; 3000000 if not said")
-      ->type_name("N");
-  sub->add_option("--events", most.events, "on tracks; 20000000 if not said")->type_name("N");
-  sub->add_option("--history", most.history, "bytes of accepted commands; 268435456 if not said")->type_name("N");
-  sub->footer("Example:\n  betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal");
-  sub->callback([call, &exit_code] { exit_code = serve(*call); });
+// What hosts may ask for at most.
+void append_ceilings(std::vector<Parameter>& all, Ceilings& most) {
+  const auto add = [&](const char* name, const std::string& sentence, std::size_t& to) {
+    all.push_back(
+        {.name = name, .value = "N", .sentence = fmt::format("{}; {} if not said", sentence, to), .into = &to});
+  };
+  add("--ceiling", "environments", most.environments);
+  add("--objects", "environments and removed ones included", most.objects);
+  add("--events", "on tracks", most.events);
+  add("--history", "bytes of accepted commands", most.history);
 }
 
+// Where hosts come in.
+std::vector<Parameter> door_parameters(ServeCall& call) {
+  return {{.name = "--socket",
+           .value = "PATH",
+           .sentence = "hosts come in there; $XDG_RUNTIME_DIR/betwixt.sock if not said",
+           .into = &call.socket,
+           .offer = Offer::files},
+          {.name = "--tcp",
+           .value = "HOST:PORT",
+           .sentence = "hosts come in there, with a token",
+           .into = &call.tcp,
+           .excludes = "--socket"},
+          {.name = "--anywhere",
+           .sentence = "--tcp may be an address that other machines can reach",
+           .into = &call.anywhere},
+          {.name = "--token-file",
+           .value = "FILE",
+           .sentence = "holds the token; if not said, one is made and printed",
+           .into = &call.token_file,
+           .offer = Offer::files}};
+}
+
+std::vector<Parameter> clock_parameters(ServeCall& call) {
+  return {{.name = "--class",
+           .value = "CLASS",
+           .sentence = "fifo, nice or ordinary; the best that is granted if not said",
+           .into = &call.priority,
+           .words_only = true,
+           .words = {"fifo", "nice", "ordinary"}},
+          {.name = "--sweep", .sentence = "contacts are noticed even between two frames", .into = &call.imaging.sweep},
+          {.name = "--wait", .sentence = "time stands at 0 until a host says start", .into = &call.imaging.wait},
+          {.name = "--latency",
+           .value = "N",
+           .sentence = "ticks from a command to its effect; 1 if not said",
+           .into = &call.imaging.latency,
+           .range = {{0, 1'000'000}}},
+          {.name = "--save",
+           .value = "FILE",
+           .sentence = "keeps the history there: every command, before it is answered",
+           .into = &call.save,
+           .offer = Offer::files},
+          {.name = "--overwrite", .sentence = "--save may replace a file", .into = &call.overwrite},
+          {.name = "--hosts",
+           .value = "N",
+           .sentence = "at once; 1000 if not said",
+           .into = &call.serve.hosts,
+           .range = {{1, 100'000}}}};
+}
+
+Subcommand serve_subcommand() {
+  const auto call = std::make_shared<ServeCall>();
+  Subcommand s{.rank = 110,
+               .name = "serve",
+               .sentence = "shows a document that other programs change while it runs",
+               .takes = {{.name = "FILE",
+                          .sentence = "the script it begins with",
+                          .into = &call->file,
+                          .offer = Offer::scripts}},
+               .example = "betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal",
+               .manual = "They say what moves how, in the language, over a socket, and are answered in JSON.",
+               .run = [call] { return serve(*call); }};
+  const auto append = [&](std::vector<Parameter> more) {
+    for (Parameter& p : more) s.takes.push_back(std::move(p));
+  };
+  append(door_parameters(*call));
+  append(
+      {{.name = "--to",
+        .value = "PLACE",
+        .sentence = "where frames go: nowhere, window, terminal, film:OUT.mp4, ring:NAME",
+        .into = &call->to,
+        .words = {"nowhere", "window", "terminal", "film:", "ring:"}},
+       {.name = "--rate", .value = "N", .sentence = "frames a second; the script's if not said", .into = &call->rate}});
+  append_picture_parameters(s.takes, call->picture);
+  append(clock_parameters(*call));
+  append_ceilings(s.takes, call->imaging.ceilings);
+  return s;
+}
+
+const Enlisted enlisted_serve(serve_subcommand);
+
+}  // namespace
 }  // namespace betwixt

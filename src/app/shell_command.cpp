@@ -21,6 +21,7 @@
 #include <sstream>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 #include "betwixt/session.h"
 
 namespace betwixt {
@@ -28,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Call {
+struct ShellCall {
   std::string file;
   bool recover = false, discard = false;
 };
@@ -249,7 +250,7 @@ std::optional<std::string> read_line(Input& in, const std::string& prompt) {
   return whole;
 }
 
-int shell(const Call& call) {
+int shell(const ShellCall& call) {
   std::unique_ptr<Input> in;
   Session::Doors doors;
   doors.ask = [&in](const std::string& question) { return in->answer(question); };
@@ -294,17 +295,32 @@ int shell(const Call& call) {
   return wrong && !person ? wrong_input : all_done;
 }
 
-}  // namespace
-
-void add_shell(CLI::App& app, int& exit_code) {
-  const auto call = std::make_shared<Call>();
-  CLI::App* sub = app.add_subcommand("shell", "makes a film line by line, with help, undo and a journal");
-  sub->add_option("FILE", call->file, "the script; a new one if it is not there yet")->type_name("");
-  CLI::Option* recover =
-      sub->add_flag("--recover", call->recover, "do again what an earlier session did and did not save");
-  sub->add_flag("--discard", call->discard, "throw away what an earlier session did not save")->excludes(recover);
-  sub->footer("Example:\n  betwixt shell examples/bounce.bx");
-  sub->callback([call, &exit_code] { exit_code = shell(*call); });
+Subcommand shell_subcommand() {
+  const auto call = std::make_shared<ShellCall>();
+  return {.rank = 100,
+          .name = "shell",
+          .sentence = "makes a film line by line, with help, undo and a journal",
+          .takes = {{.name = "FILE",
+                     .sentence = "the script; a new one if it is not there yet",
+                     .into = &call->file,
+                     .offer = Offer::scripts},
+                    {.name = "--recover",
+                     .sentence = "do again what an earlier session did and did not save",
+                     .into = &call->recover},
+                    {.name = "--discard",
+                     .sentence = "throw away what an earlier session did not save",
+                     .into = &call->discard,
+                     .excludes = "--recover"}},
+          .example = "betwixt shell examples/bounce.bx",
+          .manual =
+              "At a terminal, or from standard input. In it, help lists all words, undo takes back without "
+              "limit, save keeps the author's text and writes below it what was done. Every command is in a "
+              "journal beside the script (.FILE.journal) before it is answered; after a crash the next start "
+              "offers to recover it.",
+          .run = [call] { return shell(*call); }};
 }
 
+const Enlisted enlisted_shell(shell_subcommand);
+
+}  // namespace
 }  // namespace betwixt

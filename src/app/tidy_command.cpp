@@ -9,9 +9,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 #include "app/command.h"
+#include "app/subcommand.h"
 
 namespace betwixt {
 namespace {
@@ -41,35 +43,43 @@ int replace(const std::string& file, const std::string& text) {
   return complain(fail(Code::file, fmt::format("'{}' cannot be written: {}", file, reason)), wrong_input);
 }
 
-}  // namespace
+struct TidyCall {
+  std::string file;
+  bool write = false;
+};
 
-void add_tidy(CLI::App& app, int& exit_code) {
-  auto* sub = app.add_subcommand("tidy", "prints a script in its canonical form");
-  auto file = std::make_shared<std::string>();
-  auto write = std::make_shared<bool>(false);
-  sub->add_option("FILE", *file, "the script")->required()->type_name("");
-  sub->add_flag("--write", *write, "put it in place of the script instead of printing it");
-  sub->footer("Example:\n  betwixt tidy examples/bounce.bx --write");
-  sub->callback([file, write, &exit_code] {
-    std::error_code ignored;
-    if (std::filesystem::exists(*file, ignored) && !std::filesystem::is_directory(*file, ignored) &&
-        !std::filesystem::is_regular_file(*file, ignored)) {  // read twice, a pipe would be empty
-      exit_code = complain(fail(Code::file, fmt::format("'{}': only a file can be tidied", *file)), wrong_call);
-      return;
-    }
-    if (!open_script(*file)) {
-      exit_code = wrong_input;  // a script that cannot be read is left alone
-      return;
-    }
-    std::ifstream in(*file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    const std::string tidied = tidy(text.str());
-    if (!*write)
-      std::fwrite(tidied.data(), 1, tidied.size(), stdout);
-    else if (tidied != text.str())
-      exit_code = replace(*file, tidied);
-  });
+int tidy(const TidyCall& call) {
+  std::error_code ignored;
+  if (std::filesystem::exists(call.file, ignored) && !std::filesystem::is_directory(call.file, ignored) &&
+      !std::filesystem::is_regular_file(call.file, ignored))  // read twice, a pipe would be empty
+    return complain(fail(Code::file, fmt::format("'{}': only a file can be tidied", call.file)), wrong_call);
+  if (!open_script(call.file)) return wrong_input;  // a script that cannot be read is left alone
+  std::ifstream in(call.file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  const std::string tidied = betwixt::tidy(text.str());
+  if (!call.write)
+    std::fwrite(tidied.data(), 1, tidied.size(), stdout);
+  else if (tidied != text.str())
+    return replace(call.file, tidied);
+  return all_done;
 }
 
+Subcommand tidy_subcommand() {
+  const auto call = std::make_shared<TidyCall>();
+  return {.rank = 70,
+          .name = "tidy",
+          .sentence = "prints a script in its canonical form",
+          .takes = {script_parameter(call->file),
+                    {.name = "--write",
+                     .sentence = "put it in place of the script instead of printing it",
+                     .into = &call->write}},
+          .example = "betwixt tidy examples/bounce.bx --write",
+          .manual = "Comments and commands stay, and the film is the same.",
+          .run = [call] { return tidy(*call); }};
+}
+
+const Enlisted enlisted_tidy(tidy_subcommand);
+
+}  // namespace
 }  // namespace betwixt

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt help: a subcommand's help, or a word's of the language. Also prints what is installed beside the program.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/command.h"
+#include "app/command_line.h"
+#include "app/completion.h"
+#include "app/manual.h"
+#include "base/names.h"
+#include "language/help.h"
+#include "language/plugins.h"
+
+namespace betwixt {
+namespace {
+
+struct HelpCall {
+  std::string word, print;
+};
+
+// All commands, and where to go on.
+std::string overview() {
+  std::string out = "Betwixt makes films from scripts: event-driven animation.\nUsage: betwixt COMMAND …\n\nCommands\n";
+  for (const Subcommand& s : subcommands()) out += fmt::format("  {:10} {}\n", s.name, s.sentence);
+  return out +
+         "\nbetwixt help COMMAND says more about one, as in betwixt help render.\n"
+         "betwixt help WORD explains a word of the language, as in betwixt help create.\n"
+         "betwixt shell makes a film line by line; there, help lists all words.\n";
+}
+
+std::string to_print(const std::string& what) {
+  if (what == "bash") return bash_completion();
+  if (what == "zsh") return zsh_completion();
+  if (what == "fish") return fish_completion();
+  return manual_page();
+}
+
+int say(const std::string& text) {
+  fmt::print("{}", text);
+  return all_done;
+}
+
+int help(const HelpCall& call) {
+  if (!call.print.empty()) return say(to_print(call.print));
+  if (call.word.empty()) return say(overview());
+  std::vector<std::string_view> known;
+  for (const Subcommand& s : subcommands())
+    if (s.name == call.word && s.name != "help") return say(help_of(s));
+  Scene words;
+  adopt_plugins(words);
+  if (const std::string text = help_text(call.word, words); !text.empty()) return say(text);
+  for (const HelpEntry& e : help_entries()) known.push_back(e.word);
+  for (const Subcommand& s : subcommands()) known.push_back(s.name);
+  return complain(
+      fail(Code::name, fmt::format("there is no help about '{}'", call.word), did_you_mean(call.word, known)),
+      wrong_call);
+}
+
+Subcommand help_subcommand() {
+  const auto call = std::make_shared<HelpCall>();
+  return {.rank = 120,
+          .name = "help",
+          .sentence = "explains a command, or a word of the language",
+          .takes = {{.name = "WORD", .sentence = "what is asked about; all commands if none is", .into = &call->word},
+                    {.name = "--print",
+                     .value = "WHAT",
+                     .sentence = "a completion or the manual page",
+                     .into = &call->print,
+                     .hidden = true,
+                     .words_only = true,
+                     .words = {"bash", "zsh", "fish", "manual"}}},
+          .example = "betwixt help copy",
+          .run = [call] { return help(*call); }};
+}
+
+const Enlisted enlisted_help(help_subcommand);
+
+}  // namespace
+}  // namespace betwixt

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/subcommand.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/command.h"
+#include "betwixt/language.h"
+
+namespace betwixt {
+namespace {
+
+// Who is enlisted while the program starts, in any order.
+std::vector<Subcommand (*)()>& enlisted() {
+  static std::vector<Subcommand (*)()> all;
+  return all;
+}
+
+// Reads "WxH".
+Status read_size(const std::string& text, RenderOptions& to) {
+  const auto fits = [](int side) { return side >= 1 && side <= 8192; };
+  int used = 0;
+  if (text.size() <= 11 && std::sscanf(text.c_str(), "%5dx%5d%n", &to.width, &to.height, &used) == 2 &&
+      used == static_cast<int>(text.size()) && fits(to.width) && fits(to.height))
+    return Nothing{};
+  return fail(Code::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
+}
+
+}  // namespace
+
+Enlisted::Enlisted(Subcommand (*make)()) { enlisted().push_back(make); }
+
+const std::vector<Subcommand>& subcommands() {
+  static const std::vector<Subcommand> all = [] {
+    std::vector<Subcommand> made;
+    for (const auto& make : enlisted()) made.push_back(make());
+    std::sort(made.begin(), made.end(), [](const Subcommand& a, const Subcommand& b) { return a.rank < b.rank; });
+    return made;
+  }();
+  return all;
+}
+
+const std::vector<Parameter>& common_parameters() {
+  static const std::vector<Parameter> all{{.name = "--read-anywhere",
+                                           .sentence = "let the script read files outside its own folder",
+                                           .into = &load_options().read_anywhere},
+                                          {.name = "--load",
+                                           .value = "PLUGIN",
+                                           .sentence = "a plug-in: its words are the script's",
+                                           .into = ReadValue(use_plugin),
+                                           .repeated = true,
+                                           .offer = Offer::files}};
+  return all;
+}
+
+Parameter script_parameter(std::string& file) {
+  return {.name = "FILE", .sentence = "the script", .into = &file, .required = true, .offer = Offer::scripts};
+}
+
+Parameter frames_parameter(std::string& frames, const std::string& examples) {
+  return {.name = "--frames", .value = "A..B", .sentence = "these only, ends included: " + examples, .into = &frames};
+}
+
+void append_picture_parameters(std::vector<Parameter>& all, RenderOptions& to) {
+  std::vector<std::string> names;
+  for (const Style& s : styles()) names.emplace_back(s.name);
+  all.push_back({.name = "--size",
+                 .value = "WxH",
+                 .sentence = fmt::format("pixels; {}x{} if not said", to.width, to.height),
+                 .into = ReadValue([&to](const std::string& text) { return read_size(text, to); }),
+                 .words = {"320x180", "640x360", "960x540", "1280x720", "1920x1080", "3840x2160"}});
+  all.push_back({.name = "--style",
+                 .value = "STYLE",
+                 .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.style),
+                 .into = &to.style,
+                 .words = names});
+  all.push_back({.name = "--samples",
+                 .value = "N",
+                 .sentence = fmt::format("samples a pixel: 1, 4, 9 or 16; {} if not said", to.samples),
+                 .into = &to.samples,
+                 .words_only = true,
+                 .words = {"1", "4", "9", "16"}});
+}
+
+}  // namespace betwixt

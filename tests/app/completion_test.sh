@@ -1,0 +1,55 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What shells complete and what the manual page says: that the shells can read it, and that it knows what --help knows.
+#   completion_test.sh PROGRAM
+. "$(dirname -- "$0")/support.sh" || exit 3
+
+for what in bash zsh fish manual; do "$program" help --print $what >$what || failed=$((failed + 1)); done
+is 'only these can be printed' "$("$program" help --print ksh >/dev/null 2>&1; echo $?)" 2
+is 'help does not speak of it' "$("$program" help --help | grep -c -e --print)" 0
+
+# Shells that are here read what is theirs.
+for call in 'bash -n' 'zsh -n' 'fish --no-execute'; do
+  command -v "${call%% *}" >/dev/null && is "$call" "$($call ./"${call%% *}" 2>&1; echo $?)" 0
+done
+command -v groff >/dev/null && is 'the manual page' "$(groff -man -ww -z manual 2>&1)" ''
+
+# What --help names, all know.
+commands=$("$program" help | sed -nE '/^Commands/,/^$/s/^  ([a-z]+) .*/\1/p')
+is 'commands' "$(wc -w <<<"$commands")" 12
+for command in $commands; do
+  for option in $("$program" "$command" --help | sed -nE 's/^  (-[a-z],)?(--[a-z-]+).*/\2/p'); do
+    for what in bash zsh fish manual; do
+      sed 's/\\-/-/g; s/-l \([a-z]\)/--\1/g' $what >plain
+      verdict "$command $option is known to $what" "$(grep -qF -e "$option" plain && echo yes)" 'it is not'
+    done
+  done
+done
+
+# completes WORDS WANTED…: what bash offers for the last of the words.
+completes() {
+  local words wanted=${*:2} COMP_WORDS COMP_CWORD COMPREPLY=()
+  read -ra words <<<"$1"
+  [[ $1 != *' ' ]] || words+=('')
+  COMP_WORDS=("${words[@]}") COMP_CWORD=$((${#words[@]} - 1))
+  _betwixt
+  is "bash completes '$1'" "$(printf "%s\n" "${COMPREPLY[@]}" | LC_ALL=C sort | xargs)" "$(printf "%s\n" $wanted | LC_ALL=C sort | xargs)"
+}
+. ./bash
+mkdir folder
+touch ball.bx ball.txt
+completes 'betwixt re' render
+completes 'betwixt --v' --version
+completes 'betwixt render --s' --size --style --samples --stats
+completes 'betwixt play --o' --overwrite
+completes 'betwixt tidy --l' --load
+completes 'betwixt frame ball.bx --style w' wireframe
+completes 'betwixt algebra x --method d' differences
+completes 'betwixt serve --to t' terminal
+completes 'betwixt render b' ball.bx
+completes 'betwixt render ball.bx -o b' ball.bx ball.txt bash
+completes 'betwixt render f' folder
+completes 'betwixt eval ball.bx --at 2'
+summary
