@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "base/names.h"
+#include "base/utf8.h"
 #include "betwixt/algebra.h"
 
 namespace betwixt {
@@ -249,13 +250,9 @@ namespace algebra {
 bool Cursor::fail(std::size_t from, std::size_t to, Code code, std::string message, std::string hint) {
   if (error) return false;
   error = betwixt::fail(code, std::move(message), std::move(hint));
-  // Columns count characters: of UTF-8, every byte that goes on with one is none.
-  const auto characters = [&](std::size_t a, std::size_t b) {
-    return static_cast<int>(std::count_if(text.begin() + static_cast<std::ptrdiff_t>(std::min(a, text.size())),
-                                          text.begin() + static_cast<std::ptrdiff_t>(std::min(b, text.size())),
-                                          [](char c) { return (c & 0xC0) != 0x80; }));
-  };
-  error->place = {"", 1, characters(0, from) + 1, std::max(1, characters(from, to))};
+  const std::string_view before = text.substr(0, from), about = text.substr(before.size()).substr(0, to - from);
+  const auto count = [](std::string_view part) { return static_cast<int>(count_characters(part)); };
+  error->place = {"", 1, count(before) + 1, std::max(1, count(about))};
   return false;
 }
 

@@ -12,6 +12,7 @@
 #include "app/command.h"
 #include "app/lesson.h"
 #include "app/subcommand.h"
+#include "base/utf8.h"
 #include "betwixt/algebra.h"
 #include "language/json.h"
 #include "language/values.h"
@@ -84,14 +85,9 @@ Result<std::vector<Point>> read_points(const std::string& text) {
 int complain_about(const std::string& text, const Error& e) {
   constexpr int width = 100;  // of a long text what is around the place
   const int from = std::max(0, e.place.column - 1 - width / 2);
-  const auto byte = [&](int character) {
-    std::size_t at = 0;
-    for (; at < text.size() && (character > 0 || (text[at] & 0xC0) == 0x80); ++at)
-      if ((text[at] & 0xC0) != 0x80) --character;
-    return at;
-  };
-  const std::size_t first = byte(from), last = byte(from + width);
-  Diagnostic d{Severity::error, e, text.substr(first, last - first), e.place.column - 1 - from};
+  const std::string_view rest =
+      std::string_view(text).substr(first_characters(text, static_cast<std::size_t>(from)).size());
+  Diagnostic d{Severity::error, e, std::string(first_characters(rest, width)), e.place.column - 1 - from};
   d.what.place.file = "motion";
   fmt::print(stderr, "{}", to_string(d));
   return wrong_input;

@@ -4,9 +4,9 @@
 
 #include "app/command.h"
 #include "app/subcommand.h"
+#include "base/files.h"
 #include "betwixt/picture.h"
 #include "betwixt/program.h"
-#include "film/output.h"
 
 namespace betwixt {
 namespace {

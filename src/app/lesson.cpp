@@ -14,7 +14,7 @@
 #include "algebra/power.h"
 #include "app/lesson_page.h"
 #include "app/markup.h"
-#include "exchange/files.h"
+#include "base/files.h"
 
 namespace betwixt {
 namespace {
@@ -344,7 +344,7 @@ Status write_lesson(const std::string& path, const Motion& motion, const LessonO
                                                 {"style", lesson_css},
                                                 {"data", for_script(data_of(motion, options))},
                                                 {"script", lesson_js}});
-  return write_whole(path, {reinterpret_cast<const std::uint8_t*>(page.data()), page.size()}, true);
+  return write_whole(path, page, true);
 }
 
 }  // namespace betwixt

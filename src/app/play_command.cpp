@@ -12,9 +12,9 @@
 #include "app/live_input.h"
 #include "app/subcommand.h"
 #include "app/terminal.h"
+#include "base/files.h"
+#include "base/utf8.h"
 #include "betwixt/program.h"
-#include "exchange/files.h"
-#include "film/output.h"
 #include "language/dials.h"
 #include "scene/document.h"
 
@@ -210,9 +210,9 @@ class Player {
     const std::size_t columns = static_cast<std::size_t>(size_.columns);
     std::string line;
     for (const char c : left) line += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    const std::size_t used = wide(line);
+    const std::size_t used = count_characters(line);
     if (used > columns)
-      line = cut(line, columns);
+      line = first_characters(line, columns);
     else if (used + keys.size() + 1 <= columns)
       line += std::string(columns - used - keys.size(), ' ') + keys;
     else
@@ -224,15 +224,6 @@ class Player {
     for (char& c : text)
       if (c < 32 || c > 126) c = '?';
     return text.substr(0, 100);
-  }
-  static std::size_t wide(const std::string& s) {  // characters
-    return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-  }
-  static std::string cut(const std::string& s, std::size_t columns) {
-    std::size_t at = 0;
-    for (; at < s.size(); ++at)
-      if ((s[at] & 0xC0) != 0x80 && columns-- == 0) break;
-    return s.substr(0, at);
   }
 
   Document document_;
@@ -278,8 +269,7 @@ Result<std::string> record_place(const Document& document, const PlayCall& call)
 }
 
 Status write_recording(const Document& document, const std::string& place, bool overwrite) {
-  const std::string text = write(document);
-  return write_whole(place, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, overwrite);
+  return write_whole(place, write(document), overwrite);
 }
 
 Status play(const Document& document, const PlayCall& call) {

@@ -1,19 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "app/command.h"
 #include "app/plot_svg.h"
 #include "app/subcommand.h"
+#include "base/files.h"
 #include "betwixt/program.h"
-#include "film/output.h"
 #include "scene/document.h"
 
 namespace betwixt {
@@ -115,18 +112,6 @@ std::vector<Curve> curves(const Program& program, const Target& target, const Fr
   return all;
 }
 
-Status write_text(const std::string& path, const std::string& text) {
-  const std::string partial = fmt::format("{}.{}.partial", path, ::getpid());
-  std::FILE* file = std::fopen(partial.c_str(), "wb");
-  if (!file) return system_error(errno, "write", path);
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = std::fclose(file) == 0;
-  const Status done =
-      written && closed ? put_in_place(partial, path, true) : Status(system_error(errno, "write", path));
-  if (!done) ::unlink(partial.c_str());
-  return done;
-}
-
 int plot(const PlotCall& call) {
   if (!call.out.ends_with(".svg"))
     return complain(fail(Code::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
@@ -165,7 +150,8 @@ Status plot_document(const Document& document, const std::vector<std::string>& w
       return fail(Code::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word));
   }
   if (drawing.curves.empty()) return fail(Code::name, "there is nothing to plot");
-  return write_text(out, to_svg(drawing));
+  if (const int reason = put_file(out, to_svg(drawing))) return system_error(reason, "write", out);
+  return Nothing{};
 }
 
 namespace {

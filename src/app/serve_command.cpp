@@ -12,7 +12,6 @@
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "app/window.h"
-#include "film/output.h"
 #include "language/journal.h"
 #include "server/serve.h"
 

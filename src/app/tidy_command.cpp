@@ -3,44 +3,26 @@
 //
 // betwixt tidy: a script in its canonical form.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 #include "app/command.h"
 #include "app/subcommand.h"
+#include "base/files.h"
 
 namespace betwixt {
 namespace {
 
 // Written beside the file first, with its rights, then put in place.
 int replace(const std::string& file, const std::string& text) {
-  namespace fs = std::filesystem;
-  std::error_code why;
-  const fs::path real = fs::canonical(file, why);  // behind a link: the file itself
-  const fs::path beside = real.parent_path() / fmt::format(".{}.{}.partial", real.filename().string(), getpid());
-  {
-    std::ofstream out(beside, std::ios::binary);
-    out << text << std::flush;
-    if (!out) {
-      const int error = errno;
-      fs::remove(beside, why);
-      return complain(fail(error == ENOSPC ? Code::machine : Code::file,
-                           fmt::format("'{}' cannot be written: {}", file, std::strerror(error))),
-                      wrong_input);
-    }
-  }
-  fs::permissions(beside, fs::status(real, why).permissions(), why);
-  fs::rename(beside, real, why);
-  if (!why) return all_done;
-  const std::string reason = why.message();
-  fs::remove(beside, why);
-  return complain(fail(Code::file, fmt::format("'{}' cannot be written: {}", file, reason)), wrong_input);
+  const int reason = put_file(file, text, {.like_old = true});
+  if (reason == 0) return all_done;
+  return complain(fail(reason == ENOSPC ? Code::machine : Code::file,
+                       fmt::format("'{}' cannot be written: {}", file, std::strerror(reason))),
+                  wrong_input);
 }
 
 struct TidyCall {
@@ -54,13 +36,12 @@ int tidy(const TidyCall& call) {
       !std::filesystem::is_regular_file(call.file, ignored))  // read twice, a pipe would be empty
     return complain(fail(Code::file, fmt::format("'{}': only a file can be tidied", call.file)), wrong_call);
   if (!open_script(call.file)) return wrong_input;  // a script that cannot be read is left alone
-  std::ifstream in(call.file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::string tidied = betwixt::tidy(text.str());
+  const Result<std::string> text = read_whole(call.file);
+  if (!text) return complain(text.error(), wrong_input);
+  const std::string tidied = betwixt::tidy(*text);
   if (!call.write)
     std::fwrite(tidied.data(), 1, tidied.size(), stdout);
-  else if (tidied != text.str())
+  else if (tidied != *text)
     return replace(call.file, tidied);
   return all_done;
 }

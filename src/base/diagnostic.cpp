@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "betwixt/result.h"
 #include "betwixt/value.h"
 
@@ -21,7 +22,7 @@ std::string to_string(const Diagnostic& d) {
     std::string lead;  // tabs stay tabs, so that the caret stands where the eye expects it
     int characters = 0;
     for (std::size_t i = 0; i < d.line.size() && characters < d.caret; ++i) {
-      if ((static_cast<unsigned char>(d.line[i]) & 0xC0) == 0x80) continue;
+      if (!begins_character(d.line[i])) continue;
       lead += d.line[i] == '\t' ? '\t' : ' ';
       ++characters;
     }

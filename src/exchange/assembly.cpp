@@ -9,7 +9,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "exchange/files.h"
+#include "base/files.h"
 #include "scene/topology.h"
 
 namespace betwixt {

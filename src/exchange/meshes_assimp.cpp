@@ -14,9 +14,10 @@
 #include <filesystem>
 #include <map>
 
+#include "base/files.h"
 #include "betwixt/picture.h"
 #include "exchange/assembly.h"
-#include "exchange/files.h"
+#include "exchange/pictures.h"
 
 namespace betwixt {
 namespace {
@@ -24,7 +25,7 @@ namespace {
 // A file in memory.
 class Stream : public Assimp::IOStream {
  public:
-  explicit Stream(Bytes bytes) : bytes_(std::move(bytes)) {}
+  explicit Stream(std::string bytes) : bytes_(std::move(bytes)) {}
   size_t Read(void* to, size_t size, size_t count) override {
     if (size == 0) return 0;
     count = std::min(count, (bytes_.size() - at_) / size);
@@ -44,7 +45,7 @@ class Stream : public Assimp::IOStream {
   void Flush() override {}
 
  private:
-  Bytes bytes_;
+  std::string bytes_;
   size_t at_ = 0;
 };
 
@@ -224,15 +225,15 @@ bool has_proper_indices(std::string_view text) {
 }  // namespace
 
 Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, const MayRead& may_read) {
-  const auto bytes = read_whole(path);  // for a message in our words where there is no such file
-  if (!bytes) return bytes.error();
-  if (bytes->empty()) return fail(Code::file, fmt::format("{} is empty", path));
-  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  if (ending(path) == "dae" && !has_proper_indices(text))
+  const auto text = read_whole(path);  // for a message in our words where there is no such file
+  if (!text) return text.error();
+  if (text->empty()) return fail(Code::file, fmt::format("{} is empty", path));
+  if (ending(path) == "dae" && !has_proper_indices(*text))
     return Assembly(path).error("it is cut off, or its lists of indices hold something else than numbers");
   try {
     Reader reader(path, may_read);
-    if (text.substr(0, 18) != "Kaydara FBX Binary" && text.find("Content:") != text.npos) reader.leave_out_textures();
+    if (!text->starts_with("Kaydara FBX Binary") && text->find("Content:") != std::string::npos)
+      reader.leave_out_textures();
     return reader.read();
   } catch (const std::exception& e) {
     return Assembly(path).error(e.what());

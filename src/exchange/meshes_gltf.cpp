@@ -8,8 +8,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/files.h"
 #include "exchange/assembly.h"
-#include "exchange/files.h"
+#include "exchange/pictures.h"
 
 namespace betwixt {
 namespace {
@@ -34,7 +35,7 @@ bool read_file(std::vector<unsigned char>* out, std::string* error, const std::s
   if (!bytes)
     *error = bytes.error().message;
   else
-    *out = std::move(*bytes);
+    out->assign(bytes->begin(), bytes->end());
   return static_cast<bool>(bytes);
 }
 bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
@@ -328,12 +329,11 @@ Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, const May
   const std::string folder = (std::filesystem::path(".") / path).parent_path().string();
   const auto length = static_cast<unsigned>(bytes->size());
   try {
-    const bool binary = bytes->size() >= 4 && std::memcmp(bytes->data(), "glTF", 4) == 0;
-    const bool read = binary ? parser.LoadBinaryFromMemory(&model, &error, &warning, bytes->data(), length, folder)
-                             : parser.LoadASCIIFromString(&model, &error, &warning,
-                                                          reinterpret_cast<const char*>(bytes->data()), length, folder);
-    const auto compressed = std::string_view("KHR_draco_mesh_compression");  // the parser would not say so
-    if (!read && std::search(bytes->begin(), bytes->end(), compressed.begin(), compressed.end()) != bytes->end())
+    const bool binary = bytes->starts_with("glTF");
+    const bool read =
+        binary ? parser.LoadBinaryFromMemory(&model, &error, &warning, as_bytes(*bytes).data(), length, folder)
+               : parser.LoadASCIIFromString(&model, &error, &warning, bytes->data(), length, folder);
+    if (!read && bytes->find("KHR_draco_mesh_compression") != std::string::npos)  // the parser would not say so
       return Assembly(path).error("it is compressed by Draco, which is not known here");
     if (!read) return Assembly(path).error(first_line(error));
   } catch (const std::exception& e) {

@@ -11,8 +11,8 @@
 #include <map>
 #include <optional>
 
+#include "base/files.h"
 #include "exchange/assembly.h"
-#include "exchange/files.h"
 
 namespace betwixt {
 namespace {
@@ -44,11 +44,11 @@ struct Header {
   std::vector<Element> elements;
 };
 
-bool is_space(std::uint8_t c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 class Ply {
  public:
-  Ply(const Bytes& bytes, const std::string& path) : bytes_(bytes), assembly_(path) {}
+  Ply(const std::string& bytes, const std::string& path) : bytes_(bytes), assembly_(path) {}
 
   Result<std::shared_ptr<const Mesh>> read() {
     const auto header = read_header();
@@ -74,7 +74,7 @@ class Ply {
     std::vector<std::string> words{{}};
     for (; at_ < static_cast<std::size_t>(end - bytes_.begin()); ++at_) {
       if (!is_space(bytes_[at_]))
-        words.back() += static_cast<char>(bytes_[at_]);
+        words.back() += bytes_[at_];
       else if (!words.back().empty())
         words.emplace_back();
     }
@@ -132,9 +132,8 @@ class Ply {
 
   bool ascii(double& out) {
     while (at_ < bytes_.size() && is_space(bytes_[at_])) ++at_;
-    const char *begin = reinterpret_cast<const char*>(bytes_.data()) + at_,
-               *end = reinterpret_cast<const char*>(bytes_.data()) + bytes_.size();
-    const auto [stop, error] = std::from_chars(begin, end, out);
+    const char* begin = bytes_.data() + at_;
+    const auto [stop, error] = std::from_chars(begin, bytes_.data() + bytes_.size(), out);
     at_ += static_cast<std::size_t>(stop - begin);
     return error == std::errc{} || error == std::errc::result_out_of_range;
   }
@@ -218,7 +217,7 @@ class Ply {
     return !e.properties.empty();
   }
 
-  const Bytes& bytes_;
+  const std::string& bytes_;
   std::size_t at_ = 0;
   Form form_ = Form::ascii;
   bool polygons_ = false;

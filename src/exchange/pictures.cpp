@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
+#include "exchange/pictures.h"
+
 #include <fmt/format.h>
 #include <spng.h>
 #include <stb_image.h>
@@ -8,8 +10,8 @@
 #include <cstring>
 #include <memory>
 
+#include "base/files.h"
 #include "betwixt/picture.h"
-#include "exchange/files.h"
 
 namespace betwixt {
 namespace {
@@ -87,7 +89,7 @@ Decoded decode_picture(std::span<const std::uint8_t> bytes, const std::string& n
 Decoded read_picture(const std::string& path) {
   const auto bytes = read_whole(path);
   if (!bytes) return bytes.error();
-  return decode_picture(*bytes, path);
+  return decode_picture(as_bytes(*bytes), path);
 }
 
 Status write_png(const std::string& path, const Picture& picture, bool overwrite) {
@@ -110,7 +112,7 @@ Status write_png(const std::string& path, const Picture& picture, bool overwrite
   std::size_t length = 0;
   const std::unique_ptr<void, Free> bytes(spng_get_png_buffer(png.get(), &length, &result));
   if (!bytes) return fail(Code::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(result)));
-  return write_whole(path, {static_cast<const std::uint8_t*>(bytes.get()), length}, overwrite);
+  return write_whole(path, {static_cast<const char*>(bytes.get()), length}, overwrite);
 }
 
 }  // namespace betwixt

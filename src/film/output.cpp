@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "film/output.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 
+#include "base/files.h"
 #include "base/names.h"
 
 namespace betwixt {
@@ -47,14 +42,7 @@ std::string Output::path(int number) const {
 }
 std::string Output::hidden(const std::string& tail) const {
   std::string stem = ending == Ending::pictures ? before + after : name;
-  stem = stem.substr(0, std::min(stem.rfind('.'), std::size_t{100}));  // a long name must not get too long
-  return fmt::format("{}/.{}.{}.partial{}", folder, stem, ::getpid(), tail);
-}
-
-Error system_error(int number, const std::string& doing, const std::string& path) {
-  if (number == ENOSPC || number == EDQUOT)
-    return fail(Code::machine, fmt::format("the disk is full: cannot {} {}", doing, path));
-  return fail(Code::machine, fmt::format("cannot {} {}: {}", doing, path, std::strerror(number)));
+  return hidden_beside(folder + '/' + stem.substr(0, stem.rfind('.')), tail);
 }
 
 Result<Output> read_output(const std::string& path) {
@@ -75,34 +63,6 @@ Result<Output> read_output(const std::string& path) {
     return fail(Code::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
   return fail(Code::range, fmt::format("a film cannot end in \"{}\"; known endings: {}", ending, known_endings),
               did_you_mean(ending, {names.begin(), names.end()}));
-}
-
-Status check_place(const std::string& path, bool overwrite) {
-  const std::size_t slash = path.rfind('/');
-  const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-  struct stat what {};
-  if (path.empty() || slash + 1 == path.size()) return fail(Code::file, fmt::format("\"{}\" names no file", path));
-  if (::stat(folder.c_str(), &what) != 0) {
-    if (errno == ENOENT) return fail(Code::file, "there is no folder " + folder, "make it first: mkdir -p " + folder);
-    return system_error(errno, "write into", folder);
-  }
-  if (!S_ISDIR(what.st_mode)) return fail(Code::file, folder + " is no folder");
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(errno, "write into", folder);
-  if (::stat(path.c_str(), &what) != 0) return Nothing{};
-  if (S_ISDIR(what.st_mode)) return fail(Code::file, path + " is a folder");
-  if (!overwrite) return fail(Code::file, path + " is there already");
-  return Nothing{};
-}
-
-Status put_in_place(const std::string& from, const std::string& to, bool overwrite) {
-  if (!overwrite) {
-    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return Nothing{};
-    if (errno == EEXIST) return fail(Code::file, to + " is there already");
-    // Some file systems cannot promise it; the place was free when the film began.
-    if (errno != EINVAL && errno != ENOSYS) return system_error(errno, "write", to);
-  }
-  if (::rename(from.c_str(), to.c_str()) != 0) return system_error(errno, "write", to);
-  return Nothing{};
 }
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a path asks for, and whether it can be had.
+// What a path asks for.
 #pragma once
 
 #include <string>
@@ -26,15 +26,5 @@ struct Output {
 
 // Errors: range (an ending nobody knows, not exactly one number in a picture's name).
 Result<Output> read_output(const std::string& path);
-
-// Whether a file can be put at `path`. Errors: file (no such folder, a folder itself, there already), machine (not
-// writable).
-Status check_place(const std::string& path, bool overwrite);
-
-// Gives a finished file its final name. Errors: file (there already), machine.
-Status put_in_place(const std::string& from, const std::string& to, bool overwrite);
-
-// "the disk is full" and the like, for what the system answered about a path.
-Error system_error(int number, const std::string& doing, const std::string& path);
 
 }  // namespace betwixt

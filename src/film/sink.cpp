@@ -9,6 +9,7 @@
 
 #include <cerrno>
 
+#include "base/files.h"
 #include "betwixt/picture.h"
 #include "film/yuv.h"
 
@@ -42,9 +43,8 @@ class Movie final : public Sink {
   Status start() {
     if (Status s = check_place(options_.path, options_.overwrite); !s) return s;
     // Made here, not by ffmpeg, so that a folder that cannot be written to is our own clear error.
-    const int fd = ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0) return system_error(errno, "write", options_.path);
-    ::close(fd);
+    const OpenFile made(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!made) return system_error(errno, "write", options_.path);
     auto encoder = Encoder::start(encoder_arguments(options_, place_.ending, partial_));
     if (!encoder) return encoder.error();
     encoder_ = *std::move(encoder);

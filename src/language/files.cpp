@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Scripts, and the files that scripts name. A script reads only below its own folder, unless its caller allows more.
-#include <fmt/format.h>
-#include <sys/stat.h>
+#include "base/files.h"
 
-#include <cerrno>
+#include <fmt/format.h>
+
 #include <cstring>
-#include <fstream>
 
 #include "betwixt/picture.h"
 #include "exchange/fonts.h"
@@ -20,36 +19,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_included = 10'000;  // files that use files that use files: their number can grow without end
-constexpr std::uintmax_t largest_script = std::uintmax_t{1} << 30;
 
 Result<std::string> contents(const fs::path& path) {
-  std::error_code why;
-  const auto status = fs::status(path, why);
-  if (!fs::exists(status)) return fail(Code::file, fmt::format("there is no file '{}'", path.string()));
-  if (fs::is_directory(status)) return fail(Code::file, fmt::format("'{}' is a folder, not a script", path.string()));
-  const bool regular = fs::is_regular_file(status);
-  const auto size = regular ? fs::file_size(path, why) : 0;
-  const auto too_large = [&](double bytes) {
-    return fail(Code::file, fmt::format("'{}' is too large for a script: {:.1f} GB, where 1 GiB is the most",
-                                        path.string(), bytes / 1e9));
+  FileContents in = read_contents(path.string(), {.special = true});
+  const auto failed = [&](const std::string& what) {
+    return fail(Code::file, fmt::format("'{}' {}", path.string(), what));
   };
-  if (size > largest_script) return too_large(static_cast<double>(size));
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return fail(Code::file, fmt::format("'{}' cannot be read: {}", path.string(), std::strerror(errno)));
-  std::string text;
-  if (regular) {
-    text.resize(size);
-    in.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
-    if (in.bad()) return fail(Code::file, fmt::format("'{}' cannot be read", path.string()));
-    return text;
+  switch (in.hindrance) {
+    case Hindrance::none:
+      return std::move(in.text);
+    case Hindrance::missing:
+      return fail(Code::file, fmt::format("there is no file '{}'", path.string()));
+    case Hindrance::folder:
+      return failed("is a folder, not a script");
+    case Hindrance::too_large:
+      return failed(fmt::format("is too large for a script: {:.1f} GB, where 1 GiB is the most",
+                                static_cast<double>(in.size) / 1e9));
+    default:
+      return failed(fmt::format("cannot be read: {}", std::strerror(in.reason)));
   }
-  char block[1 << 16];  // a pipe: its size is known at its end
-  while (in.read(block, sizeof block) || in.gcount() > 0) {
-    text.append(block, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > largest_script) return too_large(static_cast<double>(text.size()));
-  }
-  return text;
 }
 
 // Without links and dots; of a file that is not there too, wherever the program was started.

@@ -12,12 +12,11 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
+
+#include "base/files.h"
 
 namespace betwixt {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::uint64_t fnv_basis = 0xcbf29ce484222325;  // FNV-1a, 64 bits
 std::uint64_t fnv(std::string_view bytes, std::uint64_t h = fnv_basis) {
@@ -25,48 +24,14 @@ std::uint64_t fnv(std::string_view bytes, std::uint64_t h = fnv_basis) {
   return h;
 }
 
-Error machine(const std::string& path, const char* what) {
-  return fail(Code::machine, fmt::format("'{}' cannot be {}: {}", path, what, std::strerror(errno)));
+Error machine(const std::string& path, const char* what, int reason = errno) {
+  return fail(Code::machine, fmt::format("'{}' cannot be {}: {}", path, what, std::strerror(reason)));
 }
 
-// A file descriptor that closes itself.
-struct File {
-  int at = -1;
-  explicit File(int fd) : at(fd) {}
-  ~File() {
-    if (at >= 0) ::close(at);
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-};
-
-bool write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(file, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
-Result<std::string> read_all(int file, const std::string& path) {
+Result<std::string> text_of(int file, const std::string& path) {
   std::string text;
-  char block[1 << 16];
-  for (off_t at = 0;;) {
-    const ssize_t n = ::pread(file, block, sizeof block, at);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return machine(path, "read");
-    if (n == 0) return text;
-    text.append(block, static_cast<std::size_t>(n));
-    at += n;
-  }
-}
-
-// A name is on the disk when its folder is.
-void sync_folder(const fs::path& path) {
-  const File folder(::open(path.parent_path().empty() ? "." : path.parent_path().c_str(), O_RDONLY | O_CLOEXEC));
-  if (folder.at >= 0) ::fsync(folder.at);
+  if (const int reason = read_all(file, text)) return machine(path, "read", reason);
+  return text;
 }
 
 std::string header(const Fingerprint& base) {
@@ -109,7 +74,7 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
 Journal::~Journal() { ::close(file_); }
 
 void Journal::read() {
-  const auto read = read_all(file_, path_);
+  const auto read = text_of(file_, path_);
   if (!read) {
     foreign_ = true;
     return;
@@ -157,11 +122,10 @@ void Journal::read() {
 
 // Written at the end and on the disk, or not at all.
 Status Journal::put(const std::string& bytes) {
-  if (::lseek(file_, static_cast<off_t>(end_), SEEK_SET) >= 0 && write_all(file_, bytes) && ::fdatasync(file_) == 0) {
-    end_ += bytes.size();
-    return Nothing{};
-  }
-  const Error e = machine(path_, "written");
+  int reason = write_all(file_, bytes, static_cast<off_t>(end_));
+  if (reason == 0 && ::fdatasync(file_) != 0) reason = errno;
+  if (reason == 0) return end_ += bytes.size(), Nothing{};
+  const Error e = machine(path_, "written", reason);
   if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) ::fdatasync(file_);
   return e;
 }
@@ -174,7 +138,7 @@ Status Journal::begin(const Fingerprint& base) {
   const std::string first = header(base);
   sum_ = fnv(first);
   const Status done = put(first);
-  if (done) sync_folder(path_);
+  if (done) sync_folder_of(path_);
   return done;
 }
 
@@ -190,14 +154,13 @@ Status Journal::append(Did what, std::string_view text) {
 }
 
 Result<std::string> Journal::keep_aside() const {
-  const auto all = read_all(file_, path_);
+  const auto all = text_of(file_, path_);
   if (!all) return all.error();
   for (int k = 1; k < 10000; ++k) {
     const std::string name = fmt::format("{}.{}", path_, k);
-    const File file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
-    if (file.at < 0 && errno == EEXIST) continue;
-    if (file.at < 0 || !write_all(file.at, *all) || ::fsync(file.at) != 0) return machine(name, "written");
-    sync_folder(name);
+    const int reason = make_file(name, *all, 0600);
+    if (reason == EEXIST) continue;
+    if (reason != 0) return machine(name, "written", reason);
     return name;
   }
   return fail(Code::file, fmt::format("there are too many journals beside '{}'", path_));
@@ -206,40 +169,19 @@ Result<std::string> Journal::keep_aside() const {
 void Journal::remove() { ::unlink(path_.c_str()); }
 
 Result<std::optional<std::string>> read_script(const std::string& path) {
-  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.at < 0) {
-    if (errno == ENOENT) return std::optional<std::string>();
-    return fail(Code::file, fmt::format("'{}' cannot be read: {}", path, std::strerror(errno)));
-  }
-  struct stat about {};
-  if (::fstat(file.at, &about) != 0 || !S_ISREG(about.st_mode))
-    return fail(Code::file, fmt::format("'{}' is no script: only a file can be opened and saved", path));
-  auto text = read_all(file.at, path);
-  if (!text) return text.error();
-  return std::optional<std::string>(*std::move(text));
+  FileContents in = read_contents(path, {.largest = UINT64_MAX});
+  if (in.hindrance == Hindrance::none) return std::optional<std::string>(std::move(in.text));
+  if (in.hindrance == Hindrance::missing && in.reason == ENOENT) return std::optional<std::string>();
+  if (in.reason != 0) return fail(Code::file, fmt::format("'{}' cannot be read: {}", path, std::strerror(in.reason)));
+  return fail(Code::file, fmt::format("'{}' is no script: only a file can be opened and saved", path));
 }
 
 Status write_script(const std::string& path, std::string_view text) {
-  std::error_code why;
-  fs::path real = fs::canonical(path, why);
-  if (why) real = path;
   struct stat old {};
-  const bool there = ::stat(real.c_str(), &old) == 0;
-  if (there && !S_ISREG(old.st_mode)) return fail(Code::file, fmt::format("'{}' is no file", path));
-  const fs::path beside = real.parent_path() / fmt::format(".{}.{}.partial", real.filename().string(), ::getpid());
-  const auto failed = [&] {
-    const Error e = machine(path, "written");
-    ::unlink(beside.c_str());
-    return e;
-  };
-  {
-    const File file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
-    if (file.at < 0) return machine(path, "written");
-    if (there && ::fchmod(file.at, old.st_mode & 07777) != 0) return failed();
-    if (!write_all(file.at, text) || ::fsync(file.at) != 0) return failed();
-  }
-  if (::rename(beside.c_str(), real.c_str()) != 0) return failed();
-  sync_folder(real);
+  if (::stat(path.c_str(), &old) == 0 && !S_ISREG(old.st_mode))
+    return fail(Code::file, fmt::format("'{}' is no file", path));
+  if (const int reason = put_file(path, text, {.like_old = true, .on_disk = true}))
+    return machine(path, "written", reason);
   return Nothing{};
 }
 

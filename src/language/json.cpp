@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/utf8.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -17,26 +18,12 @@ std::string list(const std::vector<double>& numbers) {
   return out + "]";
 }
 
-// How many bytes the character at i takes; 0: they are no UTF-8.
-std::size_t character(std::string_view s, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return k < s.size() ? static_cast<unsigned char>(s[k]) : 0u; };
-  const unsigned first = byte(i);
-  if (first < 0x80) return 1;
-  const std::size_t more = first >= 0xF5 ? 0 : first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC2 ? 1 : 0;
-  for (std::size_t k = 1; k <= more; ++k)
-    if ((byte(i + k) & 0xC0) != 0x80) return 0;
-  const unsigned second = byte(i + 1);
-  const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-                     (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
-  return more == 0 || wrong ? 0 : more + 1;
-}
-
 }  // namespace
 
 std::string json_text(std::string_view s) {
   std::string out = "\"";
   for (std::size_t i = 0; i < s.size();) {
-    const std::size_t n = character(s, i);
+    const std::size_t n = character_length(s, i);
     const char c = s[i];
     if (n == 0)
       out += "\uFFFD";

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/names.h"
+#include "base/utf8.h"
 #include "betwixt/program.h"
 #include "language/reader.h"
 
@@ -44,11 +45,7 @@ std::string_view factors(const char* from, const char* end) {
 }
 
 const char* character(const char* at, const char* end, int count) {
-  for (; count > 0 && at < end; --count) {
-    ++at;
-    while (at < end && (*at & 0xC0) == 0x80) ++at;
-  }
-  return at;
+  return at + first_characters({at, end}, static_cast<std::size_t>(std::max(0, count))).size();
 }
 
 bool moves(const Event& e) {

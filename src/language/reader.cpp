@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "base/names.h"
+#include "base/utf8.h"
 #include "language/line_words.h"
 
 namespace betwixt {
@@ -43,11 +44,7 @@ void Reader::report(Severity severity, Error error, std::string_view about) {
   while (start > begin && start[-1] != '\n') --start;
   const char* stop = line_end(spot, begin + text.size());
   if (stop > start && stop[-1] == '\r') --stop;
-  const auto characters = [](const char* a, const char* b) {
-    return static_cast<int>(
-        std::count_if(a, b, [](char ch) { return (static_cast<unsigned char>(ch) & 0xC0) != 0x80; }));
-  };
-  const auto whole = [](const char* p) { return (static_cast<unsigned char>(*p) & 0xC0) != 0x80; };
+  const auto characters = [](const char* a, const char* b) { return static_cast<int>(count_characters({a, b})); };
   Place& at = d.what.place;
   at.file = source_.name;
   at.line = source_.lines;
@@ -56,11 +53,11 @@ void Reader::report(Severity severity, Error error, std::string_view about) {
   const char *from = start, *to = stop;
   if (spot - from > 100) {  // long lines are shown around the place
     from = spot - 60;
-    while (from < spot && !whole(from)) ++from;
+    while (from < spot && !begins_character(*from)) ++from;
   }
   if (to - from > 160) {
     to = from + 160;
-    while (to > spot && to < stop && !whole(to)) --to;
+    while (to > spot && to < stop && !begins_character(*to)) --to;
   }
   d.line = std::string(from, std::max(from, to));
   d.caret = characters(from, spot);
@@ -130,14 +127,9 @@ bool Reader::sound_text(std::string_view text) {
       ++i;
       continue;
     }
-    const std::size_t more = ch >= 0xF0 && ch < 0xF5 ? 3 : ch >= 0xE0 ? 2 : ch >= 0xC2 ? 1 : 0;
-    if (more == 0 || ch >= 0xF5 || i + more >= n) return bad(i, "it is not UTF-8");
-    for (std::size_t k = 1; k <= more; ++k)
-      if ((p[i + k] & 0xC0) != 0x80) return bad(i, "it is not UTF-8");
-    if ((ch == 0xE0 && p[i + 1] < 0xA0) || (ch == 0xED && p[i + 1] > 0x9F) || (ch == 0xF0 && p[i + 1] < 0x90) ||
-        (ch == 0xF4 && p[i + 1] > 0x8F))
-      return bad(i, "it is not UTF-8");
-    i += more + 1;
+    const std::size_t length = character_length(text, i);
+    if (length == 0) return bad(i, "it is not UTF-8");
+    i += length;
   }
   return true;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "language/reader.h"
 
 namespace betwixt {
@@ -229,22 +230,20 @@ class Tidier {
       std::stable_sort(rows_.begin(), rows_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
     std::size_t time_width = 0, value_width = 0;
     std::vector<std::array<std::string, 3>> cells;
-    const auto width = [](const std::string& s) {
-      return static_cast<std::size_t>(
-          std::count_if(s.begin(), s.end(), [](char ch) { return (static_cast<unsigned char>(ch) & 0xC0) != 0x80; }));
-    };
     for (const Line& row : rows_) {
       const std::size_t end = end_of_value(row.tokens);
       const std::vector<Token> value(row.tokens.begin(), row.tokens.begin() + static_cast<std::ptrdiff_t>(end));
       cells.push_back({row.tokens[0].text, joined(value, 1), end < row.tokens.size() ? joined(row.tokens, end) : ""});
-      time_width = std::max(time_width, width(cells.back()[0]));
-      if (width(cells.back()[1]) <= 60)
-        value_width = std::max(value_width, width(cells.back()[1]));  // one long value does not push all options away
+      time_width = std::max(time_width, count_characters(cells.back()[0]));
+      if (count_characters(cells.back()[1]) <= 60)
+        value_width =
+            std::max(value_width, count_characters(cells.back()[1]));  // one long value does not push all options away
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       put_lead(rows_[i].lead, "  ");
-      std::string text = "  " + cells[i][0] + std::string(time_width + 2 - width(cells[i][0]), ' ') + cells[i][1];
-      const std::size_t value = width(cells[i][1]);
+      std::string text =
+          "  " + cells[i][0] + std::string(time_width + 2 - count_characters(cells[i][0]), ' ') + cells[i][1];
+      const std::size_t value = count_characters(cells[i][1]);
       if (!cells[i][2].empty())
         text += std::string(value < value_width ? value_width + 2 - value : 2, ' ') + cells[i][2];
       while (text.back() == ' ') text.pop_back();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
+
 namespace betwixt {
 namespace {
 
@@ -21,10 +23,10 @@ Extent around(const std::vector<Vec3>& points, double margin) {
 // Width and lines of a text, letters taken as 0.6 em wide.
 Extent estimate(const Shape& s) {
   double widest = 0, letters = 0, lines = 1;
-  for (unsigned char c : *s.text) {
+  for (const char c : *s.text) {
     if (c == '\n')
       ++lines, letters = 0;
-    else if ((c & 0xC0) != 0x80)
+    else if (begins_character(c))
       widest = std::max(widest, ++letters);
   }
   if (widest == 0) return {};

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/files.h"
 #include "language/journal.h"
 #include "server/ceilings.h"
 
@@ -21,17 +22,6 @@ constexpr std::string_view opens = "# bundle", closes = "# end";  // around a st
 
 Error not_kept(const std::string& why) {
   return fail(Code::machine, "nothing is done, as the history cannot be kept: " + why);
-}
-
-// All of it or, by the reason, nothing.
-int put(int file, std::string_view bytes, off_t at) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::pwrite(file, bytes.data(), bytes.size(), at);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return n < 0 ? errno : EIO;
-    bytes.remove_prefix(static_cast<std::size_t>(n)), at += n;
-  }
-  return 0;
 }
 
 }  // namespace
@@ -83,7 +73,7 @@ Status History::keep_in(const std::string& path, bool overwrite) {
     return fail(Code::file, fmt::format("another server keeps its history in '{}'", path));
   }
   if (!*there || **there != base_) {
-    const int why = put(file, base_, 0);
+    const int why = write_all(file, base_, 0);
     if (why || ::ftruncate(file, static_cast<off_t>(base_.size())) != 0) {
       ::close(file);
       return fail(Code::machine, fmt::format("cannot write '{}': {}", path, std::strerror(why ? why : errno)));
@@ -133,7 +123,7 @@ Status History::write(Step step) {
   steps_.push_back(std::move(step));
   if (file_ < 0) return Nothing{};
   const std::string bytes = written(steps_.size() - 1);
-  if (const int why = put(file_, bytes, end_)) {
+  if (const int why = write_all(file_, bytes, end_)) {
     steps_.pop_back();
     const int cut = ::ftruncate(file_, end_);
     return not_kept(std::strerror(cut == 0 ? why : errno));

@@ -1,40 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <string>
 
 #include "betwixt/picture.h"
 #include "exchange/meshes.h"
 #include "scene/topology.h"
+#include "support/folder.h"
 
 namespace betwixt {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of its own for each test.
 class Files : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("betwixt-" + std::to_string(::getpid()) + "-" +
-                                           testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string at(const std::string& name) const { return (folder_ / name).string(); }
-  std::string put(const std::string& name, const std::string& content) const {
-    std::ofstream(at(name), std::ios::binary) << content;
-    return at(name);
-  }
-
- private:
-  fs::path folder_;
+  std::string at(const std::string& name) const { return folder_ / name; }
+  std::string put(const std::string& name, const std::string& content) const { return folder_.put(name, content); }
+  const Folder folder_;
 };
 
 bool anything(const std::string&) { return true; }
@@ -195,9 +182,7 @@ TEST_F(Files, PicturesComeBackAsTheyWent) {
   EXPECT_EQ((*q)->width, 7);
   EXPECT_EQ((*q)->height, 5);
   EXPECT_EQ((*q)->rgba, p.rgba);
-  std::ifstream file(at("p.png"), std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), {});
-  EXPECT_NE(bytes.find("sRGB"), std::string::npos);
+  EXPECT_NE(folder_.get("p.png").find("sRGB"), std::string::npos);
   // A BMP of one blue pixel, written by hand.
   const std::string bmp(
       "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0\0\0\0\0\4\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
@@ -222,9 +207,7 @@ TEST_F(Files, PicturesAreNeverHalfWritten) {
   EXPECT_EQ(message(full), "cannot write /dev/full: no space left on device");
   EXPECT_EQ(full.error().code, Code::machine);
   EXPECT_EQ(message(write_png(at("x.png"), Picture{2, 2, {1}})), "a picture of 2 by 2 pixels cannot be written");
-  std::size_t files = 0;
-  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(fs::path(at("p.png")).parent_path())) ++files;
-  EXPECT_EQ(files, 3U) << "p.png, new.png, d.png and nothing else";
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"d.png", "new.png", "p.png"}));
 }
 
 TEST_F(Files, BrokenPicturesHaveAMessage) {

@@ -22,6 +22,7 @@
 #include "betwixt/picture.h"
 #include "film/output.h"
 #include "film/sink.h"
+#include "support/folder.h"
 
 namespace betwixt {
 namespace {
@@ -59,15 +60,8 @@ std::string decode(const fs::path& film, const std::string& format) {
 
 class Film : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "betwixt-film-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    path_ = std::getenv("PATH");
-  }
-  void TearDown() override {
-    ::setenv("PATH", path_.c_str(), 1);
-    fs::remove_all(folder_);
-  }
+  void SetUp() override { path_ = std::getenv("PATH"); }
+  void TearDown() override { ::setenv("PATH", path_.c_str(), 1); }
 
   FilmOptions options(const std::string& name, int frames = 6) const {
     FilmOptions o;
@@ -76,12 +70,7 @@ class Film : public testing::Test {
     return o;
   }
   // Everything in the folder, hidden things too.
-  std::vector<std::string> files() const {
-    std::vector<std::string> all;
-    for (const auto& e : fs::directory_iterator(folder_)) all.push_back(e.path().filename().string());
-    std::sort(all.begin(), all.end());
-    return all;
-  }
+  std::vector<std::string> files() const { return own_.names(); }
   // Puts a program of that name before all others, or alone.
   void fake_ffmpeg(const std::string& script, bool alone = false) {
     const fs::path bin = folder_ / "bin";
@@ -91,7 +80,8 @@ class Film : public testing::Test {
     ::setenv("PATH", alone ? bin.c_str() : (bin.string() + ":" + path_).c_str(), 1);
   }
 
-  fs::path folder_;
+  const Folder own_;
+  const fs::path folder_ = own_.path();
   std::string path_;
 };
 
@@ -134,13 +124,9 @@ TEST_F(Film, EndingsMayBeCapitals) {
 
 TEST_F(Film, GifAndApngLoopForEver) {
   for (const std::string name : {"film.gif", "film.apng"}) ASSERT_TRUE(make_film(options(name), gray_steps()));
-  const auto bytes = [&](const char* name) {
-    std::ifstream in(folder_ / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  };
   // GIF: the application extension with a count of 0. APNG: acTL with num_plays 0.
-  EXPECT_NE(bytes("film.gif").find(std::string("NETSCAPE2.0\x03\x01\0\0", 15)), std::string::npos);
-  const std::string apng = bytes("film.apng");
+  EXPECT_NE(own_.get("film.gif").find(std::string("NETSCAPE2.0\x03\x01\0\0", 15)), std::string::npos);
+  const std::string apng = own_.get("film.apng");
   const std::size_t at = apng.find("acTL");
   ASSERT_NE(at, std::string::npos);
   EXPECT_EQ(apng.substr(at + 4, 8), std::string("\0\0\0\6\0\0\0\0", 8));
@@ -148,8 +134,7 @@ TEST_F(Film, GifAndApngLoopForEver) {
 
 TEST_F(Film, Mp4StartsWithItsIndex) {
   ASSERT_TRUE(make_film(options("film.mp4"), gray_steps()));
-  std::ifstream in(folder_ / "film.mp4", std::ios::binary);
-  const std::string all(std::istreambuf_iterator<char>(in), {});
+  const std::string all = own_.get("film.mp4");
   EXPECT_LT(all.find("moov"), all.find("mdat"));
 }
 

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace betwixt {
+namespace {
+
+Error cannot(const char* what, const std::string& path, int reason) {
+  std::string words = std::generic_category().message(reason);
+  if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+  const bool machine = reason == ENOSPC || reason == EDQUOT || reason == EIO || reason == EMFILE || reason == ENFILE;
+  return fail(machine ? Code::machine : Code::file, fmt::format("cannot {} {}: {}", what, path, words));
+}
+
+Error a_folder(const std::string& path) { return fail(Code::file, fmt::format("{} is a folder, not a file", path)); }
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+// What a new file is made with; `exactly`: whatever the process takes away from its files.
+struct Rights {
+  mode_t bits = 0666;
+  bool exactly = false;
+};
+
+// There whole, or not at all.
+int make(const std::string& path, std::string_view bytes, Rights rights, bool on_disk) {
+  OpenFile file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights.bits));
+  if (!file) return errno;
+  int reason = rights.exactly && ::fchmod(file.fd(), rights.bits) != 0 ? errno : 0;
+  if (reason == 0) reason = write_all(file.fd(), bytes);
+  if (reason == 0 && on_disk && ::fsync(file.fd()) != 0) reason = errno;
+  if (reason == 0) reason = file.close();
+  if (reason != 0) ::unlink(path.c_str());
+  return reason;
+}
+
+int move_to(const std::string& from, const std::string& to, bool overwrite) {
+  const auto done = [](int result) { return result == 0 ? 0 : errno; };
+  if (!overwrite) {
+    int reason = done(::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE));
+    if (reason != EINVAL && reason != ENOSYS) return reason;
+    // Some file systems cannot promise it. A link fails too where something has appeared under the name meanwhile.
+    reason = done(::link(from.c_str(), to.c_str()));
+    if (reason == 0) return ::unlink(from.c_str()), 0;
+    if (reason == EEXIST) return reason;
+  }
+  return done(::rename(from.c_str(), to.c_str()));
+}
+
+}  // namespace
+
+int OpenFile::close() {
+  const int fd = std::exchange(fd_, -1);
+  return fd < 0 || ::close(fd) == 0 ? 0 : errno;
+}
+
+int read_all(int file, std::string& text, std::uint64_t largest) {
+  ::lseek(file, 0, SEEK_SET);  // what has no beginning is read from where it stands
+  char block[1 << 16];
+  for (;;) {
+    const ssize_t n = ::read(file, block, sizeof block);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return n == 0 ? 0 : errno;
+    text.append(block, static_cast<std::size_t>(n));
+    if (text.size() > largest) return EFBIG;
+  }
+}
+
+int write_all(int file, std::string_view bytes, std::optional<off_t> at) {
+  while (!bytes.empty()) {
+    const ssize_t n = at ? ::pwrite(file, bytes.data(), bytes.size(), *at) : ::write(file, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return n < 0 ? errno : EIO;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+    if (at) *at += n;
+  }
+  return 0;
+}
+
+FileContents read_contents(const std::string& path, const ReadingLimits& limits) {
+  FileContents out;
+  const auto hindered = [&](Hindrance what, int reason = 0) {
+    out.hindrance = what, out.reason = reason;
+    return std::move(out);
+  };
+  struct stat about {};
+  if (::stat(path.c_str(), &about) != 0) return hindered(Hindrance::missing, errno);
+  if (S_ISDIR(about.st_mode)) return hindered(Hindrance::folder);
+  const bool plain = S_ISREG(about.st_mode);
+  if (!plain && !limits.special) return hindered(Hindrance::special);
+  // Should it have become a pipe meanwhile, one without a writer must not block.
+  const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (plain ? O_NONBLOCK : 0)));
+  if (!file) return hindered(Hindrance::system, errno);
+  out.size = plain ? static_cast<std::uint64_t>(about.st_size) : 0;
+  if (out.size > limits.largest) return hindered(Hindrance::too_large);
+  out.text.reserve(out.size);
+  const int reason = read_all(file.fd(), out.text, limits.largest);
+  if (reason == 0) return out;
+  out.size = out.text.size();
+  return reason == EFBIG ? hindered(Hindrance::too_large) : hindered(Hindrance::system, reason);
+}
+
+int put_file(const std::string& path, std::string_view bytes, const Putting& how) {
+  std::string place = path;
+  Rights rights;
+  if (how.like_old) {
+    std::error_code why;
+    const std::filesystem::path real = std::filesystem::canonical(path, why);
+    if (!why) place = real.string();
+    struct stat old {};
+    if (::stat(place.c_str(), &old) == 0) rights = {old.st_mode & 07777, true};
+  }
+  std::string part;
+  int reason = EEXIST;  // what a process of the same number has left behind is no hindrance
+  while (reason == EEXIST) reason = make(part = hidden_beside(place), bytes, rights, how.on_disk);
+  if (reason != 0) return reason;
+  reason = move_to(part, place, how.overwrite);
+  if (reason != 0)
+    ::unlink(part.c_str());
+  else if (how.on_disk)
+    sync_folder_of(place);
+  return reason;
+}
+
+int make_file(const std::string& path, std::string_view bytes, mode_t rights) {
+  const int reason = make(path, bytes, {rights, false}, true);
+  if (reason == 0) sync_folder_of(path);
+  return reason;
+}
+
+void sync_folder_of(const std::string& path) {
+  const OpenFile folder(::open(folder_of(path).c_str(), O_RDONLY | O_CLOEXEC));
+  if (folder) ::fsync(folder.fd());
+}
+
+std::string hidden_beside(const std::string& path, const std::string& tail) {
+  static std::atomic<unsigned> count{0};
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = path.substr(0, slash == std::string::npos ? 0 : slash + 1);
+  const std::string name = path.substr(folder.size(), 100);  // a long name must not get too long
+  return fmt::format("{}.{}.{}-{}.partial{}", folder, name, ::getpid(), count++, tail);
+}
+
+Result<std::string> read_whole(const std::string& path) {
+  FileContents in = read_contents(path);
+  switch (in.hindrance) {
+    case Hindrance::none:
+      return std::move(in.text);
+    case Hindrance::folder:
+      return a_folder(path);
+    case Hindrance::special:
+      return fail(Code::file, fmt::format("{} is not a plain file", path));
+    case Hindrance::too_large:
+      return fail(Code::file, fmt::format("{} is larger than 1 GiB", path));
+    case Hindrance::missing:
+      if (in.reason == ENOENT) return fail(Code::file, fmt::format("there is no file {}", path));
+      break;
+    case Hindrance::system:
+      break;
+  }
+  return cannot("read", path, in.reason);
+}
+
+Status write_whole(const std::string& path, std::string_view bytes, bool overwrite) {
+  struct stat about {};
+  const bool there = ::stat(path.c_str(), &about) == 0;
+  if (there && S_ISDIR(about.st_mode)) return a_folder(path);
+  int reason = 0;
+  if (there && !S_ISREG(about.st_mode)) {
+    OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    reason = file ? write_all(file.fd(), bytes) : errno;
+    if (reason == 0) reason = file.close();
+  } else {
+    reason = there && !overwrite ? EEXIST : put_file(path, bytes, {.overwrite = overwrite});
+    if (reason == EEXIST) return fail(Code::file, fmt::format("{} exists already", path));
+  }
+  if (reason != 0) return cannot("write", path, reason);
+  return Nothing{};
+}
+
+Error system_error(int number, const std::string& doing, const std::string& path) {
+  if (number == ENOSPC || number == EDQUOT)
+    return fail(Code::machine, fmt::format("the disk is full: cannot {} {}", doing, path));
+  return fail(Code::machine, fmt::format("cannot {} {}: {}", doing, path, std::strerror(number)));
+}
+
+Status check_place(const std::string& path, bool overwrite) {
+  const std::string folder = folder_of(path);
+  struct stat what {};
+  if (path.empty() || path.back() == '/') return fail(Code::file, fmt::format("\"{}\" names no file", path));
+  if (::stat(folder.c_str(), &what) != 0) {
+    if (errno == ENOENT) return fail(Code::file, "there is no folder " + folder, "make it first: mkdir -p " + folder);
+    return system_error(errno, "write into", folder);
+  }
+  if (!S_ISDIR(what.st_mode)) return fail(Code::file, folder + " is no folder");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(errno, "write into", folder);
+  if (::stat(path.c_str(), &what) != 0) return Nothing{};
+  if (S_ISDIR(what.st_mode)) return fail(Code::file, path + " is a folder");
+  if (!overwrite) return fail(Code::file, path + " is there already");
+  return Nothing{};
+}
+
+Status put_in_place(const std::string& from, const std::string& to, bool overwrite) {
+  const int reason = move_to(from, to, overwrite);
+  if (reason == 0) return Nothing{};
+  if (reason == EEXIST && !overwrite) return fail(Code::file, to + " is there already");
+  return system_error(reason, "write", to);
+}
+
+std::string ending(const std::string& path) {
+  std::string e = std::filesystem::path(path).extension().string();
+  if (!e.empty()) e.erase(0, 1);
+  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
+  return e;
+}
+
+std::span<const std::uint8_t> as_bytes(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+std::string_view as_text(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace betwixt

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Characters of a text in UTF-8.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace betwixt {
+
+// Every byte but those that go on with a character.
+inline bool begins_character(char byte) { return (byte & 0xC0) != 0x80; }
+
+std::size_t count_characters(std::string_view);
+// The first `count` characters; all where there are fewer.
+std::string_view first_characters(std::string_view, std::size_t count);
+
+// How many bytes the character at `i` takes; 0: what stands there is no UTF-8.
+std::size_t character_length(std::string_view, std::size_t i);
+
+}  // namespace betwixt
