@@ -12,7 +12,7 @@
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "app/window.h"
-#include "language/journal.h"
+#include "editor/journal.h"
 #include "server/serve.h"
 
 namespace betwixt {

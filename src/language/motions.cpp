@@ -20,7 +20,7 @@ namespace {
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // The factors from here on: one-letter words, each with what stands in its brackets.
-std::string_view factors(const char* from, const char* end) {
+std::string_view factors_from(const char* from, const char* end) {
   const char* last = from;
   for (const char* p = from; p < end;) {
     if (*p == ' ' || *p == '\t' || *p == ',' || *p == '*') {
@@ -64,7 +64,7 @@ bool ValueReader::motion(Moves& out) {
     if (!c.text(quoted)) return false;
     text = quoted;
   } else {
-    text = factors(start, c.end);
+    text = factors_from(start, c.end);
     if (text.empty())
       return c.fail_here(Code::syntax, "a motion is wanted here",
                          "a string of T(…), R(…) and S(…), as in T(6.28 0) R(-1turn @ 0 1)");

@@ -10,10 +10,8 @@
 #include <filesystem>
 
 #include "base/names.h"
-#include "betwixt/session.h"
-#include "language/journal.h"
+#include "editor/journal.h"
 #include "language/json.h"
-#include "language/line_words.h"
 #include "server/answers.h"
 
 namespace betwixt {
@@ -21,27 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_bundle = 16 << 20;  // bytes
-constexpr int most_open_lines = 10'000;           // of one command
-
-// Commands about environments that give no time happen when they come, and say so in the history.
-bool happens_now(std::string_view line) {
-  const std::string_view verb = first_word(line);
-  return verb == "animate" || verb == "halt" || verb == "kill" || verb == "cancel";
-}
-
-// What a host puts into an environment it puts into the one of that name now, not into the first one (R-E9): `set
-// TARGET NAMES` is an event then.
-std::string joining(std::string_view line, std::int64_t stamp) {
-  const auto all = line_words(line);
-  if (all.size() < 3 || all[0] != "set" || !(all[1].ends_with(".environments") || all[1].ends_with(".drive")))
-    return {};
-  const auto target = line.find(all[1], line.find("set") + 3);
-  return fmt::format("at {}t {}", stamp, line.substr(target));
-}
-
-// Shows a display list; the clock begins with it.
-bool starts_show(std::string_view line) { return first_word(line) == "start"; }
+constexpr int most_open_lines = 10'000;  // of one command
 
 // One path for one file, whether it is there or not.
 fs::path real(const std::string& file) {
@@ -76,7 +54,12 @@ Nanos Transport::when(Time t) const {
   return since + static_cast<Nanos>((static_cast<Wide>((t - at).flicks) * 625 + 440) / 441);
 }
 
-Imaging::Imaging(Options options) : options_(std::move(options)), history_(options_.undo, options_.ceilings.history) {}
+Imaging::Imaging(Options options)
+    : options_(std::move(options)), editor_(options_.load, options_.undo), history_(options_.ceilings.history) {
+  editor_.keep([this](Did what, const Step& step, std::span<const Step> standing) {
+    return history_.note(what, step, standing);
+  });
+}
 
 Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& save, bool overwrite, Nanos now) {
   std::error_code ignored;
@@ -96,7 +79,8 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   name_ = save.empty() ? from : save, save_ = save;
   last_host_ = last_host_named(text);
   std::string cut;
-  Diagnostics all = history_.begin(std::move(text), name_, options_.load, cut);
+  Diagnostics all = editor_.begin(begun_with(std::move(text), cut), name_);
+  event_count_ = count_events({}, 0, document().scene());
   if (has_errors(all)) return all;
   if (!cut.empty())
     all.push_back({Severity::warning,
@@ -105,10 +89,11 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
                    {},
                    0});
   if (!save.empty())
-    if (Status s = history_.keep_in(save, overwrite || goes_on); !s) return s.error();
+    if (Status s = history_.keep_in(save, overwrite || goes_on, editor_.base()); !s) return s.error();
   transport_ = {!options_.wait, now, Time{}};
   begun_ = now;
   options_.load.read_anywhere = false;  // from here on strangers speak
+  editor_.allow(options_.load);
   return all;
 }
 
@@ -160,242 +145,91 @@ Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
   if (line.size() > longest_line) return enter_too_long(host, now);
   ++h.line, ++lines_;
-  if (h.bundling) return collect(host, h, line, now);
-  if (h.open.empty() && !Session::needs_more(line)) return enter_whole(host, h, line, now);
-  // A bracket or a """ is open: the command goes on in the next line.
-  h.open += (h.open_lines++ > 0 ? "\n" : "") + std::string(line);
-  if (h.open.size() > longest_line || h.open_lines > most_open_lines) {
-    h.open.clear(), h.open_lines = 0;
+  if (h.bundling) return collect(h, line, now);
+  std::string whole = std::exchange(h.open, {});
+  if (h.open_lines > 0) line = whole += "\n" + std::string(line);
+  const SaidLine said = look_at(line);
+  const int lines = std::exchange(h.open_lines, 0);
+  if (line.size() > longest_line || (said.open && lines >= most_open_lines))
     return no(h, now, fail(Code::range, "this command goes on for too long", "a bracket or a \"\"\" is never closed"));
-  }
-  if (Session::needs_more(h.open)) return yes(h, now, ",\"more\":true");
-  const std::string whole = std::exchange(h.open, {});
-  h.open_lines = 0;
-  return enter_whole(host, h, whole, now);
+  if (!said.open) return enter_whole(h, said, now);
+  h.open = line, h.open_lines = lines + 1;
+  return yes(h, now, ",\"more\":true");
 }
 
-Imaging::Reply Imaging::enter_whole(Host host, Visitor& h, std::string_view line, Nanos now) {
-  const bool row = indented(line) && !h.sheet.empty();
-  const std::string_view verb = row ? std::string_view() : first_word(line);
-  if (verb == "bundle" || verb == "quit") {
-    const auto all = line_words(line);
-    if (all.size() > 1) return no(h, now, one_word_too_many(all[1], verb));
-    if (verb == "quit") return {yes(h, now, "").line, true};
-    h.bundling = true;
-    return {};
-  }
-  for (const Word& w : words()) {
-    if (w.word != verb || !w.run) continue;
-    const auto all = line_words(line);
-    if ((verb == "notes" || verb == "start") && all.size() > 1) break;  // `notes off`, `start LIST`: of the language
-    const auto done = (this->*w.run)(h, all, now);
-    return done ? yes(h, now, *done) : no(h, now, done.error());
-  }
-  return command(host, h, line, now);
+// A word of the server, or a command. One that is both (`notes`, `start`) is a command where more words follow.
+Imaging::Reply Imaging::enter_whole(Visitor& h, const SaidLine& line, Nanos now) {
+  const bool row = line.indented && !h.sheet.empty();
+  const Word* word = row ? nullptr : find_word(line.verb);
+  if (!word || (!line.alone() && is_verb(line.verb))) return command(h, line, now);
+  if (line.words.size() > word->most + 1) return no(h, now, one_word_too_many(line.words[word->most + 1], word->usage));
+  const auto done = (this->*word->run)(h, line.words, now);
+  if (!done) return no(h, now, done.error());
+  if (h.bundling) return {};  // its end has the answer
+  return {yes(h, now, *done).line, h.leaving};
 }
 
-// A command on a copy. `sheet`: what the host's rows stand below.
-Result<Imaging::Deed> Imaging::carry_out(const History::Point& from, const std::string& sheet, std::string_view line,
-                                         std::int64_t stamp) const {
-  Deed deed;
-  const bool row = !sheet.empty() && indented(line);
-  const std::size_t size = line.size();
-  while (!row && indented(line)) line.remove_prefix(1);
-  const auto indent = static_cast<int>(size - line.size());
-  const std::string prefix = !row && happens_now(line) ? fmt::format("at {}t ", stamp) : "";
-  deed.line = prefix + std::string(line);
-  if (std::string joins = row ? std::string() : joining(line, stamp); !joins.empty()) deed.line = std::move(joins);
-  const int longer = static_cast<int>(deed.line.size()) - static_cast<int>(line.size());
-  deed.remark = line_words(line).empty();
-  // A begin belongs to the environment that has the name now.
-  if (const auto all = line_words(line); row && all.size() == 2 && all[0] == "begin" && sheet.starts_with("edit "))
-    deed.line = fmt::format("  begin {} since {}t", all[1], stamp);
-  deed.sheet = row ? sheet : "";
-  if (deed.remark) return deed;
-
-  const std::string before = deed.sheet + "\n";  // a line that begins the text could be taken for "#!"
-  const int above = static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-  Scene scene = from.document.scene();
-  Diagnostics all;
-  Reader reader(scene, all, options_.load);
-  reader.carry(from.carried, name_);
-  reader.read_text(before + deed.line + "\n", name_);
-  for (const Diagnostic& d : all) {
+Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t events, std::string_view line,
+                                            std::int64_t stamp) const {
+  const Scene& was = from.document.scene();
+  Carried c;
+  c.deed = editor_.carry_out(from, line, was.ticks.span(static_cast<double>(stamp)));
+  for (const Diagnostic& d : c.deed.said) {
     Error e = d.what;
-    const bool here = e.place.file == name_;
-    if (here && e.place.line <= above && d.severity != Severity::error) continue;  // said when the sheet was opened
-    if (!here && e.place.line > 0)
+    if (!e.place.file.empty() && e.place.line > 0)
       e.message = fmt::format("{}:{}:{}: {}", e.place.file, e.place.line, e.place.column, e.message);
-    const int first = above + 1;
-    if (!here || e.place.line < first) e.place = {};
-    if (e.place.line == first) e.place.column = std::max(1, e.place.column - longer + indent);
+    if (!e.place.file.empty() || e.place.line < 1) e.place = {};
     if (d.severity == Severity::error) {
       if (e.hint.find("--read-anywhere") != std::string::npos)
         e.hint = "hosts reach files below the script's folder only";
       return e;
     }
-    deed.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
+    c.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
   }
-  const std::size_t events = count_events(from.document.scene(), from.events, scene);
-  deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried(), events};
-  const bool opens = !row && deed.after.carried.sheet_open;
-  const Scene &is = deed.after.document.scene(), &was = from.document.scene();
-  deed.kept = !opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
-  const Status fits =
-      within(options_.ceilings, from.document.scene(), from.events, deed.after.document.scene(), events);
-  if (!fits) return fits.error();
-  return deed;
+  const Scene& is = c.deed.after.document.scene();
+  c.events = count_events(was, events, is);
+  c.kept = !c.deed.opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
+  if (const Status fits = within(options_.ceilings, was, events, is, c.events); !fits) return fits.error();
+  return c;
 }
 
-Imaging::Reply Imaging::command(Host host, Visitor& h, std::string_view line, Nanos now) {
+Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
+  if (line.words.empty()) return yes(h, now, "");
   const std::int64_t at = stamp(now);
-  Result<Deed> deed = carry_out(history_.now(), h.sheet, line, at);
-  if (!deed) {
-    Error e = deed.error();
-    if (!(indented(line) && !h.sheet.empty())) h.sheet.clear();
+  Point from = editor_.now();
+  from.script.sheet = h.sheet;
+  Result<Carried> c = carry_out(from, event_count_, line.text, at);
+  if (!c) {
+    Error e = c.error();
+    if (!(line.indented && !h.sheet.empty())) h.sheet.clear();
     if (e.message.starts_with("there is no command") && e.hint.empty()) {
       std::vector<std::string_view> known;
       for (const Word& w : words()) known.push_back(w.word);
-      e.hint = did_you_mean(first_word(line), known);
+      e.hint = did_you_mean(line.verb, known);
     }
     return no(h, now, e);
   }
-  if (deed->remark) return yes(h, now, "");
-  h.sheet = deed->after.carried.sheet;
-  if (!deed->kept) return yes(h, now, said(deed->said));
-  if (Status s = history_.take(std::move(deed->after), {deed->line}, deed->sheet); !s) return no(h, now, s.error());
+  Deed& deed = c->deed;
+  h.sheet = deed.after.script.sheet;
+  if (!c->kept) return yes(h, now, said(c->said));
+  if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}); !s) return no(h, now, s.error());
   ++commands_;
-  if (starts_show(line)) {
+  event_count_ = c->events;
+  if (starts_show(line.verb)) {
     start_clock(now);
-    deed->said += yet_to_come();
+    c->said += yet_to_come();
   }
-  changed(host, deed->line, now);
-  return yes(h, now, said(deed->said),
-             happens_now(line) || !joining(line, at).empty() ? std::optional(at) : std::nullopt);
+  changed(h.host, deed.line, now);
+  return yes(h, now, said(c->said), deed.stamped ? std::optional(at) : std::nullopt);
 }
 
-void Imaging::changed(Host by, const std::string& line, Nanos now) {
-  ++version_;
-  std::string told;
-  for (const auto& [host, visitor] : hosts_) {
-    if (!(visitor.topics & changes)) continue;
-    if (told.empty())
-      told = fmt::format("{{\"event\":\"change\",\"tick\":{},\"host\":{},\"commands\":{}}}\n", tick(now), by,
-                         json_text(line));
-    events_.push_back({host, told});
-  }
-}
-
-// ---- bundles: all or none
-
-// Display lists have an `end` of their own: an indented one does not end the bundle.
-Imaging::Reply Imaging::collect(Host host, Visitor& h, std::string_view line, Nanos now) {
-  const std::string_view verb = first_word(line);
-  const bool lone = line_words(line).size() == 1 && !indented(line) &&
-                    (h.bundle.empty() || !Session::needs_more(h.bundle.back().second));
-  if (lone && verb == "end") return end_bundle(host, h, now);
-  if (lone && verb == "bundle" && !h.bundle_broken)
-    h.bundle_broken = fail(Code::syntax, fmt::format("line {}: a bundle is open already", h.line));
-  h.bundle_size += line.size() + 64;
-  if (h.bundle_size > largest_bundle && !h.bundle_broken)
-    h.bundle_broken = fail(Code::range, fmt::format("a bundle is at most {} bytes long", largest_bundle));
-  if (h.bundle_broken) {
-    h.bundle.clear();
-    return {};
-  }
-  std::string* const before = h.bundle.empty() ? nullptr : &h.bundle.back().second;
-  if (before && before->size() <= longest_line && Session::needs_more(*before))
-    *before += "\n" + std::string(line);
+// How many events there are after steps were taken back or done again.
+void Imaging::recount(const Document& before) {
+  const Scene &was = before.scene(), &is = document().scene();
+  if (is.objects.size() >= was.objects.size())
+    event_count_ = count_events(was, event_count_, is);
   else
-    h.bundle.emplace_back(h.line, line);
-  return {};
-}
-
-Imaging::Reply Imaging::end_bundle(Host host, Visitor& h, Nanos now) {
-  const auto lines = std::exchange(h.bundle, {});
-  const auto broken = std::exchange(h.bundle_broken, {});
-  h.bundling = false, h.bundle_size = 0, h.sheet.clear();
-  if (broken) return no(h, now, *broken);
-  const std::int64_t at = stamp(now);
-  History::Point point = history_.now();
-  std::string sheet, warnings, errors, all;
-  std::optional<Error> first;
-  std::vector<std::string> kept;
-  bool stamped = false, starts = false;
-  for (const auto& [number, line] : lines) {
-    const std::string_view verb = first_word(line);
-    const bool row = indented(line) && !sheet.empty();
-    const auto word = std::find_if(words().begin(), words().end(), [&](const Word& w) { return w.word == verb; });
-    Result<Deed> deed = !row && (verb == "quit" || (word != words().end() && line_words(line).size() == 1))
-                            ? fail(Code::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
-                                   "a bundle holds commands of the language")
-                            : carry_out(point, sheet, line, at);
-    if (!deed) {
-      Error e = deed.error();
-      errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number,
-                            json_text(e.message), e.hint.empty() ? "" : ",\"hint\":" + json_text(e.hint),
-                            e.place.column > 0 ? fmt::format(",\"column\":{}", e.place.column) : "");
-      e.message = fmt::format("line {}: {}", number, e.message), e.place = {};
-      if (!first) first = e;
-      if (!row) sheet.clear();
-      continue;
-    }
-    if (deed->remark) continue;
-    stamped = stamped || happens_now(line);
-    warnings += deed->said;
-    starts = starts || starts_show(line);
-    sheet = deed->after.carried.sheet;
-    point = std::move(deed->after);
-    all += deed->line + "\n";
-    kept.push_back(std::move(deed->line));
-  }
-  if (first) return no(h, now, *first, ",\"errors\":[" + errors + "]");
-  if (kept.empty()) return yes(h, now, "");
-  point.carried.sheet_open = false;
-  if (Status s = history_.take(std::move(point), kept, ""); !s) return no(h, now, s.error());
-  commands_ += kept.size();
-  if (starts) start_clock(now);
-  changed(host, all, now);
-  return yes(h, now, said(warnings), stamped ? std::optional(at) : std::nullopt);
-}
-
-// ---- what frames tell
-
-bool Imaging::frames_wanted() const {
-  return std::any_of(hosts_.begin(), hosts_.end(),
-                     [](const auto& h) { return (h.second.topics & ~unsigned{changes}) != 0; });
-}
-
-void Imaging::shown(const Shown& f) {
-  std::string frame, remarks;
-  if (f.time < told_) told_ = f.time - Time{1};
-  if (document().scene().notes_shown)
-    for (const auto& [time, words] : document().notes(told_ + Time{1}, f.time))
-      remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(time.seconds()),
-                             json_text(words));
-  told_ = f.time;
-  tell_contacts(f);
-  for (const auto& [host, visitor] : hosts_) {
-    if ((visitor.topics & notes) && !remarks.empty()) events_.push_back({host, remarks});
-    if (!(visitor.topics & frames)) continue;
-    if (frame.empty())
-      frame = fmt::format("{{\"event\":\"frame\",\"frame\":{},\"seconds\":{},\"late\":{:.1f}}}\n", f.number,
-                          json_number(f.time.seconds()), static_cast<double>(f.late) / 1000);
-    events_.push_back({host, frame});
-  }
-}
-
-// Here, not on the clock's thread: it is never kept from the next frame.
-void Imaging::tell_contacts(const Shown& f) {
-  std::vector<Host> to;
-  for (const auto& [host, visitor] : hosts_)
-    if (visitor.topics & contacts) to.push_back(host);
-  if (to.empty()) return watch_.reset();
-  if (!watch_) watch_.emplace(options_.contacts, options_.sweep);
-  std::string all;
-  for (const ContactEvent& e : watch_->step(program().frame(f.time))) all += to_json(e, document()) + "\n";
-  for (const Host host : to)
-    if (!all.empty()) events_.push_back({host, all});
+    event_count_ -= count_events(is, 0, was);  // what is not there any more
 }
 
 }  // namespace betwixt

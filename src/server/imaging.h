@@ -11,14 +11,17 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "betwixt/contacts.h"
 #include "betwixt/program.h"
+#include "editor/editor.h"
+#include "editor/history.h"
+#include "editor/said_line.h"
 #include "server/ceilings.h"
-#include "server/history.h"
 
 namespace betwixt {
 
@@ -84,54 +87,66 @@ class Imaging {
   void shown(const Shown&);
   bool frames_wanted() const;  // a host has subscribed to something that frames tell
 
-  const Document& document() const { return history_.now().document; }
+  const Document& document() const { return editor_.now().document; }
   const Program& program();  // of this document
   const Transport& transport() const { return transport_; }
   std::uint64_t version() const { return version_; }  // another one: the document or the transport is another
-  std::string history() const { return history_.text(); }
+  std::string history() const { return as_script(editor_.base(), editor_.steps()); }
   std::int64_t tick(Nanos now) const;
 
  private:
   enum Topic : unsigned { changes = 1, notes = 2, frames = 4, contacts = 8 };
+  struct Bundled {
+    std::int64_t number = 0;  // of the line
+    std::string text;
+    bool alone = false;  // a word by itself
+    bool open = false;   // it goes on
+  };
   struct Visitor {
     Host host = 0;
     std::int64_t line = 0;
-    std::string sheet;  // the line that opened it
+    std::string sheet;  // that its rows go to; empty: none is open
     std::string open;   // lines of a command that is not whole yet
     int open_lines = 0;
-    bool bundling = false;
-    std::vector<std::pair<std::int64_t, std::string>> bundle;
+    bool bundling = false, leaving = false;
+    std::vector<Bundled> bundle;
     std::size_t bundle_size = 0;
     std::optional<Error> bundle_broken;
     unsigned topics = 0;
   };
-  // What a line did, on a copy.
-  struct Deed {
-    History::Point after;
-    std::string line;     // as it stands in the history
-    std::string sheet;    // a row's
-    std::string said;     // warnings
-    bool remark = false;  // a comment, or nothing
-    bool kept = true;     // in the history: not what only opens a sheet
+  // Commands of a bundle, so far.
+  struct Together;
+  // A command on a copy, and what there is to say to a host.
+  struct Carried {
+    Deed deed;
+    std::size_t events = 0;  // of the document after it
+    std::string said;        // warnings
+    bool kept = true;        // in the history: not what only opens a sheet
   };
   struct Word {
     std::string_view word, usage, sentence;
-    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null: taken elsewhere
+    std::size_t most;  // words behind it
+    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);
     std::string_view more = {};  // lines that its help ends with
   };
-  static const std::vector<Word>& words();
+  static std::span<const Word> words();
+  static const Word* find_word(std::string_view);
+  // Shows a display list; the clock begins with it.
+  static bool starts_show(std::string_view verb) { return verb == "start"; }
 
-  Result<Deed> carry_out(const History::Point& from, const std::string& sheet, std::string_view line,
-                         std::int64_t stamp) const;
-  Reply enter_whole(Host, Visitor&, std::string_view line, Nanos now);
-  Reply command(Host, Visitor&, std::string_view line, Nanos now);
-  Reply collect(Host, Visitor&, std::string_view line, Nanos now);
+  // `from` has the sheet that the host's rows go to.
+  Result<Carried> carry_out(const Point& from, std::size_t events, std::string_view line, std::int64_t stamp) const;
+  Reply enter_whole(Visitor&, const SaidLine&, Nanos now);
+  Reply command(Visitor&, const SaidLine&, Nanos now);
+  Reply collect(Visitor&, std::string_view line, Nanos now);
   void start_clock(Nanos now);
-  Reply end_bundle(Host, Visitor&, Nanos now);
+  Reply end_bundle(Visitor&, Nanos now);
+  std::optional<Error> carry_out(const Bundled&, Together&, std::int64_t stamp) const;
   Reply yes(const Visitor&, Nanos now, const std::string& members, std::optional<std::int64_t> tick = {});
   Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
   void tell_contacts(const Shown&);
   std::string yet_to_come() const;
+  void recount(const Document& before);
   void changed(Host by, const std::string& line, Nanos now);
   std::int64_t stamp(Nanos now) const { return tick(now) + options_.latency; }
 
@@ -140,6 +155,8 @@ class Imaging {
   Result<std::string> help(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> time(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> stats(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> bundle(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> quit(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> history_word(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> undo(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> redo(Visitor&, const std::vector<std::string>&, Nanos);
@@ -155,7 +172,9 @@ class Imaging {
 
   Options options_;
   std::string name_, save_;
+  Editor editor_;
   History history_;
+  std::size_t event_count_ = 0;  // of the document
   Transport transport_;
   std::uint64_t version_ = 1, compiled_ = 0;
   Program program_;

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
+#include "editor/looking.h"
 #include "language/help.h"
 #include "language/json.h"
-#include "language/looking.h"
 #include "server/answers.h"
 #include "server/imaging.h"
 
@@ -16,6 +16,7 @@ namespace betwixt {
 namespace {
 
 constexpr int slots = 30;  // of the source's counter (C97)
+constexpr std::size_t any_number = 1 << 30;
 
 Result<std::string> said_of(const Result<std::string>& text) {
   if (!text) return text.error();
@@ -37,44 +38,51 @@ Result<unsigned> topics_of(const std::vector<std::string>& w) {
 
 }  // namespace
 
-const std::vector<Imaging::Word>& Imaging::words() {
-  static const std::vector<Word> all{
-      {"eval", "eval TARGET… [at TIME]", "Values, now or at a time.", &Imaging::eval},
-      {"list", "list [PATTERN]", "The objects, their kinds and how many events they have.", &Imaging::look},
-      {"describe", "describe NAME|TARGET", "What an object is, has and hangs on; of a target, its events.",
+std::span<const Imaging::Word> Imaging::words() {
+  static constexpr Word all[] = {
+      {"eval", "eval TARGET… [at TIME]", "Values, now or at a time.", any_number, &Imaging::eval},
+      {"list", "list [PATTERN]", "The objects, their kinds and how many events they have.", 1, &Imaging::look},
+      {"describe", "describe NAME|TARGET", "What an object is, has and hangs on; of a target, its events.", 1,
        &Imaging::look},
-      {"notes", "notes", "The notes and their times.", &Imaging::look},
-      {"help", "help [WORD]", "Explains a word; without one, lists all.", &Imaging::help},
-      {"time", "time", "The tick, the seconds and the slot of now.", &Imaging::time},
-      {"stats", "stats", "How the server is doing: frames, lateness, hosts.", &Imaging::stats},
-      {"history", "history", "The document as a script: every command that was accepted.", &Imaging::history_word},
-      {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", &Imaging::undo},
-      {"redo", "redo", "Does again what was taken back.", &Imaging::redo},
-      {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.",
+      {"notes", "notes", "The notes and their times.", 0, &Imaging::look},
+      {"help", "help [WORD]", "Explains a word; without one, lists all.", 1, &Imaging::help},
+      {"time", "time", "The tick, the seconds and the slot of now.", 0, &Imaging::time},
+      {"stats", "stats", "How the server is doing: frames, lateness, hosts.", 0, &Imaging::stats},
+      {"history", "history", "The document as a script: every command that was accepted.", 0, &Imaging::history_word},
+      {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", 0, &Imaging::undo},
+      {"redo", "redo", "Does again what was taken back.", 0, &Imaging::redo},
+      {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.", any_number,
        &Imaging::subscribe,
        "  changes   what was carried out, and which host said it\n"
        "  contacts  what begins or ends to touch, what enters or leaves the view\n"
        "  frames    the number and time of each frame that was shown, and how late in µs it was\n"
        "  notes     notes whose time has come\n"
        "  example: subscribe changes contacts\n"},
-      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", &Imaging::unsubscribe},
-      {"start", "start", "The time is 0 now, and goes on.", &Imaging::start},
-      {"pause", "pause", "The time stands.", &Imaging::pause},
-      {"go", "go", "The time goes on.", &Imaging::go},
-      {"seek", "seek TIME", "The time is another one now.", &Imaging::seek},
-      {"save", "save", "Says where the history is kept; everything answered is in it.", &Imaging::save},
+      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", any_number,
+       &Imaging::unsubscribe},
+      {"start", "start", "The time is 0 now, and goes on.", 0, &Imaging::start},
+      {"pause", "pause", "The time stands.", 0, &Imaging::pause},
+      {"go", "go", "The time goes on.", 0, &Imaging::go},
+      {"seek", "seek TIME", "The time is another one now.", any_number, &Imaging::seek},
+      {"save", "save", "Says where the history is kept; everything answered is in it.", any_number, &Imaging::save},
       {"bundle", "bundle, then commands, then end",
-       "The commands up to end are done together, all at one moment or none; end has the answer.", nullptr,
+       "The commands up to end are done together, all at one moment or none; end has the answer.", 0, &Imaging::bundle,
        "  example: bundle\n           create ball sphere\n           set ball.environments (spin)\n           end\n"},
-      {"end", "end", "Ends a bundle: all that stands in it is done, or nothing.", &Imaging::end},
-      {"quit", "quit", "Ends the connection; all else goes on.", nullptr},
-      {"open", "open", "", &Imaging::not_for_hosts},
-      {"load", "load", "", &Imaging::not_for_hosts},
-      {"plot", "plot", "", &Imaging::not_for_hosts},
-      {"play", "play", "", &Imaging::not_for_hosts},
-      {"stop", "stop", "", &Imaging::not_for_hosts},
+      {"end", "end", "Ends a bundle: all that stands in it is done, or nothing.", any_number, &Imaging::end},
+      {"quit", "quit", "Ends the connection; all else goes on.", 0, &Imaging::quit},
+      {"open", "open", "", any_number, &Imaging::not_for_hosts},
+      {"load", "load", "", any_number, &Imaging::not_for_hosts},
+      {"plot", "plot", "", any_number, &Imaging::not_for_hosts},
+      {"play", "play", "", any_number, &Imaging::not_for_hosts},
+      {"stop", "stop", "", any_number, &Imaging::not_for_hosts},
   };
   return all;
+}
+
+const Imaging::Word* Imaging::find_word(std::string_view word) {
+  for (const Word& w : words())
+    if (w.word == word) return &w;
+  return nullptr;
 }
 
 Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::string>& w, Nanos) {
@@ -116,62 +124,58 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
 }
 
 Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 2) return one_word_too_many(w[2], "help [WORD]");
   std::string out;
   if (w.size() < 2) {
     for (const Word& word : words())
       if (!word.sentence.empty()) out += fmt::format("{:12} {}\n", word.word, word.sentence);
     return said(out + "\n" + help_overview(document().scene(), false));
   }
-  for (const Word& word : words()) {
-    if (word.word != w[1]) continue;
-    if (word.sentence.empty()) return not_for_hosts(h, {w[1]}, now);
-    return said(fmt::format("{}\n  usage: {}\n{}", word.sentence, word.usage, word.more));
+  if (const Word* word = find_word(w[1])) {
+    if (word->sentence.empty()) return not_for_hosts(h, {w[1]}, now);
+    return said(fmt::format("{}\n  usage: {}\n{}", word->sentence, word->usage, word->more));
   }
   return said_of(look_up(document(), w[1]));
 }
 
 Result<std::string> Imaging::look(Visitor&, const std::vector<std::string>& w, Nanos) {
   if (w[0] == "notes") return said(list_notes(document()));
-  if (w.size() > 2) return one_word_too_many(w[2], w[0] == "list" ? "list [PATTERN]" : "describe NAME");
   const std::string word = w.size() > 1 ? w[1] : "";
   return said_of(w[0] == "list" ? list_objects(document(), word) : describe(document(), word));
 }
 
-Result<std::string> Imaging::time(Visitor& h, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "time");
+Result<std::string> Imaging::time(Visitor& h, const std::vector<std::string>&, Nanos now) {
   const Time t = transport_.time(now);
   const std::int64_t slot = ((tick(now) % slots) + slots) % slots;
   return fmt::format(",\"seconds\":{},\"slot\":{},\"running\":{},\"host\":{}", json_number(t.seconds()), slot,
                      transport_.running, h.host);
 }
 
-Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "stats");
+Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>&, Nanos now) {
   std::string more = options_.stats ? options_.stats() : "";
   if (!more.empty()) more = "," + more;
   return fmt::format(
       ",\"stats\":{{\"uptime\":{:.3f},\"hosts\":{},\"lines\":{},\"commands\":{},\"refused\":{},\"bytes\":{},"
       "\"steps\":{},\"objects\":{},\"events\":{},\"history\":{}{}}}",
-      static_cast<double>(now - begun_) / 1e9, hosts_.size(), lines_, commands_, refused_, bytes_, history_.steps(),
-      document().scene().objects.size(), history_.now().events, history_.bytes(), more);
+      static_cast<double>(now - begun_) / 1e9, hosts_.size(), lines_, commands_, refused_, bytes_,
+      editor_.steps().size(), document().scene().objects.size(), event_count_, history_.bytes(), more);
 }
 
-Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w.size() > 1) return one_word_too_many(w[1], "history");
-  return ",\"said\":" + json_text(history_.text());
+Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) {
+  return ",\"said\":" + json_text(history());
 }
 
-Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "undo");
-  if (Status s = history_.undo(); !s) return s.error();
+Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>&, Nanos now) {
+  const Document before = document();
+  if (Status s = editor_.undo(); !s) return s.error();
+  recount(before);
   changed(0, "undo", now);
   return std::string();
 }
 
-Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "redo");
-  if (Status s = history_.redo(); !s) return s.error();
+Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>&, Nanos now) {
+  const Document before = document();
+  if (Status s = editor_.redo(); !s) return s.error();
+  recount(before);
   changed(0, "redo", now);
   return std::string();
 }
@@ -219,15 +223,13 @@ Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>&, Na
   return said(yet_to_come());
 }
 
-Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "pause");
+Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>&, Nanos now) {
   transport_ = {false, now, transport_.time(now)};
   changed(0, "pause", now);
   return std::string();
 }
 
-Result<std::string> Imaging::go(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() > 1) return one_word_too_many(w[1], "go");
+Result<std::string> Imaging::go(Visitor&, const std::vector<std::string>&, Nanos now) {
   transport_ = {true, now, transport_.time(now)};
   changed(0, "go", now);
   return std::string();
@@ -247,6 +249,16 @@ Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, N
   if (w.size() > 1) return fail(Code::name, "a host cannot choose the file", "betwixt serve --save FILE does");
   if (save_.empty()) return fail(Code::name, "this server keeps no history", "betwixt serve --save FILE does");
   return said(fmt::format("kept in '{}'", save_));
+}
+
+Result<std::string> Imaging::bundle(Visitor& h, const std::vector<std::string>&, Nanos) {
+  h.bundling = true;
+  return std::string();
+}
+
+Result<std::string> Imaging::quit(Visitor& h, const std::vector<std::string>&, Nanos) {
+  h.leaving = true;
+  return std::string();
 }
 
 Result<std::string> Imaging::end(Visitor&, const std::vector<std::string>&, Nanos) {

@@ -4,7 +4,6 @@
 // Display lists in the language: what their rows draw, and where, at any time.
 #include <random>
 
-#include "betwixt/session.h"
 #include "language/reader.h"
 #include "scene/document.h"
 #include "script.h"
@@ -454,53 +453,6 @@ TEST(DisplayList, Others_hang_on_what_it_draws) {
   // Where it is no more, what hung on it stands free.
   const Script gone(text + "edit sky\n  tag x\n  replace x\ndelete star\nmake star\n  point (0 0)\n");
   expect_numbers(gone, "moon.world", "14t", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
-}
-
-// shows: C28 C69 C71
-TEST(DisplayList, A_host_that_edits_again_and_again_makes_nothing_grow) {
-  Session session;
-  const auto enter = [&](const std::string& line) {
-    const auto a = session.enter(line);
-    EXPECT_TRUE(a.done) << line << "\n" << a.said;
-  };
-  enter("make ball");
-  enter("  polygon (0 0) (1 0) (0 1)");
-  enter("make all");
-  enter("  begin spin");  // its end is still to come
-  enter("  tag here");
-  enter("  translate(0 0 0)");
-  enter("  call ball");
-  enter("  tag what");
-  enter("  call ball");
-  enter("  end");
-  enter("start all");
-  enter("create moon sphere");
-  enter("couple moon to all/spin-1/ball-1");
-  const ObjectId ball = session.document().find("all/spin-1/ball-1");
-  std::size_t size = 0;
-  for (int i = 0; i < 200; ++i) {
-    enter("edit all");
-    enter("  replace here");
-    enter(fmt::format("  translate({} 0 0)", i));
-    enter("  replace what");
-    enter(i % 3 == 0 ? "  text \"x\"" : i % 3 == 1 ? "  point (0 0)" : "  call ball");
-    if (i == 3) size = session.document().scene().objects.size();
-  }
-  EXPECT_EQ(session.document().scene().objects.size(), size);
-  EXPECT_EQ(session.document().find("all/spin-1/ball-1"), ball);
-  EXPECT_EQ(translation_of(std::get<Mat4>(
-                Program::compile(session.document()).read({session.document().find("moon"), world_function}, {}))),
-            (Vec3{199, 0, 0}));
-  // One who shows what is not complete is told.
-  enter("make open");
-  enter("  push");
-  enter("  tag x");
-  EXPECT_EQ(
-      session.enter("start open").said,
-      "line:1017:7: warning: in 'open': this 'push' is never followed by its 'pop'\n  start open\n        ^~~~\n");
-  EXPECT_TRUE(session.enter("make ball").refused);
-  EXPECT_TRUE(session.enter("  point (0 0)").refused);
-  EXPECT_TRUE(session.enter("undo").done);
 }
 
 // Rows that come by themselves stand below lines that open the list again where it was, whatever others do meanwhile;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <random>
 
-#include "betwixt/session.h"
 #include "scene/document.h"
 #include "script.h"
 
@@ -303,39 +302,6 @@ TEST(LaterLists, Too_many_versions_are_refused_in_words) {
                         "300000 objects"),
             std::string::npos)
       << all[0];
-}
-
-TEST(LaterLists, A_session_writes_edits_row_by_row_and_takes_them_back) {
-  Session session;
-  const auto enter = [&](const std::string& line) {
-    const auto a = session.enter(line);
-    EXPECT_TRUE(a.done) << line << "\n" << a.said;
-    return a.said;
-  };
-  const auto shown = [&](int frame) { return seen(Program::compile(session.document()), Rate{}.frame(frame)).size(); };
-  enter("make a");
-  enter("  tag x");
-  enter("  point (0 0)");
-  enter("start a");
-  enter("at 12f edit a");
-  enter("  replace x");
-  enter("  vector (0 0) (1 1)");
-  enter("  vector (0 0) (2 2)");
-  EXPECT_EQ(shown(11), 1u);
-  EXPECT_EQ(shown(12), 2u);
-  EXPECT_EQ(enter("describe a"),
-            "a, a display list, the main object\n  tag x\n  point (0 0)\nfrom 12f\n  tag x\n  vector (0 0) (1 1)\n"
-            "  vector (0 0) (2 2)\n");
-  EXPECT_EQ(enter("list a"), "a  list      1 row, 2 versions\na  group     0 events\n");
-  EXPECT_TRUE(load_text(session.text(), "test.bx").document == session.document()) << session.text();
-  enter("undo");
-  EXPECT_EQ(shown(12), 1u);
-  enter("undo");
-  enter("undo");
-  EXPECT_TRUE(session.document().scene().later_lists->empty());
-  // Rows below a line that was refused have nowhere to go.
-  EXPECT_TRUE(session.enter("at 12f edit b").refused);
-  EXPECT_TRUE(session.enter("  point (0 0)").refused);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 // Plug-ins as the language sees them: their words beside the built-in ones.
 #include <filesystem>
 
-#include "betwixt/session.h"
 #include "language/help.h"
 #include "language/script.h"
 
@@ -62,20 +61,6 @@ TEST(Plugins, ScriptsDoNotLoadThem) {
   EXPECT_EQ(l.diagnostics.at(0).what.hint, "who shows the film loads it: betwixt play --load PLUGIN FILE");
   EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 elastic\n").diagnostics.at(0).what.hint,
             "where it is a plug-in's: --load PLUGIN");
-}
-
-// shows: G22
-TEST(Plugins, SavingSaysThatTheFilmNeedsThem) {
-  ASSERT_TRUE(use_plugin(at("example")));
-  const std::string file = testing::TempDir() + "betwixt-plugged.bx";
-  std::filesystem::remove(file);
-  Session s;
-  s.open(file, Session::Earlier::discard);
-  s.enter("create overshooter sphere");  // no word of the plug-in
-  EXPECT_EQ(s.enter("save").said, "saved '" + file + "'\n");
-  s.enter("at 1f overshooter.radius 2 overshoot");
-  EXPECT_EQ(s.enter("save").said, "words of a plug-in are in it: it is shown by betwixt play --load " + at("example") +
-                                      " " + file + "\nsaved '" + file + "'\n");
 }
 
 // shows: G15

@@ -7,16 +7,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
-#include <stdlib.h>
 
-#include <filesystem>
-#include <fstream>
 #include <random>
+
+#include "support/folder.h"
 
 namespace betwixt {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr Nanos second = 1'000'000'000;
 // The first moment of a tick.
@@ -49,24 +46,6 @@ class Stage {
     EXPECT_TRUE(again.document == imaging.document()) << imaging.history();
   }
   Imaging imaging;
-};
-
-class Folder {
- public:
-  Folder() {
-    char name[] = "/tmp/betwixt-server-XXXXXX";
-    at_ = ::mkdtemp(name);
-  }
-  ~Folder() { fs::remove_all(at_); }
-  std::string operator/(const std::string& name) const { return (at_ / name).string(); }
-  std::string get(const std::string& name) const {
-    std::ifstream in(at_ / name);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void put(const std::string& name, const std::string& text) const { std::ofstream(at_ / name) << text; }
-
- private:
-  fs::path at_;
 };
 
 // shows: C101 C99

@@ -18,4 +18,6 @@ std::string list_notes(const Document&);
 // All that is known about a word; "": all words. Errors: name.
 Result<std::string> look_up(const Document&, const std::string& word);
 
+std::string counted(std::size_t n, const char* what);  // "1 event", "3 events"
+
 }  // namespace betwixt

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "language/looking.h"
+#include "editor/looking.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,6 @@
 
 namespace betwixt {
 namespace {
-
-std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 std::size_t events_of(const Strand& s) {
   std::size_t n = s.track->events.size();
@@ -124,6 +122,8 @@ std::string list_lines(const Document& d, const std::string& name, const std::ve
 }
 
 }  // namespace
+
+std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 Result<std::string> list_objects(const Document& d, const std::string& pattern) {
   std::vector<ObjectId> ids;

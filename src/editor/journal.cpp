@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "language/journal.h"
+#include "editor/journal.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "base/files.h"
 
@@ -50,6 +51,14 @@ std::string record(Did what, std::string_view text, std::uint64_t& sum) {
 Fingerprint fingerprint(std::string_view text) { return {text.size(), fnv(text)}; }
 
 std::string to_string(const Fingerprint& f) { return fmt::format("{} {:016x}", f.size, f.hash); }
+
+std::string journal_path(const std::string& script) {
+  if (script.empty()) return ".betwixt.journal";
+  std::error_code ignored;
+  const std::filesystem::path real =
+      std::filesystem::weakly_canonical(script, ignored);  // one journal, however the script is called
+  return (real.parent_path() / fmt::format(".{}.journal", real.filename().string())).string();
+}
 
 Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   for (;;) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "betwixt/result.h"
+#include "editor/step.h"
 
 namespace betwixt {
 
@@ -24,10 +25,9 @@ struct Fingerprint {
 Fingerprint fingerprint(std::string_view text);
 std::string to_string(const Fingerprint&);  // "SIZE HASH"
 
-enum class Did : char { command = 'c', undo = 'u', redo = 'r', save = 's' };  // save: its text is the fingerprint
 struct Record {
   Did what = Did::command;
-  std::string text;
+  std::string text;  // of save: the fingerprint of the file
 };
 
 // How many commands stand, and how many of them a file does not know.
@@ -40,8 +40,17 @@ struct Tally {
   bool undo() { return at > 0 && (--at, true); }
   bool redo() { return at < all && (++at, true); }
   void save() { saved = at, gone = 0; }
+  void count(Did what) {
+    if (what == Did::command) command();
+    if (what == Did::undo) undo();
+    if (what == Did::redo) redo();
+    if (what == Did::save) save();
+  }
   std::size_t unsaved() const { return gone + (at > saved ? at - saved : saved - at); }
 };
+
+// The journal of a script, or of a film without a name.
+std::string journal_path(const std::string& script);
 
 class Journal {
  public:

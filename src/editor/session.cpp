@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "betwixt/session.h"
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "editor/said_line.h"
+#include "editor/session_state.h"
+
+namespace betwixt {
+namespace {
+
+// Whether a line that was refused would have opened a sheet.
+bool meant_a_sheet(const std::vector<std::string>& words) {
+  if (words.empty()) return false;
+  const auto target = [&](std::size_t i) { return first_dot(words[i]) != std::string_view::npos; };
+  const std::size_t verb = words[0] == "at" ? 2 : 0;
+  const bool list = words.size() > verb && (words[verb] == "make" || words[verb] == "edit");
+  return words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2)) || list;
+}
+
+}  // namespace
+
+Session::Answer Session::State::refused(const std::string& message, const std::string& hint) {
+  return {false, false, true, to_string(Diagnostic{Severity::error, fail(Code::name, message, hint), {}, 0})};
+}
+
+std::string_view trimmed(std::string_view s, bool both) {
+  while (both && !s.empty() && (blank(s.front()) || s.front() == '\n')) s.remove_prefix(1);
+  while (!s.empty() && (blank(s.back()) || s.back() == '\n')) s.remove_suffix(1);
+  return s;
+}
+
+std::string Session::State::text() const {
+  std::string out = editor.base();
+  if (!editor.steps().empty() && !out.empty() && out.back() != '\n') out += '\n';
+  for (const Step& s : editor.steps()) out += s.lines[0] + "\n";
+  return out;
+}
+
+// Which of the choices is answered; none where nobody answers.
+std::optional<std::size_t> Session::State::choose(const std::string& question,
+                                                  const std::vector<std::string_view>& choices) const {
+  for (std::string q = question; doors.ask;) {
+    const auto answer = doors.ask(q);
+    if (!answer) break;
+    if (*answer == called_off) {  // the choice that changes nothing is the last, but where no choice is
+      if (choices.back() == "show") break;
+      return choices.size() - 1;
+    }
+    const std::string_view word = trimmed(*answer);
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      if (!word.empty() && choices[i].starts_with(word)) found = i;  // no two choices begin alike, but for "s…"
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      if (choices[i] == word) return i;
+    const auto begins = [&](std::string_view c) { return !word.empty() && c.starts_with(word); };
+    if (std::count_if(choices.begin(), choices.end(), begins) == 1) return found;
+    q = fmt::format("please answer {}: ", fmt::join(choices, ", "));
+  }
+  return std::nullopt;
+}
+
+Session::Answer Session::State::only_looks() const {
+  return refused(fmt::format("another shell has {} open: this one may only look", called()));
+}
+
+// What the reader says of a line, at the line's place among all that were entered.
+std::string Session::State::told(const Diagnostics& all, std::string_view line) const {
+  const int first = std::max(1, lines - static_cast<int>(std::count(line.begin(), line.end(), '\n')));
+  std::string said;
+  for (Diagnostic d : all) {
+    if (d.what.place.file.empty() && d.what.place.line != 0) d.what.place.file = "line", d.what.place.line += first - 1;
+    if (d.what.hint.empty() && d.what.message.starts_with("there is no command")) {
+      std::vector<std::string_view> known;
+      for (const Word& w : words()) known.push_back(w.word);
+      d.what.hint = did_you_mean(first_word(line), known);
+    }
+    said += to_string(d);
+  }
+  return said;
+}
+
+Session::Answer Session::State::command(std::string_view line) {
+  if (looks_only) return only_looks();
+  const bool row = indented(line) && sheet_open();
+  if (indented(line) && sheet_refused)
+    return refused("this row has no sheet: the line that should open it was refused");
+  if (!row) line = trimmed(line);  // what is not a row must not look like one in the file
+  const SaidLine said = look_at(line);
+  if (said.several) return refused("one line at a time, please");
+  Deed deed = editor.carry_out(editor.now(), line);
+  Answer answer{deed.done, false, !deed.done, told(deed.said, line)};
+  if (!deed.done) {
+    if (!row) sheet_refused = meant_a_sheet(said.words);
+    return answer;
+  }
+  if (Status s = editor.take(std::move(deed.after), {{std::move(deed.line)}, {}}); !s) return refused(s.error());
+  tally.command(), sheet_refused = false;
+  return answer;
+}
+
+Session::Answer Session::State::undo(const Words&) {
+  if (looks_only) return only_looks();
+  if (editor.steps().empty())
+    return refused("there is nothing to undo", editor.base().empty() ? "" : "this is the script as it was opened");
+  if (Status s = editor.undo(); !s) return refused(s.error());
+  tally.undo(), sheet_refused = false;
+  return done(fmt::format("undone: {}\n", trimmed(editor.undone().front().lines[0])));
+}
+
+Session::Answer Session::State::redo(const Words&) {
+  if (looks_only) return only_looks();
+  if (Status s = editor.redo(); !s) return refused(s.error());
+  tally.redo(), sheet_refused = false;
+  return done(fmt::format("done again: {}\n", trimmed(editor.steps().back().lines[0])));
+}
+
+Session::Answer Session::State::enter(std::string_view line) {
+  lines += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
+  line = trimmed(line, false);
+  if (ended) return refused("the session is over");
+  if (trimmed(line).empty()) return {};
+  std::string shifted;  // a person need not indent
+  if (sheet_open() && starts_like_time(line[0])) line = shifted = "  " + std::string(line);
+  if (indented(line) && (sheet_open() || sheet_refused)) return command(line);
+  const Words all = line_words(trimmed(line));
+  const Word* word = all.empty() ? nullptr : find_word(all[0]);
+  if (!word || (all.size() > 1 && is_verb(all[0]))) return command(line);
+  if (all.size() > word->most + 1) return refused(fmt::format("'{}' is one word too many", all[word->most + 1]));
+  return (this->*word->run)(all);
+}
+
+Session::Session(Doors doors, const LoadOptions& options)
+    : state_(std::make_unique<State>(std::move(doors), options)) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Session::Answer Session::open(const std::string& file, Earlier earlier) { return state_->open(file, earlier); }
+Session::Answer Session::enter(std::string_view line) { return state_->enter(line); }
+bool Session::needs_more(std::string_view line) { return goes_on(line); }
+const Document& Session::document() const { return state_->document(); }
+const std::string& Session::file() const { return state_->file; }
+std::size_t Session::unsaved() const { return state_->tally.unsaved(); }
+bool Session::may_change() const { return !state_->looks_only; }
+std::string Session::text() const { return state_->text(); }
+
+}  // namespace betwixt

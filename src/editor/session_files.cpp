@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a session keeps where: the script that is saved, and the journal beside it until then.
+#include <algorithm>
+#include <filesystem>
+
+#include "editor/looking.h"
+#include "editor/session_state.h"
+#include "language/plugins.h"
+
+namespace betwixt {
+namespace {
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+}
+
+}  // namespace
+
+void Session::State::close(bool keep) {
+  if (journal && !keep) journal->remove();
+  journal.reset();
+}
+
+Status Session::State::write_down(Did what, std::string_view text) {
+  const Status s = journal ? journal->append(what, text) : Status(Nothing{});
+  if (s) return s;
+  return fail(s.error().code, "nothing is done, as the journal cannot keep it: " + s.error().message,
+              "make room, then say it again");
+}
+
+// From now on, what is done is in the journal first.
+void Session::State::keep_journal() {
+  editor.keep([this](Did what, const Step& step, std::span<const Step>) {
+    return write_down(what, what == Did::command ? step.lines[0] : "");
+  });
+}
+
+// The journal of a file that this session goes over to, and that has none of its own that anybody needs.
+Result<std::unique_ptr<Journal>> Session::State::journal_beside(const std::string& name, std::string& said) const {
+  auto opened = Journal::open(journal_path(name));
+  if (!opened && opened.error().code == Code::name)
+    return fail(Code::name, fmt::format("'{}' is open in another shell", name));
+  if (!opened) {
+    said += fmt::format("no journal can be kept here: {}\n", opened.error().message);
+    return std::unique_ptr<Journal>();
+  }
+  Journal& next = **opened;
+  if (next.foreign() || !next.records().empty()) {
+    const auto aside = next.keep_aside();
+    if (!aside) return aside.error();
+    said += fmt::format("the journal of an earlier session with '{}' is kept as '{}'\n", name, *aside);
+  }
+  return opened;
+}
+
+Session::Answer Session::State::save(const std::string& to) {
+  if (looks_only) return only_looks();
+  const std::string name = to.empty() ? file : to;
+  if (name.empty()) return refused("this film has no name yet", "usage: save FILE, as in save film.bx");
+  const bool own = !file.empty() && same_file(name, file);
+  const auto there = read_script(name);
+  if (!there) return refused(there.error());
+  std::string question;
+  if (*there && !own) question = fmt::format("File '{}' exists: overwrite? (yes/no) ", name);
+  if (*there && own && known != fingerprint(**there))
+    question = fmt::format("File '{}' has been changed by someone else: overwrite? (yes/no) ", name);
+  if (!question.empty() && choose(question, {"yes", "no"}) != std::size_t{0})
+    return {false, false, false, "not saved\n"};
+
+  std::string said;
+  std::unique_ptr<Journal> next;
+  if (!own) {
+    auto beside = journal_beside(name, said);
+    if (!beside) return refused(beside.error());
+    next = *std::move(beside);
+  }
+  const std::string all = text();
+  const Fingerprint print = fingerprint(all);
+  if (own) {  // the journal says first what will be in the file: a stop between the two is understood
+    if (Status s = write_down(Did::save, to_string(print)); !s) return refused(s.error());
+  }
+  if (Status s = write_script(name, all); !s) {
+    if (next) next->remove();
+    return refused(s.error());
+  }
+  if (!own && next && !begin(*next, print)) {
+    next->remove(), next.reset();
+    said += "no journal can be kept here\n";
+  }
+  if (!own) close(false), journal = std::move(next), file = name, editor.rename(name);
+  known = print;
+  tally.save();
+  if (!(load_text(all, file, options).document == document()))
+    said += "warning: what was saved loads as another film; a file that it uses has changed or is not beside it\n";
+  for (const std::string& path : plugins_for(all))
+    said += fmt::format("words of a plug-in are in it: it is shown by betwixt play --load {} {}\n", path, name);
+  return done(said + fmt::format("saved '{}'\n", name));
+}
+
+// A journal that holds the whole history.
+bool Session::State::begin(Journal& j, const Fingerprint& saved) const {
+  if (!j.begin(fingerprint(editor.base()))) return false;
+  for (const auto steps : {editor.steps(), editor.undone()})
+    for (const Step& s : steps)
+      if (!j.append(Did::command, s.lines[0])) return false;
+  for (std::size_t k = 0; k < editor.undone().size(); ++k)
+    if (!j.append(Did::undo, {})) return false;
+  return static_cast<bool>(j.append(Did::save, to_string(saved)));
+}
+
+// Whether what is here may be left; where nobody answers, the journal keeps it.
+Session::State::Leave Session::State::leave(std::string& said, bool ends) {
+  const std::size_t n = tally.unsaved();
+  if (n == 0 || looks_only) return Leave::go;
+  const auto answer =
+      choose(fmt::format("{} {} not saved: save, discard or stay? ", counted(n, "command"), n == 1 ? "is" : "are"),
+             {"save", "discard", "stay"});
+  if (!answer && ends) {
+    said += fmt::format("{} {} not saved", counted(n, "command"), n == 1 ? "is" : "are");
+    said += journal ? fmt::format("; the journal keeps {}: betwixt shell {}{}--recover\n", n == 1 ? "it" : "them", file,
+                                  file.empty() ? "" : " ")
+                    : " and lost: no journal could be kept\n";
+    return Leave::keep;
+  }
+  if (!answer || *answer == 2) return Leave::stay;
+  if (*answer == 1) return Leave::go;
+  const Answer saved = save("");
+  said += saved.said;
+  return saved.done ? Leave::go : Leave::stay;
+}
+
+Session::Answer Session::State::quit(const Words&) {
+  std::string said;
+  const Leave how = leave(said, true);
+  if (how == Leave::stay) return {false, false, false, said};
+  close(how == Leave::keep);
+  ended = true;
+  return {true, true, false, said};
+}
+
+Session::Answer Session::State::reopen(const Words& w) {
+  if (w.size() < 2) return refused("which file?", "usage: open FILE");
+  const auto there = read_script(w[1]);  // before anything is asked
+  if (!there) return refused(there.error());
+  if (!*there) return refused(fmt::format("there is no file '{}'", w[1]), "a new film begins with: betwixt shell FILE");
+  std::string said;
+  if (leave(said, false) == Leave::stay) return {false, false, false, said + "not opened\n"};
+  Answer answer = open(w[1], Earlier::ask);
+  answer.said = said + answer.said;
+  return answer;
+}
+
+}  // namespace betwixt

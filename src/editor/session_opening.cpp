@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How a session begins: with a script, and with what an earlier session did and did not save.
+#include <algorithm>
+#include <filesystem>
+
+#include "editor/looking.h"
+#include "editor/session_state.h"
+
+namespace betwixt {
+
+namespace fs = std::filesystem;
+
+// A fresh start with a text; nothing of an earlier one stays.
+void Session::State::start(Opening& o, const std::string& base) {
+  file = o.name, known = o.print;
+  tally = {};
+  sheet_refused = false;
+  for (const Diagnostic& d : editor.begin(base, file))
+    if (d.severity != Severity::notice) o.said += to_string(d);
+}
+
+Session::Answer Session::State::open(const std::string& name, Earlier earlier) {
+  Opening o{name, {}, {}, {}};
+  if (!name.empty()) {
+    const auto there = read_script(name);
+    if (!there) return refused(there.error());
+    std::error_code ignored;
+    const fs::path folder = fs::path(name).parent_path();
+    if (!*there && !folder.empty() && !fs::is_directory(folder, ignored))
+      return refused(fmt::format("there is no folder '{}'", folder.string()));
+    if (*there) o.text = **there, o.print = fingerprint(o.text);
+  }
+  close(false);
+  looks_only = false;
+  auto opened = Journal::open(journal_path(name));
+  if (opened) {
+    journal = *std::move(opened);
+    Answer found = after_earlier(std::move(o), earlier);
+    if (!found.done) journal.reset();
+    return found;
+  }
+  start(o, o.text);
+  looks_only = opened.error().code == Code::name;
+  if (looks_only)
+    o.said += fmt::format("another shell has {} open: this one may only look\n", called());
+  else
+    o.said += fmt::format("no journal can be kept here, so a crash would lose what is not saved: {}\n",
+                          opened.error().message);
+  return done(o.said);
+}
+
+// A journal that cannot be gone on with is kept beside the script.
+Status Session::State::put_aside(Opening& o, bool fits) const {
+  const char* why = journal->foreign() ? "the journal beside the script cannot be read"
+                    : !fits && !journal->records().empty()
+                        ? "the journal beside the script belongs to another text of it"
+                    : journal->damaged() ? "the journal of an earlier session is damaged"
+                                         : nullptr;
+  if (!why) return Nothing{};
+  const auto kept = journal->keep_aside();
+  if (!kept) return kept.error();
+  o.said += fmt::format("{}; it is kept as '{}'\n", why, *kept);
+  return Nothing{};
+}
+
+// What the journal holds decides how the session begins.
+Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
+  const Fingerprint present = fingerprint(o.text);
+  // The text that the records follow: all of the file, or what stands in it before the commands that were saved.
+  std::optional<std::string> under;
+  Tally then;
+  if (const auto& first = journal->base()) {
+    bool fits = *first == present;
+    for (const Record& r : journal->records()) {
+      if (r.what != Did::save || r.text == to_string(present)) then.count(r.what);
+      fits = fits || (r.what == Did::save && r.text == to_string(present));
+    }
+    const std::string before = o.text.substr(0, std::min<std::size_t>(first->size, o.text.size()));
+    if (fits && fingerprint(before) == *first) under = before;
+  }
+  if (Status s = put_aside(o, under.has_value()); !s) return refused(s.error());
+  if (under && journal->torn() > 0) o.said += "the last record of the journal was torn and is left out\n";
+  if (under && then.unsaved() > 0) {
+    const auto recover = wanted(then, earlier);
+    if (!recover)
+      return {false, true, false,
+              o.said + fmt::format("{} of an earlier session {} not saved; the journal keeps {}\n",
+                                   counted(then.unsaved(), "command"), then.unsaved() == 1 ? "is" : "are",
+                                   then.unsaved() == 1 ? "it" : "them")};
+    if (*recover) return replay(std::move(o), *under);
+  }
+  start(o, o.text);
+  if (Status s = journal->begin(present); !s) {
+    o.said +=
+        fmt::format("no journal can be kept here, so a crash would lose what is not saved: {}\n", s.error().message);
+    close(false);
+  }
+  if (!o.name.empty() && !o.print) o.said += fmt::format("'{}' is not there yet: a new film\n", o.name);
+  return done(o.said);
+}
+
+// Recover or not; none where nobody answers.
+std::optional<bool> Session::State::wanted(const Tally& then, Earlier earlier) const {
+  if (earlier != Earlier::ask) return earlier == Earlier::recover;
+  const std::string question = fmt::format("{} of an earlier session {} not saved: recover, discard or show? ",
+                                           counted(then.unsaved(), "command"), then.unsaved() == 1 ? "was" : "were");
+  for (std::string asked = question;; asked = recorded() + question) {
+    const auto answer = choose(asked, {"recover", "discard", "show"});
+    if (!answer) return std::nullopt;
+    if (*answer < 2) return *answer == 0;
+  }
+}
+
+std::string Session::State::recorded() const {
+  std::string all;
+  for (const Record& r : journal->records()) {
+    if (r.what == Did::command) all += "  " + r.text + "\n";
+    if (r.what == Did::undo) all += "  undo\n";
+    if (r.what == Did::redo) all += "  redo\n";
+    if (r.what == Did::save) all += "  save\n";
+  }
+  return all;
+}
+
+Session::Answer Session::State::replay(Opening o, const std::string& base) {
+  start(o, base);
+  editor.keep({});  // it is in the journal
+  const std::string now_saved = to_string(fingerprint(o.text));
+  for (std::size_t i = 0; i < journal->records().size(); ++i) {
+    const Record& r = journal->records()[i];
+    if (r.what == Did::undo) (void)editor.undo();
+    if (r.what == Did::redo) (void)editor.redo();
+    if (r.what == Did::command) {
+      Deed deed = editor.carry_out(editor.now(), r.text);
+      if (!deed.done) {
+        // A file that it needs is not there any more, say. What came before it stands; the rest is kept.
+        const auto kept = journal->keep_aside();
+        if (!kept) return refused(kept.error());
+        o.said += told(deed.said, r.text) +
+                  fmt::format(
+                      "this command of the journal cannot be carried out any more: {}\nwhat came before it is "
+                      "recovered; the whole journal is kept as '{}'\n",
+                      trimmed(r.text), *kept);
+        if (!rewrite(i)) return refused("the journal cannot be written");
+        break;
+      }
+      (void)editor.take(std::move(deed.after), {{std::move(deed.line)}, {}});
+    }
+    if (r.what != Did::save || r.text == now_saved) tally.count(r.what);
+  }
+  keep_journal();
+  return done(o.said + fmt::format("recovered; {} not saved yet\n", counted(tally.unsaved(), "command")));
+}
+
+// The journal with its first records only.
+bool Session::State::rewrite(std::size_t n) {
+  std::vector<Record> records = journal->records();
+  records.resize(n);
+  if (!journal->begin(fingerprint(editor.base()))) return false;
+  return std::all_of(records.begin(), records.end(),
+                     [&](const Record& r) { return static_cast<bool>(journal->append(r.what, r.text)); });
+}
+
+}  // namespace betwixt

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A session from within: an editor, the journal that it writes, the file that it stands for, and the words that are
+// the shell's own.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/session.h"
+#include "editor/editor.h"
+#include "editor/journal.h"
+#include "language/line_words.h"
+
+namespace betwixt {
+
+struct Session::State {
+  using Words = std::vector<std::string>;
+  // A word of the shell. One that is a command too is the shell's where it stands alone.
+  struct Word {
+    std::string_view word;
+    std::size_t most;  // words behind it
+    Answer (State::*run)(const Words&);
+  };
+  static std::span<const Word> words();
+  static const Word* find_word(std::string_view);
+
+  static Answer done(std::string said) { return {true, false, false, std::move(said)}; }
+  static Answer refused(const std::string& message, const std::string& hint = {});
+  static Answer refused(const Error& e) { return refused(e.message, e.hint); }
+  static Answer answer_of(const Result<std::string>& said) { return said ? done(*said) : refused(said.error()); }
+  static Answer answer_of(const Status& s) { return s ? done("") : refused(s.error()); }
+
+  State(Doors with, const LoadOptions& load) : doors(std::move(with)), options(load), editor(load) { keep_journal(); }
+  ~State() { close(tally.unsaved() > 0); }
+
+  Doors doors;
+  LoadOptions options;
+  Editor editor;
+  std::string file;
+  Tally tally;
+  std::optional<Fingerprint> known;  // what the file held when it was last read or written; none: there was none
+  std::unique_ptr<Journal> journal;
+  std::vector<std::string> drawn;  // own files are replaced without a question
+  bool looks_only = false;
+  bool sheet_refused = false;  // rows below a refused line have nowhere to go
+  bool ended = false;
+  int lines = 0;  // that were entered
+
+  const Document& document() const { return editor.now().document; }
+  bool sheet_open() const { return !editor.now().script.sheet.empty(); }
+  std::string called() const { return file.empty() ? "this film" : fmt::format("'{}'", file); }
+  std::string text() const;
+
+  // session.cpp: lines
+  Answer enter(std::string_view line);
+  Answer command(std::string_view line);
+  std::string told(const Diagnostics& all, std::string_view line) const;
+  Answer only_looks() const;
+  Answer undo(const Words& = {});
+  Answer redo(const Words& = {});
+  std::optional<std::size_t> choose(const std::string& question, const std::vector<std::string_view>& choices) const;
+
+  // session_files.cpp: what is kept where
+  enum class Leave { stay, go, keep };
+  Answer save(const std::string& to);
+  Answer save_word(const Words& w) { return save(w.size() > 1 ? w[1] : ""); }
+  Result<std::unique_ptr<Journal>> journal_beside(const std::string& name, std::string& said) const;
+  bool begin(Journal& j, const Fingerprint& saved) const;
+  void close(bool keep);
+  Status write_down(Did what, std::string_view text);
+  void keep_journal();
+  Leave leave(std::string& said, bool ends);
+  Answer quit(const Words& = {});
+  Answer reopen(const Words&);
+
+  // session_opening.cpp: a session begins, or an earlier one goes on
+  struct Opening {
+    std::string name, text;            // what the file holds now
+    std::optional<Fingerprint> print;  // … none: it is not there
+    std::string said;
+  };
+  Answer open(const std::string& name, Earlier earlier);
+  Answer after_earlier(Opening, Earlier earlier);
+  Status put_aside(Opening&, bool fits) const;
+  std::optional<bool> wanted(const Tally& then, Earlier earlier) const;
+  std::string recorded() const;
+  void start(Opening&, const std::string& base);
+  Answer replay(Opening, const std::string& base);
+  bool rewrite(std::size_t n);
+
+  // session_words.cpp: what only looks
+  Answer help(const Words&);
+  Answer list(const Words&);
+  Answer describe(const Words&);
+  Answer notes(const Words&);
+  Answer plot(const Words&);
+  Answer play(const Words&);
+  Answer stop(const Words&);
+  Answer load(const Words&);
+};
+
+// Without blanks and new lines at its end, and at its beginning where `both`.
+std::string_view trimmed(std::string_view s, bool both = true);
+
+}  // namespace betwixt

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The words that are the shell's own.
+#include <algorithm>
+#include <filesystem>
+
+#include "editor/looking.h"
+#include "editor/session_state.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What stands behind the word itself.
+std::string argument(const std::vector<std::string>& words) { return words.size() > 1 ? words[1] : ""; }
+
+constexpr std::size_t any_number = 1 << 30;
+
+}  // namespace
+
+using Answer = Session::Answer;
+
+std::span<const Session::State::Word> Session::State::words() {
+  static constexpr Word all[] = {
+      {"help", 1, &State::help},          {"list", 1, &State::list},   {"describe", 1, &State::describe},
+      {"undo", 0, &State::undo},          {"redo", 0, &State::redo},   {"notes", 0, &State::notes},
+      {"plot", any_number, &State::plot}, {"play", 1, &State::play},   {"stop", 0, &State::stop},
+      {"save", 1, &State::save_word},     {"open", 1, &State::reopen}, {"load", 1, &State::load},
+      {"quit", 0, &State::quit},
+  };
+  return all;
+}
+
+const Session::State::Word* Session::State::find_word(std::string_view word) {
+  for (const Word& w : words())
+    if (w.word == word) return &w;
+  return nullptr;
+}
+
+Answer Session::State::help(const Words& w) { return answer_of(look_up(document(), argument(w))); }
+Answer Session::State::list(const Words& w) { return answer_of(list_objects(document(), argument(w))); }
+Answer Session::State::describe(const Words& w) { return answer_of(betwixt::describe(document(), argument(w))); }
+Answer Session::State::notes(const Words&) { return done(list_notes(document())); }
+Answer Session::State::stop(const Words&) { return refused("nothing is playing", "while a film plays, q stops it"); }
+
+Answer Session::State::play(const Words& w) {
+  if (!doors.play) return refused("nothing can be played here");
+  return answer_of(doors.play(document(), argument(w)));
+}
+
+Answer Session::State::load(const Words& w) {
+  if (w.size() < 2) return refused("which plug-in?", "usage: load FILE");
+  if (!doors.load) return refused("plug-ins cannot be loaded here");
+  return answer_of(doors.load(w[1]));
+}
+
+Answer Session::State::plot(const Words& w) {
+  const bool named = w.size() >= 3 && w[w.size() - 2] == "->";
+  if (w.size() != (named ? 4 : 2))
+    return refused("plot draws one target or pattern", "usage: plot TARGET [-> FILE.svg]");
+  if (!doors.plot) return refused("nothing can be drawn here");
+  std::string to = named ? w.back() : "";
+  if (to.empty()) {
+    std::string name = w[1];
+    for (char& c : name)
+      if (c == '/' || c == '*' || c == '?') c = '_';
+    to = (fs::path(file).parent_path() / (name + ".svg")).string();
+  }
+  std::error_code ignored;
+  if (fs::exists(to, ignored) && std::find(drawn.begin(), drawn.end(), to) == drawn.end() &&
+      choose(fmt::format("File '{}' exists: overwrite? (yes/no) ", to), {"yes", "no"}) != std::size_t{0})
+    return {false, false, false, "nothing is drawn\n"};
+  if (Status s = doors.plot(document(), w[1], to); !s) return refused(s.error());
+  drawn.push_back(to);
+  return done(fmt::format("drawn in '{}'\n", to));
+}
+
+}  // namespace betwixt

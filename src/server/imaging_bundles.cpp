@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Bundles: commands that are done together, all at one moment or none.
+#include <fmt/format.h>
+
+#include "language/json.h"
+#include "language/line_words.h"
+#include "server/answers.h"
+#include "server/imaging.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t largest_bundle = 16 << 20;  // bytes
+
+}  // namespace
+
+struct Imaging::Together {
+  Point point;
+  std::size_t events = 0;
+  std::vector<std::string> lines;  // as they stand in a history
+  std::string warnings, errors;
+  std::optional<Error> first;
+  bool stamped = false, starts = false;
+};
+
+// Display lists have an `end` of their own: an indented one does not end the bundle.
+Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
+  const bool goes_on = !h.bundle.empty() && h.bundle.back().open;
+  const SaidLine said = look_at(line);
+  const bool lone = said.alone() && !said.indented && !goes_on;
+  if (lone && said.verb == "end") return end_bundle(h, now);
+  if (lone && said.verb == "bundle" && !h.bundle_broken)
+    h.bundle_broken = fail(Code::syntax, fmt::format("line {}: a bundle is open already", h.line));
+  h.bundle_size += line.size() + 64;
+  if (h.bundle_size > largest_bundle && !h.bundle_broken)
+    h.bundle_broken = fail(Code::range, fmt::format("a bundle is at most {} bytes long", largest_bundle));
+  if (h.bundle_broken) {
+    h.bundle.clear();
+    return {};
+  }
+  if (!goes_on) {
+    h.bundle.push_back({h.line, std::string(line), said.alone(), said.open});
+    return {};
+  }
+  Bundled& before = h.bundle.back();
+  before.text += "\n" + std::string(line);
+  const SaidLine whole = look_at(before.text);
+  before.alone = whole.alone(), before.open = whole.open && before.text.size() <= longest_line;
+  return {};
+}
+
+// A command of a bundle, after those before it; or why it cannot be done.
+std::optional<Error> Imaging::carry_out(const Bundled& line, Together& all, std::int64_t stamp) const {
+  const std::string_view verb = first_word(line.text);
+  std::string& sheet = all.point.script.sheet;
+  const bool row = indented(line.text) && !sheet.empty();
+  if (!row && (verb == "quit" || (line.alone && find_word(verb)))) {
+    sheet.clear();
+    return fail(Code::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
+                "a bundle holds commands of the language");
+  }
+  if (line_words(line.text).empty()) return {};
+  Result<Carried> c = carry_out(all.point, all.events, line.text, stamp);
+  if (!c) {
+    if (!row) sheet.clear();
+    return c.error();
+  }
+  all.stamped = all.stamped || c->deed.stamped;
+  all.starts = all.starts || starts_show(verb);
+  all.warnings += c->said;
+  all.point = std::move(c->deed.after), all.events = c->events;
+  all.lines.push_back(std::move(c->deed.line));
+  return {};
+}
+
+Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
+  const auto lines = std::exchange(h.bundle, {});
+  const auto broken = std::exchange(h.bundle_broken, {});
+  h.bundling = false, h.bundle_size = 0, h.sheet.clear();
+  if (broken) return no(h, now, *broken);
+  const std::int64_t at = stamp(now);
+  Together all;
+  all.point = editor_.now(), all.events = event_count_;
+  all.point.script.sheet.clear();
+  for (const Bundled& line : lines) {
+    std::optional<Error> e = carry_out(line, all, at);
+    if (!e) continue;
+    all.errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", all.errors.empty() ? "" : ",", line.number,
+                              json_text(e->message), e->hint.empty() ? "" : ",\"hint\":" + json_text(e->hint),
+                              e->place.column > 0 ? fmt::format(",\"column\":{}", e->place.column) : "");
+    e->message = fmt::format("line {}: {}", line.number, e->message), e->place = {};
+    if (!all.first) all.first = std::move(e);
+  }
+  if (all.first) return no(h, now, *all.first, ",\"errors\":[" + all.errors + "]");
+  if (all.lines.empty()) return yes(h, now, "");
+  if (Status s = editor_.take(std::move(all.point), {all.lines, ""}); !s) return no(h, now, s.error());
+  commands_ += all.lines.size();
+  event_count_ = all.events;
+  if (all.starts) start_clock(now);
+  changed(h.host, fmt::format("{}\n", fmt::join(all.lines, "\n")), now);
+  return yes(h, now, said(all.warnings), all.stamped ? std::optional(at) : std::nullopt);
+}
+
+}  // namespace betwixt

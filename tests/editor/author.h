@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the tests of sessions need: somebody who answers, and what an author has written.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "betwixt/session.h"
+#include "support/folder.h"
+
+namespace betwixt {
+
+inline Session::Doors answering(std::vector<std::string> answers, std::string* asked = nullptr) {
+  Session::Doors doors;
+  doors.ask = [answers, asked, k = std::size_t{0}](const std::string& q) mutable -> std::optional<std::string> {
+    if (asked) *asked += q;
+    if (k == answers.size()) return std::nullopt;
+    return answers[k++];
+  };
+  return doors;
+}
+
+inline void expect_done(Session& s, const std::string& line) {
+  const auto answer = s.enter(line);
+  EXPECT_TRUE(answer.done) << line << "\n" << answer.said;
+}
+
+inline constexpr const char* author =
+    "# by hand\nrate 24\ncreate ball sphere  # round\nball.position\n  1f (0 10 0)\n  24f (8 10 0)";
+
+}  // namespace betwixt

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The journal is whole up to the last record that was written, whatever happens to the file.
+#include "editor/journal.h"
+
+#include <algorithm>
+
+#include "editor/author.h"
+
+namespace betwixt {
+namespace {
+
+// shows: G22
+TEST(Journal, ATornRecordIsSeenAndDroppedWhereverItWasCut) {
+  const Folder folder;
+  std::vector<std::size_t> sizes;
+  {
+    auto j = *Journal::open(folder / "j");
+    ASSERT_TRUE(j->begin(fingerprint("text")));
+    sizes.push_back(folder.get("j").size());
+    for (const char* line : {"set a.b 1", "at 1f a.text \"é\n\"", "rate 25"}) {
+      ASSERT_TRUE(j->append(Did::command, line));
+      sizes.push_back(folder.get("j").size());
+    }
+  }
+  const std::string whole = folder.get("j");
+  for (std::size_t cut = sizes[0]; cut <= whole.size(); ++cut) {
+    folder.put("j", whole.substr(0, cut));
+    auto j = *Journal::open(folder / "j");
+    const auto kept = std::count_if(sizes.begin() + 1, sizes.end(), [&](std::size_t n) { return n <= cut; });
+    EXPECT_EQ(j->records().size(), static_cast<std::size_t>(kept)) << cut;
+    EXPECT_FALSE(j->damaged()) << cut;
+    EXPECT_EQ(j->torn() > 0, std::find(sizes.begin(), sizes.end(), cut) == sizes.end()) << cut;
+    ASSERT_TRUE(j->append(Did::undo, ""));
+    j.reset();
+    EXPECT_EQ((*Journal::open(folder / "j"))->records().size(), static_cast<std::size_t>(kept) + 1) << cut;
+  }
+  for (std::size_t at = sizes[1]; at < sizes[2]; ++at) {  // a bit that has changed
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 1);
+    folder.put("j", changed);
+    EXPECT_LE((*Journal::open(folder / "j"))->records().size(), 1u) << at;
+  }
+}
+
+}  // namespace
+}  // namespace betwixt

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sessions: lines are carried out one by one, and can be taken back.
+#include "betwixt/session.h"
+
+#include <rapidcheck.h>
+
+#include "betwixt/program.h"
+#include "editor/author.h"
+#include "language/script.h"
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+// shows: G22 G60
+TEST(Session, UndoAndRedoWalkThroughAllDocuments) {
+  const Folder folder;
+  Session s;
+  s.open(folder / "film.bx");
+  std::vector<Document> all{s.document()};
+  for (const char* line :
+       {"create ball sphere", "ball.position", "  1f (0 0 0)", "  9f (1 0 0) linear", "remove ball"}) {
+    expect_done(s, line);
+    all.push_back(s.document());
+  }
+  for (std::size_t k = all.size() - 1; k-- > 0;) {
+    expect_done(s, "undo");
+    EXPECT_TRUE(s.document() == all[k]) << k;
+  }
+  EXPECT_FALSE(s.enter("undo").done);
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    expect_done(s, "redo");
+    EXPECT_TRUE(s.document() == all[k]) << k;
+  }
+  EXPECT_FALSE(s.enter("redo").done);
+}
+
+// shows: G22
+TEST(Session, AWrongLineChangesNothingAndIsNoStep) {
+  const Folder folder;
+  Session s;
+  s.open(folder / "film.bx");
+  expect_done(s, "create ball sphere");
+  const Document before = s.document();
+  const auto answer = s.enter("set bal.radius 2");
+  EXPECT_FALSE(answer.done);
+  EXPECT_NE(answer.said.find("did you mean 'ball'?"), std::string::npos) << answer.said;
+  EXPECT_TRUE(s.document() == before);
+  EXPECT_EQ(s.unsaved(), 1u);
+  EXPECT_NE(s.enter("hlep").said.find("did you mean 'help'?"), std::string::npos);
+  // Rows below a refused sheet do not go to the sheet above it.
+  expect_done(s, "ball.position");
+  EXPECT_FALSE(s.enter("bal.color").done);
+  EXPECT_FALSE(s.enter("  1f (1 2 3)").done);
+}
+
+// shows: G59
+TEST(Session, NoCommandSwitchesAContext) {
+  const Folder folder;
+  Session s;
+  s.open(folder / "film.bx");
+  // Names say what is meant: other commands and words of the shell may stand between any two lines.
+  for (const char* line : {"create a sphere", "create b box", "set a.radius 2", "list", "set b.size (1 2 3)",
+                           "help set", "at 5f a.position (1 0 0)", "describe b", "at 5f b.position (0 1 0)"})
+    expect_done(s, line);
+  EXPECT_EQ(s.text(),
+            "create a sphere\ncreate b box\nset a.radius 2\nset b.size (1 2 3)\nat 5f a.position (1 0 0)\n"
+            "at 5f b.position (0 1 0)\n");
+  // Neither does looking, between the rows of a sheet.
+  std::string wanted = s.text() + "a.color\n";
+  expect_done(s, "a.color");
+  for (const char* look : {"list", "describe b", "help set", "help", "notes", "list a*"}) {
+    const std::string row = fmt::format("  {}f red", wanted.size());
+    expect_done(s, row);
+    expect_done(s, look);
+    wanted += row + "\n";
+  }
+  EXPECT_EQ(s.text(), wanted);
+}
+
+// shows: G7
+TEST(Session, WhatIsShownIsTheFilmAsItIsByThen) {
+  const Folder folder;
+  std::optional<Document> shown;
+  std::string asked;
+  Session::Doors doors = answering({});
+  doors.play = [&](const Document& d, const std::string& frames) {
+    shown = d, asked = frames;
+    return Status(Nothing{});
+  };
+  doors.plot = [&](const Document& d, const std::string& target, const std::string&) {
+    shown = d, asked = target;
+    return Status(Nothing{});
+  };
+  Session s(std::move(doors));
+  folder.put("film.bx", author);
+  s.open(folder / "film.bx");
+  for (const char* line : {"hide ball", "show ball", "undo", "undo", "redo", "ball.position", "  9f (1 2 3)"}) {
+    expect_done(s, line);
+    for (const auto& [look, words] : {std::pair("play 1f..9f", "1f..9f"), {"plot ball.position", "ball.position"}}) {
+      shown.reset();
+      expect_done(s, look);
+      ASSERT_TRUE(shown) << line << ", " << look;
+      EXPECT_TRUE(*shown == s.document()) << line << ", " << look;
+      EXPECT_EQ(asked, words);
+    }
+  }
+}
+
+// shows: G22 G104
+TEST(Session, LayersAreListedWithWhatIsOnThem) {
+  const Folder folder;
+  folder.put("film.bx",
+             "create ball sphere\nlayer sway add weight=0.5\non sway ball.position\n  1f (0 0 0)\n  9f (1 0 0)\n"
+             "at 1f sway.weight 0.25\n");
+  Session s;
+  s.open(folder / "film.bx");
+  EXPECT_EQ(s.enter("list").said, "ball  sphere    0 events\nsway  layer     3 events\n");
+  EXPECT_NE(s.enter("describe sway").said.find("  on ball.position 2 events\n"), std::string::npos);
+  EXPECT_EQ(s.enter("describe ball.radius").said, "ball.radius  1\n");
+  EXPECT_EQ(s.enter("describe sway.weight").said, "sway.weight\n  1f       0.25\n");
+  // Rows below a refused sheet of a layer have nowhere to go.
+  EXPECT_TRUE(s.enter("on swey ball.position").refused);
+  EXPECT_EQ(s.enter("  1f (0 0 0)").said, "error: this row has no sheet: the line that should open it was refused\n");
+}
+
+// shows: G59
+TEST(Session, RenamingKeepsWhatAPatternOfAnAliasMeant) {
+  const Script s(
+      "create b1 sphere\ncreate b2 sphere\ncreate c sphere\nalias all = b* c\nrename b1 moon\nset all.radius 3\n");
+  expect_numbers(s, {{"moon.radius", "1f", {3}}, {"b2.radius", "1f", {3}}, {"c.radius", "1f", {3}}});
+  EXPECT_EQ(s.loaded.document.scene().aliases->at("all"), (std::vector<std::string>{"b*", "moon", "c"}));
+}
+
+TEST(Session, LinesThatGoOn) {
+  EXPECT_TRUE(Session::needs_more("set a.points ((0 0)"));
+  EXPECT_TRUE(Session::needs_more("set a.text \"\"\"one"));
+  EXPECT_FALSE(Session::needs_more("set a.text \"\"\"one\ntwo\"\"\""));
+  EXPECT_FALSE(Session::needs_more("set a.text \"(\"  # (("));
+  EXPECT_FALSE(Session::needs_more("set a.text \"never closed"));
+}
+
+// shows: G22
+TEST(Session, AnyLinesDoNotCrash) {
+  EXPECT_TRUE(rc::check([] {
+    const Folder folder;
+    Session s;
+    s.open(folder / "film.bx");
+    for (const auto& line : *rc::gen::arbitrary<std::vector<std::string>>()) {
+      s.enter(line);
+      s.complete(line);
+      Session::needs_more(line);
+    }
+    RC_ASSERT(load_text(s.text(), folder / "film.bx").document == s.document());
+  }));
+}
+
+// shows: C28 C69 C71
+TEST(DisplayList, A_host_that_edits_again_and_again_makes_nothing_grow) {
+  Session session;
+  const auto enter = [&](const std::string& line) {
+    const auto a = session.enter(line);
+    EXPECT_TRUE(a.done) << line << "\n" << a.said;
+  };
+  enter("make ball");
+  enter("  polygon (0 0) (1 0) (0 1)");
+  enter("make all");
+  enter("  begin spin");  // its end is still to come
+  enter("  tag here");
+  enter("  translate(0 0 0)");
+  enter("  call ball");
+  enter("  tag what");
+  enter("  call ball");
+  enter("  end");
+  enter("start all");
+  enter("create moon sphere");
+  enter("couple moon to all/spin-1/ball-1");
+  const ObjectId ball = session.document().find("all/spin-1/ball-1");
+  std::size_t size = 0;
+  for (int i = 0; i < 200; ++i) {
+    enter("edit all");
+    enter("  replace here");
+    enter(fmt::format("  translate({} 0 0)", i));
+    enter("  replace what");
+    enter(i % 3 == 0 ? "  text \"x\"" : i % 3 == 1 ? "  point (0 0)" : "  call ball");
+    if (i == 3) size = session.document().scene().objects.size();
+  }
+  EXPECT_EQ(session.document().scene().objects.size(), size);
+  EXPECT_EQ(session.document().find("all/spin-1/ball-1"), ball);
+  EXPECT_EQ(translation_of(std::get<Mat4>(
+                Program::compile(session.document()).read({session.document().find("moon"), world_function}, {}))),
+            (Vec3{199, 0, 0}));
+  // One who shows what is not complete is told.
+  enter("make open");
+  enter("  push");
+  enter("  tag x");
+  EXPECT_EQ(
+      session.enter("start open").said,
+      "line:1017:7: warning: in 'open': this 'push' is never followed by its 'pop'\n  start open\n        ^~~~\n");
+  EXPECT_TRUE(session.enter("make ball").refused);
+  EXPECT_TRUE(session.enter("  point (0 0)").refused);
+  EXPECT_TRUE(session.enter("undo").done);
+}
+
+TEST(LaterLists, A_session_writes_edits_row_by_row_and_takes_them_back) {
+  Session session;
+  const auto enter = [&](const std::string& line) {
+    const auto a = session.enter(line);
+    EXPECT_TRUE(a.done) << line << "\n" << a.said;
+    return a.said;
+  };
+  const auto shown = [&](int frame) {
+    const Program program = Program::compile(session.document());
+    const Scene& scene = session.document().scene();
+    std::size_t n = 0;
+    for (const ObjectId id : *scene.expansion)
+      n += drawn(scene.objects[id.index].kind) && std::get<bool>(program.read({id, fn::display}, Rate{}.frame(frame)));
+    return n;
+  };
+  enter("make a");
+  enter("  tag x");
+  enter("  point (0 0)");
+  enter("start a");
+  enter("at 12f edit a");
+  enter("  replace x");
+  enter("  vector (0 0) (1 1)");
+  enter("  vector (0 0) (2 2)");
+  EXPECT_EQ(shown(11), 1u);
+  EXPECT_EQ(shown(12), 2u);
+  EXPECT_EQ(enter("describe a"),
+            "a, a display list, the main object\n  tag x\n  point (0 0)\nfrom 12f\n  tag x\n  vector (0 0) (1 1)\n"
+            "  vector (0 0) (2 2)\n");
+  EXPECT_EQ(enter("list a"), "a  list      1 row, 2 versions\na  group     0 events\n");
+  EXPECT_TRUE(load_text(session.text(), "test.bx").document == session.document()) << session.text();
+  enter("undo");
+  EXPECT_EQ(shown(12), 1u);
+  enter("undo");
+  enter("undo");
+  EXPECT_TRUE(session.document().scene().later_lists->empty());
+  // Rows below a line that was refused have nowhere to go.
+  EXPECT_TRUE(session.enter("at 12f edit b").refused);
+  EXPECT_TRUE(session.enter("  point (0 0)").refused);
+}
+
+}  // namespace
+}  // namespace betwixt
