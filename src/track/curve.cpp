@@ -5,51 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "track/turns.h"
+
 namespace betwixt {
 namespace {
 
 thread_local TwerperFailures* listening = nullptr;
 
 using Numbers = std::array<double, 4>;
-
-Quat quat(const double* v) { return {v[0], v[1], v[2], v[3]}; }
-void store(Quat q, double* out) { out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z; }
-
-Quat log(Quat q) {  // of a unit quaternion; a pure one comes back
-  const double l = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
-  const double k = l > 1e-12 ? std::atan2(l, q.w) / l : 1;
-  return {0, k * q.x, k * q.y, k * q.z};
-}
-Quat exp(Quat v) {
-  const double a = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-  const double k = a > 1e-12 ? std::sin(a) / a : 1;
-  return {std::cos(a), k * v.x, k * v.y, k * v.z};
-}
-Quat power(Quat q, double s) {
-  const Quat l = log(q);
-  return exp({0, s * l.x, s * l.y, s * l.z});
-}
-
-// What a twerper means for orientations, which have ways of their own.
-Twerper for_orientation(Twerper t) {
-  switch (t) {
-    case Twerper::linear:
-      return Twerper::slerp;
-    case Twerper::smooth:
-      return Twerper::squad;
-    default:
-      return t;
-  }
-}
-
-Twerper resolve(const Track& track, const Event& e, Type type, bool orientation) {
-  Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
-  if (t == Twerper::unset)
-    t = orientation ? Twerper::slerp : type == Type::rotation ? Twerper::smooth : default_twerper(type);
-  if (type == Type::boolean || type == Type::attachment) t = Twerper::hold;
-  if (orientation) return for_orientation(t);
-  return t == Twerper::slerp ? Twerper::linear : t == Twerper::squad ? Twerper::smooth : t;
-}
 
 bool all_angles(const Track& track) {
   bool all = true;
@@ -75,26 +38,22 @@ Numbers compiled(const Value& v, const Curve& c, Type type) {
   return n;
 }
 
-// The blending factor at u; a twerper of the author's gets the time with eases in it, like all others. One that errs
-// is as good as linear.
-double own_factor(const std::vector<std::shared_ptr<const Routine>>& own, Twerper t, double s) {
-  const auto i = static_cast<std::size_t>(t) - first_own_twerper;
-  if (i >= own.size() || !own[i]) return s;
-  const auto f = own[i]->blend(s);
-  if (f && std::isfinite(*f)) return *f;
-  TwerperFailures::say(i, f ? "it gave a number that is not finite" : f.error().message);
-  return s;
-}
-
-double segment_factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) {
-  double s = u;
-  const double out = from ? from->ease_out / h : 0, in = to ? to->ease_in / h : 0;
-  if (out > 0 || in > 0) s = ease(u, out, in);
-  if (t == Twerper::bezier) s = bezier_factor(s, from ? from->bezier : std::array<double, 4>{0.25, 0.1, 0.25, 1});
-  return s;
-}
-
 }  // namespace
+
+Twerper resolve(const Track& track, const Event& e, Type type, bool orientation) {
+  Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
+  if (t == Twerper::unset)
+    t = orientation ? Twerper::slerp : type == Type::rotation ? Twerper::smooth : default_twerper(type);
+  if (type == Type::boolean || type == Type::attachment) t = Twerper::hold;
+  if (is_own(t)) return t;
+  const Twerper other = orientation ? row_of(t).for_orientations : row_of(t).for_numbers;
+  return other == Twerper::unset ? t : other;
+}
+
+double eased(double u, const CurveDetail* from, const CurveDetail* to, double h) {
+  const double out = from ? from->ease_out / h : 0, in = to ? to->ease_in / h : 0;
+  return out > 0 || in > 0 ? ease(u, out, in) : u;
+}
 
 std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bounce) {
   const std::int64_t period = last - first;
@@ -150,34 +109,6 @@ double ease(double u, double a, double b) {
   if (u < a) return v * u * u / (2 * a);
   if (u > 1 - b) return 1 - v * (1 - u) * (1 - u) / (2 * b);
   return v * (u - a / 2);
-}
-
-double bezier_factor(double u, const std::array<double, 4>& xy) {
-  if (u <= 0 || u >= 1) return u;
-  const auto at = [](double p, double q, double s) {
-    return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s;
-  };
-  // x rises over [0, 1] because the language keeps x1 and x2 there: halving always ends.
-  double low = 0, high = 1, s = u;
-  for (int i = 0; i < 60; ++i) {
-    const double x = at(xy[0], xy[2], s);
-    if (std::abs(x - u) < 1e-15) break;
-    (x < u ? low : high) = s;
-    const double slope = 3 * (1 - s) * (1 - s) * xy[0] + 6 * (1 - s) * s * (xy[2] - xy[0]) + 3 * s * s * (1 - xy[2]);
-    const double newton = slope > 1e-9 ? s - (x - u) / slope : low;
-    s = newton > low && newton < high ? newton : (low + high) / 2;
-  }
-  return at(xy[1], xy[3], s);
-}
-
-Quat slerp(Quat a, Quat b, double s) {
-  const double d = dot(a, b);
-  if (d > 1 - 1e-12)
-    return normalize({a.w + s * (b.w - a.w), a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z)});
-  const double angle = std::acos(std::max(-1.0, d)), sine = std::sin(angle);
-  if (sine < 1e-12) return a;  // opposite signs of one orientation: nothing to turn
-  const double p = std::sin((1 - s) * angle) / sine, q = std::sin(s * angle) / sine;
-  return {p * a.w + q * b.w, p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
 }
 
 Curve CurveSet::add(const Track& track, Type type, bool component) {
@@ -254,9 +185,18 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   return c;
 }
 
-double CurveSet::factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) const {
-  const double s = segment_factor(t, u, from, to, h);
-  return is_own(t) ? own_factor(own, t, s) : s;
+// A twerper of the author's gets the time with eases in it, like all others. One that errs is as good as linear.
+double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
+  if (!is_own(t)) {
+    const auto row = row_of(t).factor;
+    return row ? row(s, from ? from->bezier : std::array<double, 4>{0.25, 0.1, 0.25, 1}) : s;
+  }
+  const auto i = static_cast<std::size_t>(t) - first_own_twerper;
+  if (i >= own.size() || !own[i]) return s;
+  const auto f = own[i]->blend(s);
+  if (f && std::isfinite(*f)) return *f;
+  TwerperFailures::say(i, f ? "it gave a number that is not finite" : f.error().message);
+  return s;
 }
 
 const CurveDetail* CurveSet::detail(std::uint32_t event) const {
@@ -274,107 +214,39 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
   const auto twerper_of = [&](std::uint32_t i) { return static_cast<Twerper>(twerpers_[c.first + i]); };
   const Twerper twerper = twerper_of(k);
   const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
-  const double* p1 = value + n * k;
-  const double* p2 = next && next->cut ? next->before.data() : p1 + n;
-  const double h = static_cast<double>(time[k + 1] - time[k]);
-  const double u = since / h;
-  const double s = factor(twerper, u, here, next, h);
-
+  Blend g;
+  g.from = value + n * k;
+  g.to = next && next->cut ? next->before.data() : g.from + n;
   if (twerper == Twerper::hold) {
-    std::copy_n(p1, n, out);
+    std::copy_n(g.from, n, out);
     return;
   }
-  if (twerper == Twerper::linear || twerper == Twerper::bezier || is_own(twerper)) {
-    if (c.orientation) return store(slerp(quat(p1), quat(p2), s), out);
-    for (std::uint32_t i = 0; i < n; ++i) out[i] = p1[i] + s * (p2[i] - p1[i]);
+  const double h = static_cast<double>(time[k + 1] - time[k]);
+  g.s = eased(since / h, here, next, h);
+  const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
+  if (!row || (c.orientation ? row->turn == nullptr : row->numbers == nullptr)) {  // its ends and a factor
+    const double s = factor(twerper, g.s, here);
+    if (c.orientation) return store(slerp(quat(g.from), quat(g.to), s), out);
+    for (std::uint32_t i = 0; i < n; ++i) out[i] = g.from[i] + s * (g.to[i] - g.from[i]);
     return;
   }
-  if (twerper == Twerper::slerp) return store(slerp(quat(p1), quat(p2), s), out);
 
-  // Neighbours; across a cut, a hold or the track's end they are reflected.
-  Numbers p0, p3;
-  double h0 = h, h2 = h;
-  const bool left = k > 0 && !(here && here->cut) && twerper_of(k - 1) != Twerper::hold;
-  const bool right = k + 2 < c.count && !(next && next->cut) && twerper_of(k + 1) != Twerper::hold;
-  if (left) {
-    std::copy_n(p1 - n, n, p0.begin());
-    h0 = static_cast<double>(time[k] - time[k - 1]);
+  // Neighbours; across a cut, a hold or the track's end there are none.
+  g.channels = n;
+  g.length = g.length_before = g.length_after = h;
+  if (k > 0 && !(here && here->cut) && twerper_of(k - 1) != Twerper::hold) {
+    g.before = g.from - n;
+    g.length_before = static_cast<double>(time[k] - time[k - 1]);
   }
-  if (right) {
+  if (k + 2 < c.count && !(next && next->cut) && twerper_of(k + 1) != Twerper::hold) {
     const CurveDetail* after = detail(c.first + k + 2);
-    std::copy_n(after && after->cut ? after->before.data() : value + n * (k + 2), n, p3.begin());
-    h2 = static_cast<double>(time[k + 2] - time[k + 1]);
+    g.after = after && after->cut ? after->before.data() : value + n * (k + 2);
+    g.length_after = static_cast<double>(time[k + 2] - time[k + 1]);
   }
-
-  if (c.orientation) {
-    const Quat q1 = quat(p1), q2 = quat(p2);
-    const Quat q0 = left ? quat(p0.data()) : q1 * conjugate(q2) * q1;
-    const Quat q3 = right ? quat(p3.data()) : q2 * conjugate(q1) * q2;
-    if (twerper == Twerper::bspline) {  // cumulative form: every step's turn, weighted
-      const double s2 = s * s, s3 = s2 * s;
-      const double b1 = (5 + 3 * s - 3 * s2 + s3) / 6, b2 = (1 + 3 * s + 3 * s2 - 2 * s3) / 6, b3 = s3 / 6;
-      return store(
-          normalize(q0 * power(conjugate(q0) * q1, b1) * power(conjugate(q1) * q2, b2) * power(conjugate(q2) * q3, b3)),
-          out);
-    }
-    if (twerper == Twerper::squad) {
-      const auto control = [](Quat a, Quat b, Quat d) {
-        const Quat f = log(conjugate(b) * d), g = log(conjugate(b) * a);
-        return b * exp({0, -(f.x + g.x) / 4, -(f.y + g.y) / 4, -(f.z + g.z) / 4});
-      };
-      return store(
-          normalize(slerp(slerp(q1, q2, s), slerp(control(q0, q1, q2), control(q1, q2, q3), s), 2 * s * (1 - s))), out);
-    }
-    return store(slerp(q1, q2, s * s * (3 - 2 * s)), out);  // hermite: at rest at both ends
-  }
-
-  const double seconds = h / static_cast<double>(flicks_per_second);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double a = left ? p0[i] : 2 * p1[i] - p2[i], b = p1[i], e = p2[i], d = right ? p3[i] : 2 * p2[i] - p1[i];
-    if (twerper == Twerper::bspline) {
-      const double s2 = s * s, s3 = s2 * s, r = 1 - s;
-      out[i] = (r * r * r * a + (3 * s3 - 6 * s2 + 4) * b + (-3 * s3 + 3 * s2 + 3 * s + 1) * e + s3 * d) / 6;
-      continue;
-    }
-    double m1, m2;  // tangents, over the segment
-    if (twerper == Twerper::hermite) {
-      m1 = here && here->has_out ? here->tangent_out[i] * seconds : 0;
-      m2 = next && next->has_in ? next->tangent_in[i] * seconds : 0;
-    } else {  // smooth: the tangent of the parabola through three neighbours, in their real times
-      const double chord = e - b;
-      m1 = ((b - a) * (h / h0) * h + chord * h0) / (h0 + h);
-      m2 = (chord * h2 + (d - e) * (h / h2) * h) / (h + h2);
-    }
-    const double a2 = 3 * (e - b) - 2 * m1 - m2, a3 = m1 + m2 - 2 * (e - b);
-    out[i] = ((a3 * s + a2) * s + m1) * s + b;
-  }
-}
-
-// Beyond the first or last event, `past` flicks from it: the speed that the end segment has there goes on. An
-// orientation keeps turning.
-void CurveSet::beyond(const Curve& c, bool after, double past, double* out) const {
-  const std::uint32_t end = after ? c.count - 1 : 0, k = after ? end - 1 : 0, n = c.channels;
-  const double* value = &values_[c.values + end * n];
-  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
-  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
-  std::copy_n(value, n, out);
-  if (twerper == Twerper::hold) return;
-  const CurveDetail *from = detail(c.first + k), *to = detail(c.first + k + 1);
-  const bool plain = (twerper == Twerper::linear || twerper == Twerper::slerp) && !(from && from->ease_out > 0) &&
-                     !(to && to->ease_in > 0);
-  if (plain) return segment(c, k, after ? h + past : past, out);  // exact
-
-  // The slope by a formula that is exact for parabolas, eases among them.
-  const double step = (after ? -1 : 1) * h / 4096, origin = after ? h : 0;
-  Numbers one{}, two{};
-  segment(c, k, origin + step, one.data());
-  segment(c, k, origin + 2 * step, two.data());
-  if (c.orientation) {
-    const Quat a = log(conjugate(quat(value)) * quat(one.data())), b = log(conjugate(quat(value)) * quat(two.data()));
-    const double f = past / (2 * step);
-    return store(quat(value) * exp({0, f * (4 * a.x - b.x), f * (4 * a.y - b.y), f * (4 * a.z - b.z)}), out);
-  }
-  for (std::uint32_t i = 0; i < n; ++i) out[i] += (-3 * value[i] + 4 * one[i] - two[i]) / (2 * step) * past;
+  if (c.orientation) return store(row->turn(g), out);
+  if (here && here->has_out) g.tangent_out = here->tangent_out.data();
+  if (next && next->has_in) g.tangent_in = next->tangent_in.data();
+  row->numbers(g, out);
 }
 
 // The numbers as the columns hold them.
@@ -409,144 +281,9 @@ void CurveSet::evaluate(const Curve& c, Time time, double* out) const {
     for (int i = 0; i < c.channels; ++i) out[i] = to_linear(out[i]);
 }
 
-void CurveSet::derivative(const Curve& c, Time time, double* out) const {
-  // Five values about the time, all in its own segment: the difference that is exact for quartics.
-  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
-  const std::int64_t t = time.flicks;
-  const double second = static_cast<double>(flicks_per_second);
-  std::fill_n(out, c.orientation ? 3 : c.channels, 0.0);
-  if (c.count < 2) return;
-  const bool outside = t < *first || t >= *last;
-  std::array<Numbers, 5> v{};
-  double h = 0, offset = 0;  // a step, and where the time is among the five, in steps
-  if (outside) {
-    const Extend how = t < *first ? c.before : c.after;
-    if (how == Extend::hold) return;
-    h = std::max(1.0, std::min(static_cast<double>(*last - *first) / 4096, second / 1024));
-    const auto step = static_cast<std::int64_t>(h);
-    h = static_cast<double>(step);
-    for (int i = 0; i < 5; ++i) evaluate(c, {t + i * step}, v[static_cast<std::size_t>(i)].data());
-  } else {
-    const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first) - 1;
-    const double length = static_cast<double>(first[k + 1] - first[k]), since = static_cast<double>(t - first[k]);
-    h = length / 1024;
-    const double begin = std::clamp(since - 2 * h, 0.0, length - 4 * h);
-    offset = (since - begin) / h;
-    for (int i = 0; i < 5; ++i) {
-      auto& n = v[static_cast<std::size_t>(i)];
-      segment(c, k, begin + i * h, n.data());
-      if (c.srgb)
-        for (double& x : n) x = to_linear(x);
-    }
-  }
-  // Weights of the derivative of the quartic through five points, at `offset`.
-  std::array<double, 5> w{};
-  for (int i = 0; i < 5; ++i) {
-    double below = 1, sum = 0;
-    for (int j = 0; j < 5; ++j) {
-      if (j == i) continue;
-      below *= i - j;
-      double product = 1;
-      for (int m = 0; m < 5; ++m)
-        if (m != i && m != j) product *= offset - m;
-      sum += product;
-    }
-    w[static_cast<std::size_t>(i)] = sum / below / (h / second);
-  }
-  if (!c.orientation) {
-    for (std::size_t i = 0; i < 5; ++i)
-      for (int n = 0; n < c.channels; ++n) out[n] += w[i] * v[i][static_cast<std::size_t>(n)];
-    return;
-  }
-  // Turns away from the middle one, in the axes outside.
-  const Quat middle = quat(v[2].data());
-  for (std::size_t i = 0; i < 5; ++i) {
-    Quat q = quat(v[i].data());
-    if (dot(q, middle) < 0) q = -q;
-    const Quat turn = log(q * conjugate(middle));
-    out[0] += 2 * w[i] * turn.x, out[1] += 2 * w[i] * turn.y, out[2] += 2 * w[i] * turn.z;
-  }
-}
-
-void CurveSet::integrate(const Curve& c, std::uint32_t k, double u, double* out) const {
-  // Gauss and Legendre's five points are exact to the ninth degree: a cubic of an ease has the sixth. The eases' seams
-  // part the segment; what is no polynomial is cut finer.
-  static constexpr double at[] = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
-                                  0.95308992296933200};
-  static constexpr double weight[] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                      0.23931433524968324, 0.11846344252809454};
-  std::fill_n(out, c.channels, 0.0);
-  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
-  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
-  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
-  double a = here ? here->ease_out / h : 0, b = next ? next->ease_in / h : 0;
-  if (a + b > 1) {
-    const double fit = 1 / (a + b);
-    a *= fit, b *= fit;
-  }
-  std::vector<double> seams{0};
-  const auto seam = [&](double x) {
-    if (x > seams.back() && x < u) seams.push_back(x);
-  };
-  seam(a), seam(1 - b);
-  if (twerper == Twerper::bezier || is_own(twerper))
-    for (int i = 1; i < 64; ++i) seam(i / 64.0);
-  seams.push_back(u);
-  Numbers n{};
-  for (std::size_t i = 0; i + 1 < seams.size(); ++i)
-    for (std::size_t g = 0; g < 5; ++g) {
-      const double width = seams[i + 1] - seams[i];
-      segment(c, k, (seams[i] + at[g] * width) * h, n.data());
-      for (int x = 0; x < c.channels; ++x)
-        out[x] += weight[g] * width * n[static_cast<std::size_t>(x)] * h / static_cast<double>(flicks_per_second);
-    }
-}
-
 std::size_t CurveSet::bytes() const {
   return times_.size() * sizeof(times_[0]) + values_.size() * sizeof(double) + twerpers_.size() +
          details_.size() * sizeof(CurveDetail);
-}
-
-StepTrack::StepTrack(const Track& track, Type type) : before_(track.before), after_(track.after) {
-  track.events.each([&](const Event& e) {
-    if (e.keep && values_.empty()) return;
-    const auto twerper = static_cast<std::uint8_t>(resolve(track, e, type, false));
-    if (e.detail && e.detail->before) values_.push_back(*e.detail->before);
-    const std::size_t comes_to = values_.size() - (e.keep || (e.detail && e.detail->before) ? 1 : 0);
-    if (!e.keep) values_.push_back(e.value);
-    keys_.push_back({e.time, comes_to, values_.size() - 1, twerper, e.detail});
-    if (track.global == Twerper::bezier) keys_.back().detail.edit().bezier = track.bezier;
-  });
-}
-
-Between StepTrack::at(Time time, const CurveSet& set) const {
-  std::int64_t t = time.flicks;
-  const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
-  const Extend how = t < first ? before_ : after_;
-  if ((t < first || t > last) && how >= Extend::cycle) t = fold(t, first, last, how == Extend::bounce);
-  const auto next =
-      std::upper_bound(keys_.begin(), keys_.end(), t, [](std::int64_t at, const Key& k) { return at < k.time.flicks; });
-  if (next == keys_.begin()) return {next->comes_to, next->comes_to, 0};
-  const Key& key = next[-1];
-  const auto twerper = static_cast<Twerper>(key.twerper);
-  if (next == keys_.end() || twerper == Twerper::hold) return {key.goes_on, key.goes_on, 0};
-  const double h = static_cast<double>((next->time - key.time).flicks);
-  CurveDetail from, to;
-  from.ease_out = static_cast<double>(key.detail->ease_out.flicks), from.bezier = key.detail->bezier;
-  to.ease_in = static_cast<double>(next->detail->ease_in.flicks);
-  double s = segment_factor(twerper, static_cast<double>(t - key.time.flicks) / h, &from, &to, h);
-  if (twerper == Twerper::hermite || twerper == Twerper::bspline) s = s * s * (3 - 2 * s);
-  if (is_own(twerper)) s = own_factor(set.own, twerper, s);
-  return {key.goes_on, next->comes_to, s};
-}
-
-std::optional<Time> StepTrack::next_change(Time t) const {
-  if (keys_.size() < 2) return std::nullopt;  // one value, always
-  if ((t < keys_.front().time ? before_ : after_) != Extend::hold) return t;
-  const auto next = std::upper_bound(keys_.begin(), keys_.end(), t, [](Time at, const Key& k) { return at < k.time; });
-  if (next == keys_.end()) return std::nullopt;
-  const bool blends = next != keys_.begin() && static_cast<Twerper>(next[-1].twerper) != Twerper::hold;
-  return blends ? t : next->time;
 }
 
 }  // namespace betwixt

@@ -12,6 +12,7 @@
 
 #include "track/procedure.h"
 #include "track/track.h"
+#include "track/twerpers.h"
 
 namespace betwixt {
 
@@ -67,10 +68,12 @@ class CurveSet {
   std::int64_t event_time(const Curve& c, std::uint32_t k) const { return times_[c.first + k]; }
   const double* event_numbers(const Curve& c, std::uint32_t k) const { return &values_[c.values + k * c.channels]; }
 
+  // How far between its ends a segment's blend is, for a twerper that looks at no more: s is the time with eases in it.
+  double factor(Twerper t, double s, const CurveDetail* from) const;
+
   std::vector<std::shared_ptr<const Routine>> own;  // the document's procedures, for twerpers among them
 
  private:
-  double factor(Twerper t, double u, const CurveDetail* from, const CurveDetail* to, double h) const;
   const CurveDetail* detail(std::uint32_t event) const;
   void segment(const Curve& c, std::uint32_t k, double since, double* out) const;
   void beyond(const Curve& c, bool after, double past, double* out) const;
@@ -88,13 +91,15 @@ bool numeric(const Value& value);
 // The numbers of a value: scalar 1, vector 3, colour 3 as written, orientation 4 (w x y z), angles 3.
 int to_numbers(const Value& value, double* out);
 
+// What blends from this event on: its twerper or the track's, or what stands for that with orientations or numbers.
+Twerper resolve(const Track&, const Event&, Type type, bool orientation);
+// The time u of a segment of `h` flicks, 0 to 1, with the eases of its two events in it.
+double eased(double u, const CurveDetail* from, const CurveDetail* to, double h);
 // A twerper's blending factor: where along [0, 1] the motion is at u, given the eases as fractions of the segment.
 // (R-T7)
 double ease(double u, double ease_out, double ease_in);
 // Where a time outside first..last falls when a track repeats, or goes there and back (bounce).
 std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bounce);
-double bezier_factor(double u, const std::array<double, 4>& xy);
-Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen
 
 // For values that are not numbers: between which two values of a track a time falls, and how far the blend is.
 struct Between {

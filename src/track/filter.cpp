@@ -11,13 +11,9 @@
 #include <limits>
 
 namespace betwixt {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double far = 1e12;  // no number of a film is larger
 
 // What a filter was told, or else what it does when nothing is said.
-struct Told {
+struct FilterCall {
   const Filter& filter;
   const FilterSpec& spec;
 
@@ -38,6 +34,11 @@ struct Told {
   // Which component of the whole the i-th one of the value is.
   int component(int i) const { return std::clamp(filter.component < 0 ? i : filter.component, 0, 2); }
 };
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double far = 1e12;  // no number of a film is larger
 
 Value look(Input& input, double seconds) { return input.at(std::clamp(seconds, -longest_seconds, longest_seconds)); }
 
@@ -106,7 +107,7 @@ double spline(double x) {
 // weights add up to 1 wherever the grid lies below it, their centre is the time asked for, and the mean has two
 // continuous derivatives.
 constexpr int cells_between_knots = 8;
-Value smooth(const Told& told, Input& input, double seconds) {
+Value smooth(const FilterCall& told, Input& input, double seconds) {
   constexpr int reach = 2 * cells_between_knots;
   const double cell = told.number("width") / (2 * reach);
   const double here = std::floor(seconds / cell), first = here - reach + 1;
@@ -149,7 +150,7 @@ struct Oscillator {
   }
 };
 
-Value spring(const Told& told, Input& input, double seconds) {
+Value spring(const FilterCall& told, Input& input, double seconds) {
   constexpr double cells_per_swing = 48, time_constants = 12;  // (1 + 12) exp(-12) < 1e-4: the worst, damping 1
   const double frequency = told.number("frequency"), cell = 1 / (frequency * cells_per_swing);
   const Oscillator mass{2 * pi * frequency, told.number("damping")};
@@ -201,7 +202,7 @@ Value add(const Value& v, F&& to_component) {
   for (int i = 0; i < n.count; ++i) n.n[i] += to_component(i);
   return value_of(v, n.n);
 }
-Value noise(const Told& told, Input& input, double seconds) {
+Value noise(const FilterCall& told, Input& input, double seconds) {
   const Vec3 amount = told.triple("amount");
   const double x = seconds * told.number("frequency"), seed = told.number("seed");
   return add(look(input, seconds), [&](int i) {
@@ -209,7 +210,7 @@ Value noise(const Told& told, Input& input, double seconds) {
     return amount[c] * noise_at(x, seed, c);
   });
 }
-Value wobble(const Told& told, Input& input, double seconds) {
+Value wobble(const FilterCall& told, Input& input, double seconds) {
   const Vec3 amount = told.triple("amount");
   const double turns = seconds * told.number("frequency") + told.number("phase");
   const double sine = std::sin(2 * pi * (turns - std::floor(turns)));
@@ -223,11 +224,11 @@ Value each(const Value& v, F&& of_component) {
   for (int i = 0; i < n.count; ++i) n.n[i] = of_component(n.n[i]);
   return value_of(v, n.n);
 }
-Value limit(const Told& told, Input& input, double seconds) {
+Value limit(const FilterCall& told, Input& input, double seconds) {
   const double low = told.number("low"), high = told.number("high");
   return each(look(input, seconds), [&](double x) { return std::min(std::max(x, low), high); });
 }
-Value quantise(const Told& told, Input& input, double seconds) {
+Value quantise(const FilterCall& told, Input& input, double seconds) {
   const double by = told.number("by");
   return each(look(input, seconds), [&](double x) {
     const double steps = std::round(x / by);
@@ -235,16 +236,12 @@ Value quantise(const Told& told, Input& input, double seconds) {
   });
 }
 
-Value delay(const Told& told, Input& input, double seconds) { return look(input, seconds - told.number("by")); }
-Value steps(const Told& told, Input& input, double seconds) {
+Value delay(const FilterCall& told, Input& input, double seconds) { return look(input, seconds - told.number("by")); }
+Value steps(const FilterCall& told, Input& input, double seconds) {
   constexpr double half_a_flick = 0.5 / static_cast<double>(flicks_per_second);  // 0.58333 s is 7 twelfths
   const double rate = told.number("rate");
   return look(input, std::floor((seconds + half_a_flick) * rate) / rate);
 }
-
-constexpr std::pair<std::string_view, Value (*)(const Told&, Input&, double)> built_in[] = {
-    {"smooth", smooth}, {"spring", spring}, {"noise", noise}, {"wobble", wobble},
-    {"delay", delay},   {"steps", steps},   {"limit", limit}, {"quantise", quantise}};
 
 }  // namespace
 
@@ -255,34 +252,55 @@ bool operator==(const Filter& a, const Filter& b) {
 
 const std::vector<FilterSpec>& built_in_filters() {
   static const std::vector<FilterSpec> all{
-      {"smooth", "a mean over a window of time around each moment", {{"width", Type::scalar, 0.5, 1e-3, 3600, true}}},
-      {"spring",
-       "as seen through a weight on a spring: it comes late, and swings on; damping 1 and more: no swing",
-       {{"frequency", Type::scalar, 2, 1e-2, 100}, {"damping", Type::scalar, 0.3, 0.05, 4}}},
-      {"noise",
-       "adds wander by chance, the same whenever it is asked; frequency: changes a second",
-       {{"amount", Type::vector, 1, -far, far},
-        {"frequency", Type::scalar, 1, 0, 1000},
-        {"seed", Type::scalar, 0, -far, far}}},
-      {"wobble",
-       "adds a sine; phase: in turns, 0.25 starts at the top",
-       {{"amount", Type::vector, 1, -far, far},
-        {"frequency", Type::scalar, 1, 0, 1000},
-        {"phase", Type::scalar, 0, -1e6, 1e6}}},
-      {"delay",
-       "comes later, or with less than 0 earlier",
-       {{"by", Type::scalar, 0.25, -longest_seconds, longest_seconds, true}},
-       true},
-      {"steps",
-       "holds each value until the next step of so many a second",
-       {{"rate", Type::scalar, 12, 1e-3, 1000}},
-       true},
-      {"limit",
-       "never below low, never above high",
-       {{"low", Type::scalar, -infinity, -infinity, infinity}, {"high", Type::scalar, infinity, -infinity, infinity}},
-       false,
-       false},
-      {"quantise", "only whole multiples of by", {{"by", Type::scalar, 0.1, 1e-9, far}}, false, false}};
+      {.name = "smooth",
+       .sentence = "A mean over a window of time around each moment.",
+       .example = "filter ball.position smooth width=0.3s",
+       .parameters = {{"width", Type::scalar, 0.5, 1e-3, 3600, true}},
+       .value = smooth},
+      {.name = "spring",
+       .sentence = "As through a weight on a spring: comes late, and swings on.",
+       .example = "filter ball.position spring frequency=3",
+       .parameters = {{"frequency", Type::scalar, 2, 1e-2, 100}, {"damping", Type::scalar, 0.3, 0.05, 4}},
+       .value = spring},
+      {.name = "noise",
+       .sentence = "Wanders by chance, the same whenever it is asked.",
+       .example = "filter ball.position noise amount=(0.1 0.1 0) frequency=4",
+       .parameters = {{"amount", Type::vector, 1, -far, far},
+                      {"frequency", Type::scalar, 1, 0, 1000},
+                      {"seed", Type::scalar, 0, -far, far}},
+       .value = noise},
+      {.name = "wobble",
+       .sentence = "Adds a sine.",
+       .example = "filter ball.position wobble amount=(0 0.2 0) frequency=2",
+       .parameters = {{"amount", Type::vector, 1, -far, far},
+                      {"frequency", Type::scalar, 1, 0, 1000},
+                      {"phase", Type::scalar, 0, -1e6, 1e6}},
+       .value = wobble},
+      {.name = "delay",
+       .sentence = "Comes later; below 0 earlier.",
+       .example = "filter ball.position delay by=6f",
+       .parameters = {{"by", Type::scalar, 0.25, -longest_seconds, longest_seconds, true}},
+       .value = delay,
+       .any_type = true},
+      {.name = "steps",
+       .sentence = "Holds each value until the next step.",
+       .example = "filter ball.position steps rate=8",
+       .parameters = {{"rate", Type::scalar, 12, 1e-3, 1000}},
+       .value = steps,
+       .any_type = true},
+      {.name = "limit",
+       .sentence = "Never below, never above.",
+       .example = "filter ball.radius limit high=3",
+       .parameters = {{"low", Type::scalar, -infinity, -infinity, infinity},
+                      {"high", Type::scalar, infinity, -infinity, infinity}},
+       .value = limit,
+       .orientations = false},
+      {.name = "quantise",
+       .sentence = "Whole multiples only.",
+       .example = "filter ball.position quantise by=0.5",
+       .parameters = {{"by", Type::scalar, 0.1, 1e-9, far}},
+       .value = quantise,
+       .orientations = false}};
   return all;
 }
 
@@ -306,9 +324,7 @@ Result<Value> apply(const Filter& filter, Input& input, double seconds) {
   if (!within()) return input.at(seconds);
   if (filter.code) return filter.code->filter(input, seconds, filter.parameters);
   const FilterSpec* spec = find_filter(filter.name);
-  for (const auto& [name, value] : built_in)
-    if (spec && name == filter.name) return value({filter, *spec}, input, seconds);
-  return input.at(seconds);
+  return spec ? spec->value({filter, *spec}, input, seconds) : input.at(seconds);
 }
 
 }  // namespace betwixt

@@ -28,10 +28,12 @@ struct FilterParameter {
   double low, high;   // what is beyond counts as the nearest that is not
   bool time = false;  // a length of time, in seconds
 };
+struct FilterCall;  // a filter and what it was told
 struct FilterSpec {
   std::string_view name;
-  std::string_view says;
+  std::string_view sentence = {}, example = {};  // for help
   std::vector<FilterParameter> parameters;
+  Value (*value)(const FilterCall&, Input&, double seconds) = nullptr;
   bool any_type = false;     // works on values that are not numbers too
   bool orientations = true;  // means something for orientations
 };

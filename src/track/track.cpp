@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "track/twerpers.h"
+
 namespace betwixt {
 
 bool fits(Twerper twerper, Type type, std::string* why) {
@@ -17,11 +19,11 @@ bool fits(Twerper twerper, Type type, std::string* why) {
   if (is_own(twerper))
     return steps ? no("a twerper cannot blend " + std::string(to_string(type)) + ": it changes at its events only")
                  : true;
-  const std::string name(twerper_names[static_cast<std::size_t>(twerper)]);
+  const std::string name(name_of(twerper));
   if (twerper == Twerper::unset || twerper == Twerper::hold) return true;
   if (steps)
     return no("'" + name + "' cannot blend " + std::string(to_string(type)) + ": it changes at its events only");
-  if ((twerper == Twerper::slerp || twerper == Twerper::squad) && !orientation)
+  if (row_of(twerper).for_numbers != Twerper::unset && !orientation)
     return no("'" + name + "' turns orientations; this is " + std::string(to_string(type)));
   return true;
 }

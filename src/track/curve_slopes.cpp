@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What follows from how a curve goes: beyond its ends, its rate of change, its sums.
+#include <algorithm>
+#include <cmath>
+
+#include "track/curve.h"
+#include "track/turns.h"
+
+namespace betwixt {
+namespace {
+
+using Numbers = std::array<double, 4>;
+
+// Whether a segment of numbers is a polynomial of its eased time: a straight line or what a row works out itself.
+bool straight(Twerper t) { return !is_own(t) && !row_of(t).factor && !row_of(t).numbers && !row_of(t).turn; }
+bool polynomial(Twerper t) { return !is_own(t) && (row_of(t).numbers || !row_of(t).factor); }
+
+}  // namespace
+
+// Beyond the first or last event, `past` flicks from it: the speed that the end segment has there goes on. An
+// orientation keeps turning.
+void CurveSet::beyond(const Curve& c, bool after, double past, double* out) const {
+  const std::uint32_t end = after ? c.count - 1 : 0, k = after ? end - 1 : 0, n = c.channels;
+  const double* value = &values_[c.values + end * n];
+  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
+  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  std::copy_n(value, n, out);
+  if (twerper == Twerper::hold) return;
+  const CurveDetail *from = detail(c.first + k), *to = detail(c.first + k + 1);
+  if (straight(twerper) && !(from && from->ease_out > 0) && !(to && to->ease_in > 0))
+    return segment(c, k, after ? h + past : past, out);  // exact
+
+  // The slope by a formula that is exact for parabolas, eases among them.
+  const double step = (after ? -1 : 1) * h / 4096, origin = after ? h : 0;
+  Numbers one{}, two{};
+  segment(c, k, origin + step, one.data());
+  segment(c, k, origin + 2 * step, two.data());
+  if (c.orientation) {
+    const Quat a = log(conjugate(quat(value)) * quat(one.data())), b = log(conjugate(quat(value)) * quat(two.data()));
+    const double f = past / (2 * step);
+    return store(quat(value) * exp({0, f * (4 * a.x - b.x), f * (4 * a.y - b.y), f * (4 * a.z - b.z)}), out);
+  }
+  for (std::uint32_t i = 0; i < n; ++i) out[i] += (-3 * value[i] + 4 * one[i] - two[i]) / (2 * step) * past;
+}
+
+void CurveSet::derivative(const Curve& c, Time time, double* out) const {
+  // Five values about the time, all in its own segment: the difference that is exact for quartics.
+  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  const std::int64_t t = time.flicks;
+  const double second = static_cast<double>(flicks_per_second);
+  std::fill_n(out, c.orientation ? 3 : c.channels, 0.0);
+  if (c.count < 2) return;
+  const bool outside = t < *first || t >= *last;
+  std::array<Numbers, 5> v{};
+  double h = 0, offset = 0;  // a step, and where the time is among the five, in steps
+  if (outside) {
+    const Extend how = t < *first ? c.before : c.after;
+    if (how == Extend::hold) return;
+    h = std::max(1.0, std::min(static_cast<double>(*last - *first) / 4096, second / 1024));
+    const auto step = static_cast<std::int64_t>(h);
+    h = static_cast<double>(step);
+    for (int i = 0; i < 5; ++i) evaluate(c, {t + i * step}, v[static_cast<std::size_t>(i)].data());
+  } else {
+    const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first) - 1;
+    const double length = static_cast<double>(first[k + 1] - first[k]), since = static_cast<double>(t - first[k]);
+    h = length / 1024;
+    const double begin = std::clamp(since - 2 * h, 0.0, length - 4 * h);
+    offset = (since - begin) / h;
+    for (int i = 0; i < 5; ++i) {
+      auto& n = v[static_cast<std::size_t>(i)];
+      segment(c, k, begin + i * h, n.data());
+      if (c.srgb)
+        for (double& x : n) x = to_linear(x);
+    }
+  }
+  // Weights of the derivative of the quartic through five points, at `offset`.
+  std::array<double, 5> w{};
+  for (int i = 0; i < 5; ++i) {
+    double below = 1, sum = 0;
+    for (int j = 0; j < 5; ++j) {
+      if (j == i) continue;
+      below *= i - j;
+      double product = 1;
+      for (int m = 0; m < 5; ++m)
+        if (m != i && m != j) product *= offset - m;
+      sum += product;
+    }
+    w[static_cast<std::size_t>(i)] = sum / below / (h / second);
+  }
+  if (!c.orientation) {
+    for (std::size_t i = 0; i < 5; ++i)
+      for (int n = 0; n < c.channels; ++n) out[n] += w[i] * v[i][static_cast<std::size_t>(n)];
+    return;
+  }
+  // Turns away from the middle one, in the axes outside.
+  const Quat middle = quat(v[2].data());
+  for (std::size_t i = 0; i < 5; ++i) {
+    Quat q = quat(v[i].data());
+    if (dot(q, middle) < 0) q = -q;
+    const Quat turn = log(q * conjugate(middle));
+    out[0] += 2 * w[i] * turn.x, out[1] += 2 * w[i] * turn.y, out[2] += 2 * w[i] * turn.z;
+  }
+}
+
+void CurveSet::integrate(const Curve& c, std::uint32_t k, double u, double* out) const {
+  // Gauss and Legendre's five points are exact to the ninth degree: a cubic of an ease has the sixth. The eases' seams
+  // part the segment; what is no polynomial is cut finer.
+  static constexpr double at[] = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                  0.95308992296933200};
+  static constexpr double weight[] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                      0.23931433524968324, 0.11846344252809454};
+  std::fill_n(out, c.channels, 0.0);
+  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
+  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
+  double a = here ? here->ease_out / h : 0, b = next ? next->ease_in / h : 0;
+  if (a + b > 1) {
+    const double fit = 1 / (a + b);
+    a *= fit, b *= fit;
+  }
+  std::vector<double> seams{0};
+  const auto seam = [&](double x) {
+    if (x > seams.back() && x < u) seams.push_back(x);
+  };
+  seam(a), seam(1 - b);
+  if (!polynomial(twerper))
+    for (int i = 1; i < 64; ++i) seam(i / 64.0);
+  seams.push_back(u);
+  Numbers n{};
+  for (std::size_t i = 0; i + 1 < seams.size(); ++i)
+    for (std::size_t g = 0; g < 5; ++g) {
+      const double width = seams[i + 1] - seams[i];
+      segment(c, k, (seams[i] + at[g] * width) * h, n.data());
+      for (int x = 0; x < c.channels; ++x)
+        out[x] += weight[g] * width * n[static_cast<std::size_t>(x)] * h / static_cast<double>(flicks_per_second);
+    }
+}
+
+}  // namespace betwixt

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tracks of values that are not numbers.
+#include <algorithm>
+
+#include "track/curve.h"
+
+namespace betwixt {
+
+StepTrack::StepTrack(const Track& track, Type type) : before_(track.before), after_(track.after) {
+  track.events.each([&](const Event& e) {
+    if (e.keep && values_.empty()) return;
+    const auto twerper = static_cast<std::uint8_t>(resolve(track, e, type, false));
+    if (e.detail && e.detail->before) values_.push_back(*e.detail->before);
+    const std::size_t comes_to = values_.size() - (e.keep || (e.detail && e.detail->before) ? 1 : 0);
+    if (!e.keep) values_.push_back(e.value);
+    keys_.push_back({e.time, comes_to, values_.size() - 1, twerper, e.detail});
+    if (track.global == Twerper::bezier) keys_.back().detail.edit().bezier = track.bezier;
+  });
+}
+
+Between StepTrack::at(Time time, const CurveSet& set) const {
+  std::int64_t t = time.flicks;
+  const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
+  const Extend how = t < first ? before_ : after_;
+  if ((t < first || t > last) && how >= Extend::cycle) t = fold(t, first, last, how == Extend::bounce);
+  const auto next =
+      std::upper_bound(keys_.begin(), keys_.end(), t, [](std::int64_t at, const Key& k) { return at < k.time.flicks; });
+  if (next == keys_.begin()) return {next->comes_to, next->comes_to, 0};
+  const Key& key = next[-1];
+  const auto twerper = static_cast<Twerper>(key.twerper);
+  if (next == keys_.end() || twerper == Twerper::hold) return {key.goes_on, key.goes_on, 0};
+  const double h = static_cast<double>((next->time - key.time).flicks);
+  CurveDetail from, to;
+  from.ease_out = static_cast<double>(key.detail->ease_out.flicks), from.bezier = key.detail->bezier;
+  to.ease_in = static_cast<double>(next->detail->ease_in.flicks);
+  const double s = eased(static_cast<double>(t - key.time.flicks) / h, &from, &to, h);
+  return {key.goes_on, next->comes_to, set.factor(twerper, s, &from)};
+}
+
+std::optional<Time> StepTrack::next_change(Time t) const {
+  if (keys_.size() < 2) return std::nullopt;  // one value, always
+  if ((t < keys_.front().time ? before_ : after_) != Extend::hold) return t;
+  const auto next = std::upper_bound(keys_.begin(), keys_.end(), t, [](Time at, const Key& k) { return at < k.time; });
+  if (next == keys_.end()) return std::nullopt;
+  const bool blends = next != keys_.begin() && static_cast<Twerper>(next[-1].twerper) != Twerper::hold;
+  return blends ? t : next->time;
+}
+
+}  // namespace betwixt

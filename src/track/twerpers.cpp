@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "track/twerpers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "betwixt/time.h"
+#include "track/turns.h"
+
+namespace betwixt {
+namespace {
+
+double smoothstep(double s, const std::array<double, 4>&) { return s * s * (3 - 2 * s); }
+
+// ---- Numbers
+
+// From b to e with these tangents, over the segment.
+double cubic(double b, double e, double m1, double m2, double s) {
+  const double a2 = 3 * (e - b) - 2 * m1 - m2, a3 = m1 + m2 - 2 * (e - b);
+  return ((a3 * s + a2) * s + m1) * s + b;
+}
+
+// The tangents are those of the parabolas through three neighbours, in their real times.
+void smooth_numbers(const Blend& g, double* out) {
+  const double h = g.length, h0 = g.length_before, h2 = g.length_after;
+  for (std::uint32_t i = 0; i < g.channels; ++i) {
+    const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i), chord = e - b;
+    const double m1 = ((b - a) * (h / h0) * h + chord * h0) / (h0 + h);
+    const double m2 = (chord * h2 + (d - e) * (h / h2) * h) / (h + h2);
+    out[i] = cubic(b, e, m1, m2, g.s);
+  }
+}
+
+void hermite_numbers(const Blend& g, double* out) {
+  const double seconds = g.length / static_cast<double>(flicks_per_second);
+  for (std::uint32_t i = 0; i < g.channels; ++i)
+    out[i] = cubic(g.from[i], g.to[i], g.tangent_out ? g.tangent_out[i] * seconds : 0,
+                   g.tangent_in ? g.tangent_in[i] * seconds : 0, g.s);
+}
+
+void bspline_numbers(const Blend& g, double* out) {
+  const double s = g.s, s2 = s * s, s3 = s2 * s, r = 1 - s;
+  for (std::uint32_t i = 0; i < g.channels; ++i)
+    out[i] = (r * r * r * g.left(i) + (3 * s3 - 6 * s2 + 4) * g.from[i] + (-3 * s3 + 3 * s2 + 3 * s + 1) * g.to[i] +
+              s3 * g.right(i)) /
+             6;
+}
+
+// ---- Orientations
+
+struct Four {
+  Quat q0, q1, q2, q3;
+};
+Four four(const Blend& g) {
+  const Quat q1 = quat(g.from), q2 = quat(g.to);
+  return {g.before ? quat(g.before) : q1 * conjugate(q2) * q1, q1, q2,
+          g.after ? quat(g.after) : q2 * conjugate(q1) * q2};
+}
+
+Quat bspline_turn(const Blend& g) {  // cumulative form: every step's turn, weighted
+  const auto [q0, q1, q2, q3] = four(g);
+  const double s = g.s, s2 = s * s, s3 = s2 * s;
+  const double b1 = (5 + 3 * s - 3 * s2 + s3) / 6, b2 = (1 + 3 * s + 3 * s2 - 2 * s3) / 6, b3 = s3 / 6;
+  return normalize(q0 * power(conjugate(q0) * q1, b1) * power(conjugate(q1) * q2, b2) * power(conjugate(q2) * q3, b3));
+}
+
+Quat squad_turn(const Blend& g) {
+  const auto [q0, q1, q2, q3] = four(g);
+  const auto control = [](Quat a, Quat b, Quat d) {
+    const Quat f = log(conjugate(b) * d), k = log(conjugate(b) * a);
+    return b * exp({0, -(f.x + k.x) / 4, -(f.y + k.y) / 4, -(f.z + k.z) / 4});
+  };
+  const double s = g.s;
+  return normalize(slerp(slerp(q1, q2, s), slerp(control(q0, q1, q2), control(q1, q2, q3), s), 2 * s * (1 - s)));
+}
+
+// Numbers of the named ones are their places; new ones come last.
+constexpr TwerperRow twerper_rows[] = {
+    {.name = "unset"},
+    {.name = "hold", .sentence = "Stays, then jumps at the next event.", .example = "at 12f ball.radius 2 hold"},
+    {.name = "linear",
+     .sentence = "Straight to the next event.",
+     .example = "at 12f ball.radius 2 linear",
+     .for_orientations = Twerper::slerp},
+    {.name = "smooth",
+     .sentence = "Through all events without a corner (Catmull-Rom).",
+     .example = "at 12f ball.radius 2 smooth",
+     .numbers = smooth_numbers,
+     .for_orientations = Twerper::squad},
+    {.name = "bspline",
+     .sentence = "Softer than smooth; comes near its events only.",
+     .example = "at 12f ball.radius 2 bspline",
+     .factor = smoothstep,
+     .numbers = bspline_numbers,
+     .turn = bspline_turn},
+    {.name = "hermite",  // orientations are at rest at both ends
+     .sentence = "Through all events, by tangents of your own.",
+     .written = "hermite [tangent=V]",
+     .example = "at 12f ball.radius 2 hermite tangent=0",
+     .factor = smoothstep,
+     .numbers = hermite_numbers},
+    {.name = "bezier",
+     .sentence = "To the next event along a curve of speed.",
+     .written = "bezier(x1 y1 x2 y2)",
+     .example = "at 12f ball.radius 2 bezier(0.25 0.1 0.25 1)",
+     .factor = bezier_factor},
+    {.name = "slerp",
+     .sentence = "The shortest way between two orientations.",
+     .example = "at 12f hand.rotation axis(0 1 0, 90deg) slerp",
+     .for_numbers = Twerper::linear},
+    {.name = "squad",
+     .sentence = "Through many orientations without a corner.",
+     .example = "at 12f hand.rotation axis(0 1 0, 90deg) squad",
+     .turn = squad_turn,
+     .for_numbers = Twerper::smooth},
+};
+static_assert(std::size(twerper_rows) <= first_own_twerper, "the numbers above are the document's own");
+
+}  // namespace
+
+std::span<const TwerperRow> twerpers() { return twerper_rows; }
+const TwerperRow& row_of(Twerper t) { return twerper_rows[static_cast<std::size_t>(t)]; }
+std::string_view name_of(Twerper t) { return row_of(t).name; }
+
+std::optional<Twerper> find_twerper(std::string_view name) {
+  const auto at = std::find_if(std::begin(twerper_rows) + 1, std::end(twerper_rows),
+                               [&](const auto& row) { return row.name == name; });
+  if (at == std::end(twerper_rows)) return std::nullopt;
+  return static_cast<Twerper>(at - std::begin(twerper_rows));
+}
+
+double bezier_factor(double u, const std::array<double, 4>& xy) {
+  if (u <= 0 || u >= 1) return u;
+  const auto at = [](double p, double q, double s) {
+    return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s;
+  };
+  // x rises over [0, 1] because the language keeps x1 and x2 there: halving always ends.
+  double low = 0, high = 1, s = u;
+  for (int i = 0; i < 60; ++i) {
+    const double x = at(xy[0], xy[2], s);
+    if (std::abs(x - u) < 1e-15) break;
+    (x < u ? low : high) = s;
+    const double slope = 3 * (1 - s) * (1 - s) * xy[0] + 6 * (1 - s) * s * (xy[2] - xy[0]) + 3 * s * s * (1 - xy[2]);
+    const double newton = slope > 1e-9 ? s - (x - u) / slope : low;
+    s = newton > low && newton < high ? newton : (low + high) / 2;
+  }
+  return at(xy[1], xy[3], s);
+}
+
+Quat slerp(Quat a, Quat b, double s) {
+  const double d = dot(a, b);
+  if (d > 1 - 1e-12)
+    return normalize({a.w + s * (b.w - a.w), a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z)});
+  const double angle = std::acos(std::max(-1.0, d)), sine = std::sin(angle);
+  if (sine < 1e-12) return a;  // opposite signs of one orientation: nothing to turn
+  const double p = std::sin((1 - s) * angle) / sine, q = std::sin(s * angle) / sine;
+  return {p * a.w + q * b.w, p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
+}
+
+}  // namespace betwixt

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Twerpers: how a track goes from one event to the next. Each is a row with its blend function; reading, help, fitting
+// and evaluating follow from the rows. (twixt notes, 4.6; R-T4, R-T7, R-T8)
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "betwixt/math.h"
+#include "track/event.h"
+
+namespace betwixt {
+
+// What a blend function sees of a track: a segment, how far in it, and what is beside it.
+struct Blend {
+  const double *from = nullptr, *to = nullptr;       // the numbers at its two ends
+  const double *before = nullptr, *after = nullptr;  // and at the events beside it; null behind a cut, a hold or an end
+  std::uint32_t channels = 1;                        // numbers in each
+  double s = 0;                                      // 0 to 1, eases in it
+  double length = 1, length_before = 1, length_after = 1;      // flicks
+  const double *tangent_out = nullptr, *tangent_in = nullptr;  // per second; null where nobody says
+  double left(std::uint32_t i) const { return before ? before[i] : 2 * from[i] - to[i]; }  // else it is reflected
+  double right(std::uint32_t i) const { return after ? after[i] : 2 * to[i] - from[i]; }
+};
+
+// A twerper's place among the rows is its number: the first are named in `Twerper`, any others by their rows only.
+struct TwerperRow {
+  std::string_view name = {};
+  std::string_view sentence = {}, written = {},
+                   example = {};  // for help; `written`: where there is more to write than the name
+  // How far the blend between two values is at s; null: s itself. `bezier`: what the author said to a bezier.
+  double (*factor)(double s, const std::array<double, 4>& bezier) = nullptr;
+  // Of a segment of numbers, and of one of orientations, where the two ends and a factor are not all that counts.
+  void (*numbers)(const Blend&, double* out) = nullptr;
+  Quat (*turn)(const Blend&) = nullptr;
+  // The one that stands for it where orientations are blended, or numbers (then it turns orientations only); unset:
+  // itself.
+  Twerper for_orientations = Twerper::unset, for_numbers = Twerper::unset;
+};
+
+std::span<const TwerperRow> twerpers();                      // by their numbers; the first is `unset`
+const TwerperRow& row_of(Twerper);                           // of a built-in one
+std::optional<Twerper> find_twerper(std::string_view name);  // not `unset`
+std::string_view name_of(Twerper);                           // of a built-in one
+
+double bezier_factor(double u, const std::array<double, 4>& xy);
+Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen
+
+}  // namespace betwixt
