@@ -13,8 +13,6 @@
 namespace betwixt {
 namespace {
 
-constexpr const char* known_endings = ".mp4 .webm .gif .apng, or numbered pictures: frame-%04d.png";
-
 // Reads the one %d or %0Nd of a picture's name.
 Result<Output> read_number(Output out) {
   const Error wrong =
@@ -41,7 +39,7 @@ std::string Output::path(int number) const {
   return fmt::format("{}/{}{:0{}}{}", folder, before, number, digits, after);
 }
 std::string Output::hidden(const std::string& tail) const {
-  std::string stem = ending == Ending::pictures ? before + after : name;
+  std::string stem = format ? name : before + after;
   return hidden_beside(folder + '/' + stem.substr(0, stem.rfind('.')), tail);
 }
 
@@ -55,14 +53,16 @@ Result<Output> read_output(const std::string& path) {
   std::string ending = dot == std::string::npos ? "" : out.name.substr(dot);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".png") return out.ending = Ending::pictures, read_number(out);
-  const std::vector<std::string> names{".mp4", ".webm", ".gif", ".apng"};
-  const auto found = std::find(names.begin(), names.end(), ending);
-  if (found != names.end() && dot > 0) return out.ending = static_cast<Ending>(found - names.begin()), out;
+  if (ending == ".png") return read_number(out);
+  out.format = find_format(ending);
+  if (out.format && dot > 0) return out;
+  const std::string known_endings = film_endings() + ", or numbered pictures: frame-%04d.png";
   if (dot == std::string::npos || dot == 0)
     return fail(Code::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
+  std::vector<std::string_view> names;
+  for (const Format& f : formats()) names.push_back(f.ending);
   return fail(Code::range, fmt::format("a film cannot end in \"{}\"; known endings: {}", ending, known_endings),
-              did_you_mean(ending, {names.begin(), names.end()}));
+              did_you_mean(ending, names));
 }
 
 }  // namespace betwixt

@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "betwixt/result.h"
+#include "film/formats.h"
 
 namespace betwixt {
 
-enum class Ending { mp4, webm, gif, apng, pictures };
-
 struct Output {
-  Ending ending = Ending::mp4;
+  const Format* format = nullptr;                     // null: numbered pictures
   std::string folder;                                 // "." where the path names none; no slash at its end
   std::string name;                                   // the last part of the path
   std::string before, after;                          // pictures: what stands around the number

@@ -16,21 +16,6 @@
 namespace betwixt {
 namespace {
 
-bool is_yuv(Ending e) { return e == Ending::mp4 || e == Ending::webm; }
-
-// A good palette needs all pictures at once, and ffmpeg keeps them; a long film gets a palette for each picture
-// instead.
-constexpr double palette_memory = 1 << 30;
-
-std::string gif_filter(const FilmOptions& o) {
-  const bool whole = 4.0 * o.width * o.height * o.frames <= palette_memory;
-  // Players take a delay below 2/100 s for 10/100 s.
-  const std::string thin = o.rate.per_second() > 50 ? "fps=50," : "";
-  return thin +
-         (whole ? "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a:diff_mode=rectangle"
-                : "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=sierra2_4a");
-}
-
 class Movie final : public Sink {
  public:
   Movie(const FilmOptions& o, Output place)
@@ -45,19 +30,19 @@ class Movie final : public Sink {
     // Made here, not by ffmpeg, so that a folder that cannot be written to is our own clear error.
     const OpenFile made(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (!made) return system_error(errno, "write", options_.path);
-    auto encoder = Encoder::start(encoder_arguments(options_, place_.ending, partial_));
+    auto encoder = Encoder::start(encoder_arguments(options_, *place_.format, partial_));
     if (!encoder) return encoder.error();
     encoder_ = *std::move(encoder);
     return Nothing{};
   }
 
   Status pack(int, Parcel& parcel) override {
-    if (is_yuv(place_.ending)) to_yuv420(parcel.picture, parcel.bytes);
+    if (place_.format->yuv) to_yuv420(parcel.picture, parcel.bytes);
     return Nothing{};
   }
 
   Status take(const Parcel& parcel, const KeepGoing& keep_going) override {
-    return encoder_->write(is_yuv(place_.ending) ? parcel.bytes : parcel.picture.rgba, keep_going);
+    return encoder_->write(place_.format->yuv ? parcel.bytes : parcel.picture.rgba, keep_going);
   }
 
   Status finish(const KeepGoing& keep_going) override {
@@ -137,8 +122,8 @@ Result<std::unique_ptr<Sink>> started(const FilmOptions& o, const Output& place)
 
 }  // namespace
 
-std::vector<std::string> encoder_arguments(const FilmOptions& o, Ending ending, const std::string& file) {
-  const bool yuv = is_yuv(ending);
+std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& format, const std::string& file) {
+  const bool yuv = format.yuv;
   const int even = yuv ? 1 : 0;  // to_yuv420 has made the sizes even
   std::vector<std::string> a{"ffmpeg",  "-hide_banner", "-nostdin", "-loglevel", "error",
                              "-xerror", "-y",           "-f",       "rawvideo"};
@@ -152,24 +137,8 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, Ending ending, 
   if (yuv) tags();
   add({"-i", "pipe:0"});
   if (yuv) tags();
-  switch (ending) {
-    case Ending::mp4:
-      add({"-c:v", "libx264", "-preset", "fast", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
-           "mp4"});
-      break;
-    case Ending::webm:
-      add({"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-deadline", "good", "-cpu-used", "4", "-row-mt", "1",
-           "-tile-columns", "2", "-pix_fmt", "yuv420p", "-f", "webm"});
-      break;
-    case Ending::gif:
-      a.insert(a.end(), {"-filter_complex", gif_filter(o)});
-      add({"-loop", "0", "-f", "gif"});
-      break;
-    case Ending::apng:
-    case Ending::pictures:
-      add({"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"});
-      break;
-  }
+  const std::vector<std::string> how = format.arguments(o);
+  a.insert(a.end(), how.begin(), how.end());
   a.push_back("file:" + file);  // whatever the name looks like, it is a file
   return a;
 }
@@ -177,7 +146,7 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, Ending ending, 
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
   const Result<Output> place = read_output(o.path);
   if (!place) return place.error();
-  return place->ending == Ending::pictures ? started<Pictures>(o, *place) : started<Movie>(o, *place);
+  return place->format ? started<Movie>(o, *place) : started<Pictures>(o, *place);
 }
 
 }  // namespace betwixt

@@ -31,6 +31,6 @@ class Sink {
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions&);
 
 // What ffmpeg is called with to make `file`. For tests.
-std::vector<std::string> encoder_arguments(const FilmOptions&, Ending, const std::string& file);
+std::vector<std::string> encoder_arguments(const FilmOptions&, const Format&, const std::string& file);
 
 }  // namespace betwixt

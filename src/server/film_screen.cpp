@@ -105,8 +105,7 @@ NewScreen film_screen(const std::string& path, const RenderOptions& picture, Rat
     o.width = picture.width, o.height = picture.height;
     const Result<Output> place = read_output(path);
     if (!place) return place.error();
-    if (place->ending == Ending::pictures)
-      return fail(Code::range, "a server makes no single pictures", "a film: .mp4 .webm .gif .apng");
+    if (!place->format) return fail(Code::range, "a server makes no single pictures", "a film: " + film_endings());
     auto renderer = make_renderer(picture);
     if (!renderer) return renderer.error();
     auto sink = make_sink(o);

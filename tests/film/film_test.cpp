@@ -474,7 +474,7 @@ TEST_F(Film, ProgressEndsWithAllFrames) {
 TEST(FilmArguments, LongGifsDoNotKeepAllTheirPictures) {
   FilmOptions o;
   o.frames = 100000;
-  const auto all = encoder_arguments(o, Ending::gif, "x.gif");
+  const auto all = encoder_arguments(o, *find_format(".gif"), "x.gif");
   EXPECT_TRUE(std::any_of(all.begin(), all.end(),
                           [](const auto& a) { return a.find("stats_mode=single") != std::string::npos; }));
   EXPECT_EQ(all.back(), "file:x.gif");

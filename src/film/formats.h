@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a film can be made as, by the ending of its name. Each is a row; what is said of endings follows from the rows.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/film.h"
+
+namespace betwixt {
+
+struct Format {
+  std::string_view ending;  // ".mp4"
+  bool yuv = true;          // ffmpeg gets BT.709 in 4:2:0; else RGBA
+  // What ffmpeg is told of what it makes: everything but the file.
+  std::vector<std::string> (*arguments)(const FilmOptions&) = nullptr;
+};
+
+std::span<const Format> formats();
+const Format* find_format(std::string_view ending);  // null: there is none such
+std::string film_endings();                          // ".mp4 .webm …"
+
+}  // namespace betwixt
