@@ -9,6 +9,7 @@
 
 #include "exchange/outlines.h"
 #include "exchange/shapes.h"
+#include "scene/kinds.h"
 #include "scene/primitives.h"
 
 namespace betwixt {
@@ -18,7 +19,7 @@ std::size_t mixed(std::size_t h, std::size_t with) { return (h ^ with) * 0x9e377
 std::size_t mixed(std::size_t h, double with) { return mixed(h, std::hash<double>{}(with)); }
 std::size_t mixed(std::size_t h, Vec3 with) { return mixed(mixed(mixed(h, with.x), with.y), with.z); }
 
-// What a mesh is made from: a shape with all that does not matter for the mesh at rest.
+// What a mesh is made from.
 struct Key {
   Shape shape;
   int detail = 1;
@@ -63,9 +64,6 @@ class Held {
   std::size_t limit_ = 64;
 };
 
-bool sane(double d) { return std::abs(d) < 1e18; }  // squares and their products still fit into f32's neighbours in f64
-bool sane(Vec3 p) { return sane(p.x) && sane(p.y) && sane(p.z); }
-
 // A scaling that can be undone: what is flat is given a thickness nobody sees, so that normals keep a direction.
 std::optional<Mat4> stretch(Vec3 s) {
   const double most = std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)});
@@ -74,94 +72,21 @@ std::optional<Mat4> stretch(Vec3 s) {
   return scaling(s);
 }
 
-Vec3 measures(const Shape& s) {
-  switch (s.kind) {
-    case Kind::sphere:
-      return {s.radius, s.radius, s.radius};
-    case Kind::box:
-      return s.size;
-    case Kind::plane:
-      return {s.size.x, s.size.y, std::max(s.size.x, s.size.y)};
-    case Kind::disc:
-      return {s.radius, s.radius, s.radius};
-    default:
-      return {s.radius, s.height, s.radius};  // cylinder, cone
-  }
-}
-
-// The shape without what does not matter for its unit mesh, or for a mesh made as needed.
-Key key_of(const Shape& s, int detail) {
-  Key key;
-  Shape& k = key.shape;
-  k.kind = s.kind;
-  key.detail = s.kind == Kind::box || s.kind == Kind::plane || s.kind == Kind::polygon ? 1 : detail;
-  switch (s.kind) {
-    case Kind::torus:
-      k.radius = s.radius, k.tube = s.tube;
-      break;
-    case Kind::polyline:
-    case Kind::points:
-      k.width = s.width, k.points = s.points;
-      break;
-    case Kind::polygon:
-      k.points = s.points;
-      break;
-    case Kind::text:
-      k.text = s.text, k.font = s.font, k.size.y = s.size.y, k.depth = s.depth;
-      break;
-    default:
-      break;
-  }
-  return key;
-}
-
-Mesh balls(const Shape& s, int detail) {
-  // Fewer triangles for each where there are many: together they may be millions.
-  if (s.points->size() > 20000) return balls_mesh(*s.points, s.width, sphere_mesh(4, 2));
-  return balls_mesh(*s.points, s.width, sphere_mesh(8 << detail, 4 << detail));
-}
-
-Mesh made(const Shape& s, int detail) {
-  const int around = 24 << detail;
-  const bool in_reach = std::all_of(s.points->begin(), s.points->end(), [](Vec3 p) { return sane(p); });
-  switch (s.kind) {
-    case Kind::sphere:
-      return sphere_mesh(around, around / 2);
-    case Kind::box:
-      return box_mesh();
-    case Kind::cylinder:
-      return cylinder_mesh(around);
-    case Kind::cone:
-      return cone_mesh(around);
-    case Kind::plane:
-      return plane_mesh();
-    case Kind::disc:
-      return disc_mesh(around);
-    case Kind::torus:
-      if (!(s.tube > 0) || !(s.radius >= 0) || !sane(s.tube) || !sane(s.radius)) return {};
-      return torus_mesh(s.radius, s.tube, around, around / 2);
-    case Kind::polyline:
-      if (!in_reach || !sane(s.width) || s.points->empty()) return {};
-      return s.width > 0 ? tube_mesh(*s.points, s.width, 8 + 4 * detail) : line_mesh(*s.points);
-    case Kind::points:
-      return in_reach && sane(s.width) && s.width > 0 ? balls(s, detail) : Mesh{};
-    case Kind::polygon:
-    case Kind::text:
-      return fill(outline_of(s), s.depth);
-    default:
-      return {};
-  }
+Mesh made(const KindRow& row, const Shape& s, int detail) {
+  return row.fill == Fill::outline ? fill(outline_of(s), row.deep ? s.depth : 0) : row.mesh(s, detail);
 }
 
 }  // namespace
 
 Outline outline_of(const Shape& s) {
-  if (s.kind == Kind::polygon) {
-    if (s.points->size() < 3 || !std::all_of(s.points->begin(), s.points->end(), [](Vec3 p) { return sane(p); }))
-      return {};
-    return {{*s.points}, {Letter{}}};
+  const KindRow& row = row_of(s.kind);
+  if (row.fill != Fill::outline) return {};
+  if (row.contours) {
+    Outline outline{row.contours(s), {}};
+    if (!outline.contours.empty()) outline.letters.emplace_back();
+    return outline;
   }
-  if (s.kind != Kind::text || !sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
+  if (!sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
   Outline outline = text_outline(*s.text, *s.font);
   for (auto& contour : outline.contours)
     for (auto& p : contour) p = s.size.y * p;
@@ -171,26 +96,19 @@ Outline outline_of(const Shape& s) {
 Geometry realise(const Shape& shape, int detail) {
   static const auto empty = std::make_shared<const Mesh>();
   static Held held;
-  if (shape.kind == Kind::mesh) return {shape.mesh ? shape.mesh : empty, {}};
-  if (shape.kind == Kind::group || shape.kind == Kind::light || shape.kind == Kind::camera) return {empty, {}};
+  const KindRow& row = row_of(shape.kind);
+  if (row.fill == Fill::nothing) return {empty, {}};
+  if (row.fill == Fill::file) return {shape.mesh ? shape.mesh : empty, {}};
   Geometry g;
-  switch (shape.kind) {
-    case Kind::sphere:
-    case Kind::box:
-    case Kind::cylinder:
-    case Kind::cone:
-    case Kind::plane:
-    case Kind::disc: {
-      const auto local = stretch(measures(shape));
-      if (!local) return {empty, {}};
-      g.local = *local;
-      break;
-    }
-    default:
-      break;
+  Key key{shape, row.detailed ? std::clamp(detail, 0, 2) : 1};
+  if (row.measures) {
+    const auto local = stretch(row.measures(shape));
+    if (!local) return {empty, {}};
+    g.local = *local;
+    key.shape = {};  // all of the kind share a mesh
+    key.shape.kind = shape.kind;
   }
-  const Key key = key_of(shape, std::clamp(detail, 0, 2));
-  g.mesh = held.get(key, [&] { return made(key.shape, key.detail); });
+  g.mesh = held.get(key, [&] { return made(row, key.shape, key.detail); });
   return g;
 }
 

@@ -12,6 +12,7 @@
 #include "exchange/geometry.h"
 #include "exchange/outlines.h"
 #include "exchange/shapes.h"
+#include "scene/kinds.h"
 #include "scene/topology.h"
 
 namespace betwixt {
@@ -20,12 +21,13 @@ namespace {
 double lerp(double a, double b, double s) { return (1 - s) * a + s * b; }
 Vec3 lerp(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
 
-bool has_outline(const Shape& s) { return s.kind == Kind::text || s.kind == Kind::polygon; }
+bool has_outline(const Shape& s) { return row_of(s.kind).fill == Fill::outline; }
+bool has_letters(const Shape& s) { return has_outline(s) && row_of(s.kind).contours == nullptr; }
 
 // ---- shapes of one kind: by their measures
 
 bool same_but_measures(const Shape& a, const Shape& b) {
-  if (a.kind != b.kind || has_outline(a) || a.kind == Kind::mesh) return false;
+  if (a.kind != b.kind || has_outline(a) || row_of(a.kind).fill == Fill::file) return false;
   if (a.kind == Kind::polyline && (a.width > 0) != (b.width > 0)) return false;
   return a.points->size() == b.points->size();
 }
@@ -341,9 +343,9 @@ void lone_glyphs(const std::vector<DrawnGlyph>& all, std::size_t first, std::siz
 
 Morph prepare(const Shape& a, const Shape& b) {
   Morph morph{a, b, {}, Winding::positive};
-  const bool text = a.kind == Kind::text && b.kind == Kind::text;
+  const bool text = has_letters(a) && has_letters(b);
   if (!text) morph.winding = Winding::nonzero;  // a polygon may cross itself
-  const auto from = glyphs(outline_of(a), a.kind == Kind::polygon), to = glyphs(outline_of(b), b.kind == Kind::polygon);
+  const auto from = glyphs(outline_of(a), !has_letters(a)), to = glyphs(outline_of(b), !has_letters(b));
   std::size_t i = 0, j = 0;  // the letters that come next
   const auto up_to = [&](std::size_t next_i, std::size_t next_j) {
     const auto before = [](const auto& all, std::size_t k) { return k > 0 ? &all[k - 1].place : nullptr; };
@@ -386,26 +388,19 @@ Mesh between(const Morph& morph, double s) {
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = lerp(from[i], to[i], s);
     outline.contours.push_back(std::move(c));
   }
-  const auto depth = [](const Shape& shape) { return shape.kind == Kind::text ? shape.depth : 0; };
+  const auto depth = [](const Shape& shape) { return row_of(shape.kind).deep ? shape.depth : 0; };
   return fill(outline, lerp(depth(morph.a), depth(morph.b), s), morph.winding);
-}
-
-std::string_view name(Kind kind) {
-  constexpr std::array<std::string_view, 15> names{"group",  "sphere", "box",  "cylinder", "cone",
-                                                   "torus",  "plane",  "disc", "polygon",  "polyline",
-                                                   "points", "text",   "mesh", "light",    "camera"};
-  return names[static_cast<std::size_t>(kind)];
 }
 
 // Why the meshes cannot be blended vertex by vertex; empty where they can.
 std::string obstacle(const Shape& a, const Shape& b, const Mesh& from, const Mesh& to) {
   if (from.positions.size() != to.positions.size())
-    return a.kind == b.kind && a.kind != Kind::mesh
+    return a.kind == b.kind && row_of(a.kind).fill != Fill::file
                ? fmt::format("{} points against {}", a.points->size(), b.points->size())
                : fmt::format("{} vertices against {}", from.positions.size(), to.positions.size());
   if (from.triangles != to.triangles)
     return a.kind == b.kind ? "as many vertices, but other triangles between them"
-                            : fmt::format("a {} and a {} have nothing in common", name(a.kind), name(b.kind));
+                            : fmt::format("{} and {} have nothing in common", a_kind(a.kind), a_kind(b.kind));
   return {};
 }
 

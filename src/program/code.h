@@ -178,10 +178,11 @@ struct Program::Compiled {
   std::vector<double> rest;  // the array of numbers, constants filled in
   std::vector<CurveUse> curves;
   std::vector<StepTrack> steps;
-  std::vector<Binding> bindings;             // by object, then function
-  std::vector<std::uint32_t> first_binding;  // per object, and one more
-  std::vector<Binding> defaults;             // per function: where no object says otherwise
-  std::vector<Binding> plains;               // of strands of lives
+  std::vector<Binding> bindings;                    // by object, then function
+  std::vector<std::uint32_t> first_binding;         // per object, and one more
+  std::vector<Binding> defaults;                    // per function: where no object says otherwise
+  std::map<Kind, std::vector<FunctionId>> shaping;  // what is part of a shape, of each kind
+  std::vector<Binding> plains;                      // of strands of lives
   std::vector<Live> lives;
   std::vector<Reign> reigns;
   std::vector<Node> nodes;
@@ -221,6 +222,8 @@ struct Program::Compiled {
   std::optional<Mat4> moved(const Node&, Time t) const;
   std::vector<Mat4> worlds(Time t, const double* numbers, Asking&) const;
   Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
+  // A function's value as a shape takes it; points on their way are between two of the author's.
+  Value shape_part(const Binding& b, Time t, const double* numbers, Asking&) const;
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;
   // `place`: of a node, in the world.
   std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers,

@@ -293,6 +293,9 @@ struct Compiler {
       const FunctionSpec& spec = spec_of(scene, f);
       if (scripted(spec.rest)) computed.push_back(f);
       code.defaults.push_back(place(f, scripted(spec.rest) ? example_of(spec.type) : spec.rest, spec.type));
+      if (!spec.shape) continue;
+      for (const KindRow& row : kinds())
+        if (spec.kinds & bit(row.kind)) code.shaping[row.kind].push_back(f);
     }
     code.first_binding.reserve(scene.objects.size() + 1);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -322,8 +325,7 @@ struct Compiler {
   bool shape_varies(std::uint32_t object) const {
     for (auto i = code.first_binding[object]; i < code.first_binding[object + 1]; ++i) {
       const Binding& b = code.bindings[i];
-      const bool of_shape = b.function >= fn::radius && b.function <= fn::file;
-      if (of_shape && b.varies()) return true;
+      if (b.varies() && spec_of(scene, b.function).shape) return true;
     }
     return false;
   }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "program/contacts.h"
-#include "scene/extent.h"
+#include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
@@ -25,20 +25,9 @@ Vec3 row(const Mat4& m, int i) { return {m(i, 0), m(i, 1), m(i, 2)}; }
 double dot_of_sizes(Vec3 a, Vec3 b) { return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z); }
 
 // How far a shape whose extent is `half` to either side reaches along a world axis, `r` being that row of its matrix.
-// Round shapes reach less far than the corners of their boxes.
 double reach(const Shape& s, Vec3 half, Vec3 r) {
-  switch (s.kind) {
-    case Kind::sphere:
-      return s.radius * length(r);
-    case Kind::disc:
-      return s.radius * std::hypot(r.x, r.y);
-    case Kind::cylinder:
-      return s.radius * std::hypot(r.x, r.z) + std::abs(s.height / 2 * r.y);
-    case Kind::torus:
-      return s.radius * std::hypot(r.x, r.z) + s.tube * length(r);
-    default:
-      return dot_of_sizes(half, r);
-  }
+  const auto of_kind = row_of(s.kind).reach;
+  return of_kind ? of_kind(s, r) : dot_of_sizes(half, r);
 }
 
 Extent in_world(const Shape& s, const Mat4& world) {

@@ -65,63 +65,31 @@ std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const d
   return mix(*from, *to, w.s);
 }
 
+Value Program::Compiled::shape_part(const Binding& b, Time t, const double* numbers, Asking& asking) const {
+  const double* n = numbers + b.offset;
+  if (b.channels == 1) return n[0];
+  if (b.channels > 1) return Vec3{n[0], n[1], b.channels > 2 ? n[2] : 0};
+  if (b.steps >= 0) {
+    const Between w = between(b, t);
+    const auto values = steps[static_cast<std::size_t>(b.steps)].values();
+    const auto *from = std::get_if<Points>(&values[w.a]), *to = std::get_if<Points>(&values[w.b]);
+    if (from && to && w.a != w.b && (*from)->size() == (*to)->size()) {
+      std::vector<Vec3> between_them((*from)->size());
+      for (std::size_t i = 0; i < between_them.size(); ++i) between_them[i] = mix((**from)[i], (**to)[i], w.s);
+      return Points(std::move(between_them));
+    }
+  }
+  return value(b, t, asking);
+}
+
 Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbers, Asking& asking) const {
   const Scene& scene = document.scene();
   Shape s;
   s.kind = scene.objects[object].kind;
-  const auto number = [&](FunctionId f) { return numbers[find(object, f).offset]; };
-  const auto text = [&](FunctionId f) { return std::get<Text>(value(find(object, f), t, asking)); };
-  switch (s.kind) {
-    case Kind::sphere:
-    case Kind::disc:
-      s.radius = number(fn::radius);
-      break;
-    case Kind::box:
-      s.size = vec3(numbers + find(object, fn::box_size).offset);
-      break;
-    case Kind::plane: {
-      const double* n = numbers + find(object, fn::plane_size).offset;
-      s.size = {n[0], n[1], 1};
-      break;
-    }
-    case Kind::cylinder:
-    case Kind::cone:
-      s.radius = number(fn::radius), s.height = number(fn::height);
-      break;
-    case Kind::torus:
-      s.radius = number(fn::radius), s.tube = number(fn::tube);
-      break;
-    case Kind::polygon:
-    case Kind::polyline:
-    case Kind::points: {
-      const Binding& b = find(object, fn::points);
-      s.points = std::get<Points>(value(b, t, asking));
-      if (b.steps >= 0) {
-        const Between w = between(b, t);
-        const auto values = steps[static_cast<std::size_t>(b.steps)].values();
-        const auto &from = *std::get<Points>(values[w.a]), &to = *std::get<Points>(values[w.b]);
-        if (w.a != w.b && from.size() == to.size()) {
-          std::vector<Vec3> between_them(from.size());
-          for (std::size_t i = 0; i < from.size(); ++i) between_them[i] = mix(from[i], to[i], w.s);
-          s.points = Points(std::move(between_them));
-        }
-      }
-      if (s.kind == Kind::polyline) s.width = number(fn::width);
-      if (s.kind == Kind::points) s.width = number(fn::point_size);
-      break;
-    }
-    case Kind::text:
-      s.text = text(fn::text), s.font = text(fn::font), s.depth = number(fn::depth);
-      s.size = {1, number(fn::text_size), 1};
-      break;
-    case Kind::mesh: {
-      const auto found = scene.meshes->find(*text(fn::file));
-      if (found != scene.meshes->end()) s.mesh = found->second;
-      break;
-    }
-    default:
-      break;
-  }
+  const auto described = shaping.find(s.kind);
+  if (described == shaping.end()) return s;
+  for (const FunctionId f : described->second)
+    spec_of(scene, f).shape(s, shape_part(find(object, f), t, numbers, asking), scene);
   return s;
 }
 
@@ -242,10 +210,9 @@ Camera Program::Compiled::camera(Time t, const double* numbers, const std::vecto
   return c;
 }
 
-// A box around all that is seen during the film. Planes are grounds and walls for the rest, and count only where there
-// is nothing else.
+// A box around all that is seen during the film. Grounds and walls count only where there is nothing else.
 Extent Program::Compiled::stage() const {
-  Extent things, planes;
+  Extent things, grounds;
   const auto [from, to] = document.range();
   constexpr int looks = 24;
   for (int k = 0; k <= looks; ++k) {
@@ -257,7 +224,7 @@ Extent Program::Compiled::stage() const {
     for (const Item& item : f.items) {
       const Extent e = extent(*item.shape);
       if (e.empty()) continue;
-      Extent& all = item.shape->kind == Kind::plane ? planes : things;
+      Extent& all = row_of(item.shape->kind).ground ? grounds : things;
       for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p = transform_point(item.world, {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y,
                                                     corner & 4 ? e.high.z : e.low.z});
@@ -268,7 +235,7 @@ Extent Program::Compiled::stage() const {
     }
   }
   if (!things.empty()) return things;
-  return planes.empty() ? Extent{{-1, -1, -1}, {1, 1, 1}} : planes;
+  return grounds.empty() ? Extent{{-1, -1, -1}, {1, 1, 1}} : grounds;
 }
 
 const Camera& Program::Compiled::own_camera() const {

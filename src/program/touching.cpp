@@ -15,24 +15,6 @@ bool part_of(const std::string& name, const std::string& whole) {
   return name.size() > whole.size() && name[whole.size()] == '/' && name.starts_with(whole);
 }
 
-bool says_place(FunctionId f) {
-  switch (f) {
-    case fn::color:
-    case fn::shininess:
-    case fn::transparency:
-    case fn::material:
-    case fn::texture:
-    case fn::range:
-    case fn::intensity:
-    case fn::shines:
-    case fn::weight:
-    case fn::mode:
-      return false;
-    default:
-      return f < fn::count;
-  }
-}
-
 }  // namespace
 
 std::vector<double> Program::Compiled::places_at(Time t, Asking& asking) const {
@@ -40,7 +22,8 @@ std::vector<double> Program::Compiled::places_at(Time t, Asking& asking) const {
   for (const CurveUse& use : curves) evaluate(use, t, &numbers[use.offset]);
   if (!lives.empty())
     for (const Binding& b : bindings)
-      if (b.live >= 0 && b.channels > 0 && says_place(b.function)) evaluate(b, t, asking, &numbers[b.offset]);
+      if (b.live >= 0 && b.channels > 0 && spec_of(document.scene(), b.function).matters_to_contacts())
+        evaluate(b, t, asking, &numbers[b.offset]);
   return numbers;
 }
 

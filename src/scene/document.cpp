@@ -92,7 +92,7 @@ std::optional<FunctionId> find_function(const Scene& s, Kind kind, std::string_v
 std::vector<std::string_view> function_names(const Scene& s, Kind kind) {
   std::vector<std::string_view> out;
   for (const auto& f : built_in_functions())
-    if (f.kinds & (1u << static_cast<unsigned>(kind))) out.push_back(f.name);
+    if (f.kinds & bit(kind)) out.push_back(f.name);
   for (const auto& f : *s.defined) out.push_back(f.name);
   return out;
 }
@@ -249,7 +249,7 @@ const NamedProcedure* find_procedure(const Scene& s, std::string_view name) {
 }
 
 std::string twerper_name(const Scene& s, Twerper t) {
-  if (!is_own(t)) return std::string(twerper_names[static_cast<std::size_t>(t)]);
+  if (!is_own(t)) return std::string(name_of(t));
   const auto i = static_cast<std::size_t>(t) - first_own_twerper;
   return i < s.procedures->size() ? (*s.procedures)[i].name : "unset";
 }

@@ -14,8 +14,10 @@
 #include "scene/display_list.h"
 #include "scene/environment.h"
 #include "scene/functions.h"
+#include "scene/kinds.h"
 #include "track/filter.h"
 #include "track/track.h"
+#include "track/twerpers.h"
 
 namespace betwixt {
 

@@ -3,76 +3,398 @@
 #include "scene/functions.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
+
+#include "scene/document.h"
+#include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
 
-constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
-constexpr std::uint32_t all = 0xffffffff & ~bit(Kind::layer) & ~bit(Kind::environment);
+// What a shape takes from a number.
+template <double Shape::*measure>
+void put_measure(Shape& s, const Value& v, const Scene&) {
+  s.*measure = std::get<double>(v);
+}
+void put_file(Shape& s, const Value& v, const Scene& scene) {
+  const auto found = scene.meshes->find(*std::get<Text>(v));
+  if (found != scene.meshes->end()) s.mesh = found->second;
+}
 
-std::vector<FunctionSpec> make() {
-  std::vector<FunctionSpec> f(fn::count);
-  constexpr double least = 0, most = 1e12;  // measures: a metre to the power of twelve is past Pluto
-  const auto set = [&](FunctionId id, FunctionSpec spec) { f[id] = std::move(spec); };
-  set(fn::position, {"position", Type::vector, Vec3{}, all, Unit::metres, {}});
-  set(fn::rotation, {"rotation", Type::rotation, Angles{}, all, Unit::none, {}});
-  set(fn::scale, {"scale", Type::vector, Vec3{1, 1, 1}, all, Unit::none, {}});
-  set(fn::pivot, {"pivot", Type::vector, Vec3{}, all, Unit::metres, {}});
-  set(fn::attach_position, {"attach-position", Type::vector, Vec3{}, all, Unit::metres, {}});
-  set(fn::color, {"color", Type::color, Color{}, all, Unit::none, {}});
-  set(fn::shininess, {"shininess", Type::scalar, 0.0, all, Unit::none, {}, 0, 1});
-  set(fn::transparency, {"transparency", Type::scalar, 0.0, all, Unit::none, {}, 0, 1});
-  set(fn::geometry, {"geometry", Type::shape, ObjectId{}, all, Unit::none, {}});
-  set(fn::display, {"display", Type::boolean, true, all, Unit::none, {}});
-  set(fn::material,
-      {"material", Type::text, Text(std::string("plastic")), all, Unit::none, "plastic|matte|metal|glow"});
-  set(fn::texture, {"texture", Type::text, Text(), all, Unit::none, {}});
-  set(fn::radius, {"radius",
-                   Type::scalar,
-                   1.0,
-                   bit(Kind::sphere) | bit(Kind::disc) | bit(Kind::cylinder) | bit(Kind::cone) | bit(Kind::torus),
-                   Unit::metres,
-                   {},
-                   least,
-                   most});
-  set(fn::box_size, {"size", Type::vector, Vec3{1, 1, 1}, bit(Kind::box), Unit::metres, {}, least, most});
-  set(fn::plane_size, {"size", Type::pair, Vec3{1, 1, 0}, bit(Kind::plane), Unit::metres, {}, least, most});
-  set(fn::text_size, {"size", Type::scalar, 1.0, bit(Kind::text), Unit::metres, {}, least, most});
-  set(fn::point_size, {"size", Type::scalar, 0.05, bit(Kind::points), Unit::metres, {}, least, most});
-  set(fn::height, {"height", Type::scalar, 1.0, bit(Kind::cylinder) | bit(Kind::cone), Unit::metres, {}, least, most});
-  set(fn::tube, {"tube", Type::scalar, 0.3, bit(Kind::torus), Unit::metres, {}, least, most});
-  set(fn::points, {"points",
-                   Type::points,
-                   Points(),
-                   bit(Kind::polygon) | bit(Kind::polyline) | bit(Kind::points),
-                   Unit::metres,
-                   {}});
-  set(fn::width, {"width", Type::scalar, 0.05, bit(Kind::polyline), Unit::metres, {}, least, most});
-  set(fn::text, {"text", Type::text, Text(), bit(Kind::text), Unit::none, {}});
-  set(fn::font, {"font", Type::text, Text(std::string("DejaVu Sans")), bit(Kind::text), Unit::none, {}});
-  set(fn::depth, {"depth", Type::scalar, 0.0, bit(Kind::text), Unit::metres, {}, least, most});
-  set(fn::file, {"file", Type::text, Text(), bit(Kind::mesh), Unit::none, {}});
-  set(fn::range, {"range", Type::scalar, 20.0, bit(Kind::light), Unit::metres, {}, least, most});
-  set(fn::intensity, {"intensity", Type::scalar, 1.0, bit(Kind::light), Unit::none, {}, 0, 1e6});
-  set(fn::shines, {"shines", Type::text, Text(std::string("point")), bit(Kind::light), Unit::none, "point|sun"});
-  set(fn::lens, {"lens", Type::scalar, 35.0, bit(Kind::camera), Unit::millimetres, {}, 0.1, 1e6});
-  set(fn::fov, {"fov", Type::angle, 0.0, bit(Kind::camera), Unit::none, {}, 0, 3.1});
-  set(fn::camera_height, {"height", Type::scalar, 0.0, bit(Kind::camera), Unit::metres, {}, least, most});
-  set(fn::look_at, {"look-at", Type::aim, ObjectId{}, bit(Kind::camera), Unit::metres, {}});
-  set(fn::attachment, {"attachment", Type::attachment, Attachment{}, all, Unit::none, {}});
-  set(fn::weight, {"weight", Type::scalar, 1.0, bit(Kind::layer), Unit::none, {}, 0, 1});
-  set(fn::mode, {"mode", Type::text, Text(std::string("add")), bit(Kind::layer), Unit::none, "add|mix"});
-  set(fn::environments, {"environments", Type::names, Names(), all, Unit::none, {}});
-  set(fn::drive, {"drive", Type::names, Names(), all, Unit::none, {}});
-  set(fn::transform, {"transform", Type::transform, Matrix(), all, Unit::none, {}});
-  set(fn::motion, {"motion", Type::motion, Moves(), all, Unit::none, {}});
-  return f;
+bool has_word(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const auto end = std::min(words.find(' '), words.size());
+    if (words.substr(0, end) == word) return true;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return false;
+}
+
+constexpr double most_metres = 1e12;  // measures: a metre to the power of twelve is past Pluto
+
+constexpr std::uint32_t all_placed = 0xffffffff;  // all kinds that are placed
+
+// In the order of `fn`; new ones come last, and need no name there unless the program asks for them by name.
+const FunctionSpec function_rows[] = {
+    {.name = "position",
+     .type = Type::vector,
+     .rest = Vec3{},
+     .kinds = all_placed,
+     .unit = Unit::metres,
+     .place = true,
+     .sentence = "Where an object is, from what holds it.",
+     .written = "a vector",
+     .example = "set ball.position (0 10 0)"},
+    {.name = "rotation",
+     .type = Type::rotation,
+     .rest = Angles{},
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "How it is turned: about its x, y and z axes, or an orientation.",
+     .written = "euler(x y z), axis(x y z, angle), quat(w x y z)",
+     .example = "set ball.rotation euler(0deg 90deg 0deg)"},
+    {.name = "scale",
+     .type = Type::vector,
+     .rest = Vec3{1, 1, 1},
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "How large it is, along each axis.",
+     .written = "a vector",
+     .example = "set ball.scale (1 2 1)"},
+    {.name = "pivot",
+     .type = Type::vector,
+     .rest = Vec3{},
+     .kinds = all_placed,
+     .unit = Unit::metres,
+     .place = true,
+     .sentence = "The point it turns and grows about.",
+     .written = "a vector",
+     .example = "set ball.pivot (0 -1 0)"},
+    {.name = "attach-position",
+     .type = Type::vector,
+     .rest = Vec3{},
+     .kinds = all_placed,
+     .unit = Unit::metres,
+     .place = true,
+     .sentence = "Where on it others are attached.",
+     .written = "a vector",
+     .example = "set ball.attach-position (0 1 0)"},
+    {.name = "color",
+     .type = Type::color,
+     .rest = Color{},
+     .kinds = all_placed,
+     .sentence = "Its color.",
+     .written = "a name, #rrggbb, rgb(…), hsv(…)",
+     .example = "set ball.color gold"},
+    {.name = "shininess",
+     .type = Type::scalar,
+     .rest = 0.0,
+     .kinds = all_placed,
+     .low = 0,
+     .high = 1,
+     .sentence = "How sharply it shines, 0 to 1.",
+     .written = "a number",
+     .example = "set ball.shininess 0.8"},
+    {.name = "transparency",
+     .type = Type::scalar,
+     .rest = 0.0,
+     .kinds = all_placed,
+     .low = 0,
+     .high = 1,
+     .sentence = "How much is seen through it, 0 to 1.",
+     .written = "a number",
+     .example = "set ball.transparency 0.5"},
+    {.name = "geometry",
+     .type = Type::shape,
+     .rest = ObjectId{},
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "The shape it shows: its own, or another object's.",
+     .written = "shape(NAME) or none",
+     .example = "set ball.geometry shape(wheel1)"},
+    {.name = "display",
+     .type = Type::boolean,
+     .rest = true,
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "Whether it is seen.",
+     .written = "on or off",
+     .example = "set ball.display off"},
+    {.name = "material",
+     .type = Type::text,
+     .rest = Text(std::string("plastic")),
+     .kinds = all_placed,
+     .words = "plastic|matte|metal|glow",
+     .sentence = "What it seems to be made of.",
+     .written = "\"plastic\", \"matte\", \"metal\" or \"glow\"",
+     .example = "set ball.material \"metal\""},
+    {.name = "texture",
+     .type = Type::text,
+     .rest = Text(),
+     .kinds = all_placed,
+     .sentence = "A picture on it, from a file below the script's folder.",
+     .written = "\"FILE\"",
+     .example = "set ball.texture \"\""},
+    {.name = "radius",
+     .type = Type::scalar,
+     .rest = 1.0,
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = put_measure<&Shape::radius>,
+     .sentence = "Of spheres, discs, cylinders, cones and rings.",
+     .written = "a number",
+     .example = "set ball.radius 2"},
+    {.name = "size",
+     .type = Type::vector,
+     .rest = Vec3{1, 1, 1},
+     .kinds = bit(Kind::box),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.size = std::get<Vec3>(v); },
+     .sentence = "Of boxes, planes, letters and points.",
+     .written = "as many numbers as it has sides",
+     .example = "create crate box\nset crate.size (1 2 3)"},
+    {.name = "size",
+     .type = Type::pair,
+     .rest = Vec3{1, 1, 0},
+     .kinds = bit(Kind::plane),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape =
+         [](Shape& s, const Value& v, const Scene&) {
+           const Vec3 p = std::get<Vec3>(v);
+           s.size = {p.x, p.y, 1};
+         }},
+    {.name = "size",
+     .type = Type::scalar,
+     .rest = 1.0,
+     .kinds = bit(Kind::text),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape =
+         [](Shape& s, const Value& v, const Scene&) {
+           s.size = {1, std::get<double>(v), 1};
+         }},
+    {.name = "size",
+     .type = Type::scalar,
+     .rest = 0.05,
+     .kinds = bit(Kind::points),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = put_measure<&Shape::width>},
+    {.name = "height",
+     .type = Type::scalar,
+     .rest = 1.0,
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = put_measure<&Shape::height>,
+     .sentence = "Of cylinders and cones; of a camera without perspective, what it sees.",
+     .written = "a number",
+     .example = "set eye.height 10"},
+    {.name = "tube",
+     .type = Type::scalar,
+     .rest = 0.3,
+     .kinds = bit(Kind::torus),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = put_measure<&Shape::tube>,
+     .sentence = "How thick a ring is.",
+     .written = "a number",
+     .example = "create ring torus\nset ring.tube 0.1"},
+    {.name = "points",
+     .type = Type::points,
+     .rest = Points(),
+     .unit = Unit::metres,
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.points = std::get<Points>(v); },
+     .sentence = "The points of an outline, a line or a cloud.",
+     .written = "((x y) …)",
+     .example = "create line polyline\nset line.points ((0 0) (1 1))"},
+    {.name = "width",
+     .type = Type::scalar,
+     .rest = 0.05,
+     .kinds = bit(Kind::polyline),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = put_measure<&Shape::width>,
+     .sentence = "How thick a line is.",
+     .written = "a number",
+     .example = "create line polyline\nset line.width 0.2"},
+    {.name = "text",
+     .type = Type::text,
+     .rest = Text(),
+     .kinds = bit(Kind::text),
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.text = std::get<Text>(v); },
+     .sentence = "What letters say.",
+     .written = "\"…\"",
+     .example = "create title text\nset title.text \"The end\""},
+    {.name = "font",
+     .type = Type::text,
+     .rest = Text(std::string("DejaVu Sans")),
+     .kinds = bit(Kind::text),
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.font = std::get<Text>(v); },
+     .sentence = "The font of letters.",
+     .written = "\"…\"",
+     .example = "create title text\nset title.font \"DejaVu Sans\""},
+    {.name = "depth",
+     .type = Type::scalar,
+     .rest = 0.0,
+     .kinds = bit(Kind::text),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = put_measure<&Shape::depth>,
+     .sentence = "How thick letters are.",
+     .written = "a number",
+     .example = "create title text\nset title.depth 0.2"},
+    {.name = "file",
+     .type = Type::text,
+     .rest = Text(),
+     .kinds = bit(Kind::mesh),
+     .shape = put_file,
+     .sentence = "The file of a mesh.",
+     .written = "\"FILE\""},
+    {.name = "range",
+     .type = Type::scalar,
+     .rest = 20.0,
+     .kinds = bit(Kind::light),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .sentence = "How far a lamp shines.",
+     .written = "a number",
+     .example = "set lamp.range 60"},
+    {.name = "intensity",
+     .type = Type::scalar,
+     .rest = 1.0,
+     .kinds = bit(Kind::light),
+     .low = 0,
+     .high = 1e6,
+     .sentence = "How brightly a lamp shines.",
+     .written = "a number",
+     .example = "set lamp.intensity 2"},
+    {.name = "shines",
+     .type = Type::text,
+     .rest = Text(std::string("point")),
+     .kinds = bit(Kind::light),
+     .words = "point|sun",
+     .sentence = "Whether a lamp shines from a point or like the sun.",
+     .written = "\"point\" or \"sun\"",
+     .example = "set lamp.shines \"sun\""},
+    {.name = "lens",
+     .type = Type::scalar,
+     .rest = 35.0,
+     .kinds = bit(Kind::camera),
+     .unit = Unit::millimetres,
+     .low = 0.1,
+     .high = 1e6,
+     .place = true,
+     .sentence = "The lens of a camera, on a gate 36 mm wide.",
+     .written = "35mm",
+     .example = "set eye.lens 50mm"},
+    {.name = "fov",
+     .type = Type::angle,
+     .rest = 0.0,
+     .kinds = bit(Kind::camera),
+     .low = 0,
+     .high = 3.1,
+     .place = true,
+     .sentence = "The horizontal angle a camera sees.",
+     .written = "an angle",
+     .example = "set eye.fov 50deg"},
+    {.name = "height",
+     .type = Type::scalar,
+     .rest = 0.0,
+     .kinds = bit(Kind::camera),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .place = true},
+    {.name = "look-at",
+     .type = Type::aim,
+     .rest = ObjectId{},
+     .kinds = bit(Kind::camera),
+     .unit = Unit::metres,
+     .place = true,
+     .sentence = "What a camera looks at.",
+     .written = "a point or a name",
+     .example = "set eye.look-at ball"},
+    {.name = "attachment",
+     .type = Type::attachment,
+     .rest = Attachment{},
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "What holds it, and how; see hang, attach and couple."},
+    {.name = "weight",
+     .type = Type::scalar,
+     .rest = 1.0,
+     .kinds = bit(Kind::layer),
+     .low = 0,
+     .high = 1,
+     .sentence = "How much of a layer counts, 0 to 1.",
+     .written = "a number"},
+    {.name = "mode",
+     .type = Type::text,
+     .rest = Text(std::string("add")),
+     .kinds = bit(Kind::layer),
+     .words = "add|mix",
+     .sentence = "Whether a layer is added or mixed in.",
+     .written = "\"add\" or \"mix\""},
+    {.name = "environments",
+     .type = Type::names,
+     .rest = Names(),
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "The environments it is in, the outermost first.",
+     .written = "(E1 E2)",
+     .example = "animate wind every 1t by translate(0.1 0 0)\nset ball.environments (wind)"},
+    {.name = "drive",
+     .type = Type::names,
+     .rest = Names(),
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "Environments that move it in its own space, before its own place.",
+     .written = "(E1 E2)",
+     .example = "animate spin every 1t by rotate(6deg, z)\nset ball.drive (spin)"},
+    {.name = "transform",
+     .type = Type::transform,
+     .rest = Matrix(),
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "Moves it in its own space, before its own place.",
+     .written = "translate(…) rotate(…) scale(…) or matrix(…)",
+     .example = "set ball.transform scale(1 2 1) rotate(30deg, z)"},
+    {.name = "motion",
+     .type = Type::motion,
+     .rest = Moves(),
+     .kinds = all_placed,
+     .place = true,
+     .sentence = "A string of translations, rotations and scalings over a segment; the leftmost is applied last.",
+     .written = "1f..48f T(6.28 0) R(-1turn @ 0 1)",
+     .example = "at 1f..48f ball.motion T(6.28 0) R(-1turn @ 0 1)"},
+};
+
+std::vector<FunctionSpec> make_functions() {
+  std::vector<FunctionSpec> made(std::begin(function_rows), std::end(function_rows));
+  for (FunctionSpec& f : made) {
+    const bool everywhere = f.kinds == all_placed, shared = f.kinds == 0;
+    for (const KindRow& row : kinds()) {
+      if (everywhere && !row.placed) f.kinds &= ~bit(row.kind);
+      if (shared && has_word(row.functions, f.name)) f.kinds |= bit(row.kind);
+    }
+  }
+  return made;
 }
 
 const std::vector<FunctionSpec>& table() {
-  static const std::vector<FunctionSpec> t = make();
+  static const std::vector<FunctionSpec> t = make_functions();
   return t;
 }
 
@@ -85,12 +407,6 @@ std::optional<FunctionId> find_built_in(Kind kind, std::string_view name) {
   for (std::size_t i = 0; i < t.size(); ++i)
     if (t[i].name == name && (t[i].kinds & bit(kind))) return static_cast<FunctionId>(i);
   return std::nullopt;
-}
-
-std::optional<Kind> find_kind(std::string_view name) {
-  const auto at = std::find(kind_names.begin(), kind_names.end(), name);
-  if (at == kind_names.end()) return std::nullopt;
-  return static_cast<Kind>(at - kind_names.begin());
 }
 
 int component_count(Type type) {
@@ -118,11 +434,6 @@ int find_component(Type type, std::string_view name) {
   for (int i = 0; i < component_count(type); ++i)
     if (component_name(type, i) == name) return i;
   return -1;
-}
-
-std::string a_kind(Kind kind) {
-  const std::string_view name = kind_names[static_cast<std::size_t>(kind)];
-  return (name[0] == 'e' ? "an " : "a ") + std::string(name);
 }
 
 }  // namespace betwixt

@@ -15,21 +15,31 @@
 namespace betwixt {
 
 using FunctionId = std::uint16_t;
+constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
 
 enum class Unit : std::uint8_t { none, metres, millimetres };
 
+struct Scene;
+
 struct FunctionSpec {
-  std::string name;
+  std::string name = {};
   Type type = Type::scalar;
-  Value rest;               // the value where nobody says otherwise
-  std::uint32_t kinds = 0;  // bit per Kind
+  Value rest = {};          // the value where nobody says otherwise
+  std::uint32_t kinds = 0;  // bit per Kind; a row that names none is shared by the kinds whose rows name it
   Unit unit = Unit::none;
-  std::string words;                  // for texts that are one of a few words: "point|sun"
+  std::string words = {};             // for texts that are one of a few words: "point|sun"
   double low = -1e300, high = 1e300;  // numbers outside mean nothing
+  // Puts its value at a time into a shape: numbers come as they are held, a double or a Vec3. None: it is no part of
+  // one.
+  void (*shape)(Shape&, const Value&, const Scene&) = nullptr;
+  bool place = false;  // whether it says where things are, or what of them is seen
+  std::string_view sentence = {}, written = {}, example = {};  // for help; one row speaks for all of its name
+  // Whether what touches what can depend on it.
+  bool matters_to_contacts() const { return place || shape != nullptr; }
   friend bool operator==(const FunctionSpec&, const FunctionSpec&) = default;
 };
 
-// The built-in ones, in the order of their ids.
+// The built-in ones, in the order of their ids; those of `fn` first.
 std::span<const FunctionSpec> built_in_functions();
 std::optional<FunctionId> find_built_in(Kind kind, std::string_view name);
 
@@ -78,17 +88,6 @@ enum : FunctionId {
   count
 };
 }
-
-std::string a_kind(Kind);  // "a sphere", "an environment"
-inline constexpr std::array<std::string_view, 17> kind_names{
-    "group",    "sphere", "box",  "cylinder", "cone",  "torus",  "plane", "disc",       "polygon",
-    "polyline", "points", "text", "mesh",     "light", "camera", "layer", "environment"};
-std::optional<Kind> find_kind(std::string_view name);
-inline bool drawn(Kind k) {
-  return k != Kind::group && k != Kind::light && k != Kind::camera && k != Kind::layer && k != Kind::environment;
-}
-// Whether objects of the kind are somewhere; the others are only spoken of.
-inline bool placed(Kind k) { return k != Kind::layer && k != Kind::environment; }
 
 // Names of components: x y z, or r g b for colours. -1: no such component of this type.
 int find_component(Type type, std::string_view name);

@@ -4,12 +4,17 @@
 // Meshes of plain bodies, made from numbers alone.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "betwixt/math.h"
 #include "betwixt/mesh.h"
 
 namespace betwixt {
+
+// A measure or a point that can be reckoned with: squares and their products still fit into f32's neighbours in f64.
+inline bool sane(double d) { return std::abs(d) < 1e18; }
+inline bool sane(Vec3 p) { return sane(p.x) && sane(p.y) && sane(p.z); }
 
 // About the origin, radius 1, height 1 along y, sides 1; `around` and `up`: how many faces. At least 3 and 2.
 Mesh sphere_mesh(int around, int up);

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/kinds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/utf8.h"
+#include "scene/primitives.h"
+
+namespace betwixt {
+namespace {
+
+// ---- Where shapes end
+
+Extent centred_on_origin(Vec3 half) { return {-half, half}; }
+
+Extent around_points(const std::vector<Vec3>& points, double margin) {
+  if (points.empty()) return {};
+  Extent e{points[0], points[0]};
+  for (Vec3 p : points)
+    for (int i = 0; i < 3; ++i) e.low[i] = std::min(e.low[i], p[i]), e.high[i] = std::max(e.high[i], p[i]);
+  const Vec3 m{margin, margin, margin};
+  return {e.low - m, e.high + m};
+}
+
+Extent of_ball(const Shape& s) { return centred_on_origin({s.radius, s.radius, s.radius}); }
+Extent of_box(const Shape& s) { return centred_on_origin(0.5 * s.size); }
+Extent of_plane(const Shape& s) { return centred_on_origin({s.size.x / 2, s.size.y / 2, 0}); }
+Extent of_disc(const Shape& s) { return centred_on_origin({s.radius, s.radius, 0}); }
+Extent of_round(const Shape& s) { return centred_on_origin({s.radius, s.height / 2, s.radius}); }  // cylinder, cone
+Extent of_ring(const Shape& s) { return centred_on_origin({s.radius + s.tube, s.tube, s.radius + s.tube}); }
+Extent of_polygon(const Shape& s) { return around_points(*s.points, 0); }
+Extent of_points(const Shape& s) { return around_points(*s.points, s.width / 2); }
+Extent of_mesh(const Shape& s) {
+  if (!s.mesh || s.mesh->positions.empty()) return {};
+  const auto box = s.mesh->box();
+  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+}
+
+// Width and lines of a text, letters taken as 0.6 em wide.
+Extent of_text(const Shape& s) {
+  double widest = 0, letters = 0, lines = 1;
+  for (const char c : *s.text) {
+    if (c == '\n')
+      ++lines, letters = 0;
+    else if (begins_character(c))
+      widest = std::max(widest, ++letters);
+  }
+  if (widest == 0) return {};
+  const double em = s.size.y;
+  return {{-0.3 * widest * em, (-0.25 - 1.2 * (lines - 1)) * em, -s.depth / 2},
+          {0.3 * widest * em, 0.8 * em, s.depth / 2}};
+}
+
+// Round shapes reach less far than the corners of their boxes.
+double ball_reach(const Shape& s, Vec3 r) { return s.radius * length(r); }
+double disc_reach(const Shape& s, Vec3 r) { return s.radius * std::hypot(r.x, r.y); }
+double cylinder_reach(const Shape& s, Vec3 r) { return s.radius * std::hypot(r.x, r.z) + std::abs(s.height / 2 * r.y); }
+double ring_reach(const Shape& s, Vec3 r) { return s.radius * std::hypot(r.x, r.z) + s.tube * length(r); }
+
+// ---- How they become triangles
+
+Vec3 even_measures(const Shape& s) { return {s.radius, s.radius, s.radius}; }
+Vec3 box_measures(const Shape& s) { return s.size; }
+Vec3 plane_measures(const Shape& s) { return {s.size.x, s.size.y, std::max(s.size.x, s.size.y)}; }
+Vec3 round_measures(const Shape& s) { return {s.radius, s.height, s.radius}; }
+
+int faces_around(int detail) { return 24 << detail; }
+bool in_reach(const std::vector<Vec3>& points) {
+  return std::all_of(points.begin(), points.end(), [](Vec3 p) { return sane(p); });
+}
+
+Mesh ring_mesh(const Shape& s, int detail) {
+  if (!(s.tube > 0) || !(s.radius >= 0) || !sane(s.tube) || !sane(s.radius)) return {};
+  return torus_mesh(s.radius, s.tube, faces_around(detail), faces_around(detail) / 2);
+}
+Mesh stroke_mesh(const Shape& s, int detail) {
+  if (!in_reach(*s.points) || !sane(s.width) || s.points->empty()) return {};
+  return s.width > 0 ? tube_mesh(*s.points, s.width, 8 + 4 * detail) : line_mesh(*s.points);
+}
+Mesh cloud_mesh(const Shape& s, int detail) {
+  if (!in_reach(*s.points) || !sane(s.width) || !(s.width > 0)) return {};
+  // Fewer triangles for each where there are many: together they may be millions.
+  if (s.points->size() > 20000) return balls_mesh(*s.points, s.width, sphere_mesh(4, 2));
+  return balls_mesh(*s.points, s.width, sphere_mesh(8 << detail, 4 << detail));
+}
+
+std::vector<std::vector<Vec3>> one_contour(const Shape& s) {
+  if (s.points->size() < 3 || !in_reach(*s.points)) return {};
+  return {*s.points};
+}
+
+// ---- The rows
+
+constexpr KindRow kind_rows[] = {
+    {.kind = Kind::group,
+     .name = "group",
+     .sentence = "No shape; things hang on it.",
+     .example = "create hand2 group position=(0 1 0)"},
+    {.kind = Kind::sphere,
+     .name = "sphere",
+     .sentence = "A ball.",
+     .written = "radius=1",
+     .example = "create s sphere radius=2",
+     .functions = "radius",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_ball,
+     .reach = ball_reach,
+     .measures = even_measures,
+     .mesh = [](const Shape&, int detail) { return sphere_mesh(faces_around(detail), faces_around(detail) / 2); }},
+    {.kind = Kind::box,
+     .name = "box",
+     .sentence = "A box.",
+     .written = "size=(1 1 1)",
+     .example = "create b box size=(2 1 1)",
+     .fill = Fill::surface,
+     .extent = of_box,
+     .measures = box_measures,
+     .mesh = [](const Shape&, int) { return box_mesh(); }},
+    {.kind = Kind::cylinder,
+     .name = "cylinder",
+     .sentence = "A cylinder along y.",
+     .written = "radius=1 height=1",
+     .example = "create c cylinder radius=0.5 height=2",
+     .functions = "radius height",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_round,
+     .reach = cylinder_reach,
+     .measures = round_measures,
+     .mesh = [](const Shape&, int detail) { return cylinder_mesh(faces_around(detail)); }},
+    {.kind = Kind::cone,
+     .name = "cone",
+     .sentence = "A cone along y.",
+     .written = "radius=1 height=1",
+     .example = "create c cone height=2",
+     .functions = "radius height",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_round,
+     .measures = round_measures,
+     .mesh = [](const Shape&, int detail) { return cone_mesh(faces_around(detail)); }},
+    {.kind = Kind::torus,
+     .name = "torus",
+     .sentence = "A ring.",
+     .written = "radius=1 tube=0.3",
+     .example = "create ring torus tube=0.1",
+     .functions = "radius",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_ring,
+     .reach = ring_reach,
+     .mesh = ring_mesh},
+    {.kind = Kind::plane,
+     .name = "plane",
+     .sentence = "A flat rectangle.",
+     .written = "size=(1 1)",
+     .example = "create floor plane size=(20 20)",
+     .ground = true,
+     .fill = Fill::surface,
+     .extent = of_plane,
+     .measures = plane_measures,
+     .mesh = [](const Shape&, int) { return plane_mesh(); }},
+    {.kind = Kind::disc,
+     .name = "disc",
+     .sentence = "A flat disc.",
+     .written = "radius=1",
+     .example = "create d disc radius=3",
+     .functions = "radius",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_disc,
+     .reach = disc_reach,
+     .measures = even_measures,
+     .mesh = [](const Shape&, int detail) { return disc_mesh(faces_around(detail)); }},
+    {.kind = Kind::polygon,
+     .name = "polygon",
+     .sentence = "A filled outline.",
+     .written = "points=((x y) …)",
+     .example = "create p polygon points=((0 0) (2 0) (1 2))",
+     .functions = "points",
+     .fill = Fill::outline,
+     .extent = of_polygon,
+     .contours = one_contour},
+    {.kind = Kind::polyline,
+     .name = "polyline",
+     .sentence = "A line through points.",
+     .written = "points=((x y) …) width=0.05",
+     .example = "create l polyline points=((0 0) (2 0) (1 2)) width=0.1",
+     .functions = "points",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_points,
+     .mesh = stroke_mesh},
+    {.kind = Kind::points,
+     .name = "points",
+     .sentence = "A cloud of points.",
+     .written = "points=((x y z) …) size=0.05",
+     .example = "create stars points points=((0 0 0) (1 2 3)) size=0.1",
+     .functions = "points",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_points,
+     .mesh = cloud_mesh},
+    {.kind = Kind::text,
+     .name = "text",
+     .sentence = "Letters, flat or with a depth.",
+     .written = "text=\"…\" font=\"DejaVu Sans\" size=1 depth=0",
+     .example = "create title text text=\"The end\" size=2",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_text},
+    {.kind = Kind::mesh,
+     .name = "mesh",
+     .sentence = "A shape from a file below the script's folder.",
+     .written = "file=\"…\" texture=\"…\"",
+     .example = "create tree mesh file=\"tree.obj\"",
+     .fill = Fill::file,
+     .extent = of_mesh},
+    {.kind = Kind::light,
+     .name = "light",
+     .sentence = "A lamp, or the sun.",
+     .written = "range=20 intensity=1 shines=point|sun",
+     .example = "create sun light shines=sun intensity=2"},
+    {.kind = Kind::camera,
+     .name = "camera",
+     .sentence = "Where the film is seen from.",
+     .written = "lens=35mm or fov=50deg or height=10, look-at=(x y z) or a name",
+     .example = "create side camera position=(30 0 0) look-at=ball"},
+    {.kind = Kind::environment,
+     .name = "environment",
+     .article = "an",
+     .sentence = "What the command animate makes: a matrix that moves what is in it.",
+     .placed = false},
+    {.kind = Kind::layer,
+     .name = "layer",
+     .sentence = "What the command layer makes: motion laid over objects.",
+     .written = "weight=1 mode=add|mix",
+     .placed = false},
+};
+
+}  // namespace
+
+std::span<const KindRow> kinds() { return kind_rows; }
+
+const KindRow& row_of(Kind kind) {
+  static const auto by_kind = [] {
+    std::array<const KindRow*, 32> all{};  // bits of FunctionSpec::kinds
+    all.fill(&kind_rows[0]);
+    for (const KindRow& row : kind_rows) all[static_cast<std::size_t>(row.kind)] = &row;
+    return all;
+  }();
+  return *by_kind[static_cast<std::size_t>(kind) % by_kind.size()];
+}
+
+std::optional<Kind> find_kind(std::string_view name) {
+  for (const KindRow& row : kind_rows)
+    if (row.name == name) return row.kind;
+  return std::nullopt;
+}
+
+std::string a_kind(Kind kind) { return std::string(row_of(kind).article) + " " + std::string(name_of(kind)); }
+
+Extent extent(const Shape& s) {
+  const auto of = row_of(s.kind).extent;
+  return of ? of(s) : Extent{};
+}
+
+}  // namespace betwixt

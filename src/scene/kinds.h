@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Kinds of objects. Each is a row: its words, its functions, where its shape ends and how that becomes triangles. What
+// the other rooms know of a kind they read here.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/frame.h"
+#include "scene/extent.h"
+
+namespace betwixt {
+
+// What is between its borders.
+enum class Fill : std::uint8_t {
+  nothing,  // it has no shape
+  surface,  // triangles made from numbers alone: `mesh`
+  outline,  // what contours go round: its `contours`, or letters where it has none
+  file      // the mesh of a file
+};
+
+struct KindRow {
+  Kind kind = Kind::group;
+  std::string_view name = {}, article = "a";
+  std::string_view sentence = {}, written = {}, example = {};  // for help; `written`: what can be said of it
+  std::string_view functions = {};  // the shared ones: "radius height"; all others say themselves whose they are
+  bool placed = true;               // objects of it are somewhere; else they are only spoken of
+  bool ground = false;              // grounds and walls for the rest: not what a film is about
+  Fill fill = Fill::nothing;
+  bool deep = false;      // an outline that can have a depth
+  bool detailed = false;  // its mesh has more triangles where it is larger on the picture
+  // A box in object space that holds the shape.
+  Extent (*extent)(const Shape&) = nullptr;
+  // How far it reaches from its middle along a world axis, `r` being that row of its matrix; null: as far as its box.
+  double (*reach)(const Shape&, Vec3 r) = nullptr;
+  // What the mesh is stretched by; null: it is made to measure.
+  Vec3 (*measures)(const Shape&) = nullptr;
+  Mesh (*mesh)(const Shape&, int detail) = nullptr;  // detail 0, 1 or 2
+  std::vector<std::vector<Vec3>> (*contours)(const Shape&) = nullptr;
+};
+
+std::span<const KindRow> kinds();  // in the order in which help tells of them
+const KindRow& row_of(Kind);
+std::optional<Kind> find_kind(std::string_view name);
+
+inline std::string_view name_of(Kind k) { return row_of(k).name; }
+std::string a_kind(Kind);  // "a sphere", "an environment"
+inline bool drawn(Kind k) { return row_of(k).fill != Fill::nothing; }
+inline bool placed(Kind k) { return row_of(k).placed; }
+
+// By the numbers of the kinds.
+inline const std::vector<std::string_view> kind_names = [] {
+  std::vector<std::string_view> names(kinds().size());
+  for (const KindRow& row : kinds()) names[static_cast<std::size_t>(row.kind)] = row.name;
+  return names;
+}();
+
+}  // namespace betwixt
