@@ -12,6 +12,7 @@
 #include "app/subcommand.h"
 #include "betwixt/film.h"
 #include "betwixt/program.h"
+#include "film/formats.h"
 
 namespace betwixt {
 namespace {
@@ -121,7 +122,7 @@ Subcommand render_subcommand() {
   const auto call = std::make_shared<RenderCall>();
   Subcommand s{.rank = 10,
                .name = "render",
-               .sentence = "makes a film: .mp4 .webm .gif .apng or numbered pictures",
+               .sentence = "makes a film: " + film_endings() + " or numbered pictures",
                .takes = {script_parameter(call->file),
                          {.name = "-o,--output",
                           .value = "OUT",
