@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/editor.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "betwixt/language.h"
+#include "editor/history.h"
+
+namespace betwixt {
+namespace {
+
+Status say(Editor& editor, const std::string& line) {
+  Deed deed = editor.carry_out(editor.now(), line);
+  EXPECT_TRUE(deed.done) << line;
+  return editor.take(std::move(deed.after), {{deed.line}, deed.sheet});
+}
+
+TEST(Editor, CarryingOutChangesNothing) {
+  Editor editor;
+  editor.begin("create ball sphere\n", "");
+  const Document before = editor.now().document;
+  EXPECT_TRUE(editor.carry_out(editor.now(), "set ball.radius 2").done);
+  const Deed wrong = editor.carry_out(editor.now(), "set ball.radius two");
+  EXPECT_FALSE(wrong.done);
+  ASSERT_EQ(wrong.said.size(), 1u);
+  EXPECT_EQ(wrong.said[0].what.place.file, "");
+  EXPECT_EQ(wrong.said[0].what.place.line, 1);
+  EXPECT_EQ(wrong.said[0].what.place.column, 17);
+  EXPECT_TRUE(editor.now().document == before);
+  EXPECT_TRUE(editor.steps().empty());
+}
+
+// What cannot be kept is not done, nor taken back, nor done again.
+TEST(Editor, NothingIsDoneThatItsSinkCannotKeep) {
+  Editor editor;
+  editor.begin("", "");
+  bool full = false;
+  std::string told;
+  editor.keep([&](Did what, const Step& step, std::span<const Step> standing) -> Status {
+    if (full) return fail(Code::machine, "the disk is full");
+    told += static_cast<char>(what) + step.lines[0] + std::to_string(standing.size()) + " ";
+    return Nothing{};
+  });
+  EXPECT_TRUE(say(editor, "rate 25"));
+  EXPECT_TRUE(say(editor, "rate 30"));
+  EXPECT_TRUE(editor.undo());
+  full = true;
+  const Document before = editor.now().document;
+  for (const Status& s : {say(editor, "rate 12"), editor.undo(), editor.redo()})
+    EXPECT_EQ(s.error().message, "the disk is full");
+  EXPECT_TRUE(editor.now().document == before);
+  full = false;
+  EXPECT_TRUE(editor.redo());
+  EXPECT_EQ(told, "crate 250 crate 301 urate 301 rrate 301 ");
+}
+
+TEST(Editor, SheetsOfSeveralAuthorsStandSideBySide) {
+  Editor editor;
+  editor.begin("create {a,b} sphere\n", "");
+  std::string sheets[2];
+  const auto enter = [&](int who, const std::string& line) {
+    Point from = editor.now();
+    from.script.sheet = sheets[who];
+    Deed deed = editor.carry_out(from, line);
+    EXPECT_TRUE(deed.done) << line;
+    sheets[who] = deed.after.script.sheet;
+    if (deed.opens) return;
+    EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
+  };
+  enter(0, "a.radius");
+  enter(1, "b.radius");
+  enter(0, "  1f 2");
+  enter(1, "  1f 3");
+  enter(1, "  9f 4");
+  EXPECT_EQ(as_script("", editor.steps()), "a.radius\n  1f 2\nb.radius\n  1f 3\n  9f 4\n");
+  EXPECT_TRUE(load_text(as_script(editor.base(), editor.steps()), "").document == editor.now().document);
+}
+
+// Whatever is done, taken back and done again: what stands makes the document.
+TEST(Editor, WhatStandsMakesTheDocument) {
+  EXPECT_TRUE(rc::check([] {
+    const auto depth = *rc::gen::inRange<std::size_t>(1, 5);
+    Editor editor({}, depth);
+    editor.begin("create ball sphere\n", "");
+    std::vector<std::string> standing, undone;
+    std::size_t known = 0;  // documents that can be gone back to
+    for (const int what : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 6))) {
+      if (what < 3) {
+        standing.push_back(fmt::format("set ball.radius {}", standing.size() + 2 + static_cast<std::size_t>(what)));
+        undone.clear();
+        RC_ASSERT(static_cast<bool>(say(editor, standing.back())));
+        known = std::min(known + 1, depth);
+      } else if (what < 5) {
+        RC_ASSERT(static_cast<bool>(editor.undo()) == (known > 0));
+        if (known == 0) continue;
+        undone.push_back(standing.back()), standing.pop_back(), --known;
+      } else {
+        RC_ASSERT(static_cast<bool>(editor.redo()) == !undone.empty());
+        if (undone.empty()) continue;
+        standing.push_back(undone.back()), undone.pop_back(), ++known;
+      }
+      std::string text = "create ball sphere\n";
+      for (const std::string& line : standing) text += line + "\n";
+      RC_ASSERT(as_script(editor.base(), editor.steps()) == text);
+      RC_ASSERT(load_text(text, "").document == editor.now().document);
+      RC_ASSERT(editor.undone().size() == undone.size());
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace betwixt

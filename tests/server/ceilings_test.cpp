@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How much hosts may make of a document, and of its history. (R-E8)
+#include "server/stage.h"
+
+namespace betwixt {
+namespace {
+
+TEST(Imaging, HasACeilingOfObjects) {
+  Imaging::Options options;
+  options.ceilings.objects = 3;
+  Stage s(options);
+  const auto host = s.imaging.arrive();
+  s.done(host, "create a{1..3} sphere");
+  const Document before = s.imaging.document();
+  s.refused(host, "create b sphere", "there would be more than 3 objects, removed ones included");
+  s.refused(host, "animate e every 1t by rotate(1deg, y)", "more than 3 objects");
+  s.say(host, "bundle");
+  s.say(host, "set a1.radius 2");
+  s.say(host, "create b sphere");
+  s.refused(host, "end", "line 6: there would be more than 3 objects");
+  EXPECT_TRUE(s.imaging.document() == before);
+  s.done(host, "set a{1..3}.radius 2");  // what is there may change
+  s.done(host, "remove a1");
+  s.refused(host, "create b sphere", "more than 3 objects");
+  for (int i = 0; i < 3; ++i) s.done(host, "undo");
+  s.done(host, "create b sphere");
+  s.expect_history();
+}
+
+// A row under a pattern is an event for each; so are those of components, velocities and environments.
+TEST(Imaging, HasACeilingOfEvents) {
+  Imaging::Options options;
+  options.ceilings.events = 6;
+  Stage s(options);
+  const auto host = s.imaging.arrive();
+  s.done(host, "create a{1..2} sphere");
+  s.done(host, "at 1f a{1..2}.radius 2");
+  s.done(host, "at 1f a1.position.x 2");
+  s.done(host, "at 1f a1.rotation.velocity (0deg 90deg 0deg)");
+  s.done(host, "animate e every 1t by rotate(1deg, y)");
+  EXPECT_TRUE(holds(s.say(host, "stats"), "\"objects\":3,\"events\":5,"));
+  s.refused(host, "at 2f a{1..2}.radius 3", "there would be more than 6 events");
+  s.done(host, "at 1f a{1..2}.radius 3");  // in their place
+  s.done(host, "at 2f a1.radius 3");
+  s.refused(host, "halt e", "more than 6 events");
+  s.done(host, "undo");
+  s.done(host, "halt e");
+  s.expect_history();
+}
+
+TEST(Imaging, WhatWasThereMayBeMoreThanTheCeilings) {
+  const Folder folder;
+  folder.put("show.bx", "create a{1..4} sphere\nat 1f a{1..4}.radius 2\n");
+  Imaging::Options options;
+  options.ceilings = {1, 2, 3, 40};
+  Stage s(options, folder / "show.bx");
+  const auto host = s.imaging.arrive();
+  s.done(host, "at 1f a1.radius 3");
+  s.refused(host, "at 2f a1.radius 3", "more than 3 events");
+  s.refused(host, "create b sphere", "more than 2 objects");
+}
+
+TEST(Imaging, HasACeilingOfItsHistory) {
+  const Folder folder;
+  Imaging::Options options;
+  options.ceilings.history = 60;  // bytes
+  Stage s(options, "", folder / "live.bx");
+  const auto host = s.imaging.arrive(), other = s.imaging.arrive();
+  s.done(host, "create a sphere");  // 16, and for every step its sheet's line: 1
+  s.done(host, "set a.radius 2");   // 15 + 1
+  s.done(host, "set a.radius 3");   // 49 so far
+  EXPECT_TRUE(holds(s.say(host, "stats"), "\"history\":49"));
+  const Document before = s.imaging.document();
+  s.refused(host, "set a.radius 4", "the history would be longer than 60 bytes");
+  EXPECT_TRUE(s.imaging.document() == before);
+  s.done(host, "eval a.radius");
+  s.done(other, "# nothing");
+  s.done(other, "undo");
+  s.done(other, "set a.radius 4");
+  s.expect_history();
+  EXPECT_EQ(folder.get("live.bx"), "create a sphere\nset a.radius 2\nset a.radius 4\n");
+}
+
+// More environments than allowed are refused; those that are there stay as they are. (C120, R-E8)
+// shows: C120 R-E8
+TEST(Imaging, HasACeiling) {
+  Imaging::Options options;
+  options.ceilings.environments = 3;
+  Stage s(options);
+  const auto host = s.imaging.arrive();
+  s.done(host, "animate e{1..3} every 1t by rotate(1deg, y)");
+  const Document before = s.imaging.document();
+  s.refused(host, "animate e4 every 1t by rotate(1deg, y)", "there would be more than 3 environments");
+  EXPECT_TRUE(s.imaging.document() == before);
+  s.done(host, "animate e3 every 2t by rotate(1deg, y)");
+  s.done(host, "kill e1");
+  s.done(host, "animate e4 every 1t by rotate(1deg, y)");
+}
+
+}  // namespace
+}  // namespace betwixt
