@@ -12,8 +12,9 @@
 
 #include "algebra/counted.h"
 
-// This file is compiled once for each kind of machine. Vectors without a size of their own cannot stand in a Lane.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_RVV)
+// This file is compiled once for each kind of machine (with SSSE3 but no SSE4: until 2008). Vectors without a size of
+// their own cannot stand in a Lane.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_RVV | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "algebra/kernels.cpp"
 #include <hwy/foreach_target.h>

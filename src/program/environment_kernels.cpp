@@ -8,7 +8,8 @@
 
 #include "scene/power.h"
 
-// This file is compiled once for each kind of machine.
+// This file is compiled once for each kind of machine (with SSSE3 but no SSE4: until 2008).
+#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "program/environment_kernels.cpp"
 #include <hwy/foreach_target.h>
