@@ -4,6 +4,9 @@
 // A document: an immutable value that holds a film. Copies are cheap and share everything; keeping one is undo.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,15 +21,28 @@ namespace betwixt {
 
 struct Scene;  // src/scene/document.h
 
-// A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole).
-// What can be asked for, not set: the full matrix, of an environment its A; an environment's M, interval in ticks
-// and number of updates; of a thing drawn what it touches, and whether any of it is in view.
-inline constexpr std::uint16_t world_function = 0xffff, motion_function = 0xfffe, interval_function = 0xfffd,
-                               count_function = 0xfffc, touching_function = 0xfffb, in_view_function = 0xfffa;
-constexpr bool only_asked(std::uint16_t function) { return function >= in_view_function; }
+// The ends of time.
+inline constexpr Time from_the_beginning{INT64_MIN}, for_good{INT64_MAX};
+
+// What can be asked of an object, and not set: a target has it in the place of a display function.
+enum class Query : std::uint16_t {
+  in_view = 0xfffa,  // whether any of a thing drawn is in view
+  touching,          // the names of what a thing drawn touches
+  count,             // of an environment: how many updates there have been
+  interval,          // ticks from one update to the next
+  motion,            // M
+  world,             // of an object the matrix that takes it to the world, of an environment A
+};
+
+// A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole), or a query.
 struct Target {
   constexpr Target() = default;
   constexpr Target(ObjectId o, std::uint16_t f, int c = -1) : object(o), function(f), component(c) {}
+  constexpr Target(ObjectId o, Query q, int c = -1) : Target(o, static_cast<std::uint16_t>(q), c) {}
+  constexpr std::optional<Query> query() const {
+    return function < static_cast<std::uint16_t>(Query::in_view) ? std::nullopt
+                                                                 : std::optional(static_cast<Query>(function));
+  }
 
   ObjectId object;
   std::uint16_t function = 0;
@@ -36,12 +52,20 @@ struct Target {
   friend constexpr bool operator==(Target, Target) = default;
 };
 
+inline constexpr std::uint16_t world_function = static_cast<std::uint16_t>(Query::world),
+                               motion_function = static_cast<std::uint16_t>(Query::motion);
+constexpr bool only_asked(std::uint16_t function) { return Target({}, function).query().has_value(); }
+
+// What words stand for: patterns and names, which are looked up at each use.
+using Aliases = std::map<std::string, std::vector<std::string>, std::less<>>;
+
 class Document {
  public:
   Document();
   explicit Document(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
 
-  Rate rate() const;
+  Rate rate() const;   // frames a second
+  Rate ticks() const;  // of environments, contacts and the imaging server
   // First and last frame's time. Without a `range` command: frame 1 to the last event, one second where there are no
   // events.
   std::pair<Time, Time> range() const;
@@ -52,6 +76,8 @@ class Document {
   std::string name(ObjectId) const;
   std::string name(const Target&) const;                                      // "ball.position.x"
   std::vector<std::pair<Time, std::string>> notes(Time from, Time to) const;  // both ends included
+  const Aliases& aliases() const;
+  const std::map<Time, ObjectId>& cuts() const;  // which camera is looked through from when on
 
   const Scene& scene() const { return *scene_; }
   friend bool operator==(const Document&, const Document&);  // same content

@@ -7,7 +7,6 @@
 #include "app/command.h"
 #include "app/subcommand.h"
 #include "betwixt/program.h"
-#include "scene/document.h"
 
 namespace betwixt {
 namespace {
@@ -23,7 +22,7 @@ int contacts(const ContactsCall& call) {
   if (!document) return wrong_input;
   const auto frames = read_frames(call.frames, *document);
   if (!frames) return complain(frames.error(), wrong_call);
-  const Rate ticks = document->scene().ticks;
+  const Rate ticks = document->ticks();
   const auto tick = [&](std::int64_t n) { return ticks.span(static_cast<double>(n)); };
   std::int64_t n = ticks.whole(frames->first);
   if (tick(n) < frames->first) ++n;

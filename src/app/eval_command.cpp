@@ -51,9 +51,9 @@ std::string plain(const Reading& r, const Target& t, const Document& d) {
     for (double n : numbers(r)) out += (out.back() == '(' ? "" : " ") + write_number(n);
     return out + ")";
   }
-  if (const auto* n = std::get_if<double>(&r); n && only_asked(t.function)) return write_number(*n);
-  if (const auto* b = std::get_if<bool>(&r); b && only_asked(t.function)) return *b ? "on" : "off";
-  if (const auto* names = std::get_if<Names>(&r); names && only_asked(t.function))
+  if (const auto* n = std::get_if<double>(&r); n && t.query()) return write_number(*n);
+  if (const auto* b = std::get_if<bool>(&r); b && t.query()) return *b ? "on" : "off";
+  if (const auto* names = std::get_if<Names>(&r); names && t.query())
     return fmt::format("({})", fmt::join(**names, " "));
   Value v;
   std::visit(

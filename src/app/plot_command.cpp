@@ -90,7 +90,7 @@ Stroke events(const Number& n, const Document& document, const Target& target, c
 
 // The curves of a target; none where it is not made of numbers.
 std::vector<Curve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
-  const bool asked = only_asked(target.function);
+  const bool asked = target.query().has_value();
   if (asked && target.component < 0) return {};  // a matrix
   const Document& document = program.document();
   const Type type = asked ? Type::scalar : spec_of(document.scene(), target.function).type;

@@ -332,22 +332,11 @@ struct Compiler {
 
   // The environments that a function of the object's names, from the event on that names them.
   std::int32_t siting(const Object& o, FunctionId f) {
-    const Slot* slot = o.find(f);
-    if (!slot) return -1;
     Siting made;
-    const auto change = [&](Time from, const Value& v) {
-      Siting::Change c{from, {}};
-      const std::int64_t tick = from.flicks == INT64_MIN ? -Environment::furthest : scene.ticks.whole(from);
-      for (const std::string& name : *std::get<Names>(v))
-        for (const ObjectId id : select(scene, name))  // an alias is many
-          if (const auto& track = scene.objects[id.index].environment)
-            if (const auto generation = track->bind(tick)) c.sites.push_back(site(id.index, *generation));
-      made.changes.push_back(std::move(c));
-    };
-    slot->track->events.each([&](const Event& e) {
-      if (!e.keep) change(e.time, e.value);
-    });
-    if (made.changes.empty() && slot->set) change({INT64_MIN}, *slot->set);
+    for (const EnvironmentsFrom& e : environments_of(scene, o, f)) {
+      made.changes.push_back({e.from, {}});
+      for (const Generation& g : e.all) made.changes.back().sites.push_back(site(g.environment.index, g.number));
+    }
     if (made.changes.empty()) return -1;
     code.sitings.push_back(std::move(made));
     return static_cast<std::int32_t>(code.sitings.size()) - 1;
@@ -405,7 +394,7 @@ struct Compiler {
     };
     std::vector<Happening> all;
     for (std::uint32_t i = 0; i < code.nodes.size(); ++i)
-      for (const Attached& a : attachments(scene.objects[code.nodes[i].object]))
+      for (const AttachmentSpan& a : attachments(scene.objects[code.nodes[i].object]))
         if (a.from.flicks != INT64_MIN || a.to.hold >= Hold::hang)
           all.push_back({a.from, a.to.hold >= Hold::hang && find_object(scene, a.to.parent), i, a.to});
     std::stable_sort(all.begin(), all.end(), [](const Happening& a, const Happening& b) {

@@ -45,24 +45,24 @@ void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const
 Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
   const std::uint32_t object = target.object.index;
   const Object& what = document.scene().objects[object];
-  if (what.environment && only_asked(target.function)) {
+  const std::optional<Query> query = target.query();
+  if (what.environment && query) {
     const Environment& e = *what.environment;
     const std::int64_t tick = document.scene().ticks.whole(t);
     // Of the generation alive then; its last A where it has been killed.
     const int generation = e.generation_at(tick).value_or(std::max(0, e.bind(tick).value_or(e.generations()) - 1));
-    if (target.function == motion_function) return e.matrix(tick).value_or(Mat4{});
-    if (target.function == interval_function) return static_cast<double>(e.interval(tick).value_or(0));
-    if (target.function == count_function) return static_cast<double>(e.count(generation, tick));
+    if (query == Query::motion) return e.matrix(tick).value_or(Mat4{});
+    if (query == Query::interval) return static_cast<double>(e.interval(tick).value_or(0));
+    if (query == Query::count) return static_cast<double>(e.count(generation, tick));
     return place_in(e.at(generation, tick), target.component);
   }
-  if (target.function == touching_function) {
+  if (query == Query::touching) {
     std::vector<std::string> names;
     for (const ObjectId id : contacts(t, asking)->touching(target.object)) names.push_back(document.name(id));
     return Names(std::move(names));
   }
-  if (target.function == in_view_function) return contacts(t, asking)->sight(target.object) != Sight::out;
-  if (target.function == world_function)
-    return place_in(placement(node_of[object], t, asking).in_world(), target.component);
+  if (query == Query::in_view) return contacts(t, asking)->sight(target.object) != Sight::out;
+  if (query == Query::world) return place_in(placement(node_of[object], t, asking).in_world(), target.component);
   if (target.velocity) {
     const auto v = velocity(object, target.function, t, asking);
     return part(v.value_or(Value(0.0)), target.component);
@@ -71,7 +71,7 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
   const Type type = spec_of(document.scene(), target.function).type;
   if (type == Type::attachment) {  // before its first event it is what holds from the beginning
     Attachment now;
-    for (const Attached& a : attachments(document.scene().objects[object]))
+    for (const AttachmentSpan& a : attachments(document.scene().objects[object]))
       if (a.from <= t) now = a.to;
     return now;
   }
@@ -129,7 +129,7 @@ std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t,
   out.reserve(targets.size());
   std::vector<Mat4> worlds;  // many worlds are cheaper all at once
   const auto wants_world = [&](const Target& x) {
-    return x.function == world_function && !code_->document.scene().objects[x.object.index].environment;
+    return x.query() == Query::world && !code_->document.scene().objects[x.object.index].environment;
   };
   if (std::count_if(targets.begin(), targets.end(), wants_world) > 4)
     worlds = code_->worlds(t, code_->at(t, asking).data(), asking);

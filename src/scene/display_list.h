@@ -20,13 +20,10 @@
 #include <vector>
 
 #include "base/cow.h"
-#include "betwixt/result.h"
-#include "betwixt/time.h"
-#include "betwixt/value.h"
+#include "betwixt/document.h"
 
 namespace betwixt {
 
-struct Scene;
 struct Object;
 
 enum class Drawing : std::uint8_t {
@@ -83,7 +80,6 @@ struct DisplayList {
 using DisplayLists = std::map<std::string, Cow<DisplayList>, std::less<>>;
 // What lists are from a time on; each until a later time says more of it.
 using LaterLists = std::map<Time, DisplayLists>;
-inline constexpr Time from_the_beginning{INT64_MIN};
 
 // A list as it is at a time; none where it is not there.
 const DisplayList* list_at(const Scene&, std::string_view name, Time);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "scene/names.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -154,8 +155,8 @@ std::vector<ObjectId> select(const Scene& s, std::string_view word) {
   return once;
 }
 
-std::vector<Attached> attachments(const Object& o) {
-  std::vector<Attached> out;
+std::vector<AttachmentSpan> attachments(const Object& o) {
+  std::vector<AttachmentSpan> out;
   const Slot* slot = o.find(fn::attachment);
   if (!slot) return out;
   out.push_back({{INT64_MIN}, {INT64_MAX}, slot->set ? std::get<Attachment>(*slot->set) : Attachment{}});
@@ -179,7 +180,7 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
   std::vector<Step> steps{{parent, from, until, 0}};
   const std::size_t enough = 4 * s.objects.size() + 10'000;  // a circle made by moving events must not hold us up
   for (std::size_t i = 0; i < steps.size() && steps.size() < enough; ++i) {
-    for (const Attached& a : attachments(s.objects[steps[i].at.index])) {
+    for (const AttachmentSpan& a : attachments(s.objects[steps[i].at.index])) {
       const Time begin = std::max(a.from, steps[i].from), end = std::min(a.until, steps[i].until);
       if (a.to.hold < Hold::hang || !find_object(s, a.to.parent) || begin >= end) continue;
       steps.push_back({a.to.parent, begin, end, i});
@@ -217,9 +218,8 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
     if (next == std::string_view::npos) break;
     rest.remove_prefix(next + 1);
   }
-  if (const auto asked = find_asked(s.objects[t.object.index].kind, words[0])) {
-    t.function = *asked;
-    return words.size() == 1 ? Result<Target>(t)
+  if (const auto query = find_query(s.objects[t.object.index].kind, words[0])) {
+    return words.size() == 1 ? Result<Target>(Target(t.object, *query))
                              : no("this has no parts; a matrix is a table of 16 numbers, with x y z");
   }
   const Kind kind = s.objects[t.object.index].kind;

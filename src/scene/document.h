@@ -122,9 +122,9 @@ struct Scene {
   Objects objects;
   NameIndex names;
   Cow<std::vector<FunctionSpec>> defined;  // the user's own functions; ids follow the built-in ones
-  Cow<std::map<std::string, std::vector<std::string>, std::less<>>> aliases;  // patterns inside are read at each use
-  Cow<std::vector<std::pair<Time, std::string>>> notes;                       // sorted by time
-  Cow<std::vector<NamedProcedure>> procedures;  // events speak of twerpers by their place here
+  Cow<Aliases> aliases;
+  Cow<std::vector<std::pair<Time, std::string>>> notes;  // sorted by time
+  Cow<std::vector<NamedProcedure>> procedures;           // events speak of twerpers by their place here
   Cow<std::vector<Dial>> dials;
   Cow<DisplayLists> lists;                // from the beginning
   Cow<LaterLists> later_lists;            // what edits at a time have made of them
@@ -150,17 +150,25 @@ inline const Object* find_object(const Scene& s, ObjectId id) {
   return id.index < s.objects.size() && !s.objects[id.index].removed ? &s.objects[id.index] : nullptr;
 }
 
-// "world", of environments "by", "every" and "count", of what is drawn "touching" and "in-view".
 std::optional<FunctionId> find_asked(Kind, std::string_view name);
 // Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left
 // out.
 std::vector<ObjectId> select(const Scene&, std::string_view word);
-// The attachments of an object one after another: first the one from the beginning, then the track's, until the next.
-struct Attached {
-  Time from, until;
-  Attachment to;
+// First what holds from the beginning, then the track's, each until the next.
+std::vector<AttachmentSpan> attachments(const Object&);
+using Attached = AttachmentSpan;
+// The environments that an object is in (fn::environments) or that drive it (fn::drive), the outermost first, each
+// until the next; the first ones count before their time too. Which generation of a name that is was settled when the
+// event that says so came (R-E9).
+struct Generation {
+  ObjectId environment;
+  int number = 0;
 };
-std::vector<Attached> attachments(const Object&);
+struct EnvironmentsFrom {
+  Time from;
+  std::vector<Generation> all;
+};
+std::vector<EnvironmentsFrom> environments_of(const Scene&, const Object&, FunctionId);
 // Would `child` attached to `parent` from `from` to `until` hang, at some time, on itself? The circle's objects from
 // the child on; empty: no.
 std::vector<ObjectId> circle(const Scene&, ObjectId child, ObjectId parent, Time from, Time until);

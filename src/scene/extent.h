@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "betwixt/frame.h"
+#include "betwixt/shape.h"
 
 namespace betwixt {
 

@@ -9,17 +9,12 @@
 #include <string>
 #include <string_view>
 
-#include "betwixt/frame.h"
-#include "betwixt/value.h"
+#include "betwixt/object.h"
 
 namespace betwixt {
 
 using FunctionId = std::uint16_t;
 constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
-
-enum class Unit : std::uint8_t { none, metres, millimetres };
-
-struct Scene;
 
 struct FunctionSpec {
   std::string name = {};

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "betwixt/frame.h"
+#include "betwixt/object.h"
 #include "scene/extent.h"
 
 namespace betwixt {
@@ -48,7 +48,6 @@ std::span<const KindRow> kinds();  // in the order in which help tells of them
 const KindRow& row_of(Kind);
 std::optional<Kind> find_kind(std::string_view name);
 
-inline std::string_view name_of(Kind k) { return row_of(k).name; }
 std::string a_kind(Kind);  // "a sphere", "an environment"
 inline bool drawn(Kind k) { return row_of(k).fill != Fill::nothing; }
 inline bool placed(Kind k) { return row_of(k).placed; }

@@ -4,16 +4,43 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace betwixt {
 
 namespace {
-constexpr std::string_view asked_names[] = {"world", "by", "every", "count", "touching", "in-view"};
-}
-std::optional<FunctionId> find_asked(Kind kind, std::string_view name) {
-  for (FunctionId i = 0; i < std::size(asked_names); ++i)
-    if (asked_names[i] == name && (i == 0 || (i < 4 ? kind == Kind::environment : drawn(kind))))
-      return static_cast<FunctionId>(0xffff - i);
+
+struct QueryName {
+  Query query;
+  std::string_view name;
+  bool (*of)(Kind);
+};
+bool moves_others(Kind k) { return k == Kind::environment; }
+constexpr QueryName query_names[] = {{Query::world, "world", [](Kind) { return true; }},
+                                     {Query::motion, "by", moves_others},
+                                     {Query::interval, "every", moves_others},
+                                     {Query::count, "count", moves_others},
+                                     {Query::touching, "touching", drawn},
+                                     {Query::in_view, "in-view", drawn}};
+
+}  // namespace
+
+std::optional<Query> find_query(Kind kind, std::string_view name) {
+  for (const QueryName& q : query_names)
+    if (q.name == name && q.of(kind)) return q.query;
   return std::nullopt;
+}
+
+std::string_view name_of(Query query) {
+  return std::find_if(std::begin(query_names), std::end(query_names),
+                      [&](const QueryName& q) { return q.query == query; })
+      ->name;
+}
+
+std::optional<FunctionId> find_asked(Kind kind, std::string_view name) {
+  const auto query = find_query(kind, name);
+  return query ? std::optional(static_cast<FunctionId>(*query)) : std::nullopt;
 }
 
 std::string object_name(const Scene& s, ObjectId id) {
@@ -23,8 +50,8 @@ std::string object_name(const Scene& s, ObjectId id) {
 
 std::string target_name(const Scene& s, const Target& t) {
   std::string name = object_name(s, t.object) + ".";
-  if (only_asked(t.function)) {
-    name += asked_names[0xffff - t.function];
+  if (const auto query = t.query()) {
+    name += name_of(*query);
     return t.component < 0 ? name : name.append(".").append(component_name(Type::vector, t.component));
   }
   const FunctionSpec& spec = spec_of(s, t.function);

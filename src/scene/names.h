@@ -14,4 +14,8 @@ std::string object_name(const Scene&, ObjectId);       // "none" where there is 
 std::string target_name(const Scene&, const Target&);  // "ball.position.x", "ball.position.velocity", "ball.world"
 std::string format_time(Time, Rate);                   // "24f" where it is on a frame, else seconds: "1.2345s"
 
+// "world", of environments "by", "every" and "count", of what is drawn "touching" and "in-view".
+std::string_view name_of(Query);
+std::optional<Query> find_query(Kind, std::string_view name);
+
 }  // namespace betwixt

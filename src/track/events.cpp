@@ -61,16 +61,13 @@ const Event* Events::find(Time t) const {
 
 std::size_t Events::count(Time from, Time to) const {
   std::size_t n = 0;
-  for (std::size_t c = chunk_of(from); c < chunks_.size() && chunks_[c]->front().time <= to; ++c)
-    for (const Event& e : *chunks_[c]) n += e.time >= from && e.time <= to;
+  each_between(from, to, [&](const Event&) { ++n; });
   return n;
 }
 
 std::vector<Event> Events::between(Time from, Time to) const {
   std::vector<Event> out;
-  for (std::size_t c = chunk_of(from); c < chunks_.size() && chunks_[c]->front().time <= to; ++c)
-    for (const Event& e : *chunks_[c])
-      if (e.time >= from && e.time <= to) out.push_back(e);
+  each_between(from, to, [&](const Event& e) { out.push_back(e); });
   return out;
 }
 

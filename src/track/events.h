@@ -34,6 +34,13 @@ class Events {
     for (const auto& chunk : chunks_)
       for (const Event& e : *chunk) f(e);
   }
+  // f(event) for those with from <= time <= to.
+  template <class F>
+  void each_between(Time from, Time to, F&& f) const {
+    for (std::size_t c = chunk_of(from); c < chunks_.size() && chunks_[c]->front().time <= to; ++c)
+      for (const Event& e : *chunks_[c])
+        if (e.time >= from && e.time <= to) f(e);
+  }
   // Changes values, never times: f(Event&) for from <= time <= to; how many.
   template <class F>
   std::size_t edit_between(Time from, Time to, F&& f) {

@@ -25,7 +25,10 @@ for file in bin/betwixt include/betwixt/language.h share/man/man1/betwixt.1 shar
 done
 { cmake -S "$here" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" && cmake --build "$folder/build"; } \
   >"$folder/log" 2>&1 || grep -v '^-- ' "$folder/log" | tail -n 30
-verdict "a stranger's program" "$("$folder/build/stranger" 2>&1)" "2 4 -1"
+verdict "a stranger's program" "$("$folder/build/stranger" 2>&1)" "2 4 -1
+ball.position
+1f
+25f linear"
 verdict "the installed program" \
   "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
     sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Prints where a ball is at frame 13, half way up.
+// Prints where a ball is at frame 13, half way up, and what its tracks say.
 #include <cstdio>
 
 #include "betwixt/language.h"
 #include "betwixt/program.h"
+#include "betwixt/track.h"
 
 int main() {
   const betwixt::Loaded loaded = betwixt::load_text(
@@ -21,4 +22,10 @@ int main() {
   if (frame.items.size() != 1) return 1;
   const betwixt::Vec3 at = translation_of(frame.items.front().world);
   std::printf("%g %g %g\n", at.x, at.y, at.z);
+  for (const betwixt::TrackView& track : tracks(loaded.document, loaded.document.find("ball"))) {
+    std::printf("%s\n", loaded.document.name(track.target).c_str());
+    for (const betwixt::EventView& e : events(loaded.document, track.target))
+      std::printf("%s%s%s\n", format_time(e.time, loaded.document).c_str(), e.twerper.empty() ? "" : " ",
+                  std::string(e.twerper).c_str());
+  }
 }

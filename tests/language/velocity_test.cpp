@@ -353,7 +353,7 @@ TEST(Velocity, RandomDocumentsAreWrittenAndReadBack) {
     const Program p = Program::compile(one.document), q = Program::compile(two.document);
     for (const char* object : {"a", "b"})
       for (int k = 0; k < 5; ++k) {
-        const Target world{one.document.find(object), world_function};
+        const Target world{one.document.find(object), Query::world};
         const Time t = from_seconds(below(600) / 100.0);
         RC_ASSERT(std::get<Mat4>(p.read(world, t)) == std::get<Mat4>(q.read(world, t)));
       }

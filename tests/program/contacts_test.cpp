@@ -428,8 +428,8 @@ TEST(ContactWatch, TwoBallsMeetAndPartWhenTheyMust) {
   EXPECT_TRUE(p.contacts(s.ticks.span(150)).touching(a, b));
   EXPECT_TRUE(p.contacts(s.ticks.span(150)).touching(b, a));
   EXPECT_FALSE(p.contacts(s.ticks.span(119)).touching(a, b));
-  EXPECT_EQ(std::get<Names>(p.read({b, touching_function}, from_seconds(5))), Names(std::vector<std::string>{"a"}));
-  EXPECT_EQ(std::get<Names>(p.read({b, touching_function}, from_seconds(1))), Names());
+  EXPECT_EQ(std::get<Names>(p.read({b, Query::touching}, from_seconds(5))), Names(std::vector<std::string>{"a"}));
+  EXPECT_EQ(std::get<Names>(p.read({b, Query::touching}, from_seconds(1))), Names());
 }
 
 // shows: C148 C150
@@ -484,8 +484,8 @@ TEST(ContactWatch, LeavingAndComingBack) {
                                             R"({"event":"view","object":"ball","state":"out","tick":106})",
                                             R"({"event":"view","object":"ball","state":"boundary","tick":195})",
                                             R"({"event":"view","object":"ball","state":"in","tick":226})"}));
-  EXPECT_EQ(std::get<bool>(p.read({ball, in_view_function}, from_seconds(3))), true);
-  EXPECT_EQ(std::get<bool>(p.read({ball, in_view_function}, from_seconds(4))), false);
+  EXPECT_EQ(std::get<bool>(p.read({ball, Query::in_view}, from_seconds(3))), true);
+  EXPECT_EQ(std::get<bool>(p.read({ball, Query::in_view}, from_seconds(4))), false);
 }
 
 // shows: C150 C151

@@ -151,7 +151,7 @@ TEST(Document, RangeGoesToTheLastEvent) {
   const Document d(std::make_shared<const Scene>(s));
   EXPECT_EQ(d.frame_count(), 1001);
   EXPECT_EQ(d.name({id, fn::position, 1}), "ball.position.y");
-  EXPECT_EQ(d.name({id, world_function}), "ball.world");
+  EXPECT_EQ(d.name({id, Query::world}), "ball.world");
   EXPECT_EQ(d.name(ObjectId{}), "none");
 }
 

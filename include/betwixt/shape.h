@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What kinds of objects there are, and what they look like in their own space.
+#pragma once
+
+#include <memory>
+
+#include "betwixt/mesh.h"
+#include "betwixt/value.h"
+
+namespace betwixt {
+
+enum class Kind : std::uint8_t {
+  group,
+  sphere,
+  box,
+  cylinder,
+  cone,
+  torus,
+  plane,
+  disc,
+  polygon,
+  polyline,
+  points,
+  text,
+  mesh,
+  light,
+  camera,
+  layer,       // no object of the scene: what it holds is laid over the tracks of others
+  environment  // no object of the scene: a matrix that others are moved by
+};
+
+// What an object looks like in its own space, as a description; src/render turns it into triangles.
+//   sphere   radius, about the origin              disc      radius, in the plane z = 0, facing +z
+//   box      size, about the origin                plane     size x by y, in the plane z = 0, facing +z
+//   cylinder cone   radius, height along y, about the origin (a cone's tip up)
+//   torus    radius of the ring, tube: radius of the tube; the ring lies in the plane y = 0
+//   polygon  points, filled, one contour           polyline  points, width (0: a hairline)
+//   points   points, each drawn as a ball of diameter `width`
+//   text     text, font, size.y = height of one line (em) in metres, depth along z; centred on the origin,
+//            baseline at y = 0
+//   mesh     mesh
+struct Shape {
+  Kind kind = Kind::group;
+  Vec3 size{1, 1, 1};
+  double radius = 1, height = 1, tube = 0.3, width = 0, depth = 0;
+  Points points;
+  Text text, font;
+  std::shared_ptr<const Mesh> mesh;
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+
+// plastic: a highlight from shininess; matte: none; metal: highlights and reflections in its own colour; glow: shines
+// by itself, unlit.
+enum class Material : std::uint8_t { plastic, matte, metal, glow };
+
+}  // namespace betwixt
