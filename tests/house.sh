@@ -24,6 +24,23 @@ for i in "${!rooms[@]}"; do
   verdict "src/${rooms[i]} includes a lower room" \
     "$(grep -rnE "^\s*#\s*include\s*[<\"](\.\./|src/)*($lower)/" "src/${rooms[i]}")"
 done
+# A public header says its room ("// Room: scene"), and is made there; what base needs may stand in the header alone.
+declare -A level public
+for i in "${!rooms[@]}"; do level[${rooms[i]}]=$i; done
+for header in include/betwixt/*.h; do
+  room=$(sed -n 's/^[/ *]*Room: \([a-z]*\)$/\1/p' "$header")
+  public[${header##*/}]=${level[${room:-none}]-99}
+  verdict "$header says no room of the house" "$([ -n "${level[${room:-none}]-}" ] || echo "Room: $room")"
+  verdict "$header is not made in $room" "$([ "$room" = base ] ||
+    grep -qrE "include \"betwixt/${header##*/}\"" "src/$room" $(grep -lx "// Room: $room" include/betwixt/*) || echo "$header")"
+done
+verdict "a room includes the public header of a lower one" "$(
+  grep -rnE '^\s*#\s*include\s*["<]betwixt/' src include | while IFS=: read -r file line include; do
+    header=${include#*betwixt/} header=${header%%[\">]*} room=${file#src/}
+    here=${level[${room%%/*}]-${public[${file##*/}]}}
+    [ "${public[$header]-99}" -le "$here" ] || echo "$file:$line: $header"
+  done
+)"
 verdict "a room that the house does not know" \
   "$(find src -mindepth 1 -maxdepth 1 | grep -vxE "src/($(IFS='|' && printf '%s' "${rooms[*]}"))")"
 verdict "a room includes by a path that goes up" "$(grep -rnE '^\s*#\s*include\s*"[^"]*\.\./' src include)"

@@ -12,6 +12,8 @@
 //
 // Every call waits for the server's answer. It gives AIM_OK or one of the errors below; what went wrong stands in
 // aim_error(). A handle is used by one thread at a time; every thread may have its own.
+//
+// Room: server
 #ifndef BETWIXT_AIM_H
 #define BETWIXT_AIM_H
 

@@ -7,6 +7,8 @@
 // A motion is a product F1 F2 ... Fm of factors with totals; the leftmost is applied last. Fraction t of it is
 // A(t) = F1(t) F2(t) ... Fm(t); with N steps A_k = A(k/N), so frame 0 is the identity and frame N the whole motion.
 // Centres are places of the rest pose; the factors to their left carry them along. Column vectors, radians.
+//
+// Room: algebra
 #pragma once
 
 #include <cstdint>

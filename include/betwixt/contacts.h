@@ -3,6 +3,8 @@
 //
 // Contacts: which of the things drawn touch, in which groups, and what is leaving the picture. (Animation Imaging
 // Model, 5: a collision module of its own that tells the host)
+//
+// Room: program
 #pragma once
 
 #include <string>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A document: an immutable value that holds a film. Copies are cheap and share everything; keeping one is undo.
+//
+// Room: scene
 #pragma once
 
 #include <cstdint>

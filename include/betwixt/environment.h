@@ -5,6 +5,8 @@
 // (Query).
 //
 // Times are whole ticks of the document (Document::ticks); column vectors. Views as in betwixt/object.h.
+//
+// Room: scene
 #pragma once
 
 #include <cstdint>

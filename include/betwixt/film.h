@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Movies from pictures: .mp4 .webm .gif .apng through the ffmpeg program, or numbered PNG (frame-%04d.png).
+//
+// Room: film
 #pragma once
 
 #include <functional>

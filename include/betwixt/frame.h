@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A frame: everything that can be seen (or asked) of a document at one time. A pure value.
+//
+// Room: program
 #pragma once
 
 #include <memory>

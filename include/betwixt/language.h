@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Text to documents and back. The language is described in docs/language.md.
+//
+// Room: language
 #pragma once
 
 #include <string>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Vectors, quaternions and matrices in f64. Column vectors, right-handed, y up, metres, radians.
+//
+// Room: base
 #pragma once
 
 #include <array>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Triangles, ready for the graphics interface (f32 begins here), and pictures as bytes.
+//
+// Room: scene
 #pragma once
 
 #include <array>

@@ -6,6 +6,8 @@
 // Nothing here evaluates anything: values at times are a Program's. What views point to belongs to the document, and
 // stays as it is for as long as that or any copy of it lives. An object that is not there is nothing: a group without
 // functions. Numbers are as the author sees them after units: metres, seconds, radians, colours sRGB.
+//
+// Room: scene
 #pragma once
 
 #include <span>

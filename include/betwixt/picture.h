@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Pictures in files.
+//
+// Room: exchange
 #pragma once
 
 #include <string>

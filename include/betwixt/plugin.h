@@ -16,6 +16,8 @@
 // What it registers must be pure (the same questions, the same answer) and may be called from several threads at once;
 // it is not stopped when it never ends, as Lua is. It stays loaded until the program ends. Strings given to a plug-in
 // live until its function returns; what it gives back is copied at once.
+//
+// Room: procedure
 #ifndef BETWIXT_PLUGIN_H
 #define BETWIXT_PLUGIN_H
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Where objects are at a time, and what they hang on then: what an exporter makes a hierarchy of.
+//
+// Room: program
 #pragma once
 
 #include <optional>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A program: a document compiled to flat arrays, ready to be asked for any time, in any order, from any thread.
+//
+// Room: program
 #pragma once
 
 #include <memory>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Pictures from frames. Needs no display and no GPU.
+//
+// Room: render
 #pragma once
 
 #include <memory>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Errors are values. A Result is a T or an Error; nothing in the library throws across its boundary.
+//
+// Room: base
 #pragma once
 
 #include <cassert>

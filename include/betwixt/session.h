@@ -4,6 +4,8 @@
 // A session: a film that is made line by line. It keeps every document that ever was (undo has no limit), what the
 // author wrote, and a journal beside the script, in which a command is on the disk before it is answered. It knows no
 // terminal: the shell, or a server, stands around it.
+//
+// Room: editor
 #pragma once
 
 #include <functional>

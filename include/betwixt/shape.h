@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What kinds of objects there are, and what they look like in their own space.
+//
+// Room: scene
 #pragma once
 
 #include <memory>

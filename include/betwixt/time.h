@@ -3,6 +3,8 @@
 //
 // Time is an exact whole number of flicks: 1/705,600,000 s, whole for every common frame rate and for 30 ticks a
 // second.
+//
+// Room: base
 #pragma once
 
 #include <cmath>

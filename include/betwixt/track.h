@@ -8,6 +8,8 @@
 // stays as it is for as long as that or any copy of it lives. Where there is no such track all answers are empty.
 // Values are as the author wrote them: metres, radians, colours sRGB, places in the space of what the object hangs on;
 // velocities and tangents are per second.
+//
+// Room: scene
 #pragma once
 
 #include <array>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a display function can have for a value.
+//
+// Room: track
 #pragma once
 
 #include <cstdint>
