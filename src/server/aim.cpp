@@ -6,9 +6,7 @@
 #include "betwixt/aim.h"
 
 #include <fmt/format.h>
-#include <netdb.h>
 #include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -20,6 +18,8 @@
 #include <string>
 #include <string_view>
 
+#include "server/aim_connect.h"
+
 namespace {
 
 using Json = nlohmann::json;
@@ -27,33 +27,6 @@ using Json = nlohmann::json;
 constexpr int names_of_a_host = 1'000'000;
 
 thread_local std::string connect_error;
-
-int open_unix(const std::string& path, std::string& why) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) return why = "the path of the socket is too long", -1;
-  std::memcpy(address.sun_path, path.data(), path.size());
-  const int fd = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (fd >= 0 && ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) return fd;
-  why = fmt::format("no server listens at {}: {}", path, std::strerror(errno));
-  if (fd >= 0) ::close(fd);
-  return -1;
-}
-
-int open_tcp(const std::string& host, const std::string& port, std::string& why) {
-  addrinfo hints{}, *found = nullptr;
-  hints.ai_socktype = SOCK_STREAM;
-  if (const int error = ::getaddrinfo(host.c_str(), port.c_str(), &hints, &found); error != 0)
-    return why = fmt::format("there is no address {}:{}: {}", host, port, ::gai_strerror(error)), -1;
-  int fd = -1;
-  for (const addrinfo* a = found; a && fd < 0; a = a->ai_next) {
-    fd = ::socket(a->ai_family, a->ai_socktype | SOCK_CLOEXEC, a->ai_protocol);
-    if (fd >= 0 && ::connect(fd, a->ai_addr, a->ai_addrlen) != 0) ::close(fd), fd = -1;
-  }
-  ::freeaddrinfo(found);
-  if (fd < 0) why = fmt::format("no server listens at {}:{}: {}", host, port, std::strerror(errno));
-  return fd;
-}
 
 // A text of the language: in quotes, on one line.
 std::string quoted(std::string_view text) {
@@ -239,9 +212,9 @@ aim* aim_connect(const char* where, const char* token) {
   auto* h = new aim;
   if (path.starts_with("tcp:")) {
     const auto colon = path.rfind(':');
-    if (colon > 3) h->fd = open_tcp(path.substr(4, colon - 4), path.substr(colon + 1), connect_error);
+    if (colon > 3) h->fd = betwixt::connect_tcp(path.substr(4, colon - 4), path.substr(colon + 1), connect_error);
   } else {
-    h->fd = open_unix(path, connect_error);
+    h->fd = betwixt::connect_unix(path, connect_error);
   }
   aim_status status = h->fd < 0 ? AIM_E_CONNECTION : AIM_OK;
   if (status == AIM_OK && token) {
@@ -415,44 +388,6 @@ aim_status aim_command(aim* h, const char* line, const char** said) {
   h->said = status == AIM_OK && !h->bundling ? h->answer.value("said", std::string()) : std::string();
   if (said) *said = h->said.c_str();
   return status;
-}
-
-void aim_identity(double m[16]) {
-  for (int i = 0; i < 16; ++i) m[i] = i % 5 == 0;
-}
-void aim_translate(double m[16], double x, double y, double z) {
-  aim_identity(m);
-  m[12] = x, m[13] = y, m[14] = z;
-}
-void aim_scale(double m[16], double x, double y, double z) {
-  aim_identity(m);
-  m[0] = x, m[5] = y, m[10] = z;
-}
-void aim_rotate_x(double m[16], double a) {
-  aim_identity(m);
-  m[5] = m[10] = std::cos(a), m[6] = std::sin(a), m[9] = -m[6];
-}
-void aim_rotate_y(double m[16], double a) {
-  aim_identity(m);
-  m[0] = m[10] = std::cos(a), m[8] = std::sin(a), m[2] = -m[8];
-}
-void aim_rotate_z(double m[16], double a) {
-  aim_identity(m);
-  m[0] = m[5] = std::cos(a), m[1] = std::sin(a), m[4] = -m[1];
-}
-void aim_multiply(double product[16], const double a[16], const double b[16]) {
-  double r[16];
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) {
-      r[4 * row + column] = 0;
-      for (int k = 0; k < 4; ++k) r[4 * row + column] += a[4 * row + k] * b[4 * k + column];
-    }
-  std::memcpy(product, r, sizeof r);
-}
-void aim_transform(double p[3], const double m[16]) {
-  double r[3];
-  for (int i = 0; i < 3; ++i) r[i] = p[0] * m[i] + p[1] * m[4 + i] + p[2] * m[8 + i] + m[12 + i];
-  std::memcpy(p, r, sizeof r);
 }
 
 }  // extern "C"

@@ -9,8 +9,7 @@ root=$(cd -- "$(dirname -- "$0")/../.." && pwd)
 . "$(dirname -- "$0")/support.sh" || exit 3
 yes() { [ "$1" = 0 ] && echo yes; }
 cc -Wall -Wextra -Werror -I "$root/include" -c "$root/tests/app/aim_host.c" -o host.o &&
-  c++ -std=c++20 -DFMT_SHARED -I "$root/include" -c "$root/src/server/aim.cpp" -o aim.o &&
-  c++ host.o aim.o -lfmt -lm -o host
+  c++ -std=c++20 -DFMT_SHARED -I "$root/include" -I "$root/src" host.o "$root"/src/server/aim*.cpp -lfmt -lm -o host
 verdict 'a host is built from C' "$(yes $?)" ''
 begin --socket "$work/s" --save history.bx
 ./host "$work/s" >answers 2>&1
