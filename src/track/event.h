@@ -13,11 +13,9 @@
 
 namespace betwixt {
 
-// Interpolators. `unset` leaves the choice to the type: numbers smooth, colours linear, orientations slerp, all else
-// hold.
+// Interpolators; their rows are in twerpers.h. `unset` leaves the choice to the type: numbers smooth, colours linear,
+// orientations slerp, all else hold.
 enum class Twerper : std::uint8_t { unset, hold, linear, smooth, bspline, hermite, bezier, slerp, squad };
-inline constexpr std::array<std::string_view, 9> twerper_names{"unset",   "hold",   "linear", "smooth", "bspline",
-                                                               "hermite", "bezier", "slerp",  "squad"};
 
 // Above the built-in ones: the document's own, by their place among its procedures.
 inline constexpr std::uint8_t first_own_twerper = 16;

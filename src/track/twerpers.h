@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "betwixt/math.h"
 #include "track/event.h"
@@ -46,6 +47,13 @@ std::span<const TwerperRow> twerpers();                      // by their numbers
 const TwerperRow& row_of(Twerper);                           // of a built-in one
 std::optional<Twerper> find_twerper(std::string_view name);  // not `unset`
 std::string_view name_of(Twerper);                           // of a built-in one
+
+// By their numbers.
+inline const std::vector<std::string_view> twerper_names = [] {
+  std::vector<std::string_view> names;
+  for (const TwerperRow& row : twerpers()) names.push_back(row.name);
+  return names;
+}();
 
 double bezier_factor(double u, const std::array<double, 4>& xy);
 Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen
