@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whether two documents have the same content.
+#include <algorithm>
+
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+// Two documents number their objects differently when some were removed: ids are compared by rank among the living.
+// Objects of display lists come behind all others, in the order of the expansion; they are no content of their own.
+struct Ranks {
+  std::vector<std::uint32_t> rank;
+  std::vector<const Object*> living;
+  explicit Ranks(const Scene& s) : rank(s.objects.size(), ObjectId::nothing) {
+    for (std::size_t i = 0; i < s.objects.size(); ++i) {
+      if (s.objects[i].removed || s.objects[i].derived) continue;
+      rank[i] = static_cast<std::uint32_t>(living.size());
+      living.push_back(&s.objects[i]);
+    }
+    for (std::size_t i = 0; i < s.expansion->size(); ++i)
+      rank[(*s.expansion)[i].index] = static_cast<std::uint32_t>(living.size() + i);
+  }
+  ObjectId operator()(ObjectId id) const { return {id.index < rank.size() ? rank[id.index] : ObjectId::nothing}; }
+};
+
+struct Compare {
+  const Scene &a, &b;
+  Ranks ra{a}, rb{b};
+
+  bool values(const Value& x, const Value& y) const {
+    const auto *p = std::get_if<ObjectId>(&x), *q = std::get_if<ObjectId>(&y);
+    const auto *a1 = std::get_if<Attachment>(&x), *a2 = std::get_if<Attachment>(&y);
+    if (a1 && a2) return a1->hold == a2->hold && ra(a1->parent) == rb(a2->parent) && a1->keep_world == a2->keep_world;
+    return p && q ? ra(*p) == rb(*q) : x == y;
+  }
+  bool maybe(const std::optional<Value>& x, const std::optional<Value>& y) const {
+    return x.has_value() == y.has_value() && (!x || values(*x, *y));
+  }
+  bool same_twerper(Twerper x, Twerper y) const {
+    return is_own(x) && is_own(y) ? twerper_name(a, x) == twerper_name(b, y) : x == y;
+  }
+  bool events(const Event& x, const Event& y) const {
+    return x.time == y.time && same_twerper(x.twerper, y.twerper) && x.keep == y.keep && x.release == y.release &&
+           (x.keep || x.release || values(x.value, y.value)) && x.detail->ease_in == y.detail->ease_in &&
+           x.detail->ease_out == y.detail->ease_out && x.detail->bezier == y.detail->bezier &&
+           maybe(x.detail->before, y.detail->before) && maybe(x.detail->tangent_in, y.detail->tangent_in) &&
+           maybe(x.detail->tangent_out, y.detail->tangent_out);
+  }
+  bool tracks(const Track& x, const Track& y) const {
+    if (!same_twerper(x.global, y.global) || x.before != y.before || x.after != y.after || x.srgb != y.srgb ||
+        x.events.size() != y.events.size())
+      return false;
+    if (x.global == Twerper::bezier && x.bezier != y.bezier) return false;
+    const auto p = x.events.between({INT64_MIN}, {INT64_MAX}), q = y.events.between({INT64_MIN}, {INT64_MAX});
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                      [&](const Event& e, const Event& f) { return events(e, f); });
+  }
+  bool strands(const Strand& s, const Strand& t) const {
+    if (!tracks(*s.track, *t.track)) return false;
+    for (std::size_t i = 0; i < std::max(s.components.size(), t.components.size()); ++i) {  // none is as good as empty
+      static const Track empty;
+      const Track &u = s.components.empty() ? empty : *s.components[i],
+                  &v = t.components.empty() ? empty : *t.components[i];
+      if (!tracks(u, v)) return false;
+    }
+    return true;
+  }
+  // Their numbers are how they came to be; what they say is the same in the same order.
+  static bool environments(const std::shared_ptr<const Environment>& x, const std::shared_ptr<const Environment>& y) {
+    if (!x || !y || x == y) return x == y;
+    if (x->size() != y->size()) return false;
+    for (std::size_t i = 0; i < x->size(); ++i)
+      if (x->event(i).tick != y->event(i).tick || x->event(i).what != y->event(i).what) return false;
+    return true;
+  }
+  bool objects(const Object& x, const Object& y) const {
+    if (x.name != y.name || x.kind != y.kind || !environments(x.environment, y.environment)) return false;
+    static const Slot nothing;
+    const auto rank = [](const Ranks& r, const Slot& s) { return std::pair(s.function, r(s.layer).index + 1); };
+    auto p = x.slots.begin(), q = y.slots.begin();
+    while (p != x.slots.end() || q != y.slots.end()) {
+      const bool left = p != x.slots.end() && (q == y.slots.end() || rank(ra, *p) <= rank(rb, *q));
+      const bool right = q != y.slots.end() && (p == x.slots.end() || rank(rb, *q) <= rank(ra, *p));
+      const Slot &s = left ? *p++ : nothing, &t = right ? *q++ : nothing;
+      if (!maybe(s.set, t.set) || !strands(s, t) || !strands(s.velocity, t.velocity) || s.filters != t.filters)
+        return false;
+    }
+    return true;
+  }
+  bool all() const {
+    if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range &&
+          a.background == b.background && a.notes_shown == b.notes_shown && a.policy == b.policy &&
+          a.defined == b.defined && a.aliases == b.aliases && a.notes == b.notes && a.procedures == b.procedures &&
+          a.recording == b.recording && a.lists == b.lists && a.later_lists == b.later_lists && a.main == b.main))
+      return false;
+    const auto same_dial = [&](const Dial& x, const Dial& y) {
+      return x.address == y.address && ra(x.target.object) == rb(y.target.object) &&
+             x.target.function == y.target.function && x.target.component == y.target.component && x.low == y.low &&
+             x.high == y.high && x.from == y.from && x.to == y.to && x.mapped == y.mapped;
+    };
+    if (!std::equal(a.dials->begin(), a.dials->end(), b.dials->begin(), b.dials->end(), same_dial)) return false;
+    const auto same_cut = [&](const auto& x, const auto& y) {
+      return x.first == y.first && ra(x.second) == rb(y.second);
+    };
+    if (!std::equal(a.cuts->begin(), a.cuts->end(), b.cuts->begin(), b.cuts->end(), same_cut)) return false;
+    return std::equal(ra.living.begin(), ra.living.end(), rb.living.begin(), rb.living.end(),
+                      [&](const Object* x, const Object* y) { return objects(*x, *y); });
+  }
+};
+
+}  // namespace
+
+bool same(const Scene& a, const Scene& b) { return Compare{a, b}.all(); }
+
+}  // namespace betwixt
