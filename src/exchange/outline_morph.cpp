@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Filled outlines on their way to others: letter by letter, contour by contour.
+#include "exchange/outline_morph.h"
+
+#include <algorithm>
+#include <deque>
+#include <mutex>
+#include <optional>
+
+#include "exchange/outlines.h"
+#include "exchange/shapes.h"
+#include "scene/kinds.h"
+
+namespace betwixt {
+namespace {
+
+bool has_letters(const Shape& s) { return has_outline(s) && row_of(s.kind).contours == nullptr; }
+
+// Twice the area as seen from `facing`; positive counter-clockwise.
+double turn(const Contour& c, Vec3 facing) {
+  Vec3 sum{};
+  for (std::size_t i = 0; i < c.size(); ++i) sum = sum + cross(c[i] - c[0], c[(i + 1) % c.size()] - c[0]);
+  return dot(sum, facing);
+}
+
+struct Bounds {
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+};
+
+Bounds bounds(const Contour& c, Bounds b = {}) {
+  for (const Vec3 p : c)
+    for (int i = 0; i < 3; ++i) b.low[i] = std::min(b.low[i], p[i]), b.high[i] = std::max(b.high[i], p[i]);
+  return b;
+}
+Vec3 middle(const Bounds& b) { return 0.5 * (b.low + b.high); }
+Vec3 middle(const Contour& c) { return middle(bounds(c)); }
+
+// Where in `to` is what `p` is in `from`.
+Vec3 carried(Vec3 p, const Bounds& from, const Bounds& to) {
+  for (int i = 0; i < 3; ++i) {
+    const double span = from.high[i] - from.low[i];
+    p[i] = lerp(to.low[i], to.high[i], span > 0 ? (p[i] - from.low[i]) / span : 0.5);
+  }
+  return p;
+}
+
+bool contains(const Contour& c, Vec3 p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = c.size() - 1; i < c.size(); j = i++)
+    if ((c[i].y > p.y) != (c[j].y > p.y) && p.x < lerp(c[i].x, c[j].x, (p.y - c[i].y) / (c[j].y - c[i].y)))
+      inside = !inside;
+  return inside;
+}
+
+// An outer contour with its holes, the largest first.
+struct Island {
+  Contour outer;
+  std::vector<Contour> holes;
+};
+// What is paired as one; its islands, the largest first.
+struct DrawnGlyph {
+  std::string text;
+  std::vector<Island> islands;
+  Bounds place;
+};
+
+DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
+  DrawnGlyph made{std::move(text), {}, {}};
+  std::vector<std::pair<double, Contour*>> sorted;
+  for (Contour& c : contours) {
+    if (single && turn(c, toward) < 0) std::reverse(c.begin(), c.end());  // a polygon is no hole
+    sorted.emplace_back(turn(c, toward), &c);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+  for (const auto& [area, c] : sorted)
+    if (area >= 0) made.islands.push_back({*c, {}});
+  for (const auto& [area, c] : sorted) {
+    if (area >= 0) continue;
+    const auto home = std::find_if(made.islands.rbegin(), made.islands.rend(),
+                                   [hole = c](const Island& i) { return contains(i.outer, hole->front()); });
+    if (home != made.islands.rend()) home->holes.push_back(*c);
+  }
+  for (const auto& island : made.islands) made.place = bounds(island.outer, made.place);
+  return made;
+}
+
+std::vector<DrawnGlyph> glyphs(const Outline& outline, bool single) {
+  const Vec3 toward = facing(outline);
+  std::vector<DrawnGlyph> all;
+  for (std::size_t i = 0; i < outline.letters.size(); ++i) {
+    const auto at = [&](std::size_t n) { return outline.contours.begin() + static_cast<std::ptrdiff_t>(n); };
+    const std::size_t end = i + 1 < outline.letters.size() ? outline.letters[i + 1].first : outline.contours.size();
+    const auto& [first, text] = outline.letters[i];
+    all.push_back(glyph(text, {at(first), at(end)}, toward, single));
+    if (all.back().islands.empty()) all.pop_back();
+  }
+  return all;
+}
+
+// Two contours with as many points, each on its way to the other's.
+struct Pair {
+  Contour from, to;
+};
+
+// How far along the contour each point is, 0 to 1; one more entry for the way back to the first.
+std::vector<double> arc(const Contour& c) {
+  std::vector<double> at{0};
+  for (std::size_t i = 0; i < c.size(); ++i) at.push_back(at.back() + length(c[(i + 1) % c.size()] - c[i]));
+  const double whole = at.back();
+  for (double& a : at) a = whole > 0 ? a / whole : 0;
+  at.back() = 1;
+  return at;
+}
+
+Vec3 point_at(const Contour& c, const std::vector<double>& arc, double u) {
+  const auto next = std::clamp<std::ptrdiff_t>(std::upper_bound(arc.begin(), arc.end(), u) - arc.begin(), 1,
+                                               static_cast<std::ptrdiff_t>(c.size()));
+  const auto i = static_cast<std::size_t>(next - 1);
+  const double span = arc[i + 1] - arc[i];
+  return lerp(c[i], c[(i + 1) % c.size()], span > 0 ? std::clamp((u - arc[i]) / span, 0.0, 1.0) : 0);
+}
+
+// Begins `c` where it lets `with` travel least, at a corner or between two.
+Contour aligned(const Contour& with, const Contour& c) {
+  constexpr std::size_t samples = 64;
+  const auto arc_with = arc(with), arc_c = arc(c);
+  const Vec3 shift = middle(c) - middle(with);
+  std::array<Vec3, samples> wanted;
+  for (std::size_t k = 0; k < samples; ++k)
+    wanted[k] = point_at(with, arc_with, static_cast<double>(k) / samples) + shift;
+  double best = 0, least = INFINITY;
+  const auto attempt = [&](double start) {
+    double travel = 0;
+    for (std::size_t k = 0; k < samples && travel < least; ++k) {
+      const double v = static_cast<double>(k) / samples + start;
+      const Vec3 d = point_at(c, arc_c, v < 1 ? v : v - 1) - wanted[k];
+      travel += dot(d, d);
+    }
+    if (travel < least) least = travel, best = start;
+  };
+  for (std::size_t i = 0; i < c.size(); i += 1 + c.size() / 128) attempt(arc_c[i]);
+  for (std::size_t k = 0; k < samples; ++k) attempt(static_cast<double>(k) / samples);
+  const auto next = std::lower_bound(arc_c.begin(), arc_c.end() - 1, best) - arc_c.begin();
+  Contour turned(c.begin() + next, c.end());
+  turned.insert(turned.end(), c.begin(), c.begin() + next);
+  if (arc_c[static_cast<std::size_t>(next)] != best) turned.insert(turned.begin(), point_at(c, arc_c, best));
+  return turned;
+}
+
+// Each gets the other's corners as well, so that at either end nothing but a straight side has been divided.
+Pair paired(const Contour& a, const Contour& b) {
+  const Contour c = aligned(a, b);
+  const auto arc_a = arc(a), arc_c = arc(c);
+  std::vector<double> at = arc_a;
+  at.insert(at.end(), arc_c.begin(), arc_c.end());
+  std::sort(at.begin(), at.end());
+  at.erase(std::unique(at.begin(), at.end(), [](double p, double q) { return q - p < 1e-9; }), at.end());
+  if (at.size() > 1) at.pop_back();  // 1 is 0 again
+  Pair pair;
+  for (const double u : at) {
+    pair.from.push_back(point_at(a, arc_a, u));
+    pair.to.push_back(point_at(c, arc_c, u));
+  }
+  return pair;
+}
+
+// Everything about a morph that does not depend on how far it is.
+struct Morph {
+  Shape a, b;
+  std::vector<Pair> pairs;
+  Winding winding = Winding::positive;
+};
+
+// What has no partner shrinks to a point, or grows out of one.
+enum class Way : std::uint8_t { shrink, grow };
+void lone(const Contour& c, Vec3 point, Way way, std::vector<Pair>& out) {
+  Contour still(c.size(), point);
+  out.push_back(way == Way::shrink ? Pair{c, std::move(still)} : Pair{std::move(still), c});
+}
+void lone(const Island& island, Vec3 point, Way way, std::vector<Pair>& out) {
+  lone(island.outer, point, way, out);
+  for (const auto& hole : island.holes) lone(hole, point, way, out);
+}
+
+Vec3 middle(const Island& island) { return middle(island.outer); }
+
+// Pairs the parts of one place with those of another, the largest first, each with the nearest that is still free; what
+// is left over comes from, or goes to, where it would be in the other place.
+template <class Part, class F>
+void pair_parts(const std::vector<Part>& a, const std::vector<Part>& b, const Bounds& place_a, const Bounds& place_b,
+                F both, std::vector<Pair>& out) {
+  const bool swapped = a.size() > b.size();
+  const auto &fewer = swapped ? b : a, &more = swapped ? a : b;
+  const Bounds &from = swapped ? place_b : place_a, &to = swapped ? place_a : place_b;
+  std::vector<bool> taken(more.size());
+  for (const auto& part : fewer) {
+    const Vec3 wanted = carried(middle(part), from, to);
+    std::size_t best = more.size();
+    double least = INFINITY;
+    for (std::size_t i = 0; i < more.size(); ++i)
+      if (const double d = length(middle(more[i]) - wanted); !taken[i] && d < least) least = d, best = i;
+    taken[best] = true;
+    both(swapped ? more[best] : part, swapped ? part : more[best]);
+  }
+  for (std::size_t i = 0; i < more.size(); ++i)
+    if (!taken[i]) lone(more[i], carried(middle(more[i]), to, from), swapped ? Way::shrink : Way::grow, out);
+}
+
+void pair_glyphs(const DrawnGlyph& a, const DrawnGlyph& b, std::vector<Pair>& out) {
+  const auto holes = [&](const Contour& p, const Contour& q) { out.push_back(paired(p, q)); };
+  const auto outers = [&](const Island& p, const Island& q) {
+    out.push_back(paired(p.outer, q.outer));
+    pair_parts(p.holes, q.holes, bounds(p.outer), bounds(q.outer), holes, out);
+  };
+  pair_parts(a.islands, b.islands, a.place, b.place, outers, out);
+}
+
+// Which letter becomes which.
+using Partners = std::vector<std::pair<std::size_t, std::size_t>>;
+
+// By least cost: nothing for a letter that stays, 1 for another in its place, a little over 1/2 for one that comes or
+// goes. Among equals those at a like place in their texts are preferred.
+Partners partners(const std::vector<DrawnGlyph>& a, const std::vector<DrawnGlyph>& b) {
+  constexpr std::size_t most_cells = 1'000'000;
+  constexpr double other = 1, missing = 0.55;
+  const std::size_t n = a.size(), m = b.size(), row = m + 1;
+  Partners found;
+  if (n >= most_cells / row) {  // too long to weigh: in order
+    for (std::size_t i = 0; i < std::min(n, m); ++i) found.emplace_back(i, i);
+    return found;
+  }
+  const auto apart = [&](std::size_t i, std::size_t j) {
+    const auto place = [](std::size_t k, std::size_t of) {
+      return (static_cast<double>(k) + 0.5) / static_cast<double>(of);
+    };
+    return 0.04 / static_cast<double>(std::max(n, m)) * std::abs(place(i, n) - place(j, m));
+  };
+  const auto change = [&](std::size_t i, std::size_t j) { return (a[i].text == b[j].text ? 0 : other) + apart(i, j); };
+  std::vector<double> cost((n + 1) * row);  // of what lies before letter i and letter j
+  const auto at = [&](std::size_t i, std::size_t j) -> double& { return cost[i * row + j]; };
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t j = 0; j <= m; ++j) {
+      if (i == 0 || j == 0)
+        at(i, j) = missing * static_cast<double>(i + j);
+      else
+        at(i, j) = std::min({at(i - 1, j - 1) + change(i - 1, j - 1), at(i - 1, j) + missing, at(i, j - 1) + missing});
+    }
+  for (std::size_t i = n, j = m; i > 0 && j > 0;) {
+    const double without_i = at(i - 1, j) + missing, without_j = at(i, j - 1) + missing;
+    if (at(i - 1, j - 1) + change(i - 1, j - 1) <= std::min(without_i, without_j))
+      found.emplace_back(--i, --j);
+    else if (without_i <= without_j)
+      --i;
+    else
+      --j;
+  }
+  std::reverse(found.begin(), found.end());
+  return found;
+}
+
+// The point between two letters that follow each other; where one lacks or begins another line, beside the other.
+Vec3 gap(const Bounds* before, const Bounds* after) {
+  const auto beside = [](const Bounds& b, double x) { return Vec3{x, middle(b).y, middle(b).z}; };
+  if (before == nullptr) return beside(*after, after->low.x);
+  const Vec3 left = beside(*before, before->high.x);
+  if (after == nullptr || middle(*after).x <= middle(*before).x) return left;
+  return 0.5 * (left + beside(*after, after->low.x));
+}
+
+// Letters `first` up to `last` of `all` have no partner; `before` and `after` are the places of their neighbours'
+// partners.
+void lone_glyphs(const std::vector<DrawnGlyph>& all, std::size_t first, std::size_t last, const Bounds* before,
+                 const Bounds* after, Way way, std::vector<Pair>& out) {
+  for (std::size_t i = first; i < last; ++i) {
+    const Vec3 point = before == nullptr && after == nullptr ? middle(all[i].place) : gap(before, after);
+    for (const auto& island : all[i].islands) lone(island, point, way, out);
+  }
+}
+
+Morph prepare(const Shape& a, const Shape& b) {
+  Morph morph{a, b, {}, Winding::positive};
+  const bool text = has_letters(a) && has_letters(b);
+  if (!text) morph.winding = Winding::nonzero;  // a polygon may cross itself
+  const auto from = glyphs(outline_of(a), !has_letters(a)), to = glyphs(outline_of(b), !has_letters(b));
+  std::size_t i = 0, j = 0;  // the letters that come next
+  const auto up_to = [&](std::size_t next_i, std::size_t next_j) {
+    const auto before = [](const auto& all, std::size_t k) { return k > 0 ? &all[k - 1].place : nullptr; };
+    const auto after = [](const auto& all, std::size_t k) { return k < all.size() ? &all[k].place : nullptr; };
+    lone_glyphs(from, i, next_i, before(to, j), after(to, next_j), Way::shrink, morph.pairs);
+    lone_glyphs(to, j, next_j, before(from, i), after(from, next_i), Way::grow, morph.pairs);
+  };
+  for (const auto& [p, q] : partners(from, to)) {
+    up_to(p, q);
+    pair_glyphs(from[p], to[q], morph.pairs);
+    i = p + 1, j = q + 1;
+  }
+  up_to(from.size(), to.size());
+  return morph;
+}
+
+// The last few are kept: a film asks for the same one frame after frame.
+std::shared_ptr<const Morph> morph_of(const Shape& a, const Shape& b) {
+  static std::mutex mutex;
+  static std::deque<std::shared_ptr<const Morph>> recent;
+  const auto find = [&] {
+    return std::find_if(recent.begin(), recent.end(), [&](const auto& m) { return m->a == a && m->b == b; });
+  };
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto i = find(); i != recent.end()) return *i;
+  }
+  auto made = std::make_shared<const Morph>(prepare(a, b));
+  const std::lock_guard lock(mutex);
+  if (const auto i = find(); i != recent.end()) return *i;
+  recent.push_front(made);
+  if (recent.size() > 32) recent.pop_back();
+  return made;
+}
+
+}  // namespace
+
+bool has_outline(const Shape& s) { return row_of(s.kind).fill == Fill::outline; }
+
+Mesh outline_between(const Shape& a, const Shape& b, double s) {
+  const auto made = morph_of(a, b);
+  const Morph& morph = *made;
+  Outline outline;
+  for (const auto& [from, to] : morph.pairs) {
+    Contour c(from.size());
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = lerp(from[i], to[i], s);
+    outline.contours.push_back(std::move(c));
+  }
+  const auto depth = [](const Shape& shape) { return row_of(shape.kind).deep ? shape.depth : 0; };
+  return fill(outline, lerp(depth(morph.a), depth(morph.b), s), morph.winding);
+}
+
+}  // namespace betwixt

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Filled outlines on their way to others.
+#pragma once
+
+#include "betwixt/frame.h"
+
+namespace betwixt {
+
+inline double lerp(double a, double b, double s) { return (1 - s) * a + s * b; }  // exact at both ends
+inline Vec3 lerp(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
+
+bool has_outline(const Shape&);
+// Of two that have outlines, at s from 0 to 1.
+Mesh outline_between(const Shape& a, const Shape& b, double s);
+
+}  // namespace betwixt
