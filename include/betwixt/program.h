@@ -14,12 +14,6 @@
 
 namespace betwixt {
 
-// A value read back, or a world matrix.
-using Reading = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment,
-                             Procedure, Mat4, Moves>;
-
-Reading reading_of(const Value&);
-
 // How an object goes through the world at a time.
 struct Bearing {
   Vec3 place, speed;  // of its origin, in the world; speed per second, coming from before where there is a break
@@ -32,10 +26,10 @@ class Program {
 
   // Pure: the same time gives the same bits, whatever was asked before.
   Frame frame(Time) const;
-  // The value of one display function (or component) at a time; colours as the author writes them.
-  Reading read(const Target&, Time) const;
+  // The value of one display function (or component) at a time, a world as a matrix; colours as the author writes them.
+  Value read(const Target&, Time) const;
   // Many at once: what they share is evaluated once. `problems`: procedures that gave no value, in words.
-  std::vector<Reading> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;
+  std::vector<Value> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;
   // What procedures looked at to give this value, in the order they looked.
   std::vector<Target> reads(const Target&, Time) const;
 
@@ -58,8 +52,8 @@ class Program {
   std::shared_ptr<const Compiled> code_;
 };
 
-// The numbers of a reading, for plots: a scalar gives one, a vector three, true 1; empty for what is not made of
-// numbers.
-std::vector<double> numbers(const Reading&);
+// The numbers of a value, for plots: a scalar gives one, a vector three, true 1, a matrix sixteen, row by row; empty
+// for what is not made of numbers.
+std::vector<double> numbers(const Value&);
 
 }  // namespace betwixt

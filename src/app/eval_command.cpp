@@ -23,7 +23,7 @@ struct EvalCall {
 };
 
 // What is as good as 0 beside the other numbers of a value is 0 for a reader: the sine of half a turn. (JSON says all.)
-Reading without_dust(Reading r) {
+Value without_dust(Value r) {
   constexpr double dust = 1e-14;
   const auto clean = [](const std::vector<double*>& all, double largest) {
     for (const double* n : all) largest = std::max(largest, std::abs(*n));
@@ -31,11 +31,12 @@ Reading without_dust(Reading r) {
       if (std::abs(*n) < dust * largest) *n = 0;
   };
   std::vector<double*> all;
-  if (auto* m = std::get_if<Mat4>(&r)) {  // what turns and what moves are of different sizes
-    for (std::size_t i = 0; i < 12; ++i) all.push_back(&m->m[i]);
+  if (const auto* matrix = std::get_if<Matrix>(&r)) {  // what turns and what moves are of different sizes
+    Mat4 m = **matrix;
+    for (std::size_t i = 0; i < 12; ++i) all.push_back(&m.m[i]);
     clean(all, 0);
-    clean({&m->m[12], &m->m[13], &m->m[14]}, 1);
-    return r;
+    clean({&m.m[12], &m.m[13], &m.m[14]}, 1);
+    return Matrix(m);
   }
   if (auto* p = std::get_if<Vec3>(&r)) all = {&p->x, &p->y, &p->z};
   if (auto* a = std::get_if<Angles>(&r)) all = {&a->xyz.x, &a->xyz.y, &a->xyz.z};
@@ -44,24 +45,14 @@ Reading without_dust(Reading r) {
   return r;
 }
 
-// As it would be written in a script; matrices row by row.
-std::string plain(const Reading& r, const Target& t, const Document& d) {
-  if (std::holds_alternative<Mat4>(r)) {
-    std::string out = "matrix(";
-    for (double n : numbers(r)) out += (out.back() == '(' ? "" : " ") + write_number(n);
-    return out + ")";
-  }
+// As it would be written in a script.
+std::string plain(const Value& r, const Target& t, const Document& d) {
+  if (const auto* m = std::get_if<Matrix>(&r)) return write_matrix(**m);
   if (const auto* n = std::get_if<double>(&r); n && t.query()) return write_number(*n);
   if (const auto* b = std::get_if<bool>(&r); b && t.query()) return *b ? "on" : "off";
   if (const auto* names = std::get_if<Names>(&r); names && t.query())
     return fmt::format("({})", fmt::join(**names, " "));
-  Value v;
-  std::visit(
-      [&](const auto& x) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(x)>, Mat4>) v = x;
-      },
-      r);
-  return write_value(v, spec_of(d.scene(), t.function), t.component,
+  return write_value(r, spec_of(d.scene(), t.function), t.component,
                      [&](ObjectId id) { return id ? d.name(id) : std::string(); });
 }
 

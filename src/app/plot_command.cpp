@@ -95,7 +95,8 @@ std::vector<Curve> curves(const Program& program, const Target& target, const Fr
   const Document& document = program.document();
   const Type type = asked ? Type::scalar : spec_of(document.scene(), target.function).type;
   const std::size_t count = numbers(program.read(target, frames.first)).size();
-  const bool angles = type == Type::angle || (type == Type::rotation && (count == 3 || target.component >= 0));
+  if (count > 4) return {};
+  const bool angles = row_of(type).angles && count < 4;
   const double unit = angles ? degrees : 1;
   std::vector<Curve> all;
   for (std::size_t i = 0; i < count; ++i) {

@@ -6,7 +6,6 @@
 
 #include "base/utf8.h"
 #include "betwixt/result.h"
-#include "betwixt/value.h"
 
 namespace betwixt {
 
@@ -35,59 +34,6 @@ std::string to_string(const Diagnostic& d) {
 
 bool has_errors(const Diagnostics& all) {
   return std::any_of(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
-}
-
-bool has_velocity(Type type) {
-  switch (type) {
-    case Type::scalar:
-    case Type::angle:
-    case Type::pair:
-    case Type::vector:
-    case Type::color:
-    case Type::rotation:
-    case Type::orientation:
-      return true;
-    default:
-      return false;
-  }
-}
-
-std::string_view to_string(Type type) {
-  switch (type) {
-    case Type::scalar:
-      return "a number";
-    case Type::angle:
-      return "an angle";
-    case Type::pair:
-      return "a pair of numbers";
-    case Type::vector:
-      return "a vector";
-    case Type::color:
-      return "a colour";
-    case Type::boolean:
-      return "on or off";
-    case Type::rotation:
-      return "a rotation";
-    case Type::orientation:
-      return "an orientation";
-    case Type::shape:
-      return "a shape";
-    case Type::aim:
-      return "a point or an object";
-    case Type::text:
-      return "a text";
-    case Type::points:
-      return "a list of points";
-    case Type::names:
-      return "a list of names";
-    case Type::attachment:
-      return "an attachment";
-    case Type::transform:
-      return "a transform";
-    case Type::motion:
-      return "a motion";
-  }
-  return "a value";
 }
 
 }  // namespace betwixt

@@ -18,24 +18,6 @@ namespace {
 
 std::string shown(std::string_view address) { return std::string(address.substr(0, 60)); }
 
-// How many numbers make a value of the type.
-std::size_t count_of(Type type) {
-  switch (type) {
-    case Type::scalar:
-    case Type::angle:
-    case Type::boolean:
-      return 1;
-    case Type::pair:
-      return 2;
-    case Type::vector:
-    case Type::color:
-    case Type::rotation:
-      return 3;
-    default:
-      return 0;
-  }
-}
-
 std::string in_words(std::size_t count) {
   static constexpr std::string_view words[] = {"no number", "one number", "two numbers", "three numbers"};
   return count < 4 ? std::string(words[count]) : fmt::format("{} numbers", count);
@@ -43,23 +25,10 @@ std::string in_words(std::size_t count) {
 
 // Angles come in degrees, as in a script.
 Value made_of(Type type, std::span<const double> n) {
-  constexpr double degree = pi / 180;
-  switch (type) {
-    case Type::angle:
-      return n[0] * degree;
-    case Type::boolean:
-      return n[0] >= 0.5;
-    case Type::pair:
-      return Vec3{n[0], n[1], 0};
-    case Type::vector:
-      return Vec3{n[0], n[1], n[2]};
-    case Type::color:
-      return Color{n[0], n[1], n[2]};
-    case Type::rotation:
-      return Angles{degree * Vec3{n[0], n[1], n[2]}};
-    default:
-      return n[0];
-  }
+  std::array<double, 4> held{};
+  for (std::size_t i = 0; i < n.size(); ++i) held[i] = row_of(type).angles ? n[i] * (pi / 180) : n[i];
+  const Value v = value_of_numbers(type, held.data());
+  return std::holds_alternative<bool>(v) ? Value(n[0] >= 0.5) : v;  // a fader has a middle
 }
 
 // What lies beyond what is possible becomes the nearest that is not: a control knows no limits.
@@ -67,7 +36,7 @@ Value within(const FunctionSpec& spec, Value v) {
   const auto limit = [&](double& d) { d = std::clamp(d, spec.low, spec.high); };
   if (auto* d = std::get_if<double>(&v)) limit(*d);
   if (auto* p = std::get_if<Vec3>(&v)) {
-    for (int i = 0; i < (spec.type == Type::pair ? 2 : 3); ++i) limit((*p)[i]);
+    for (int i = 0; i < number_count(spec.type); ++i) limit((*p)[i]);
   }
   if (auto* c = std::get_if<Color>(&v))
     for (double* channel : {&c->r, &c->g, &c->b}) *channel = std::max(*channel, 0.0);
@@ -108,7 +77,7 @@ Result<Value> value_of(const FunctionSpec& spec, const Dial& dial, std::span<con
     if (!text) return fail(Code::type, fmt::format("{}: {} takes a text", dial.address, spec.name));
     return text_value(spec, dial, *text);
   }
-  const std::size_t wanted = dial.mapped ? 1 : count_of(type);
+  const std::size_t wanted = dial.mapped ? 1 : row_of(type).dials ? static_cast<std::size_t>(number_count(type)) : 0;
   if (wanted == 0) return fail(Code::type, fmt::format("no dial can turn {}", to_string(type)));
   if (text || numbers.size() != wanted)
     return fail(Code::type, fmt::format("{}: {} wants {}, not {}", dial.address, spec.name, in_words(wanted),
@@ -119,7 +88,7 @@ Result<Value> value_of(const FunctionSpec& spec, const Dial& dial, std::span<con
   if (!v) return v;
   FunctionSpec limits = spec;
   limits.type = type;
-  if (spec.type == Type::color && !whole) limits.low = 0;
+  if (row_of(spec.type).light && !whole) limits.low = 0;
   return within(limits, *std::move(v));
 }
 

@@ -35,17 +35,11 @@ std::size_t events_of(const Object& o, ObjectId layer) {
   return n;
 }
 
-// A reading as it would be written in a script.
-std::string written(const Reading& r, const Target& t, const Document& d) {
-  return std::visit(
-      [&](const auto& x) -> std::string {
-        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Mat4>)
-          return write_matrix(x);
-        else
-          return write_value(Value(x), spec_of(d.scene(), t.function), t.component,
-                             [&](ObjectId id) { return id ? d.name(id) : std::string(); });
-      },
-      r);
+// A value as it would be written in a script.
+std::string written(const Value& v, const Target& t, const Document& d) {
+  if (const auto* m = std::get_if<Matrix>(&v)) return write_matrix(**m);
+  return write_value(v, spec_of(d.scene(), t.function), t.component,
+                     [&](ObjectId id) { return id ? d.name(id) : std::string(); });
 }
 
 Error no_object(const Document& d, const std::string& word) {

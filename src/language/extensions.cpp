@@ -72,7 +72,7 @@ struct Hosting : Host {
   std::function<Status(std::string_view)> carry_out;
   Hosting(Reader& r, std::function<Status(std::string_view)> f) : reader(r), carry_out(std::move(f)) {}
   Status run(std::string_view line) override { return carry_out(line); }
-  Result<Reading> value(std::string_view target, double seconds) override {
+  Result<Value> value(std::string_view target, double seconds) override {
     if (!(std::abs(seconds) <= longest_seconds)) return fail(Code::range, "there is no such time");
     const auto t = find_target(reader.s, target);
     if (!t) return t.error();

@@ -44,7 +44,7 @@ std::string json_text(std::string_view s) {
 
 std::string json_number(double n) { return std::isfinite(n) ? write_number(n) : "null"; }
 
-std::string json(const Reading& r, const Target& target, const Document& d) {
+std::string json(const Value& r, const Target& target, const Document& d) {
   if (const auto* n = std::get_if<double>(&r)) return json_number(*n);
   if (const auto* b = std::get_if<bool>(&r)) return *b ? "true" : "false";
   if (const auto* id = std::get_if<ObjectId>(&r)) return *id ? json_text(d.name(*id)) : "null";
@@ -64,7 +64,8 @@ std::string json(const Reading& r, const Target& target, const Document& d) {
   }
   auto n = numbers(r);
   const bool whole = !only_asked(target.function) && target.component < 0;
-  if (whole && spec_of(d.scene(), target.function).type == Type::pair) n.resize(2);
+  if (whole && n.size() == 3)
+    n.resize(static_cast<std::size_t>(std::min(3, row_of(spec_of(d.scene(), target.function).type).channels)));
   return list(n);
 }
 

@@ -15,6 +15,6 @@ namespace betwixt {
 // In double quotes. What is not UTF-8 becomes the replacement character, so that the answer can always be read.
 std::string json_text(std::string_view);
 std::string json_number(double);  // JSON knows no numbers beyond all numbers: those are null
-std::string json(const Reading&, const Target&, const Document&);
+std::string json(const Value&, const Target&, const Document&);
 
 }  // namespace betwixt

@@ -193,7 +193,7 @@ int pairs(lua_State* l) {
   return results;
 }
 
-int push_reading(lua_State* l, const std::string& target, const Result<Reading>& r) {
+int push_answer(lua_State* l, const std::string& target, const Result<Value>& r) {
   if (!r) return fail_with(l, r.error().message);
   if (!push(l, *r)) return fail_with(l, "'" + target + "' has a value that Lua has no word for");
   return 1;
@@ -205,10 +205,10 @@ int value_of(lua_State* l, Machine& m) {
   const bool now = lua_isnoneornil(l, 2);
   const double at = now ? m.call->seconds : lua_tonumber(l, 2);
   if (!std::isfinite(at) || (!now && !lua_isnumber(l, 2))) return fail_with(l, "value: the time is no number");
-  if (m.call->questions) return push_reading(l, target, m.call->questions->value(target, at, m.call->steps));
+  if (m.call->questions) return push_answer(l, target, m.call->questions->value(target, at, m.call->steps));
   if (!m.call->host) return fail_with(l, "value: only procedures and commands can ask for values");
   if (now) return fail_with(l, "value: at what time?");
-  return push_reading(l, target, m.call->host->value(target, at));
+  return push_answer(l, target, m.call->host->value(target, at));
 }
 int value(lua_State* l) {
   const int results = guarded<value_of>(l);
@@ -237,7 +237,7 @@ int touching_of(lua_State* l, Machine& m) {
   };
   const auto found = ask(1);
   if (!found) return touches_nobody(l, 1, found.error());
-  if (!two) return push_reading(l, "touching", found);
+  if (!two) return push_answer(l, "touching", found);
   if (const auto other = ask(2); !other) return touches_nobody(l, 2, other.error());
   const auto& names = *std::get<Names>(*found);
   lua_pushboolean(l, std::find(names.begin(), names.end(), lua_tostring(l, 2)) != names.end());
@@ -253,8 +253,7 @@ int input_at(lua_State* l, Machine& m) {
   const double at = lua_isnoneornil(l, 1) ? m.call->seconds : lua_tonumber(l, 1);
   if (!std::isfinite(at) || (!lua_isnoneornil(l, 1) && !lua_isnumber(l, 1)))
     return fail_with(l, "input: the time is no number");
-  const Value v = m.call->input->at(at);
-  return push_reading(l, "input", Result<Reading>(reading_of(v)));
+  return push_answer(l, "input", m.call->input->at(at));
 }
 int input(lua_State* l) {
   const int results = guarded<input_at>(l);
@@ -280,7 +279,7 @@ int run(lua_State* l) {
 int objects_of(lua_State* l, Machine& m) {
   if (!m.call->host) return fail_with(l, "objects: only commands can ask for them");
   if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "objects: a pattern is needed, in quotes");
-  push(l, Reading(Names(m.call->host->objects(lua_tostring(l, 1)))));
+  push(l, Value(Names(m.call->host->objects(lua_tostring(l, 1)))));
   return 1;
 }
 int objects(lua_State* l) {
@@ -305,7 +304,7 @@ int call_routine(lua_State* l, Machine& m) {
     const bool round = why.ends_with(Nested::error().message) && why.find(name + ": ") != std::string::npos;
     return fail_with(l, round ? why : name + ": " + why);
   }
-  return push_reading(l, name, Result<Reading>(reading_of(*result)));
+  return push_answer(l, name, result);
 }
 int call(lua_State* l) {
   const int results = guarded<call_routine>(l);

@@ -148,7 +148,7 @@ class Lua final : public Routine {
     return run<Nothing>(
         call,
         [&](Machine& m) {
-          lua::push(m.state, Reading(Names(words)));
+          lua::push(m.state, Value(Names(words)));
           m.set("args");
           return push_words(m);
         },
@@ -158,7 +158,7 @@ class Lua final : public Routine {
  private:
   // What has no word in Lua is nil.
   static void push_value(lua_State* l, const Value& v) {
-    if (!lua::push(l, reading_of(v))) lua_pushnil(l);
+    if (!lua::push(l, v)) lua_pushnil(l);
   }
 
   static int call_function(Machine& m, int arguments) {

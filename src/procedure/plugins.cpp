@@ -13,68 +13,40 @@
 #include <filesystem>
 
 #include "betwixt/plugin.h"
+#include "betwixt/program.h"
 #include "procedure/nested.h"
+#include "track/types.h"
 
 namespace betwixt {
 namespace {
 
 // --- values to and from C ---
 
-struct Writer {
-  betwixt_value& out;
-  bool fill(int kind, std::initializer_list<double> numbers) const {
-    out.kind = kind;
-    std::copy(numbers.begin(), numbers.end(), out.numbers);
-    return true;
-  }
-  bool operator()(double d) const { return fill(BETWIXT_NUMBER, {d}); }
-  bool operator()(bool b) const { return fill(BETWIXT_BOOLEAN, {b ? 1.0 : 0.0}); }
-  bool operator()(Vec3 v) const { return fill(BETWIXT_VECTOR, {v.x, v.y, v.z}); }
-  bool operator()(Color c) const { return fill(BETWIXT_COLOR, {c.r, c.g, c.b}); }
-  bool operator()(const Angles& a) const { return fill(BETWIXT_ANGLES, {a.xyz.x, a.xyz.y, a.xyz.z}); }
-  bool operator()(Quat q) const { return fill(BETWIXT_QUATERNION, {q.w, q.x, q.y, q.z}); }
-  bool operator()(const Text& t) const {
-    out.text = t->c_str();
-    return fill(BETWIXT_TEXT, {});
-  }
-  bool operator()(const Mat4& m) const {
-    for (int i = 0; i < 16; ++i) out.numbers[i] = m(i / 4, i % 4);
-    return fill(BETWIXT_MATRIX, {});
-  }
-  template <class T>
-  bool operator()(const T&) const {
-    return false;
-  }
-};
+// By betwixt_kind.
+const Value& example_of_kind(int kind) {
+  static const Value examples[] = {{}, 0.0, Vec3{}, Color{}, false, Angles{}, Quat{}, Text(), Matrix()};
+  return examples[kind];
+}
 
-template <class V>
-bool write(const V& v, betwixt_value& out) {
+bool write(const Value& v, betwixt_value& out) {
   out = {};
-  return std::visit(Writer{out}, v);
+  for (int kind = BETWIXT_NUMBER; kind <= BETWIXT_MATRIX; ++kind)
+    if (v.index() == example_of_kind(kind).index()) out.kind = kind;
+  const std::vector<double> all = numbers(v);
+  std::copy(all.begin(), all.end(), out.numbers);
+  if (const auto* t = std::get_if<Text>(&v)) out.text = (*t)->c_str();
+  return out.kind != 0;
 }
 
 Result<Value> read(const betwixt_value& v) {
-  const double* n = v.numbers;
-  constexpr int counts[] = {0, 1, 3, 3, 1, 3, 4, 0};
   if (v.kind < BETWIXT_NUMBER || v.kind > BETWIXT_TEXT) return fail(Code::type, "it gave no value");
-  if (!std::all_of(n, n + counts[v.kind], [](double d) { return std::isfinite(d); }))
+  if (v.kind == BETWIXT_TEXT) return Value(Text(std::string(v.text ? v.text : "")));
+  const std::size_t count = numbers(example_of_kind(v.kind)).size();
+  if (!std::all_of(v.numbers, v.numbers + count, [](double d) { return std::isfinite(d); }))
     return fail(Code::range, "it gave a number that is not finite");
-  switch (v.kind) {
-    case BETWIXT_NUMBER:
-      return Value(n[0]);
-    case BETWIXT_VECTOR:
-      return Value(Vec3{n[0], n[1], n[2]});
-    case BETWIXT_COLOR:
-      return Value(Color{n[0], n[1], n[2]});
-    case BETWIXT_BOOLEAN:
-      return Value(n[0] != 0);
-    case BETWIXT_ANGLES:
-      return Value(Angles{{n[0], n[1], n[2]}});
-    case BETWIXT_QUATERNION:
-      return Value(normalize(Quat{n[0], n[1], n[2], n[3]}));
-    default:
-      return Value(Text(std::string(v.text ? v.text : "")));
-  }
+  Value made = with_numbers(example_of_kind(v.kind), v.numbers);
+  if (auto* q = std::get_if<Quat>(&made)) *q = normalize(*q);
+  return made;
 }
 
 Error refused(const char* why) { return fail(Code::type, why ? why : "it failed and does not say why"); }
@@ -84,7 +56,7 @@ Error refused(const char* why) { return fail(Code::type, why ? why : "it failed 
 struct Asking {
   Questions& questions;
   std::uint64_t& cost;
-  Result<Reading> last = Reading(0.0);
+  Result<Value> last = Value(0.0);
 };
 int ask(void* state, const char* target, double seconds, betwixt_value* out) {
   Asking& a = *static_cast<Asking*>(state);

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "betwixt/program.h"
 #include "procedure/machine.h"
+#include "track/types.h"
 
 namespace betwixt::lua {
 namespace {
@@ -14,13 +16,18 @@ struct Shape {
   const char* article;
   int count;
   const char* fields[4];
+  Value (*example)();
 };
-constexpr Shape shapes[kinds] = {{"", "", 0, {}},
-                                 {"vec", "a vector", 3, {"x", "y", "z"}},
-                                 {"rgb", "a color", 3, {"r", "g", "b"}},
-                                 {"euler", "angles", 3, {"x", "y", "z"}},
-                                 {"quat", "a quaternion", 4, {"w", "x", "y", "z"}},
-                                 {"matrix", "a matrix", 16, {}}};
+template <class T>
+Value plain() {
+  return T{};
+}
+constexpr Shape shapes[kinds] = {{"", "", 0, {}, plain<double>},
+                                 {"vec", "a vector", 3, {"x", "y", "z"}, plain<Vec3>},
+                                 {"rgb", "a color", 3, {"r", "g", "b"}, plain<Color>},
+                                 {"euler", "angles", 3, {"x", "y", "z"}, plain<Angles>},
+                                 {"quat", "a quaternion", 4, {"w", "x", "y", "z"}, plain<Quat>},
+                                 {"matrix", "a matrix", 16, {}, plain<Matrix>}};
 const Shape& shape(Kind k) { return shapes[static_cast<int>(k)]; }
 
 Quat quat_of(const double* n) { return {n[0], n[1], n[2], n[3]}; }
@@ -76,51 +83,14 @@ int equal(lua_State* l) {
   return 1;
 }
 
-bool push_list(lua_State* l, std::size_t count, auto&& push_one) {
+bool push_list(lua_State* l, std::size_t count, auto&& one) {
   lua_createtable(l, static_cast<int>(count), 0);
   for (std::size_t i = 0; i < count; ++i) {
-    push_one(i);
+    push(l, one(i));
     lua_rawseti(l, -2, static_cast<lua_Integer>(i) + 1);
   }
   return true;
 }
-
-void push_three(lua_State* l, Kind kind, Vec3 v) {
-  const double n[] = {v.x, v.y, v.z};
-  push(l, kind, n);
-}
-
-struct Pusher {
-  lua_State* l;
-  bool operator()(double d) const { return lua_pushnumber(l, d), true; }
-  bool operator()(bool b) const { return lua_pushboolean(l, b), true; }
-  bool operator()(Vec3 v) const { return push_three(l, Kind::vector, v), true; }
-  bool operator()(Color c) const { return push_three(l, Kind::color, {c.r, c.g, c.b}), true; }
-  bool operator()(const Angles& a) const { return push_three(l, Kind::angles, a.xyz), true; }
-  bool operator()(Quat q) const {
-    const double n[] = {q.w, q.x, q.y, q.z};
-    return push(l, Kind::quat, n), true;
-  }
-  bool operator()(const Mat4& m) const {
-    double n[16];
-    for (int i = 0; i < 16; ++i) n[i] = m(i / 4, i % 4);
-    return push(l, Kind::matrix, n), true;
-  }
-  bool operator()(const Text& t) const { return lua_pushlstring(l, t->data(), t->size()), true; }
-  bool operator()(const Points& p) const {
-    return push_list(l, p->size(), [&](std::size_t i) { push_three(l, Kind::vector, (*p)[i]); });
-  }
-  bool operator()(const Moves& m) const {
-    const std::string text = to_string(*m);
-    return lua_pushlstring(l, text.data(), text.size()), true;
-  }
-  bool operator()(const Names& n) const {
-    return push_list(l, n->size(), [&](std::size_t i) { lua_pushlstring(l, (*n)[i].data(), (*n)[i].size()); });
-  }
-  bool operator()(ObjectId) const { return false; }
-  bool operator()(const Attachment&) const { return false; }
-  bool operator()(const Procedure&) const { return false; }
-};
 
 Error no_value(std::string what) { return fail(Code::type, std::move(what)); }
 
@@ -184,7 +154,20 @@ void push(lua_State* l, Kind kind, const double* numbers) {
   lua_setmetatable(l, -2);
 }
 
-bool push(lua_State* l, const Reading& r) { return std::visit(Pusher{l}, r); }
+bool push(lua_State* l, const Value& v) {
+  const auto push_text = [l](const std::string& t) { return lua_pushlstring(l, t.data(), t.size()), true; };
+  if (const auto* d = std::get_if<double>(&v)) return lua_pushnumber(l, *d), true;
+  if (const auto* b = std::get_if<bool>(&v)) return lua_pushboolean(l, *b), true;
+  if (const auto* t = std::get_if<Text>(&v)) return push_text(**t);
+  if (const auto* m = std::get_if<Moves>(&v)) return push_text(to_string(**m));
+  if (const auto* p = std::get_if<Points>(&v))
+    return push_list(l, (*p)->size(), [&](std::size_t i) { return (**p)[i]; });
+  if (const auto* n = std::get_if<Names>(&v))
+    return push_list(l, (*n)->size(), [&](std::size_t i) { return Text((**n)[i]); });
+  for (int k = 1; k < kinds; ++k)
+    if (v.index() == shapes[k].example().index()) return push(l, static_cast<Kind>(k), numbers(v).data()), true;
+  return false;
+}
 
 Result<Value> to_value(lua_State* l, int index) {
   double n[16];
@@ -215,16 +198,9 @@ Result<Value> to_value(lua_State* l, int index) {
   for (int i = 0; i < shape(kind).count; ++i)
     if (!std::isfinite(n[i]))
       return fail(Code::range, std::string("it gave ") + shape(kind).article + " with a number that is not finite");
-  switch (kind) {
-    case Kind::color:
-      return Value(Color{n[0], n[1], n[2]});
-    case Kind::angles:
-      return Value(Angles{{n[0], n[1], n[2]}});
-    case Kind::quat:
-      return Value(normalize(quat_of(n)));
-    default:
-      return Value(Vec3{n[0], n[1], n[2]});
-  }
+  Value v = with_numbers(shape(kind).example(), n);
+  if (auto* q = std::get_if<Quat>(&v)) *q = normalize(*q);
+  return v;
 }
 
 std::string written(lua_State* l, int index) {

@@ -54,6 +54,8 @@ struct LivePart {
   std::vector<Piece> pieces;  // by time; empty: scripted
   Track track;                // scripted: events among which are procedures
   Value rest;
+  // A colour's component blends as light; its values are numbers.
+  Type value_type() const { return component >= 0 && row_of(type).light ? Type::scalar : type; }
 };
 
 struct LiveStrand {
@@ -209,7 +211,7 @@ struct Program::Compiled {
   Value live_value(std::int32_t live, Time t, Asking&) const;  // as the author writes values
   // The rate of change per second, as the author would write it; nothing where that means nothing.
   std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&) const;
-  Reading read(const Target&, Time t, Asking&) const;
+  Value read(const Target&, Time t, Asking&) const;
   // Each twerper that failed, named once among the problems.
   void say(const TwerperFailures&, Asking&) const;
 
@@ -249,12 +251,13 @@ struct Program::Compiled {
   mutable Camera own_camera_made;
 };
 
-// The numbers that the array holds for a value: colours are linear light, angles orientations where `orientation`.
+// The numbers that the array holds for a value: colours are linear light, angles orientations where `orientation`. And
+// the value of such numbers, as the author writes it.
 int held_numbers(const Value&, bool orientation, double* out);
+Value written_value(Type, const double* numbers, bool orientation);
 // A procedure's answer as a value of the type; the reason if it is none.
 Result<Value> fit(const Value&, Type, const Scene&);
 Vec3 to_angles(Quat);
-Value example_of(Type);  // some value of the type: where only code gives one and it does not
 
 // The motions of all nodes, whose attachments are known.
 // `frozen`: by time, those that are let go or kept; they are worked out on the way.

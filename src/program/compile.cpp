@@ -20,10 +20,8 @@ struct Compiler {
     b.constant = v;
     if (!numeric(v)) return b;
     double n[4];
-    const int count = to_numbers(v, n);
-    if (std::holds_alternative<Color>(v))
-      for (int i = 0; i < 3; ++i) n[i] = to_linear(n[i]);
-    b.channels = static_cast<std::uint8_t>(type == Type::pair ? 2 : count);
+    const int count = held_numbers(v, false, n);
+    b.channels = static_cast<std::uint8_t>(std::min(count, row_of(type).channels));
     b.orientation = std::holds_alternative<Quat>(v);
     b.offset = static_cast<std::uint32_t>(code.rest.size());
     code.rest.insert(code.rest.end(), n, n + 4);  // always four: a rotation's curve may want them
@@ -85,12 +83,10 @@ struct Compiler {
     for (std::size_t i = 0; i < slot.components.size(); ++i) {
       const Track& t = *slot.components[i];
       if (b.channels == 0 && has_values(t)) point();  // an aim at an object gives way to numbers
-      // Components of colours blend as colours do, in light.
-      const Type type = spec.type == Type::color ? Type::color : component_type(spec.type);
-      if (has_values(t)) add(t, type, b.offset + static_cast<std::uint32_t>(i), true);
+      if (has_values(t)) add(t, component_track_type(spec.type), b.offset + static_cast<std::uint32_t>(i), true);
     }
     if (!has_values(*slot.track)) return b;
-    if (!all_numeric(*slot.track) || (b.channels == 0 && spec.type != Type::aim)) {
+    if (!all_numeric(*slot.track) || (b.channels == 0 && row_of(spec.type).channels == 0)) {
       b.steps = static_cast<std::int32_t>(code.steps.size());
       b.channels = 0;
       code.steps.emplace_back(*slot.track, spec.type);
@@ -106,9 +102,9 @@ struct Compiler {
 
   // Whether a rotation is held as orientations: some event says so, or the turning goes about an axis.
   bool turns(const Slot& slot, Type type) const {
-    if (type == Type::orientation) return true;
-    if (type != Type::rotation) return false;
-    bool any = slot.set && std::holds_alternative<Quat>(*slot.set);
+    if (row_of(type).changes != Changes::by_turning) return false;
+    bool any =
+        std::holds_alternative<Quat>(row_of(type).example()) || (slot.set && std::holds_alternative<Quat>(*slot.set));
     each_track(slot, [&](const Track& t) {
       t.events.each([&](const Event& e) { any = any || std::holds_alternative<Quat>(e.value); });
     });
@@ -153,9 +149,7 @@ struct Compiler {
         if (e.detail->tangent_out) plain(*e.detail.edit().tangent_out);
         rates.events.put(std::move(e));
       });
-      const Type type = component || part.type == Type::scalar || part.type == Type::angle ? Type::scalar
-                        : part.type == Type::pair                                          ? Type::pair
-                                                                                           : Type::vector;
+      const Type type = component ? Type::scalar : row_of(part.type).rate.value_or(part.type);
       code.reigns.emplace_back(code.set, code.set.add(rates, type), part.orientation);
       out.push_back(p);
       reign.events = {};
@@ -186,7 +180,7 @@ struct Compiler {
       code.lives.back().strands.push_back(std::move(strand));
       LivePart& probe = code.lives.back().strands[0].parts[0];
       probe.component = -1;  // its value alone is asked for
-      probe.type = part.component >= 0 ? component_type_of(part) : part.type;
+      probe.type = part.value_type();
       const Value reached = code.live_value(static_cast<std::int32_t>(code.lives.size()) - 1, *release, asking);
       code.lives.pop_back();
       Event e;
@@ -212,8 +206,6 @@ struct Compiler {
     close(std::nullopt);
     return out;
   }
-  static Type component_type_of(const LivePart& part) { return part.type == Type::color ? Type::scalar : part.type; }
-
   LiveStrand strand(const Slot& slot) {
     const FunctionSpec& spec = spec_of(scene, slot.function);
     LiveStrand out;
@@ -240,7 +232,7 @@ struct Compiler {
     const auto add = [&](const Track& primary, const Track& velocity, int component) {
       LivePart part;
       part.component = component;
-      part.type = component < 0 ? spec.type : spec.type == Type::color ? Type::color : component_type(spec.type);
+      part.type = component < 0 ? spec.type : component_track_type(spec.type);
       part.orientation = orientation && component < 0;
       part.track = primary;
       part.rest = component < 0 || scripted(out.set) ? out.set : Value(component_of(out.set, component));
@@ -277,10 +269,10 @@ struct Compiler {
       if (slot.function == f && slot.layer && find_object(scene, slot.layer)) live.strands.push_back(strand(slot));
     const Value& rest = base.set.value_or(spec.rest);
     Value example = scripted(rest) ? spec.rest : rest;
-    if (scripted(example)) example = example_of(spec.type);
+    if (scripted(example)) example = row_of(spec.type).example();
     if (spec.type == Type::aim) example = ObjectId{};  // may be either, at any time
     Binding b = place(f, example, spec.type);
-    b.orientation = spec.type == Type::rotation || spec.type == Type::orientation;
+    b.orientation = row_of(spec.type).changes == Changes::by_turning;
     if (b.orientation) b.channels = 4;
     b.live = static_cast<std::int32_t>(code.lives.size());
     code.lives.push_back(std::move(live));
@@ -292,7 +284,7 @@ struct Compiler {
     for (FunctionId f = 0; f < functions; ++f) {
       const FunctionSpec& spec = spec_of(scene, f);
       if (scripted(spec.rest)) computed.push_back(f);
-      code.defaults.push_back(place(f, scripted(spec.rest) ? example_of(spec.type) : spec.rest, spec.type));
+      code.defaults.push_back(place(f, scripted(spec.rest) ? row_of(spec.type).example() : spec.rest, spec.type));
       if (!spec.shape) continue;
       for (const KindRow& row : kinds())
         if (spec.kinds & bit(row.kind)) code.shaping[row.kind].push_back(f);
@@ -447,29 +439,6 @@ struct Compiler {
 };
 
 }  // namespace
-
-Value example_of(Type type) {
-  switch (type) {
-    case Type::pair:
-    case Type::vector:
-      return Vec3{};
-    case Type::color:
-      return Color{};
-    case Type::boolean:
-      return false;
-    case Type::rotation:
-      return Angles{};
-    case Type::orientation:
-      return Quat{};
-    case Type::text:
-      return Text();
-    case Type::shape:
-    case Type::aim:
-      return ObjectId{};
-    default:
-      return 0.0;
-  }
-}
 
 const Binding& Program::Compiled::find(std::uint32_t object, FunctionId f) const {
   const auto first = bindings.begin() + first_binding[object], last = bindings.begin() + first_binding[object + 1];

@@ -22,27 +22,6 @@ Quat power(Quat q, double w) {
   return slerp({}, q, w);
 }
 
-// What a track's numbers stand for. `channels` tells pairs from vectors, angles from orientations.
-Value value_of(const double* n, Type type, bool orientation) {
-  switch (type) {
-    case Type::pair:
-      return Vec3{n[0], n[1], 0};
-    case Type::vector:
-    case Type::aim:
-      return Vec3{n[0], n[1], n[2]};
-    case Type::color:
-      return Color{n[0], n[1], n[2]};
-    case Type::boolean:
-      return n[0] != 0;
-    case Type::rotation:
-    case Type::orientation:
-      if (orientation) return quat(n);
-      return Angles{{n[0], n[1], n[2]}};
-    default:
-      return n[0];
-  }
-}
-
 // a + b, and the way from a to b; orientations turn. Nothing where the two do not go together.
 std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mix) {
   const auto turn = [](const Value& v) -> std::optional<Quat> {
@@ -84,58 +63,24 @@ int held_numbers(const Value& v, bool orientation, double* out) {
   return n;
 }
 
+Value written_value(Type type, const double* n, bool orientation) {
+  if (!row_of(type).light) return value_of_numbers(type, n, orientation);
+  const double written[] = {to_srgb(n[0]), to_srgb(n[1]), to_srgb(n[2])};
+  return value_of_numbers(type, written);
+}
+
 Result<Value> fit(const Value& v, Type type, const Scene& scene) {
-  const auto* d = std::get_if<double>(&v);
-  const auto* p = std::get_if<Vec3>(&v);
+  if (const auto fitting = fitted(v, type)) return *fitting;
   const auto* text = std::get_if<Text>(&v);
-  const auto object = [&](const std::string& name) -> Result<Value> {
-    if (name == "none") return Value(ObjectId{});
-    if (const ObjectId id = scene.names.find(name)) return Value(id);
-    return fail(Code::name, fmt::format("there is no object '{}'", name));
-  };
-  switch (type) {
-    case Type::scalar:
-    case Type::angle:
-      if (d) return v;
-      break;
-    case Type::pair:
-      if (p) return Value(Vec3{p->x, p->y, 0});
-      break;
-    case Type::vector:
-      if (p) return v;
-      break;
-    case Type::color:
-      if (std::holds_alternative<Color>(v)) return v;
-      if (p) return Value(Color{p->x, p->y, p->z});
-      break;
-    case Type::boolean:
-      if (std::holds_alternative<bool>(v)) return v;
-      if (d) return Value(*d != 0);
-      break;
-    case Type::rotation:
-      if (std::holds_alternative<Angles>(v) || std::holds_alternative<Quat>(v)) return v;
-      if (p) return Value(Angles{*p});
-      break;
-    case Type::orientation:
-      if (std::holds_alternative<Quat>(v)) return v;
-      if (const auto* a = std::get_if<Angles>(&v)) return Value(from_angles(a->xyz));
-      if (p) return Value(from_angles(*p));
-      break;
-    case Type::shape:
-      if (text) return object(**text);
-      break;
-    case Type::aim:
-      if (p) return v;
-      if (text) return object(**text);
-      break;
-    case Type::text:
-      if (text) return v;
-      if (d) return Value(Text(fmt::format("{}", *d)));
-      break;
-    default:
-      break;
+  if (text && std::holds_alternative<ObjectId>(row_of(type).example())) {
+    if (**text == "none") return Value(ObjectId{});
+    if (const ObjectId id = scene.names.find(**text)) return Value(id);
+    return fail(Code::name, fmt::format("there is no object '{}'", **text));
   }
-  const char* is = d ? "a number" : p ? "a vector" : text ? "a text" : "something else";
+  const char* is = std::holds_alternative<double>(v) ? "a number"
+                   : std::holds_alternative<Vec3>(v) ? "a vector"
+                   : text                            ? "a text"
+                                                     : "something else";
   return fail(Code::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
 }
 
@@ -163,7 +108,7 @@ struct Worker {
       const NamedProcedure* p = find_procedure(w.scene, name);
       return p && p->role == Role::value ? p->code.get() : nullptr;
     }
-    Result<Reading> value(std::string_view text, double seconds, std::uint64_t& cost) override {
+    Result<Value> value(std::string_view text, double seconds, std::uint64_t& cost) override {
       if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
         return fail(Code::range, fmt::format("value('{}', {}): there is no such time", text, seconds));
       const auto target = find_target(w.scene, text, {w.live.object});
@@ -173,7 +118,7 @@ struct Worker {
         trace.push_back(*target);
       // What the answer takes is counted once: here, by whoever asked.
       const std::uint64_t before = w.asking.cost;
-      Reading r = w.c.read(*target, from_seconds(seconds), w.asking);
+      Value r = w.c.read(*target, from_seconds(seconds), w.asking);
       cost += w.asking.cost - before + 20;
       w.asking.cost = before;
       return r;
@@ -192,7 +137,7 @@ struct Worker {
       return std::nullopt;
     };
     if (!answer) return say(answer.error().message);
-    const Type type = part.component >= 0 && part.type == Type::color ? Type::scalar : part.type;
+    const Type type = part.value_type();
     const auto fitting = fit(*answer, type, scene);
     if (!fitting) return say(fitting.error().message);
     double n[4];
@@ -212,7 +157,7 @@ struct Worker {
   // Of a function that only code gives a value to.
   Value at_rest(const LivePart& part) const {
     const FunctionSpec& spec = spec_of(scene, live.function);
-    const Value v = std::holds_alternative<Procedure>(spec.rest) ? example_of(spec.type) : spec.rest;
+    const Value v = std::holds_alternative<Procedure>(spec.rest) ? row_of(spec.type).example() : spec.rest;
     return part.component < 0 ? v : Value(component_of(v, part.component));
   }
 
@@ -262,9 +207,8 @@ struct Worker {
   }
 
   Value as_written(const LivePart& part, double* n, bool orientation) const {
-    if (part.type == Type::color)
-      for (int i = 0; i < (part.component >= 0 ? 1 : 3); ++i) n[i] = to_srgb(n[i]);
-    return value_of(n, part.component >= 0 ? Type::scalar : part.type, orientation);
+    if (part.value_type() != part.type) return to_srgb(n[0]);
+    return written_value(part.type, n, orientation);
   }
 
   Value piece_value(const LivePart& part, std::size_t i, Time t) const {
@@ -291,8 +235,7 @@ struct Worker {
       const auto* a = std::get_if<Angles>(&anchor);
       return normalize(quat(sum.data()) * (q ? *q : from_angles(a ? a->xyz : Vec3{})));
     }
-    const auto both =
-        add_scaled(anchor, value_of(sum.data(), part.component >= 0 ? Type::scalar : part.type, false), 1);
+    const auto both = add_scaled(anchor, value_of_numbers(part.value_type(), sum.data()), 1);
     return both ? *both : anchor;
   }
 
@@ -363,10 +306,7 @@ struct Worker {
       return d ? with_component(plain, f.component, *d) : pass("it does not give a number");
     }
     const Type type = spec_of(scene, live.function).type;
-    Value v = *made;
-    if (auto* p = std::get_if<Vec3>(&v); p && type == Type::pair) p->z = 0;
-    if (v.index() == plain.index()) return v;
-    const auto fitting = fit(v, type, scene);
+    const auto fitting = fit(*made, type, scene);
     return fitting ? *fitting : pass(fitting.error().message);
   }
 
@@ -374,10 +314,7 @@ struct Worker {
     if (b.channels == 0) return c.value(b, t, asking);
     Numbers n{};
     c.evaluate(b, t, asking, n.data());
-    const Type type = spec_of(scene, b.function).type;
-    if (type == Type::color)
-      for (std::size_t i = 0; i < 3; ++i) n[i] = to_srgb(n[i]);
-    return value_of(n.data(), type, b.orientation);
+    return written_value(spec_of(scene, b.function).type, n.data(), b.orientation);
   }
 
   Value value(Time t) const {
@@ -455,10 +392,10 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
   if (!has_velocity(type)) return std::nullopt;
   const auto as_rate = [&](const double* n, bool orientation) -> Value {
     if (orientation) return Vec3{n[0], n[1], n[2]};
-    return value_of(n, type, false);
+    return value_of_numbers(type, n);
   };
   Numbers n{};
-  if (b.live < 0 && type != Type::color) {
+  if (b.live < 0 && !row_of(type).light) {
     if (b.channels == 0) return std::nullopt;
     for (std::uint32_t i = 0; i < b.curves; ++i) {
       const CurveUse& use = curves[b.first_curve + i];
@@ -477,7 +414,7 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
         set.evaluate(reigns[static_cast<std::size_t>(p.reign)].velocity(), t, out);
         return true;
       }
-      if (p.scripted || part.type == Type::color) return false;
+      if (p.scripted || row_of(part.type).light) return false;
       if (p.primary.count > 0) set.derivative(p.primary, t, out);
       return p.primary.count > 0;
     };
@@ -520,7 +457,7 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
   double one[4] = {}, two[4] = {};
   to_numbers(*near, one), to_numbers(*far, two);
   for (int i = 0; i < 4; ++i) one[i] = (4 * one[i] - two[i]) / (2 * seconds);
-  return value_of(one, type, false);
+  return value_of_numbers(type, one);
 }
 
 }  // namespace betwixt

@@ -9,32 +9,19 @@
 namespace betwixt {
 namespace {
 
-Reading part(const Value& v, int component) {
-  if (component >= 0) {
-    if (const auto* q = std::get_if<Quat>(&v)) return to_angles(*q)[component];
-    if (numeric(v)) return component_of(v, component);
-  }
-  return reading_of(v);
+Value part(const Value& v, int component) {
+  if (component < 0 || !numeric(v)) return v;
+  if (const auto* q = std::get_if<Quat>(&v)) return to_angles(*q)[component];
+  return component_of(v, component);
 }
 
 // All of a matrix, or one number of where it puts things.
-Reading place_in(const Mat4& m, int component) {
-  if (component < 0) return m;
+Value place_in(const Mat4& m, int component) {
+  if (component < 0) return Matrix(m);
   return translation_of(m)[component];
 }
 
 }  // namespace
-
-Reading reading_of(const Value& v) {
-  return std::visit(
-      [](const auto& x) -> Reading {
-        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Matrix>)
-          return *x;
-        else
-          return x;
-      },
-      v);
-}
 
 void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const {
   for (const auto& [i, why] : failed.all)
@@ -42,7 +29,7 @@ void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const
                "' gives no number, and is linear there: " + why);
 }
 
-Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
+Value Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
   const std::uint32_t object = target.object.index;
   const Object& what = document.scene().objects[object];
   const std::optional<Query> query = target.query();
@@ -51,7 +38,7 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
     const std::int64_t tick = document.scene().ticks.whole(t);
     // Of the generation alive then; its last A where it has been killed.
     const int generation = e.generation_at(tick).value_or(std::max(0, e.bind(tick).value_or(e.generations()) - 1));
-    if (query == Query::motion) return e.matrix(tick).value_or(Mat4{});
+    if (query == Query::motion) return Matrix(e.matrix(tick).value_or(Mat4{}));
     if (query == Query::interval) return static_cast<double>(e.interval(tick).value_or(0));
     if (query == Query::count) return static_cast<double>(e.count(generation, tick));
     return place_in(e.at(generation, tick), target.component);
@@ -91,41 +78,18 @@ Reading Program::Compiled::read(const Target& target, Time t, Asking& asking) co
   }
   double n[4];
   evaluate(b, t, asking, n);
-  const auto whole = [&]() -> Reading {
-    switch (type) {
-      case Type::scalar:
-      case Type::angle:
-        return n[0];
-      case Type::boolean:
-        return n[0] != 0;
-      case Type::pair:
-        return Vec3{n[0], n[1], 0};
-      case Type::color:
-        return to_srgb(vec3(n));
-      case Type::rotation:
-      case Type::orientation:
-        if (b.orientation) return Quat{n[0], n[1], n[2], n[3]};
-        return Angles{vec3(n)};
-      default:
-        return vec3(n);
-    }
-  }();
-  if (target.component < 0) return whole;
-  if (const auto* color = std::get_if<Color>(&whole)) return component_of(*color, target.component);
-  if (b.orientation) return to_angles({n[0], n[1], n[2], n[3]})[target.component];
-  return n[target.component];
+  return part(written_value(type, n, b.orientation), target.component);
 }
 
-Reading Program::read(const Target& target, Time t) const {
+Value Program::read(const Target& target, Time t) const {
   Asking asking;
   return code_->read(target, t, asking);
 }
 
-std::vector<Reading> Program::read(const std::vector<Target>& targets, Time t,
-                                   std::vector<std::string>* problems) const {
+std::vector<Value> Program::read(const std::vector<Target>& targets, Time t, std::vector<std::string>* problems) const {
   Asking asking;
   const TwerperFailures failed;
-  std::vector<Reading> out;
+  std::vector<Value> out;
   out.reserve(targets.size());
   std::vector<Mat4> worlds;  // many worlds are cheaper all at once
   const auto wants_world = [&](const Target& x) {
@@ -148,20 +112,11 @@ std::vector<Target> Program::reads(const Target& target, Time t) const {
   return std::move(asking.read);
 }
 
-std::vector<double> numbers(const Reading& r) {
-  if (const auto* m = std::get_if<Mat4>(&r)) {
-    std::vector<double> out;
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) out.push_back((*m)(i, k));
-    return out;
-  }
-  double n[4];
-  int count = 0;
-  std::visit(
-      [&](const auto& x) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(x)>, Mat4>) count = to_numbers(Value(x), n);
-      },
-      r);
+std::vector<double> numbers(const Value& v) {
+  double n[16];
+  int count = to_numbers(v, n);
+  if (const auto* m = std::get_if<Matrix>(&v))
+    for (int i = 0; i < 16; ++i) n[count++] = (**m)(i / 4, i % 4);
   return {n, n + count};
 }
 

@@ -337,20 +337,6 @@ void set_value(Scene& s, const Target& t, const Value& v) {
   slot.set = t.component < 0 ? v : with_component(slot.set.value_or(spec.rest), t.component, std::get<double>(v));
 }
 
-double component_of(const Value& v, int component) {
-  double n[4] = {0, 0, 0, 0};
-  to_numbers(v, n);
-  return n[component];
-}
-
-Value with_component(Value v, int component, double number) {
-  if (std::holds_alternative<ObjectId>(v)) v = Vec3{};  // an aim at an object becomes one at a point
-  if (auto* p = std::get_if<Vec3>(&v)) (*p)[component] = number;
-  if (auto* a = std::get_if<Angles>(&v)) a->xyz[component] = number;
-  if (auto* c = std::get_if<Color>(&v)) (component == 0 ? c->r : component == 1 ? c->g : c->b) = number;
-  return v;
-}
-
 Document::Document() : scene_(std::make_shared<const Scene>()) {}
 Rate Document::rate() const { return scene_->rate; }
 

@@ -191,10 +191,6 @@ void put_event(Scene&, const Target&, Event);
 Strand split_into_components(const Strand&, Type type);
 void set_value(Scene&, const Target&, const Value&);
 
-// One component of a value made of numbers, and a value with one component changed.
-double component_of(const Value&, int component);
-Value with_component(Value, int component, double number);
-
 // Same content: names, values, tracks, everything the author can see; not how it came to be.
 bool same(const Scene&, const Scene&);
 

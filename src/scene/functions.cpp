@@ -409,31 +409,4 @@ std::optional<FunctionId> find_built_in(Kind kind, std::string_view name) {
   return std::nullopt;
 }
 
-int component_count(Type type) {
-  switch (type) {
-    case Type::pair:
-      return 2;
-    case Type::vector:
-    case Type::color:
-    case Type::rotation:
-    case Type::aim:
-      return 3;
-    default:
-      return 0;
-  }
-}
-
-Type component_type(Type type) { return type == Type::rotation ? Type::angle : Type::scalar; }
-
-std::string_view component_name(Type type, int component) {
-  constexpr std::string_view xyz[] = {"x", "y", "z"}, rgb[] = {"r", "g", "b"};
-  return (type == Type::color ? rgb : xyz)[component];
-}
-
-int find_component(Type type, std::string_view name) {
-  for (int i = 0; i < component_count(type); ++i)
-    if (component_name(type, i) == name) return i;
-  return -1;
-}
-
 }  // namespace betwixt

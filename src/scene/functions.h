@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "betwixt/object.h"
+#include "track/types.h"
 
 namespace betwixt {
 
@@ -84,12 +85,5 @@ enum : FunctionId {
 };
 }
 
-// Names of components: x y z, or r g b for colours. -1: no such component of this type.
-int find_component(Type type, std::string_view name);
-std::string_view component_name(Type type, int component);
-// How many components the type can be written by: 3 for vectors, colours and rotations (their angles), 2 for pairs,
-// else 0.
-int component_count(Type type);
-Type component_type(Type type);
 
 }  // namespace betwixt

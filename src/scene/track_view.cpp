@@ -41,11 +41,11 @@ bool all_values(const Track& track) {
 // What numbers do, whatever they are the numbers of, and what only becomes known from the values.
 Twerper unsaid(const Target& t, Type type, const Track& track) {
   if (t.velocity) return Twerper::smooth;
-  if (t.component >= 0) return type == Type::color ? Twerper::linear : Twerper::smooth;
+  if (t.component >= 0) return row_of(component_track_type(type)).twerper;
   if (type == Type::motion) return Twerper::linear;
-  if (type == Type::rotation && all_values<Angles>(track)) return Twerper::smooth;
+  if (row_of(type).changes == Changes::by_turning && !all_values<Angles>(track)) return Twerper::slerp;
   if (type == Type::aim && all_values<Vec3>(track)) return Twerper::smooth;
-  return default_twerper(type);
+  return row_of(type).twerper;
 }
 
 TrackView view_of(const Scene& s, const Target& t, const Track& track) {

@@ -115,7 +115,7 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
       if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
   }
   std::vector<std::string> problems;
-  const std::vector<Reading> values = program().read(targets, t, &problems);
+  const std::vector<Value> values = program().read(targets, t, &problems);
   std::string out = fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()));
   for (std::size_t i = 0; i < targets.size(); ++i)
     out += fmt::format("{}{}:{}", i ? "," : "", json_text(document().name(targets[i])),

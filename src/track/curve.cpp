@@ -33,7 +33,7 @@ Numbers compiled(const Value& v, const Curve& c, Type type) {
     }
   }
   to_numbers(v, n.data());
-  if (type == Type::color && !c.srgb)
+  if (row_of(type).light && !c.srgb)
     for (double& x : n) x = to_linear(x);
   return n;
 }
@@ -42,9 +42,8 @@ Numbers compiled(const Value& v, const Curve& c, Type type) {
 
 Twerper resolve(const Track& track, const Event& e, Type type, bool orientation) {
   Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
-  if (t == Twerper::unset)
-    t = orientation ? Twerper::slerp : type == Type::rotation ? Twerper::smooth : default_twerper(type);
-  if (type == Type::boolean || type == Type::attachment) t = Twerper::hold;
+  if (t == Twerper::unset) t = orientation ? Twerper::slerp : row_of(type).twerper;
+  if (row_of(type).changes == Changes::in_steps) t = Twerper::hold;
   if (is_own(t)) return t;
   const Twerper other = orientation ? row_of(t).for_orientations : row_of(t).for_numbers;
   return other == Twerper::unset ? t : other;
@@ -69,37 +68,6 @@ void TwerperFailures::say(std::size_t twerper, const std::string& why) {
   if (listening) listening->all.emplace(twerper, why);
 }
 
-int channels(Type type) {
-  switch (type) {
-    case Type::pair:
-      return 2;
-    case Type::vector:
-    case Type::color:
-    case Type::aim:
-      return 3;
-    case Type::rotation:
-    case Type::orientation:
-      return 4;
-    default:
-      return 1;
-  }
-}
-
-bool numeric(const Value& v) {
-  return std::holds_alternative<double>(v) || std::holds_alternative<Vec3>(v) || std::holds_alternative<Color>(v) ||
-         std::holds_alternative<bool>(v) || std::holds_alternative<Angles>(v) || std::holds_alternative<Quat>(v);
-}
-
-int to_numbers(const Value& v, double* out) {
-  if (const auto* d = std::get_if<double>(&v)) return out[0] = *d, 1;
-  if (const auto* b = std::get_if<bool>(&v)) return out[0] = *b ? 1 : 0, 1;
-  if (const auto* p = std::get_if<Vec3>(&v)) return out[0] = p->x, out[1] = p->y, out[2] = p->z, 3;
-  if (const auto* c = std::get_if<Color>(&v)) return out[0] = c->r, out[1] = c->g, out[2] = c->b, 3;
-  if (const auto* a = std::get_if<Angles>(&v)) return out[0] = a->xyz.x, out[1] = a->xyz.y, out[2] = a->xyz.z, 3;
-  if (const auto* q = std::get_if<Quat>(&v)) return store(*q, out), 4;
-  return 0;
-}
-
 double ease(double u, double a, double b) {
   if (a + b > 1) {
     const double fit = 1 / (a + b);
@@ -116,9 +84,9 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   c.first = static_cast<std::uint32_t>(times_.size());
   c.values = static_cast<std::uint32_t>(values_.size());
   c.orientation = type == Type::orientation || (type == Type::rotation && !all_angles(track));
-  const int all = type == Type::rotation && !c.orientation ? 3 : channels(type);
+  const int all = c.orientation ? 4 : number_count(type);
   c.channels = static_cast<std::uint8_t>(component ? 1 : all);
-  c.srgb = track.srgb && type == Type::color;
+  c.srgb = track.srgb && row_of(type).light;
   c.before = track.before, c.after = track.after;
   const auto first_detail = details_.size();
   std::vector<std::uint32_t> kept;  // events that only change the twerper

@@ -85,12 +85,6 @@ class CurveSet {
   std::vector<CurveDetail> details_;    // sorted by event
 };
 
-// How many numbers a value of the type has, and which. Rotations: 3 for angles, 4 for orientations.
-int channels(Type type);
-bool numeric(const Value& value);
-// The numbers of a value: scalar 1, vector 3, colour 3 as written, orientation 4 (w x y z), angles 3.
-int to_numbers(const Value& value, double* out);
-
 // What blends from this event on: its twerper or the track's, or what stands for that with orientations or numbers.
 Twerper resolve(const Track&, const Event&, Type type, bool orientation);
 // The time u of a segment of `h` flicks, 0 to 1, with the eases of its two events in it.

@@ -9,25 +9,17 @@
 namespace betwixt {
 namespace {
 
-// f for each pair of numbers in a and b; b may be one number for all of them.
+// f for each pair of numbers in a and b; b may be one number for all of them. What turns or is on or off has no such
+// thing.
 template <class F>
 std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
-  const double* one = std::get_if<double>(&b);
-  if (const auto* x = std::get_if<double>(&a)) return one ? std::optional<Value>(f(*x, *one)) : std::nullopt;
-  const auto three = [&](Vec3 v) -> std::optional<Vec3> {
-    if (one) return Vec3{f(v.x, *one), f(v.y, *one), f(v.z, *one)};
-    const auto each = [&](Vec3 w) { return Vec3{f(v.x, w.x), f(v.y, w.y), f(v.z, w.z)}; };
-    if (const auto* w = std::get_if<Vec3>(&b)) return each(*w);
-    if (const auto* w = std::get_if<Color>(&b)) return each({w->r, w->g, w->b});
-    if (const auto* w = std::get_if<Angles>(&b)) return each(w->xyz);
-    return std::nullopt;
-  };
-  const auto as = [](std::optional<Vec3> v, auto make) { return v ? std::optional<Value>(make(*v)) : std::nullopt; };
-  if (const auto* v = std::get_if<Vec3>(&a)) return as(three(*v), [](Vec3 r) { return r; });
-  if (const auto* c = std::get_if<Color>(&a))
-    return as(three({c->r, c->g, c->b}), [](Vec3 r) { return Color{r.x, r.y, r.z}; });
-  if (const auto* g = std::get_if<Angles>(&a)) return as(three(g->xyz), [](Vec3 r) { return Angles{r}; });
-  return std::nullopt;
+  for (const Value* v : {&a, &b})
+    if (std::holds_alternative<Quat>(*v) || std::holds_alternative<bool>(*v)) return std::nullopt;
+  double x[4], y[4];
+  const int count = to_numbers(a, x), others = to_numbers(b, y);
+  if (count == 0 || (others != 1 && others != count)) return std::nullopt;
+  for (int i = 0; i < count; ++i) x[i] = f(x[i], y[others == 1 ? 0 : i]);
+  return with_numbers(a, x);
 }
 
 bool finite(const Value& v) {

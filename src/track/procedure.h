@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "betwixt/program.h"
 #include "betwixt/result.h"
+#include "betwixt/value.h"
 
 namespace betwixt {
 
@@ -39,7 +39,7 @@ class Questions {
   virtual std::string_view self() const = 0;  // the name of the object it is wanted of; empty: of none
   // "leg.rotation.z", ".scale.x" (of the object itself), "ball.world", "ball.position.velocity"; at any time.
   // Colours as the author writes them, angles in radians.
-  virtual Result<Reading> value(std::string_view target, double seconds, std::uint64_t& cost) = 0;
+  virtual Result<Value> value(std::string_view target, double seconds, std::uint64_t& cost) = 0;
   // A procedure of role `value` by its name, or null.
   virtual const Routine* procedure(std::string_view name) = 0;
 };
@@ -56,8 +56,8 @@ class Host {
  public:
   virtual ~Host() = default;
   virtual Status run(std::string_view line) = 0;  // a command of the language, as if the author had typed it
-  virtual Result<Reading> value(std::string_view target, double seconds) = 0;  // of the document as it now is
-  virtual std::vector<std::string> objects(std::string_view pattern) = 0;      // names, in the order of selection
+  virtual Result<Value> value(std::string_view target, double seconds) = 0;  // of the document as it now is
+  virtual std::vector<std::string> objects(std::string_view pattern) = 0;    // names, in the order of selection
 };
 
 class Routine {

@@ -4,46 +4,7 @@
 
 #include <cmath>
 
-#include "track/twerpers.h"
-
 namespace betwixt {
-
-bool fits(Twerper twerper, Type type, std::string* why) {
-  const bool orientation = type == Type::orientation || type == Type::rotation;
-  const bool steps = type == Type::boolean || type == Type::attachment || type == Type::text || type == Type::names ||
-                     type == Type::transform;
-  const auto no = [&](std::string reason) {
-    if (why) *why = std::move(reason);
-    return false;
-  };
-  if (is_own(twerper))
-    return steps ? no("a twerper cannot blend " + std::string(to_string(type)) + ": it changes at its events only")
-                 : true;
-  const std::string name(name_of(twerper));
-  if (twerper == Twerper::unset || twerper == Twerper::hold) return true;
-  if (steps)
-    return no("'" + name + "' cannot blend " + std::string(to_string(type)) + ": it changes at its events only");
-  if (row_of(twerper).for_numbers != Twerper::unset && !orientation)
-    return no("'" + name + "' turns orientations; this is " + std::string(to_string(type)));
-  return true;
-}
-
-Twerper default_twerper(Type type) {
-  switch (type) {
-    case Type::scalar:
-    case Type::angle:
-    case Type::pair:
-    case Type::vector:
-      return Twerper::smooth;
-    case Type::color:
-      return Twerper::linear;
-    case Type::rotation:  // orientations; angles are vectors
-    case Type::orientation:
-      return Twerper::slerp;
-    default:
-      return Twerper::hold;
-  }
-}
 
 double to_linear(double s) {
   const double a = std::abs(s);

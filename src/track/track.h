@@ -5,6 +5,7 @@
 #pragma once
 
 #include "track/events.h"
+#include "track/types.h"
 
 namespace betwixt {
 
@@ -19,11 +20,6 @@ struct Track {
   bool srgb = false;  // colours: blend the numbers as written, not the light
   friend bool operator==(const Track&, const Track&) = default;
 };
-
-// Whether `twerper` means anything for values of `type`; the reason if not.
-bool fits(Twerper twerper, Type type, std::string* why = nullptr);
-// The twerper that `unset` stands for.
-Twerper default_twerper(Type type);
 
 // sRGB (as written) to linear light and back, per channel, mirrored at 0. Going there and back gives the number
 // written.

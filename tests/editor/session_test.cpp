@@ -189,7 +189,7 @@ TEST(DisplayList, A_host_that_edits_again_and_again_makes_nothing_grow) {
   }
   EXPECT_EQ(session.document().scene().objects.size(), size);
   EXPECT_EQ(session.document().find("all/spin-1/ball-1"), ball);
-  EXPECT_EQ(translation_of(std::get<Mat4>(
+  EXPECT_EQ(translation_of(*std::get<Matrix>(
                 Program::compile(session.document()).read({session.document().find("moon"), Query::world}, {}))),
             (Vec3{199, 0, 0}));
   // One who shows what is not complete is told.

@@ -284,7 +284,7 @@ TEST(Attachment, AnyOrderOfSeeksGivesTheSameBits) {
     // All worlds at once, and one alone.
     const Frame frame = s.program.frame(*parse_time("60f", s.loaded.document));
     for (const Item& item : frame.items)
-      ASSERT_EQ(numbers(Reading(item.world)), world(s, s.loaded.document.name(item.id), 60));
+      ASSERT_EQ(numbers(Matrix(item.world)), world(s, s.loaded.document.name(item.id), 60));
   }
 }
 

@@ -22,7 +22,7 @@ TEST(Contacts, AreAskedForByNameAndNotSet) {
   EXPECT_EQ(names("wall.touching", "22f"), Names(List{"ball", "other"}));
   EXPECT_EQ(names("ball.touching", "21f"), Names());
   // 16 m wide: its left side leaves at x = 8, when its middle is at 9, which it never reaches.
-  EXPECT_EQ(s.read("ball.in-view", "49f"), Reading(true));
+  EXPECT_EQ(s.read("ball.in-view", "49f"), Value(true));
   const auto bad =
       errors(read(std::string(film) + "set ball.touching (wall)\nset ball.in-view on\nset eye.touching 1\n"));
   ASSERT_EQ(bad.size(), 3U);
@@ -69,8 +69,8 @@ TEST(Contacts, WithoutACameraAllThatIsDrawnIsInView) {
       "rate 24\ncreate a sphere\nset a.position = \"vec(value('a.in-view') and 5 or 0, 0, 0)\"\n"
       "create b sphere display=off\n");
   EXPECT_EQ(translation_of(s.frame("2f").items[0].world), (Vec3{5, 0, 0}));
-  EXPECT_EQ(s.read("a.in-view", "1f"), Reading(true));
-  EXPECT_EQ(s.read("b.in-view", "1f"), Reading(false));
+  EXPECT_EQ(s.read("a.in-view", "1f"), Value(true));
+  EXPECT_EQ(s.read("b.in-view", "1f"), Value(false));
 }
 
 }  // namespace

@@ -175,7 +175,7 @@ std::vector<Vec3> drawn_points(const Program& program, Time t) {
   for (const ObjectId id : *s.expansion) {
     const Slot* points = s.objects[id.index].find(fn::points);
     if (!points) continue;
-    const Mat4 world = std::get<Mat4>(program.read({id, Query::world}, t));
+    const Mat4 world = *std::get<Matrix>(program.read({id, Query::world}, t));
     for (const Vec3& p : *std::get<Points>(*points->set)) out.push_back(transform_point(world, p));
   }
   return out;

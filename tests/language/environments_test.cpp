@@ -11,7 +11,7 @@ namespace betwixt {
 namespace {
 
 Vec3 place(const Script& s, std::string_view object, std::string_view time) {
-  return translation_of(std::get<Mat4>(s.read(std::string(object) + ".world", time)));
+  return translation_of(*std::get<Matrix>(s.read(std::string(object) + ".world", time)));
 }
 void expect_place(const Script& s, std::string_view object, std::string_view time, Vec3 wanted, double within = 1e-9) {
   const Vec3 is = place(s, object, time);
@@ -55,7 +55,7 @@ TEST(Environments, RollAndSpiralByTheOrderOfFactors) {
       "set a.environments grow\n");
   expect_place(grow, "a", "0t", {-1, 0, 0});
   expect_place(grow, "a", "1t", {-5, 0, 0});
-  EXPECT_NEAR(std::get<Mat4>(grow.read("a.world", "1t"))(0, 0), 4, 1e-12);
+  EXPECT_NEAR((*std::get<Matrix>(grow.read("a.world", "1t")))(0, 0), 4, 1e-12);
 }
 
 // shows: C57 C58 C60 C61 C62 C63 C76
@@ -178,12 +178,12 @@ TEST(Environments, HoldAndLetGoWithoutAJump) {
       "animate drift every 1t by translate(0.1 0 0)\nanimate spin every 1t by rotate(5deg, z) @ (1 1 0)\n"
       "animate wobble every 3t by rotate(1deg, x)\n"
       "at 20t couple ball to hand keep-world\nat 45t letgo ball\n");
-  const auto world = [&](std::string_view t) { return std::get<Mat4>(s.read("ball.world", t)); };
+  const auto world = [&](std::string_view t) { return *std::get<Matrix>(s.read("ball.world", t)); };
   const Mat4 a = world("20t");
   const Script free(
       "create ball sphere position=(9 9 9)\nset ball.environments wobble\n"
       "animate wobble every 3t by rotate(1deg, x)\n");
-  const Mat4 b = std::get<Mat4>(free.read("ball.world", "20t"));
+  const Mat4 b = *std::get<Matrix>(free.read("ball.world", "20t"));
   for (int i = 0; i < 16; ++i) EXPECT_NEAR(a.m[static_cast<std::size_t>(i)], b.m[static_cast<std::size_t>(i)], 1e-9);
   // At the letgo nothing jumps: another script in which it stays held says where it would be then.
   const Script held(
@@ -191,7 +191,7 @@ TEST(Environments, HoldAndLetGoWithoutAJump) {
       "create ball sphere position=(9 9 9)\nset ball.environments wobble\n"
       "animate drift every 1t by translate(0.1 0 0)\nanimate spin every 1t by rotate(5deg, z) @ (1 1 0)\n"
       "animate wobble every 3t by rotate(1deg, x)\nat 20t couple ball to hand keep-world\n");
-  const Mat4 c = world("45t"), d = std::get<Mat4>(held.read("ball.world", "45t"));
+  const Mat4 c = world("45t"), d = *std::get<Matrix>(held.read("ball.world", "45t"));
   for (int i = 0; i < 16; ++i) EXPECT_NEAR(c.m[static_cast<std::size_t>(i)], d.m[static_cast<std::size_t>(i)], 1e-9);
   const Vec3 then = place(s, "ball", "45t"), on = place(s, "ball", "46t");
   EXPECT_LT(length(on - then), 1e-9);  // the hand's environments move it no more, its own is due at 48t

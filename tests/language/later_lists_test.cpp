@@ -21,7 +21,7 @@ Seen seen(const Program& program, Time t) {
     if (!drawn(o.kind) || !std::get<bool>(program.read({id, fn::display}, t))) continue;
     std::string one(kind_names[static_cast<std::size_t>(o.kind)]);
     for (const double v : numbers(program.read({id, fn::color}, t))) one += fmt::format(" {:.3f}", v);
-    const Mat4 world = std::get<Mat4>(program.read({id, Query::world}, t));
+    const Mat4 world = *std::get<Matrix>(program.read({id, Query::world}, t));
     const Slot* points = o.find(fn::points);
     for (const Vec3& p : points ? **std::get_if<Points>(&*points->set) : std::vector<Vec3>{{}}) {
       const Vec3 at = transform_point(world, p);

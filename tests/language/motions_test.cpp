@@ -18,7 +18,7 @@ constexpr long double pi_l = std::numbers::pi_v<long double>;
 Complex turn(long double turns) { return std::polar(1.0L, 2 * pi_l * turns); }
 
 Vec3 place(const Script& s, std::string_view object, std::string_view time) {
-  return translation_of(std::get<Mat4>(s.read(std::string(object) + ".world", time)));
+  return translation_of(*std::get<Matrix>(s.read(std::string(object) + ".world", time)));
 }
 void expect_place(const Script& s, std::string_view object, std::string_view time, Vec3 wanted, double within = 1e-9) {
   const Vec3 is = place(s, object, time);
@@ -96,7 +96,7 @@ TEST(Motions, HaveCentresThatAreObjects) {
   expect_place(hung, "a", "20f", {211, 1, 0});
   const Script own("create a box position=(4 1 0)\na.motion\n  1f..11f R(90deg @ a)\n");
   expect_place(own, "a", "11f", {4, 1, 0});
-  EXPECT_NEAR(std::get<Mat4>(own.read("a.world", "11f"))(0, 1), -1, 1e-12);
+  EXPECT_NEAR((*std::get<Matrix>(own.read("a.world", "11f")))(0, 1), -1, 1e-12);
 }
 
 TEST(Motions, NestThirtyDeep) {
@@ -275,7 +275,7 @@ TEST(Motions, CanBeAskedWhereTheyHaveTakenThings) {
   const auto all = find_targets("a*.world.y", s.loaded.document);
   ASSERT_TRUE(all);
   ASSERT_EQ(all->size(), 6u);
-  for (const Reading& r : s.program.read(*all, *parse_time("11f", s.loaded.document)))
+  for (const Value& r : s.program.read(*all, *parse_time("11f", s.loaded.document)))
     EXPECT_EQ(numbers(r), (std::vector<double>{22}));
   EXPECT_EQ(s.loaded.document.name((*all)[0]), "a1.world.y");
 }

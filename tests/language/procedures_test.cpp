@@ -254,8 +254,8 @@ TEST(Fall, AfterLetgoIsThrownThroughTheWorldWhateverHeldIt) {
   ASSERT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
   // The pin is 2 above the hand, which goes 3 a second.
   for (const double t : {0.0, 0.25, 0.5, 1.0, 1.25}) {
-    const Reading r = s.read("ball.world", fmt::format("{}s", 1 + t));
-    const Vec3 at = translation_of(std::get<Mat4>(r));
+    const Value r = s.read("ball.world", fmt::format("{}s", 1 + t));
+    const Vec3 at = translation_of(*std::get<Matrix>(r));
     EXPECT_NEAR(at.x, 3 * (1 + t), 1e-6);
     EXPECT_NEAR(at.y, 10 - 5 * t * t, 1e-6);
     EXPECT_NEAR(at.z, 0, 1e-6);

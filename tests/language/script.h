@@ -27,7 +27,7 @@ struct Script {
     EXPECT_FALSE(has_errors(loaded.diagnostics)) << text << "\n" << said(loaded.diagnostics);
     program = Program::compile(loaded.document);
   }
-  Reading read(std::string_view target, std::string_view time) const {
+  Value read(std::string_view target, std::string_view time) const {
     const auto t = parse_time(time, loaded.document);
     const auto found = find_targets(target, loaded.document);
     if (!t || !found || found->size() != 1) {
@@ -40,7 +40,7 @@ struct Script {
     return betwixt::numbers(read(target, time));
   }
   std::string text(std::string_view target, std::string_view time) const {
-    return **std::get_if<Text>(&static_cast<const Reading&>(read(target, time)));
+    return **std::get_if<Text>(&static_cast<const Value&>(read(target, time)));
   }
   Frame frame(std::string_view time) const { return program.frame(*parse_time(time, loaded.document)); }
   Loaded loaded;

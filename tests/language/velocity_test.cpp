@@ -355,7 +355,7 @@ TEST(Velocity, RandomDocumentsAreWrittenAndReadBack) {
       for (int k = 0; k < 5; ++k) {
         const Target world{one.document.find(object), Query::world};
         const Time t = from_seconds(below(600) / 100.0);
-        RC_ASSERT(std::get<Mat4>(p.read(world, t)) == std::get<Mat4>(q.read(world, t)));
+        RC_ASSERT(*std::get<Matrix>(p.read(world, t)) == *std::get<Matrix>(q.read(world, t)));
       }
   }));
 }

@@ -383,7 +383,7 @@ TEST(Views, PosesAreThoseOfTheWorld) {
       expect_near(one.world, all[id.index].world, where);
       EXPECT_EQ(one.parent, all[id.index].parent) << where;
       if (kind(d, id) == Kind::layer || kind(d, id) == Kind::environment) continue;
-      expect_near(one.world, std::get<Mat4>(p.read({id, Query::world}, t)), where);
+      expect_near(one.world, *std::get<Matrix>(p.read({id, Query::world}, t)), where);
       ASSERT_TRUE(one.local) << where;
       expect_near((one.parent ? all[one.parent.index].world : Mat4{}) * *one.local, one.world, where);
     }

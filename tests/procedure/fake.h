@@ -15,10 +15,10 @@ struct FakeQuestions : Questions {
   double time = 0;
   std::string name = "ball";
   std::map<std::string, std::shared_ptr<const Routine>, std::less<>> procedures;
-  std::map<std::string, Reading, std::less<>> readings;
+  std::map<std::string, Value, std::less<>> readings;
   double seconds() const override { return time; }
   std::string_view self() const override { return name; }
-  Result<Reading> value(std::string_view target, double seconds, std::uint64_t& cost) override {
+  Result<Value> value(std::string_view target, double seconds, std::uint64_t& cost) override {
     cost += 10;
     if (const auto r = readings.find(target); r != readings.end()) return r->second;
     if (const auto p = procedures.find(target); p != procedures.end()) {
@@ -26,10 +26,10 @@ struct FakeQuestions : Questions {
       inner.time = seconds;
       auto v = p->second->value(inner, {}, cost);
       if (!v) return v.error();
-      return reading_of(*v);
+      return v;
     }
     if (target == "nowhere") return fail(Code::name, "there is no 'nowhere'");
-    return Reading(seconds * seconds);
+    return Value(seconds * seconds);
   }
   const Routine* procedure(std::string_view name) override {
     const auto p = procedures.find(name);
@@ -48,7 +48,7 @@ struct FakeHost : Host {
     lines.emplace_back(line);
     return Nothing{};
   }
-  Result<Reading> value(std::string_view, double seconds) override { return Reading(2 * seconds); }
+  Result<Value> value(std::string_view, double seconds) override { return Value(2 * seconds); }
   std::vector<std::string> objects(std::string_view pattern) override { return {"a" + std::string(pattern), "b"}; }
 };
 

@@ -74,7 +74,7 @@ TEST(Lua, ValuesOfEveryKind) {
   EXPECT_EQ(get<Points>("{vec(1,0,0), vec(0,1,0)}")->size(), 2u);
   EXPECT_EQ(get<Names>("{'a', 'b'}")->at(1), "b");
   FakeQuestions q;
-  q.readings["hand.world"] = translation({4, 5, 6});
+  q.readings["hand.world"] = Matrix(translation({4, 5, 6}));
   EXPECT_EQ(number("local m = value('hand.world') return m[4] + 10 * m.y + 100 * m[1]", q), 4 + 50 + 100);
   q.readings["c"] = Color{0.1, 0.2, 0.3};
   EXPECT_EQ(get<Color>("value('c')", q), (Color{0.1, 0.2, 0.3}));

@@ -29,7 +29,7 @@ Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
 }
 Program compile(const Scene& s) { return Program::compile(Document(std::make_shared<const Scene>(s))); }
 Mat4 world(const Program& p, ObjectId id, double seconds = 0) {
-  return std::get<Mat4>(p.read({id, Query::world}, from_seconds(seconds)));
+  return *std::get<Matrix>(p.read({id, Query::world}, from_seconds(seconds)));
 }
 void expect_near(const Mat4& a, const Mat4& b, double by = 1e-12) {
   for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(a.m[i], b.m[i], by) << i;
@@ -332,8 +332,8 @@ TEST(Read, GivesEveryTypeBack) {
   EXPECT_EQ(std::get<double>(p.read({id, mood}, {})), 3.5);
   EXPECT_EQ(std::get<double>(p.read({id, fn::scale, 1}, {})), 1);
   EXPECT_EQ(numbers(p.read({id, Query::world}, {})).size(), 16U);
-  EXPECT_EQ(numbers(Reading(true)), std::vector<double>{1});
-  EXPECT_TRUE(numbers(Reading(Text())).empty());
+  EXPECT_EQ(numbers(Value(true)), std::vector<double>{1});
+  EXPECT_TRUE(numbers(Value(Text())).empty());
 }
 
 TEST(Extent, HoldsTheShape) {
