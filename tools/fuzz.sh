@@ -7,7 +7,7 @@
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/tools/setup.sh"
 seconds=${1:-60} jobs=${2:-1}
-need "$root/tools/packages.txt" "$root/tools/test-packages.txt"
+need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/test-packages.txt"
 build fuzz fuzz_language
 
 folder=$root/build/fuzz

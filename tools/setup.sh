@@ -11,13 +11,26 @@ die() { say "$*"; exit 3; }
 need() {
   local missing
   if ! command -v dpkg-query apt-get >/dev/null; then
-    say "this is not Debian: taking it that everything in tools/packages.txt is there"
+    say "this is not Debian: taking it that everything in tools/*packages.txt is there"
     return
   fi
   missing=$(comm -23 <(sed 's/#.*//; s/ .*//; /^$/d' "$@" | sort -u) \
     <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort -u))
   [ -z "$missing" ] || install_packages $missing
 }
+
+# need_meanwhile FILE…: the same beside what comes next, where nobody has to be asked for a password; need_done waits.
+need_meanwhile() {
+  meanwhile=
+  if [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; then
+    need "$@" &
+    meanwhile=$!
+  else
+    need "$@"
+  fi
+}
+
+need_done() { [ -z "$meanwhile" ] || wait "$meanwhile" || exit 3; }
 
 install_packages() {
   local admin=() log
@@ -26,7 +39,7 @@ install_packages() {
       die "Debian packages are missing, and there is neither root nor sudo to install them. As root: apt-get install $*"
     admin=(sudo)
   fi
-  say "installing Debian packages${admin:+ with sudo} (what each is for: tools/packages.txt, tools/test-packages.txt):"
+  say "installing Debian packages${admin:+ with sudo} (what each is for: tools/*packages.txt):"
   say "  $*"
   log=$(mktemp)
   local get=("${admin[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
