@@ -11,8 +11,8 @@
 #include "app/completion.h"
 #include "app/manual.h"
 #include "base/names.h"
-#include "language/help.h"
-#include "language/plugins.h"
+#include "commands/plugins.h"
+#include "editor/help.h"
 
 namespace betwixt {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "editor/help.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
-#include "language/help.h"
 #include "track/filter.h"
 
 namespace betwixt {

@@ -36,10 +36,10 @@ Diagnostics Editor::begin(std::string text, const std::string& name) {
   standing_ = 0;
   Scene scene;
   Diagnostics all;
-  Reader reader(scene, all, options_);
-  reader.carry({}, name_);
-  reader.read_text(base_, name_);
-  now_ = {Document(std::make_shared<const Scene>(std::move(scene))), reader.carried()};
+  Script script(scene, all, options_);
+  script.carry({}, name_);
+  read_text(scene, script, base_, name_);
+  now_ = {Document(std::make_shared<const Scene>(std::move(scene))), script.carried()};
   now_.script.sheet.clear();
   return all;
 }
@@ -57,9 +57,9 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   const int above = static_cast<int>(std::count(before.begin(), before.end(), '\n'));
   Scene scene = from.document.scene();
   Diagnostics all;
-  Reader reader(scene, all, options_);
-  reader.carry(from.script, name_);
-  reader.read_text(before + deed.line + "\n", name_);
+  Script script(scene, all, options_);
+  script.carry(from.script, name_);
+  read_text(scene, script, before + deed.line + "\n", name_);
   deed.done = !has_errors(all);
   for (Diagnostic& d : all) {
     Place& at = d.what.place;
@@ -71,7 +71,7 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
     deed.said.push_back(std::move(d));
   }
   if (!deed.done) return deed;
-  deed.after.script = reader.carried();
+  deed.after.script = script.carried();
   deed.opens = !row && deed.after.script.sheet_open;
   if (line_words(line).empty()) deed.after.script.sheet = from.script.sheet;  // a remark closes none
   deed.after.document = Document(std::make_shared<const Scene>(std::move(scene)));

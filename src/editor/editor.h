@@ -14,15 +14,15 @@
 #include <string_view>
 #include <vector>
 
+#include "commands/reader.h"
 #include "editor/step.h"
-#include "language/reader.h"
 
 namespace betwixt {
 
 // What can be gone back to: a document and what the next line must know, the sheet that is open among it.
 struct Point {
   Document document;
-  Reader::Carried script;
+  Script::Carried script;
 };
 
 // What a line does. Nothing has changed yet.

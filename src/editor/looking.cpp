@@ -10,7 +10,7 @@
 #include "base/names.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
-#include "language/help.h"
+#include "editor/help.h"
 #include "language/values.h"
 
 namespace betwixt {

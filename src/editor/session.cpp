@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "commands/command.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
 

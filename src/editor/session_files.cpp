@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "commands/plugins.h"
 #include "editor/looking.h"
 #include "editor/session_state.h"
-#include "language/plugins.h"
 
 namespace betwixt {
 namespace {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "betwixt/math.h"
 
@@ -309,6 +310,26 @@ bool Cursor::angle(double& radians) {
   else
     return fail(Code::type, fmt::format("'{}' is not a unit of angles", u), u, "units are deg, rad and turn");
   if (!std::isfinite(radians)) return fail(Code::range, "this angle is too large", since(start));
+  return true;
+}
+
+bool Cursor::per_second(Rate& out, const char* what) {
+  space();
+  const char* start = at;
+  double num = 0, den = 1;
+  if (!number(num)) return false;
+  if (peek() == '/') {
+    ++at;
+    if (!number(den)) return false;
+  }
+  // 23.976 means 23976/1000: whole numbers stay whole.
+  while ((num != std::floor(num) || den != std::floor(den)) && den < 1e6) num *= 10, den *= 10;
+  if (!(num >= 1 && den >= 1 && num <= 1e9 && den <= 1e7 && num / den <= 1e5 && num / den >= 1e-4) ||
+      num != std::floor(num) || den != std::floor(den))
+    return fail(Code::range, fmt::format("{} per second are from 0.0001 to 100000", what), since(start));
+  const auto n = static_cast<std::int64_t>(num), d = static_cast<std::int64_t>(den);
+  const auto common = std::gcd(n, d);
+  out = {n / common, d / common};
   return true;
 }
 

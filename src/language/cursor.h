@@ -58,6 +58,7 @@ class Cursor {
   bool length(Time& out) { return time_or_length(out, true); }
   bool segment(Time& from, Time& to);  // A..B
   bool angle(double& radians);
+  bool per_second(Rate& out, const char* what);  // 24, 23.976, 30000/1001 …
 
  private:
   bool time_or_length(Time& out, bool length);

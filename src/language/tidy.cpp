@@ -8,7 +8,8 @@
 #include <algorithm>
 
 #include "base/utf8.h"
-#include "language/reader.h"
+#include "language/cursor.h"
+#include "language/line_words.h"
 
 namespace betwixt {
 namespace {
@@ -151,11 +152,8 @@ class Tidier {
   void settings(const Line& line) {
     if (line.tokens[0].text == "use") rates_known_ = false;  // that file may have changed them
     if (line.tokens.size() != 2 || (line.tokens[0].text != "rate" && line.tokens[0].text != "ticks")) return;
-    Scene scene;
-    Diagnostics ignored;
-    Reader reader(scene, ignored, {});
-    reader.read_text(line.tokens[0].text + " " + line.tokens[1].text, "");
-    (line.tokens[0].text == "rate" ? rate_ : ticks_) = line.tokens[0].text == "rate" ? scene.rate : scene.ticks;
+    Cursor c(line.tokens[1].text);
+    if (Rate said; c.per_second(said, "") && c.at_line_end()) (line.tokens[0].text == "rate" ? rate_ : ticks_) = said;
   }
 
   static std::string joined(const std::vector<Token>& tokens, std::size_t first) {

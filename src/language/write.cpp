@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <set>
 
-#include "language/reader.h"
+#include "betwixt/language.h"
+#include "language/values.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -40,7 +42,7 @@ struct Writer {
     return write_seconds(t);
   }
   std::string point(Time t) const {
-    const std::string f = format_time(t, document);
+    const std::string f = format_time(t, s.rate);
     return f.back() == 'f' ? f : write_seconds(t);
   }
   static std::string bezier(const std::array<double, 4>& b) {

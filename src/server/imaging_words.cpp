@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "editor/help.h"
 #include "editor/looking.h"
-#include "language/help.h"
 #include "language/json.h"
 #include "server/answers.h"
 #include "server/imaging.h"

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "language/script.h"
+#include "support/loaded_film.h"
 
 namespace betwixt {
 namespace {
@@ -24,7 +24,7 @@ Document said_or_fail(const Document& d, std::string_view address, std::vector<d
   ADD_FAILURE() << r.error().message;
   return d;
 }
-Document film_with(const std::string& more) { return Script(std::string(film) + more).loaded.document; }
+Document film_with(const std::string& more) { return LoadedFilm(std::string(film) + more).loaded.document; }
 std::vector<double> numbers_at(const Document& d, std::string_view target, std::string_view time) {
   return numbers(Program::compile(d).read(find_targets(target, d)->front(), *parse_time(time, d)));
 }
@@ -98,7 +98,7 @@ TEST(Dials, RecordWhatWasSentAsEvents) {
     d = said_or_fail(d, "/r", {value}, at(time));
   d = said_or_fail(d, "/y", {0.5}, at("13f"));
   // Events at the times of the messages, the last of one time; between them straight lines; x goes on as it did.
-  const Script again(write(d));
+  const LoadedFilm again(write(d));
   EXPECT_EQ(again.loaded.document, d);
   expect_numbers(again, "ball.radius", "3f", {0.5});
   expect_numbers(again, "ball.radius", "6f", {1.75});
@@ -116,7 +116,7 @@ TEST(Dials, RecordWhatWasSentAsEvents) {
 TEST(Dials, WhatIsBeyondThePossibleBecomesTheNearest) {
   const Document d = film_with("dial /r to ball.radius\nrecord on\n");
   const Document low = said_or_fail(d, "/r", {-5}, *parse_time("3f", d));
-  EXPECT_TRUE(Script(write(low)).loaded.document == low);
+  EXPECT_TRUE(LoadedFilm(write(low)).loaded.document == low);
   EXPECT_GE(numbers_at(low, "ball.radius", "3f")[0], 0);
 }
 

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Every word has help that holds.
-#include "language/help.h"
+#include "editor/help.h"
 
 #include <algorithm>
 #include <sstream>
 
+#include "commands/plugins.h"
+#include "commands/verbs.h"
 #include "editor/author.h"
-#include "language/reader.h"
 #include "support/small_film.h"
 
 namespace betwixt {
@@ -16,8 +17,7 @@ namespace {
 
 // shows: G22
 TEST(Help, EveryWordIsExplained) {
-  std::vector<std::string_view> words;
-  for (const auto& [verb, usage] : Reader::words()) words.push_back(verb);
+  std::vector<std::string_view> words = verb_words();
   words.insert(words.end(), twerper_names.begin() + 1, twerper_names.end());
   words.insert(words.end(), kind_names.begin(), kind_names.end());
   for (const FunctionSpec& f : built_in_functions()) words.push_back(f.name);
@@ -51,6 +51,24 @@ TEST(Help, ExamplesRun) {
       EXPECT_TRUE(answer.done) << e.word << ": " << line << "\n" << answer.said;
     }
   }
+}
+
+TEST(Help, ExplainsMotions) {
+  for (const char* letter : {"T", "R", "S"})
+    EXPECT_TRUE(help_text(letter, Scene()).starts_with(std::string(letter) + ", a factor of a motion: a ")) << letter;
+  EXPECT_NE(help_text("motion", Scene()).find("example: at 1f..48f ball.motion"), std::string::npos);
+}
+
+// shows: G15
+TEST(Help, ExplainsWordsOfPlugins) {
+  const std::string example = PLUGIN_DIR "/example.so";
+  ASSERT_TRUE(use_plugin(example));
+  Scene scene;
+  adopt_plugins(scene);
+  EXPECT_EQ(help_text("overshoot", scene),
+            "overshoot: A twerper of the plug-in " + example +
+                ": goes a tenth beyond the end and comes back.\n  example: at 12f ball.radius 2 overshoot\n");
+  EXPECT_NE(help_overview(scene).find("  stairs           A filter of the plug-in"), std::string::npos);
 }
 
 }  // namespace

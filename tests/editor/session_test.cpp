@@ -8,8 +8,8 @@
 
 #include "betwixt/program.h"
 #include "editor/author.h"
-#include "language/script.h"
 #include "scene/document.h"
+#include "support/loaded_film.h"
 
 namespace betwixt {
 namespace {
@@ -128,7 +128,7 @@ TEST(Session, LayersAreListedWithWhatIsOnThem) {
 
 // shows: G59
 TEST(Session, RenamingKeepsWhatAPatternOfAnAliasMeant) {
-  const Script s(
+  const LoadedFilm s(
       "create b1 sphere\ncreate b2 sphere\ncreate c sphere\nalias all = b* c\nrename b1 moon\nset all.radius 3\n");
   expect_numbers(s, {{"moon.radius", "1f", {3}}, {"b2.radius", "1f", {3}}, {"c.radius", "1f", {3}}});
   EXPECT_EQ(s.loaded.document.scene().aliases->at("all"), (std::vector<std::string>{"b*", "moon", "c"}));

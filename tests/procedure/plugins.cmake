@@ -11,9 +11,9 @@ foreach(source IN LISTS plugins ITEMS ${CMAKE_SOURCE_DIR}/examples/plugin/exampl
   set_target_properties(plugin_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_STANDARD 99 C_STANDARD_REQUIRED ON
                         C_EXTENSIONS OFF LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins)
   add_dependencies(test_procedure plugin_${name})
-  add_dependencies(test_language plugin_${name})
+  add_dependencies(test_commands plugin_${name})
   add_dependencies(test_editor plugin_${name})
 endforeach()
-foreach(test IN ITEMS test_procedure test_language test_editor)
+foreach(test IN ITEMS test_procedure test_commands test_editor)
   target_compile_definitions(${test} PRIVATE PLUGIN_DIR="${CMAKE_BINARY_DIR}/plugins")
 endforeach()

@@ -4,7 +4,7 @@
 // What the examples of `help` speak of: with it before them they are the smallest films that use each feature.
 #pragma once
 
-#include "language/help.h"
+#include "editor/help.h"
 
 namespace betwixt {
 

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A command, and what the bodies of commands share. A body reads all its arguments before it changes anything; one
+// that cannot be carried out says why (once, at the cursor), changes nothing and returns false.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "commands/script.h"
+#include "language/values.h"
+#include "scene/rollback.h"
+#include "track/operations.h"
+
+namespace betwixt {
+
+struct Command {
+  Scene& scene;
+  Cursor& cursor;
+  std::optional<Time> time;  // of `at TIME`
+  ObjectId layer;            // of `on LAYER`
+  Script& script;
+};
+
+// A verb: how it is written, what its help says, what it may stand behind, and what it does.
+struct Verb {
+  enum : unsigned {
+    timed = 1,        // `at TIME` may stand before it
+    layered = 2,      // `on LAYER` may stand before it
+    stamped = 4,      // without a time it happens now, where the author is a live host (LoadOptions::now)
+    opens_sheet = 8,  // its rows go below it
+  };
+  std::string_view word, usage, sentence;
+  std::string_view example;  // lines that can be entered one after another
+  unsigned flags;
+  bool (*run)(Command&);
+};
+
+// The command that begins here: a verb, a command of the author's own, or a target that opens a sheet.
+bool carry_out(Command&);
+// Nothing may follow.
+bool finish(Cursor&);
+
+// Why a word that is no verb cannot be one; empty where there is nothing special about it.
+std::string_view not_of_a_script(std::string_view word);
+
+ValueReader values(Command&);
+// Where the dot between an object's name and its function is; dots inside braces ({1..100}) are not.
+std::size_t first_dot(std::string_view word);
+// One target pattern. `asking`: what can be asked for only is meant too, and what display lists draw.
+bool targets(Command&, std::string_view word, Selected& out, bool asking = false);
+// The rest of a command about targets of which there are none is read by nobody.
+bool pass_over(Command&, const char* from);
+// One or more objects: a name that exists, an alias, or a pattern (which may name none).
+bool objects(Command&, std::string_view& word, std::vector<ObjectId>& out);
+
+// Whether nothing has the name yet.
+bool free_name(Command&, const std::string& name, std::string_view about);
+// Whether it is not drawn by display lists, whose rows alone change it.
+bool own(Command&, ObjectId, std::string_view about);
+// key=value …, of a new object.
+bool parameters(Command&, Object&);
+// = "…": a value that code computes.
+bool computed(Command&, const Selected& to, Value& out);
+// A twerper's word and what stands in brackets behind it.
+bool twerper(Command&, const Selected& to, Twerper& out, std::array<double, 4>& bezier);
+
+// TIME, or A..B where a motion may follow.
+bool time_or_segment(Cursor&, Time& from, std::optional<Time>& until);
+bool one_time_only(Cursor&, std::string_view segment);
+// What stands behind a row's time.
+bool event(Command&, const Selected& to, Time);
+// How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]
+bool way(Command&, const Selected& to, Event&);
+// What stands behind a row's segment: a motion.
+bool moving(Command&, const Selected& to, Time from, std::optional<Time> until);
+
+// Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).
+bool attachment(Command&, const std::vector<ObjectId>& children, const Attachment&, std::optional<Time>,
+                std::string_view about);
+
+// What operations on times have made of motions, said where they last otherwise than before.
+void say_lasting(const Command&, const Scene& before, const Selected& on, std::string_view about);
+// A copy that turned about the object itself turns about the one that it is copied to.
+Track centred(Track, const std::string& from, const std::string& to);
+// Motions about objects that are about to go keep the places.
+void keep_centres(const Command&, const std::vector<ObjectId>& leaving, std::string_view about);
+
+// A row of the display list that is open.
+bool list_row(Command&);
+// rename OLD NEW, where the old name is a list's.
+bool rename_list(Command&);
+// A command of the author's own.
+bool own_command(Command&, const NamedProcedure&);
+
+// The tick that the command belongs to: between ticks it is the one before (R-E1a). Without a time a live host's
+// commands happen now, an author's at the beginning.
+std::int64_t tick(const Command&);
+
+}  // namespace betwixt

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// copy: a segment of a track once more, elsewhere or many times.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/segments.h"
+#include "track/curve.h"
+#include "track/operations.h"
+
+namespace betwixt {
+namespace {
+
+// Events a script may make by copying: a few words must not fill the machine.
+constexpr std::size_t most_copied = 10'000'000;
+
+struct Copying {
+  Stretch from;
+  Selected into;
+  std::string_view onto;  // how that was written
+  Time start;
+  std::optional<Value> shift;
+  long times = 1;
+  const Target& source(std::size_t i) const { return from.of.targets[from.of.targets.size() == 1 ? 0 : i]; }
+};
+
+Track component_of(const Track& track, int component) {
+  Track out = track;
+  out.events = {};
+  track.events.each([&](Event e) {
+    if (!e.keep && !e.release) e.value = component_of(e.value, component);
+    if (e.detail && e.detail->before) e.detail.edit().before = component_of(*e.detail->before, component);
+    out.events.put(std::move(e));
+  });
+  return out;
+}
+
+// One track, or the tracks of its components, of what stood before, onto another. How many events came of it.
+Result<std::size_t> copy_track(Scene& s, const Scene& before, const Target& from, const Target& to, const Copying& how,
+                               const std::optional<Value>& by) {
+  std::vector<Track> originals;
+  for (const Track* t : tracks_of(before, from)) originals.push_back(*t);
+  std::size_t made = 0;
+  for (std::size_t k = 0; k < originals.size(); ++k) {
+    if (originals[k].events.count(how.from.segment.from, how.from.segment.to) == 0) continue;
+    Target place = to;
+    if (originals.size() > 1) place.component = static_cast<int>(k);
+    const auto tracks = edit_tracks(s, place);
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      // A whole value onto tracks of components: each takes its own.
+      const bool apart = tracks.size() > 1;
+      const int component = apart ? static_cast<int>(i) : originals.size() > 1 ? static_cast<int>(k) : -1;
+      Track source = apart ? component_of(originals[k], component) : originals[k];
+      if (to.function == fn::motion)
+        source = centred(source, before.objects[from.object.index].name, s.objects[to.object.index].name);
+      const auto shift = by ? std::optional<Value>(part_of(*by, component)) : std::nullopt;
+      const auto done =
+          copy_segment(source, how.from.segment, *tracks[i], how.start, shift, static_cast<int>(how.times));
+      if (!done) return done.error();
+      made += done->events;
+    }
+  }
+  return made;
+}
+
+bool shift(Command& k, Copying& how) {
+  Cursor& c = k.cursor;
+  const FunctionSpec free = unbounded(how.from.spec());  // a shift may be of any size
+  Value v;
+  c.space();
+  const char* at = c.at;
+  if (!values(k).value(free, how.from.of.component, v)) return false;
+  if (!add_scaled(v, v, 1))
+    return c.fail(Code::type, fmt::format("{} cannot be shifted", to_string(how.from.type())), c.since(at));
+  how.shift = std::move(v);
+  return true;
+}
+
+// TARGET A..B to T [on TARGET] [shift V] [times N]
+bool arguments(Command& k, Copying& how) {
+  Cursor& c = k.cursor;
+  if (!on_segment(k, how.from)) return false;
+  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a time are missing here");
+  if (!c.time(how.start)) return false;
+  how.into = how.from.of, how.onto = how.from.word;
+  while (!c.at_line_end()) {
+    if (c.accept_word("on")) {
+      c.space();
+      how.onto = c.word();
+      if (!targets(k, how.onto, how.into)) return false;
+    } else if (c.accept_word("times")) {
+      if (!c.whole_number(1, 1'000'000, "times", how.times)) return false;
+    } else if (c.accept_word("shift")) {
+      if (!shift(k, how)) return false;
+    } else {
+      return c.fail_here(Code::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
+                         "copies take: on TARGET, shift VALUE, times N");
+    }
+  }
+  return true;
+}
+
+bool fits(Command& k, const Copying& how) {
+  const Selected &from = how.from.of, &into = how.into;
+  const auto cannot = [&](const auto& one, const auto& other) {
+    return k.cursor.fail(Code::type, fmt::format("{} cannot be copied onto {}", one, other), how.onto);
+  };
+  if (from.type() != into.type()) return cannot(to_string(from.type()), to_string(into.type()));
+  if (from.targets.size() != into.targets.size() && from.targets.size() != 1)
+    return cannot(plural(from.targets.size(), "track"), plural(into.targets.size(), "track"));
+  return true;
+}
+
+// Whether so many events may still be made.
+bool affordable(Command& k, const Copying& how) {
+  std::size_t wanted = k.script.copied;
+  for (std::size_t i = 0; i < how.into.targets.size(); ++i)
+    for (const Track* t : tracks_of(k.scene, how.source(i)))
+      wanted += t->events.count(how.from.segment.from, how.from.segment.to) * static_cast<std::size_t>(how.times);
+  if (wanted > most_copied)
+    return k.cursor.fail(Code::range, fmt::format("copying would make more than {} events", most_copied),
+                         how.from.word);
+  k.script.copied = wanted;
+  return true;
+}
+
+bool copy(Command& k) {
+  Copying how;
+  if (!arguments(k, how)) return false;
+  if (!how.from.of.spec || !how.into.spec) return true;
+  if (!fits(k, how) || !finish(k.cursor) || !affordable(k, how)) return false;
+  Rollback all(k.scene);
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < how.into.targets.size(); ++i) {
+    Target source = how.source(i), to = how.into.targets[i];
+    Result<std::size_t> done = copy_track(k.scene, all.before(), source, to, how, how.shift);
+    if (done && !source.velocity && has_velocity(how.from.type())) {  // what goes on beside it, unshifted (R-T10)
+      made += *done;
+      source.velocity = to.velocity = true;
+      done = copy_track(k.scene, all.before(), source, to, how, std::nullopt);
+    }
+    if (!done) return k.cursor.fail(done.error().code, done.error().message, how.from.word);
+    made += *done;
+  }
+  all.keep();
+  if (made == 0)
+    k.script.note(Severity::notice, fmt::format("there are no events of '{}' there", how.from.of.text), how.from.word);
+  say_lasting(k, all.before(), how.into, how.from.word);
+  return true;
+}
+
+constexpr Verb copying_rows[] = {
+    {"copy", "copy TARGET A..B to T [on TARGET] [shift V] [times N]",
+     "Copies a segment of a track to another time, once or many times.",
+     "copy ball.position 1f..24f to 24f shift (8 0 0) times 2", Verb::layered, copy},
+};
+
+}  // namespace
+
+std::span<const Verb> copying_verbs() { return copying_rows; }
+
+}  // namespace betwixt

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that say what live input turns.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+// dial /address to TARGET [from A B to C D]
+bool dial(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* start = c.at;
+  while (c.at < c.end && !std::isspace(static_cast<unsigned char>(*c.at)) && *c.at != ',') ++c.at;
+  Dial made;
+  made.address = c.since(start);
+  if (made.address.size() < 2 || made.address[0] != '/')
+    return c.fail(Code::syntax, "an address begins with '/'", c.since(start), "as in dial /fader/1 to ball.position.y");
+  const auto at = [&] {
+    return std::find_if(s.dials->begin(), s.dials->end(), [&](const Dial& d) { return d.address == made.address; });
+  };
+  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' is missing here");
+  if (c.accept_word("none")) {
+    if (!finish(c)) return false;
+    if (at() != s.dials->end()) {
+      const auto i = at() - s.dials->begin();
+      s.dials.edit().erase(s.dials.edit().begin() + i);
+    }
+    return true;
+  }
+  Selected to;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(k, word, to)) return false;
+  if (to.velocity) return c.fail(Code::type, "a dial turns a value, not a velocity", word);
+  if (to.targets.size() != 1)
+    return c.fail(Code::name, "a dial turns one target", word, "a group or a function of your own can turn many");
+  made.target = to.targets[0];
+  switch (to.type()) {
+    case Type::scalar:
+    case Type::angle:
+    case Type::boolean:
+    case Type::vector:
+    case Type::pair:
+    case Type::color:
+    case Type::rotation:
+    case Type::text:
+      break;
+    default:
+      return c.fail(Code::type, fmt::format("no dial can turn {}", to_string(to.type())), word);
+  }
+  if (c.accept_word("from")) {
+    if (!c.number(made.low) || !c.number(made.high)) return false;
+    if (made.low == made.high) return c.fail_here(Code::range, "the dial's own range has no width");
+    if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and two values are missing here");
+    const FunctionSpec free = unbounded(*to.spec);
+    if (!values(k).value(free, to.component, made.from) || !values(k).value(free, to.component, made.to)) return false;
+    if (!add_scaled(made.from, made.to, 1))
+      return c.fail(Code::type, fmt::format("{} has no range", to_string(to.type())), word);
+    made.mapped = true;
+  }
+  if (!finish(c)) return false;
+  if (at() != s.dials->end()) {
+    const auto i = static_cast<std::size_t>(at() - s.dials->begin());
+    s.dials.edit()[i] = std::move(made);
+  } else {
+    s.dials.edit().push_back(std::move(made));
+  }
+  return true;
+}
+
+bool record(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view w = c.word();
+  if (w != "on" && w != "off") return c.fail(Code::syntax, "recording is on or off", w);
+  if (!finish(c)) return false;
+  s.recording = w == "on";
+  return true;
+}
+
+constexpr Verb dials_rows[] = {
+    {"dial", "dial ADDRESS to TARGET [from A B to C D]", "A control of live input turns a target.",
+     "dial /fader/1 to ball.radius from 0 1 to 0.5 2", 0, dial},
+    {"record", "record on or record off", "Whether what dials say becomes events.", "record on", 0, record},
+};
+
+}  // namespace
+
+std::span<const Verb> dials_verbs() { return dials_rows; }
+
+}  // namespace betwixt

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Display lists: make, edit, delete, start. (Animation Imaging Model, 2.2.1, 3.3.3)
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "commands/list_rows.h"
+
+namespace betwixt {
+namespace {
+
+Time list_time(const Command& k) { return k.time.value_or(from_the_beginning); }
+
+// A list that is there: at the time of the command, or at any time where it has none.
+bool list_name(Command& k, std::string_view& word) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the name of a display list is missing here");
+  if (time ? list_at(s, word, *time) != nullptr : !versions(s, word).empty()) return true;
+  if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
+    return c.fail(Code::name, fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)),
+                  word, "display lists are made by make NAME; objects are there without being started");
+  return c.fail(Code::name,
+                fmt::format("there is no display list '{}'{}", word.substr(0, 60),
+                            versions(s, word).empty() ? "" : " at that time"),
+                word, did_you_mean(word, list_names(s)));
+}
+
+void open(Command& k, std::string_view word) {
+  auto& [s, c, time, layer, script] = k;
+  Sheet& sheet = script.sheet;
+  sheet = {};
+  sheet.open = true;
+  sheet.list = word;
+  sheet.place = word;
+  sheet.from = time;
+  for (const Time from : time ? std::vector{*time} : versions(s, word))
+    sheet.versions.push_back({from, Sheet::at_end, {}, {}});
+  sheet.before = s.lists, sheet.later_before = s.later_lists;
+}
+
+bool make(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view word = c.word();
+  const std::string name(word);
+  if (word.empty()) return c.fail_here(Code::syntax, "the name of the new display list is missing here");
+  const bool known = !versions(s, name).empty();
+  if (known && !time)
+    return c.fail(Code::name, fmt::format("there is a display list '{}' already", name), word,
+                  fmt::format("edit {} opens it again", name));
+  if ((!known && !free_name(k, name, word)) || !finish(c)) return false;
+  const Cow<DisplayLists> before = s.lists;
+  const Cow<LaterLists> later_before = s.later_lists;
+  edit_list(s, name, list_time(k)) = {};
+  open(k, word);
+  script.sheet.before = before, script.sheet.later_before = later_before;
+  script.sheet.changed = known;  // what it was before is not shown any more
+  return true;
+}
+
+bool edit(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  if (!list_name(k, word) || !finish(c)) return false;
+  open(k, word);
+  return true;
+}
+
+bool delete_it(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  if (!list_name(k, word) || !finish(c)) return false;
+  const std::string name(word);
+  delete_list(s, name, list_time(k));
+  std::erase_if(script.unfinished,
+                [&](const auto& u) { return u.first.first == name && (!time || u.first.second == *time); });
+  std::vector<std::string> callers;
+  for (const std::string_view other : list_names(s)) {
+    const DisplayList* list = list_at(s, other, list_time(k));
+    for (std::size_t i = 0; list && i < list->commands.size(); ++i)
+      if (const DisplayCommand& command = list->commands[i];
+          command.what == Drawing::call && *std::get<Text>(command.value) == name) {
+        callers.push_back(fmt::format("'{}'", other));
+        break;
+      }
+  }
+  const char* since = time ? "from then on" : "now";
+  if (!callers.empty())
+    script.note(Severity::warning,
+                fmt::format("{} still call{} '{}', which draws nothing {}", fmt::join(callers, ", "),
+                            callers.size() == 1 ? "s" : "", name, since),
+                word);
+  const bool shown = !s.main.empty() && ever_calls(s, s.main, name);
+  if (s.main == name) {
+    script.note(Severity::warning,
+                time ? fmt::format("'{}' is the main object: nothing of the display lists is shown from then on", name)
+                     : fmt::format("'{}' was the main object: nothing of the display lists is shown now", name),
+                word, time ? "" : "start NAME shows another one");
+    if (!time) s.main.clear();
+  }
+  if (shown) (void)expand(s);  // it has only become less
+  return true;
+}
+
+// Whether nobody else has names that what a list draws may want.
+bool free_below(Command& k, const std::string& name, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  const std::string below = name + "/";
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
+      return c.fail(Code::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), about,
+                    fmt::format("rename {} first", o.name));
+  return true;
+}
+
+bool start(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  if (!list_name(k, word) || !finish(c)) return false;
+  const std::string name(word);
+  if (!free_below(k, name, word)) return false;
+  const std::string before = std::exchange(s.main, name);
+  const Status done = expand(s);
+  if (done) {
+    for (const std::string_view other : script.live ? list_names(s) : std::vector<std::string_view>())
+      for (const Time from : versions(s, other)) {  // an author is told at the end
+        const DisplayList& list = *list_at(s, other, from);
+        const auto wrong = unbalanced(list);
+        if (!wrong || !ever_calls(s, name, std::string(other))) continue;
+        script.note(Severity::warning, fmt::format("in '{}': {}", other, without_half(list.commands[*wrong])), word);
+        break;
+      }
+    return true;
+  }
+  s.main = before;
+  return c.fail(done.error().code, done.error().message, word, done.error().hint);
+}
+
+constexpr Verb display_lists_rows[] = {
+    {"make", "[at TIME] make NAME; the commands of the display list are rows below it",
+     "Opens a new display list; its commands are the indented rows below.",
+     "make star\n  color gold\n  polygon (0 1) (-0.3 0) (0.3 0)\nstart star", Verb::timed | Verb::opens_sheet, make},
+    {"edit", "[at TIME] edit NAME; rows below it go on the end, or behind replace TAG in place of others",
+     "Opens a display list again: rows are added, or replace others.",
+     "make star\n  tag first\n  color gold\nedit star\n  replace first\n  color red", Verb::timed | Verb::opens_sheet,
+     edit},
+    {"delete", "[at TIME] delete NAME, a display list", "Takes a display list out of the film.",
+     "make star\n  point (0 0)\ndelete star", Verb::timed, delete_it},
+    {"start", "start NAME, a display list", "Shows a display list with all that it calls: it is the main object.",
+     "make star\n  point (0 0)\nstart star", 0, start},
+};
+
+}  // namespace
+
+// rename OLD NEW, where the old name is a list's.
+bool rename_list(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view old;
+  if (!list_name(k, old)) return false;
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the new name is missing here");
+  const std::string from(old), to(word);
+  if (!free_name(k, to, word) || !free_below(k, to, word) || !finish(c)) return false;
+  rename_list(s, from, to);
+  std::vector<decltype(script.unfinished)::value_type> open;
+  for (auto& u : script.unfinished)
+    if (u.first.first == from) open.emplace_back(std::pair(to, u.first.second), std::move(u.second));
+  std::erase_if(script.unfinished, [&](const auto& u) { return u.first.first == from; });
+  script.unfinished.insert(open.begin(), open.end());
+  return true;
+}
+
+std::span<const Verb> display_lists_verbs() { return display_lists_rows; }
+
+}  // namespace betwixt

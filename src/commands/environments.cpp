@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands about environments: animate, halt, kill, cancel. (Animation Imaging Model, 2.2.7, 3.3.4, 5.1, 5.2)
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+// A length of time that is a whole number of ticks.
+bool whole_ticks(Command& k, std::int64_t& out) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* start = c.at;
+  Time l;
+  if (!c.length(l)) return false;
+  c.ticks_read = true;
+  out = s.ticks.whole(l);
+  if (s.ticks.span(static_cast<double>(out)) == l) return true;
+  return c.fail(Code::range, "this is not a whole number of ticks", c.since(start),
+                fmt::format("the nearest are {}t and {}t", out, out + 1));
+}
+
+// Puts an event on the tracks of environments, made where there is none yet: on all or on none.
+bool add_to(Command& k, const std::vector<std::string>& names, const decltype(EnvironmentEvent::what)& what,
+            std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  c.ticks_read = true;
+  const Scene before = s;
+  for (const std::string& name : names) {
+    ObjectId id = s.names.find(name);
+    if (!id) {
+      Object object;
+      object.name = name;
+      object.kind = Kind::environment;
+      object.environment = std::make_shared<const Environment>();
+      id = add_object(s, std::move(object));
+    }
+    Environment track = *s.objects[id.index].environment;
+    const std::size_t known = track.problems().size();
+    const Status done = track.add({tick(k), s.environment_events++, what});
+    if (!done) {
+      s = before;
+      return c.fail(done.error().code, fmt::format("'{}': {}", name, done.error().message), about, done.error().hint);
+    }
+    const auto problems = track.problems();
+    for (std::size_t i = known; i < problems.size(); ++i)
+      script.note(problems[i].severity, fmt::format("'{}': {}", name, problems[i].what.message), about,
+                  problems[i].what.hint);
+    s.objects.edit(id.index).environment = std::make_shared<const Environment>(std::move(track));
+  }
+  return true;
+}
+
+bool animate(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the name of an environment is missing here");
+  const auto names = expand_braces(word);
+  if (!names) return c.fail(names.error().code, names.error().message, word);
+  if (!c.accept_word("every")) return c.fail_here(Code::syntax, "'every' and a length of time are missing here");
+  EnvironmentEvent::Animate a;
+  c.space();
+  const char* start = c.at;
+  if (!whole_ticks(k, a.timing.interval)) return false;
+  if (a.timing.interval < 1)
+    return c.fail(Code::range, "an interval is at least one tick", c.since(start),
+                  "what moves faster takes larger steps");
+  if (!c.accept_word("by"))
+    return c.fail_here(Code::syntax, "'by' and a transform are missing here", "as in by rotate(10deg, z)");
+  if (!values(k).transform(a.motion)) return false;
+  while (!c.at_line_end()) {
+    start = c.at;
+    const std::string_view key = c.word();
+    if (key == "slower" || key == "faster") {
+      std::int64_t by = 0;
+      if (!whole_ticks(k, by)) return false;
+      if (!c.accept_word("per"))
+        return c.fail_here(Code::syntax, "'per' and a length of time are missing here",
+                           fmt::format("as in {} 1t per 1s", key));
+      if (!whole_ticks(k, a.timing.period)) return false;
+      if (by < 1 || a.timing.period < 1)
+        return c.fail(Code::range, "an interval changes by whole ticks, at least one", c.since(start));
+      if (a.timing.change != 0) return c.fail(Code::syntax, "an interval grows or shrinks, not both", c.since(start));
+      a.timing.change = key == "slower" ? by : -by;
+    } else if (key == "limit") {
+      if (!whole_ticks(k, a.timing.ceiling)) return false;
+      if (a.timing.ceiling < 1) return c.fail(Code::range, "a limit is at least one tick", c.since(start));
+    } else if (key == "from" || key == "until") {
+      std::int64_t after = 0;
+      if (!whole_ticks(k, after)) return false;
+      (key == "from" ? a.from : a.until) = after;
+    } else if (key == "keep-phase") {
+      a.keep_phase = true;
+    } else {
+      const std::string near = did_you_mean(key, {"slower", "faster", "limit", "from", "until", "keep-phase"});
+      return c.fail(Code::syntax,
+                    fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
+                    key.empty() ? std::string_view(start, 1) : key,
+                    near.empty() ? "slower or faster L per L, limit L, from L, until L, keep-phase" : near);
+    }
+  }
+  for (const std::string& name : *names) {
+    const ObjectId id = s.names.find(name);
+    if (id && s.objects[id.index].kind == Kind::environment) continue;
+    if (id)
+      return c.fail(Code::name, fmt::format("'{}' is {}, not an environment", name, a_kind(s.objects[id.index].kind)),
+                    word, "objects are moved by environments: set OBJECT.environments (NAME)");
+    if (!free_name(k, name, word)) return false;
+  }
+  return add_to(k, *names, a, word);
+}
+
+template <class What>
+bool to_environments(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the name of an environment is missing here");
+  std::vector<std::string> names;
+  for (const ObjectId id : select(s, word))
+    if (s.objects[id.index].kind == Kind::environment) names.push_back(s.objects[id.index].name);
+  if (names.empty()) {
+    if (is_pattern(word)) {
+      script.note(Severity::notice, fmt::format("'{}' names nothing", word), word);
+      return finish(c);
+    }
+    std::vector<std::string_view> known;
+    for (std::size_t i = 0; i < s.objects.size(); ++i)
+      if (!s.objects[i].removed && s.objects[i].kind == Kind::environment) known.push_back(s.objects[i].name);
+    return c.fail(Code::name,
+                  s.names.find(word) ? fmt::format("'{}' is no environment", word)
+                                     : fmt::format("there is no environment '{}'", word.substr(0, 60)),
+                  word, did_you_mean(word, known));
+  }
+  return finish(c) && add_to(k, names, What{}, word);
+}
+
+constexpr Verb environments_rows[] = {
+    {"animate", "animate ENV every L by TRANSFORM [slower|faster L per L] [limit L] [from L] [until L] [keep-phase]",
+     "An environment: all that is in it is moved by a transform again and again.",
+     "animate spin every 1t by rotate(6deg, z)\nset ball.environments (spin)", Verb::timed | Verb::stamped, animate},
+    {"halt", "at TIME halt ENV", "Stops an environment where it is; animate goes on from there.",
+     "animate spin every 1t by rotate(6deg, z)\nat 60t halt spin", Verb::timed | Verb::stamped,
+     to_environments<EnvironmentEvent::Halt>},
+    {"kill", "at TIME kill ENV", "Ends an environment: what was in it stays where it is, and the name is free.",
+     "animate spin every 1t by rotate(6deg, z)\nat 60t kill spin", Verb::timed | Verb::stamped,
+     to_environments<EnvironmentEvent::Kill>},
+    {"cancel", "at TIME cancel ENV", "Drops the starts and stops of an environment that are still to come.",
+     "animate spin every 1t by rotate(6deg, z) until 90t\nat 60t cancel spin", Verb::timed | Verb::stamped,
+     to_environments<EnvironmentEvent::Cancel>},
+};
+
+}  // namespace
+
+// The tick that the command belongs to: between ticks it is the one before (R-E1a). Without a time a live host's
+// commands happen now, an author's at the beginning.
+std::int64_t tick(const Command& k) {
+  const Time t = k.time ? *k.time : k.script.options.now.value_or(Time{});
+  return k.scene.ticks.whole(t);
+}
+
+std::span<const Verb> environments_verbs() { return environments_rows; }
+
+}  // namespace betwixt

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What stands behind a row's time: an event's value, and how to go on from there.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "procedure/lua.h"
+#include "scene/names.h"
+#include "track/curve.h"
+
+namespace betwixt {
+namespace {
+
+// Twerpers, and what else may stand behind a value: for near misses.
+std::vector<std::string_view> twerper_words(const Scene& s) {
+  std::vector<std::string_view> words(twerper_names.begin() + 1, twerper_names.end());
+  for (const char* w : {"release", "ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "cut"})
+    words.push_back(w);
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::twerper) words.push_back(p.name);
+  return words;
+}
+
+// Would an aim's separate numbers meet an object?
+bool mixes_aims(const Scene& s, const Target& t, const Value& v) {
+  const Slot* slot = s.objects[t.object.index].find(t.function);
+  if (!slot) return false;
+  if (t.component < 0) return !slot->components.empty() && std::holds_alternative<ObjectId>(v);
+  bool any = false;
+  slot->track->events.each(
+      [&](const Event& e) { any = any || (!e.keep && std::holds_alternative<ObjectId>(e.value)); });
+  return any;
+}
+
+// tangent=V, tangent-in=V, tangent-out=V: where hermite comes from and goes, per second.
+bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
+  auto& [s, c, time, layer, script] = k;
+  if (!c.accept('=')) return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", key));
+  const Type type = to.type();
+  if (type != Type::scalar && type != Type::angle && type != Type::pair && type != Type::vector &&
+      type != Type::rotation)
+    return c.fail(Code::type, fmt::format("{} has no tangents", to_string(type)), key);
+  const FunctionSpec free = unbounded(*to.spec);  // a speed may be of any size
+  Value v;
+  c.space();
+  const char* start = c.at;
+  if (!values(k).value(free, to.component, v)) return false;
+  if (std::holds_alternative<Quat>(v))
+    return c.fail(Code::type, "tangents of orientations mean nothing", c.since(start));
+  if (key != "tangent-out") e.detail.edit().tangent_in = v;
+  if (key != "tangent-in") e.detail.edit().tangent_out = v;
+  return true;
+}
+
+// A value per second: angles of a rotation one by one, or the turning about an axis.
+bool rate_of_change(Command& k, const Selected& to, Value& out) {
+  auto& [s, c, time, layer, script] = k;
+  const Type type = to.type();
+  if (type != Type::rotation && type != Type::orientation)
+    return values(k).value(unbounded(*to.spec), to.component, out);
+  c.space();
+  Vec3 v;
+  if (c.peek_word() == "axis") {
+    double angle = 0;
+    c.word();
+    if (!c.open()) return false;
+    c.space();
+    if (c.peek() == '(' || c.peek() == 'x' || c.peek() == 'y' || c.peek() == 'z') {
+      if (!values(k).axis(v)) return false;
+    } else {
+      const char* start = c.at;
+      for (int i = 0; i < 3; ++i)
+        if (!c.number(v[i])) return false;
+      if (v == Vec3{}) return c.fail(Code::range, "an axis needs a direction; 0 0 0 has none", c.since(start));
+    }
+    if (!c.angle(angle) || !c.close()) return false;
+    out = angle * normalize(v);
+    return true;
+  }
+  if (c.peek_word() == "quat")
+    return c.fail_here(Code::type, "a turning speed is wanted here, not an orientation", "as in axis(0 1 0, 90deg)");
+  const bool spin = c.accept_word("spin");  // about the fixed axes, as one vector
+  if (!spin && c.peek() != '(' && !c.accept_word("euler"))
+    return c.fail_here(Code::type, "a turning speed is wanted here", "as in axis(0 1 0, 90deg) or euler(0 90deg 0)");
+  if (!c.open()) return false;
+  for (int i = 0; i < 3; ++i)
+    if (!c.angle(v[i])) return false;
+  if (!c.close()) return false;
+  out = spin || type == Type::orientation ? Value(v) : Value(Angles{v});
+  return true;
+}
+
+// What is said when all is read, should it still be so then.
+void withhold(Command& k, const Selected& to, const Event& event, std::string_view about) {
+  Script& script = k.script;
+  constexpr std::size_t most = 10'000;
+  if (event.release && script.releases.size() < most)
+    if (const auto d = script.withheld(
+            Severity::notice,
+            fmt::format("no velocity reigns at {}: there is nothing to release", format_time(event.time, k.scene.rate)),
+            about))
+      for (const Target& t : to.targets) script.releases.push_back({t, event.time, *d});
+  if (!to.velocity) return;
+  for (const Target& t : to.targets) {
+    const auto key = std::pair(t.object.index, t.function);
+    if (script.velocities.contains(key) || script.velocities.size() > most) continue;
+    if (auto d = script.withheld(Severity::warning, "", about)) script.velocities.emplace(key, *std::move(d));
+  }
+}
+
+// Whether the value can stand on the target's track, beside what is there.
+bool goes_with(Command& k, const Selected& to, const Target& t, const Event& event, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  const bool computes = std::holds_alternative<Procedure>(event.value);
+  const bool whole = to.component < 0;
+  const bool rotation = to.type() == Type::rotation && !event.keep && !computes;
+  const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
+  if (computes && whole && slot && !slot->components.empty())
+    return c.fail(Code::type, "its components have tracks of their own: a procedure for the whole finds no place",
+                  about, "write one for each component");
+  if (!rotation && whole) return true;
+  const auto tracks = tracks_of(s, t);
+  if (tracks.empty()) return true;
+  const bool orientation = !tracks[0]->events.empty() && std::holds_alternative<Quat>(tracks[0]->events.front().value);
+  const bool turns = std::holds_alternative<Quat>(event.value);
+  // Components of an orientation are nothing an animator would know.
+  if ((!whole && slot->components.empty() && orientation) || (rotation && whole && !slot->components.empty() && turns))
+    return c.fail(Code::type, fmt::format("'{}' cannot hold both orientations and separate angles", target_name(s, t)),
+                  about, "write all of it as euler(x y z), or all as axis(…) or quat(…)");
+  if (rotation && whole && !tracks[0]->events.empty() && orientation != turns && !script.sheet.warned) {
+    script.note(Severity::warning,
+                "this track mixes angles and orientations: all are read as orientations, and whole turns are lost",
+                about, "write euler(x y z) for all of them, or axis(…) or quat(…)");
+    script.sheet.warned = true;
+  }
+  return true;
+}
+
+bool put(Command& k, const Selected& to, Event event, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  if (to.type() == Type::attachment && !event.keep) {
+    std::vector<ObjectId> children;
+    for (const Target& t : to.targets) children.push_back(t.object);
+    return attachment(k, children, std::get<Attachment>(event.value), event.time, about);
+  }
+  withhold(k, to, event, about);
+  for (const Target& t : to.targets) {
+    if (to.spec->type == Type::aim && !event.keep && mixes_aims(s, t, event.value))
+      return c.fail(Code::type, fmt::format("'{}' cannot hold both objects and separate numbers", target_name(s, t)),
+                    about, "write all of it as points (x y z)");
+    if (to.velocity) break;
+    if (!goes_with(k, to, t, event, about)) return false;
+  }
+  const auto& direct = script.sheet.tracks;
+  if (&to == &script.sheet.on && !direct.empty()) {
+    for (std::size_t i = 1; i < direct.size(); ++i) direct[i]->events.put(event);
+    if (direct[0]->events.put(std::move(event)) && script.sheet.fresh)
+      script.note(Severity::warning, "an earlier row of this sheet has the same time; this one replaces it", about);
+    return true;
+  }
+  for (const Target& t : to.targets) put_event(s, t, event);
+  return true;
+}
+
+}  // namespace
+
+// A twerper's word and what stands in brackets behind it.
+bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>& bezier) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view w = c.word();
+  const auto at = std::find(twerper_names.begin() + 1, twerper_names.end(), w);
+  const auto& own = *s.procedures;
+  const auto mine = std::find_if(own.begin(), own.end(),
+                                 [&](const NamedProcedure& p) { return p.name == w && p.role == Role::twerper; });
+  if (at == twerper_names.end() && mine != own.end()) {
+    out = static_cast<Twerper>(first_own_twerper + (mine - own.begin()));
+    std::string why;
+    return fits(out, to.type(), &why) || c.fail(Code::type, why, w);
+  }
+  if (at == twerper_names.end()) {
+    if (w.empty()) return c.fail_here(Code::name, "a twerper is missing here");
+    const std::string near = did_you_mean(w, twerper_words(s));
+    return c.fail(Code::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
+                  near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
+  }
+  out = static_cast<Twerper>(at - twerper_names.begin());
+  std::string why;
+  if (!fits(out, to.type(), &why))
+    return c.fail(Code::type, why, w,
+                  to.type() == Type::text ? "letters turn into others by geometry: at 24f A.geometry shape(B) …" : "");
+  c.space();
+  const bool bracket = c.peek() == '(';
+  if (out == Twerper::bezier) {
+    const char* start = c.at;
+    if (!bracket)
+      return c.fail(Code::syntax, "bezier needs its two control points", w, "as in bezier(0.25 0.1 0.25 1)");
+    if (!c.open()) return false;
+    for (double& v : bezier)
+      if (!c.number(v)) return false;
+    if (!c.close()) return false;
+    if (bezier[0] < 0 || bezier[0] > 1 || bezier[2] < 0 || bezier[2] > 1)
+      return c.fail(Code::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
+  } else if (bracket) {
+    return c.fail_here(Code::syntax, fmt::format("'{}' takes nothing in brackets", w));
+  }
+  return true;
+}
+
+// = "…": a value that code computes.
+bool computed(Command& k, const Selected& to, Value& out) {
+  auto& [s, c, time, layer, script] = k;
+  if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing here");
+  c.space();
+  const char* start = c.at;
+  if (c.peek() != '"') {
+    const auto line = static_cast<std::size_t>(line_end(start, c.end) - start);
+    return c.fail_here(
+        Code::syntax, "behind '=' stands a procedure, in quotes",
+        fmt::format("a plain value stands without '=': {}", std::string_view(start, std::min<std::size_t>(line, 60))));
+  }
+  std::string source;
+  if (!c.text(source)) return false;
+  const std::string_view about(start, static_cast<std::size_t>(c.at - start));
+  switch (to.type()) {
+    case Type::points:
+    case Type::names:
+    case Type::attachment:
+    case Type::transform:
+    case Type::motion:
+      return c.fail(Code::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
+    default:
+      break;
+  }
+  if (to.spec->name == "file" || !to.spec->words.empty() || to.spec->name == "texture" || to.spec->name == "font")
+    return c.fail(Code::type, fmt::format("{} cannot be computed", to.spec->name), about);
+  auto code = make_lua(Role::value, std::move(source));
+  if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
+  out = Procedure{*std::move(code)};
+  return true;
+}
+
+// What stands behind a row's time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep TWERPER.
+bool event(Command& k, const Selected& to, Time when) {
+  auto& [s, c, time, layer, script] = k;
+  if (to.type() == Type::motion) return moving(k, to, when, std::nullopt);
+  Event e;
+  e.time = when;
+  c.space();
+  const char* value_at = c.at;
+  const bool released = to.velocity && c.peek() == 'r' && c.accept_word("release");
+  if (released) {
+    e.release = true;
+    e.value = 0.0;
+    if (!finish(c)) return false;
+  } else if (c.peek() == '=') {
+    if (to.velocity) return c.fail_here(Code::type, "a velocity cannot be computed; compute the value itself");
+    if (!computed(k, to, e.value)) return false;
+  } else if (to.velocity && c.peek_word() != "keep") {
+    if (!rate_of_change(k, to, e.value)) return false;
+    c.space();
+    if (c.peek() == 'c' && c.accept_word("cut")) {
+      e.detail.edit().before = std::move(e.value);
+      if (!rate_of_change(k, to, e.value)) return false;
+    }
+  } else if (c.peek() == 'k' && c.peek_word() == "keep") {
+    c.word();
+    e.keep = true;
+    e.value = 0.0;
+  } else {
+    if (c.peek_word() == "release" && has_velocity(to.type()))
+      return c.fail_here(Code::type, "release ends the reign of a velocity; this is no velocity",
+                         fmt::format("as in at 20f {}.velocity release", to.text.substr(0, 60)));
+    if (!values(k).value(*to.spec, to.component, e.value, to.targets.empty() ? 0xffff : to.targets[0].function))
+      return false;
+    c.space();
+    if (c.peek() == 'c' && c.accept_word("cut")) {
+      Value after;
+      if (!values(k).value(*to.spec, to.component, after, to.targets.empty() ? 0xffff : to.targets[0].function))
+        return false;
+      e.detail.edit().before = std::move(e.value);
+      e.value = std::move(after);
+    }
+  }
+  const std::string_view about(value_at, static_cast<std::size_t>(c.at - value_at));
+  if (!way(k, to, e)) return false;
+  return put(k, to, std::move(e), about);
+}
+
+// How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V].
+bool way(Command& k, const Selected& to, Event& e) {
+  auto& [s, c, time, layer, script] = k;
+  bool chosen = false;
+  while (!c.at_line_end()) {
+    const char* start = c.at;
+    const std::string_view w = c.peek_word();
+    if (w == "ease-in" || w == "ease-out") {
+      c.word();
+      if (!c.accept('='))
+        return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", w), fmt::format("as in {}=4f", w));
+      Time length;
+      if (!c.length(length)) return false;
+      if (length < Time{}) return c.fail(Code::range, "an ease cannot be shorter than nothing", c.since(start));
+      (w == "ease-in" ? e.detail.edit().ease_in : e.detail.edit().ease_out) = length;
+      continue;
+    }
+    if (w == "tangent" || w == "tangent-in" || w == "tangent-out") {
+      c.word();
+      if (!tangent(k, to, w, e)) return false;
+      continue;
+    }
+    if (chosen)
+      return c.fail_here(Code::syntax,
+                         fmt::format("'{}' is not expected here: this event has its twerper", w.substr(0, 40)));
+    std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
+    if (!twerper(k, to, e.twerper, bezier)) return false;
+    if (e.twerper == Twerper::bezier) e.detail.edit().bezier = bezier;
+    chosen = true;
+  }
+  return !e.keep || chosen || c.fail_here(Code::syntax, "keep needs a twerper, as in keep linear");
+}
+
+bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
+  const char* const start = c.at;
+  if (!c.time(from)) return false;
+  const auto dots = [&](const char* at) { return c.end - at >= 2 && at[0] == '.' && at[1] == '.'; };
+  if (!dots(c.at)) {
+    const char* const behind = c.at;
+    c.space();
+    if (dots(c.at)) return c.fail(Code::syntax, "no blank stands in a segment", {c.at, 2}, "as in 1f..24f");
+    c.at = behind;
+    return true;
+  }
+  c.at += 2;
+  Time to;
+  if (!c.time(to)) return false;
+  if (to < from) return c.fail(Code::range, "this segment ends before it begins", c.since(start));
+  until = to;
+  return true;
+}
+
+bool one_time_only(Cursor& c, std::string_view segment) {
+  return c.fail(Code::syntax, "one time stands here: only motions have a segment", segment,
+                "as in wheel.motion and a row 1f..24f T(6 0)");
+}
+
+}  // namespace betwixt

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A fall by the laws of cartoons: the object goes on as it went for the delay, then drops, and bounces. What comes of
+// it are plain events on plain tracks. (twixt notes, G4, G52)
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "commands/command.h"
+#include "program/code.h"
+
+namespace betwixt {
+namespace {
+
+struct Laws {
+  Time delay, length{10 * flicks_per_second};
+  double gravity = 9.81, ground = 0, bounce = 0;
+};
+
+// Where it is at a time, and how fast it comes and goes.
+struct Mark {
+  Time time;
+  Vec3 place, in, out;
+};
+
+// From hop to hop, in the world: along the ground it goes on as it went.
+std::vector<Mark> path(Time start, Vec3 place, Vec3 speed, const Laws& laws) {
+  std::vector<Mark> marks;
+  const Vec3 along{speed.x, 0, speed.z};
+  const Time begin = start + laws.delay, end = begin + laws.length;
+  if (laws.delay > Time{}) {
+    marks.push_back({start, place, along, along});
+    place = place + laws.delay.seconds() * along;
+    speed.y = 0;
+  }
+  Time now = begin;
+  double t = begin.seconds(), came = speed.y;
+  for (int hops = 0; hops < 200; ++hops) {
+    const auto vertical = [&](double v) { return Vec3{along.x, v, along.z}; };
+    marks.push_back({now, place, vertical(came), vertical(speed.y)});
+    // y + speed·d - g/2·d² = ground
+    const double root = speed.y * speed.y + 2 * laws.gravity * (place.y - laws.ground);
+    const double left = end.seconds() - t;
+    if (!(root > 0) || (place.y <= laws.ground && speed.y <= 0)) break;  // it lies
+    const double d = (speed.y + std::sqrt(root)) / laws.gravity;
+    if (d >= left) {
+      const double y = place.y + speed.y * left - laws.gravity / 2 * left * left;
+      const Vec3 reached = place + left * along;
+      marks.push_back({end, {reached.x, y, reached.z}, vertical(speed.y - laws.gravity * left), {}});
+      break;
+    }
+    t += d;
+    const Time before = std::exchange(now, from_seconds(t));
+    came = speed.y - laws.gravity * d;
+    place = place + (now - before).seconds() * along;
+    place.y = laws.ground;
+    speed.y = -came * laws.bounce;
+    if (speed.y * speed.y / (2 * laws.gravity) < 1e-4) speed.y = 0;  // hops nobody sees
+  }
+  marks.back().out = {};
+  return marks;
+}
+
+// The fall rules from `from` on: velocities give way, and what they would have made after it too.
+void end_reign(Scene& s, ObjectId id, Time from, Time until) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Target rate{id, fn::position, axis};
+    rate.velocity = true;
+    const Slot* slot = s.objects[id.index].find(fn::position);
+    if (!slot || (slot->velocity.track->events.empty() && slot->velocity.components.empty())) return;
+    Track* track = edit_track(s, rate);
+    track->events.erase(from, until);
+    Event release;
+    release.time = from;
+    release.release = true;
+    track->events.put(std::move(release));
+  }
+}
+
+bool fall(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  std::vector<ObjectId> things;
+  if (!time) return c.fail_here(Code::syntax, "a fall needs a time", "as in at 24f fall ball");
+  if (!objects(k, word, things)) return false;
+  Laws laws;
+  while (!c.at_line_end()) {
+    const char* start = c.at;
+    const std::string_view key = c.word();
+    if (key == "for") {
+      if (!c.length(laws.length)) return false;
+      if (!(laws.length > Time{})) return c.fail(Code::range, "a fall takes some time", c.since(start));
+      continue;
+    }
+    if (key != "delay" && key != "gravity" && key != "ground" && key != "bounce")
+      return c.fail(Code::name, fmt::format("a fall has no '{}'", key.empty() ? std::string_view(start, 1) : key),
+                    c.since(start), "delay= gravity= ground= bounce= and for LENGTH");
+    if (!c.accept('=')) return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", key));
+    if (key == "delay") {
+      if (!c.length(laws.delay)) return false;
+      if (laws.delay < Time{}) return c.fail(Code::range, "a delay cannot be shorter than nothing", c.since(start));
+      continue;
+    }
+    double& number = key == "gravity" ? laws.gravity : key == "ground" ? laws.ground : laws.bounce;
+    if (!values(k).scalar(number, key == "ground" ? Unit::metres : Unit::none)) return false;
+    if (key == "gravity" && !(laws.gravity > 0))
+      return c.fail(Code::range, "gravity pulls down by more than 0", c.since(start));
+    if (key == "bounce" && !(laws.bounce >= 0 && laws.bounce < 1))
+      return c.fail(Code::range, "bounce is at least 0 and less than 1", c.since(start));
+  }
+  const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
+  for (const ObjectId id : things) {
+    const Vec3 p = std::get<Vec3>(program.read(Target{id, fn::position}, *time));
+    const Bearing bearing = program.bearing(id, *time);
+    const std::optional<Mat4> inward = inverse(bearing.carries);
+    if (!inward)
+      return c.fail(Code::range,
+                    fmt::format("{} is flattened by what it hangs on; it cannot fall", s.objects[id.index].name), word);
+    if (const Slot* slot = s.objects[id.index].find(fn::motion))
+      if (const auto later = slot->track->events.between(*time, {INT64_MAX});
+          !later.empty() && later.back().time > *time)
+        script.note(Severity::notice,
+                    fmt::format("{} falls while its motion goes on: the two are added", s.objects[id.index].name), word,
+                    "let it fall when the motion has ended");
+    if (bearing.place.y < laws.ground)
+      script.note(Severity::notice,
+                  fmt::format("{} is below the ground, y = {}: it does not fall", s.objects[id.index].name,
+                              write_number(laws.ground)),
+                  word, "ground=Y says where the ground is");
+    const std::vector<Mark> marks = path(*time, bearing.place, bearing.speed, laws);
+    const Time last = marks.back().time;
+    end_reign(s, id, *time, last);
+    for (int axis = 0; axis < 3; ++axis) {
+      Track* track = edit_track(s, Target{id, fn::position, axis});
+      track->events.erase(*time, last);
+      for (const Mark& m : marks) {
+        Event e;
+        e.time = m.time;
+        e.value = (p + transform_vector(*inward, m.place - bearing.place))[axis];
+        e.twerper = Twerper::hermite;
+        e.detail.edit().tangent_in = transform_vector(*inward, m.in)[axis];
+        e.detail.edit().tangent_out = transform_vector(*inward, m.out)[axis];
+        track->events.put(std::move(e));
+      }
+    }
+  }
+  return true;
+}
+
+constexpr Verb fall_rows[] = {
+    {"fall", "at TIME fall A [delay=L] [gravity=G] [ground=Y] [bounce=K] [for L]",
+     "Lets objects fall and bounce; it becomes plain events.", "at 24f fall ball", Verb::timed, fall},
+};
+
+}  // namespace
+
+std::span<const Verb> fall_verbs() { return fall_rows; }
+
+}  // namespace betwixt

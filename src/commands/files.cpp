@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scripts, and the files that scripts name. A script reads only below its own folder, unless its caller allows more.
+#include "base/files.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "betwixt/picture.h"
+#include "commands/command.h"
+#include "commands/reader.h"
+#include "exchange/fonts.h"
+#include "exchange/meshes.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_included = 10'000;  // files that use files that use files: their number can grow without end
+
+Result<std::string> contents(const fs::path& path) {
+  FileContents in = read_contents(path.string(), {.special = true});
+  const auto failed = [&](const std::string& what) {
+    return fail(Code::file, fmt::format("'{}' {}", path.string(), what));
+  };
+  switch (in.hindrance) {
+    case Hindrance::none:
+      return std::move(in.text);
+    case Hindrance::missing:
+      return fail(Code::file, fmt::format("there is no file '{}'", path.string()));
+    case Hindrance::folder:
+      return failed("is a folder, not a script");
+    case Hindrance::too_large:
+      return failed(fmt::format("is too large for a script: {:.1f} GB, where 1 GiB is the most",
+                                static_cast<double>(in.size) / 1e9));
+    default:
+      return failed(fmt::format("cannot be read: {}", std::strerror(in.reason)));
+  }
+}
+
+// Without links and dots; of a file that is not there too, wherever the program was started.
+fs::path real_path(const fs::path& path, std::error_code& why) {
+  const fs::path whole = fs::absolute(path, why);
+  return why ? path : fs::weakly_canonical(whole, why);
+}
+
+}  // namespace
+
+bool Script::may_read(const fs::path& path) const {
+  if (options.read_anywhere) return true;
+  std::error_code why;
+  const fs::path real = real_path(path, why);
+  if (why) return false;
+  const auto [end, _] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
+  return end == root.end();
+}
+
+// The path as people know it: relative to the first script's folder.
+std::string Script::shown(const fs::path& path) const {
+  std::error_code why;
+  const fs::path real = real_path(path, why);
+  const fs::path below = real.lexically_relative(root);
+  return below.empty() || why ? path.string() : below.string();
+}
+
+void read_file(Scene& s, Script& script, const std::string& path) {
+  auto text = contents(path);
+  if (!text) {
+    script.diagnostics.push_back({Severity::error, text.error(), {}, 0});
+    return;
+  }
+  std::error_code ignored;
+  script.open_files.push_back(real_path(path, ignored));
+  read_text(s, script, *text, path);
+  script.open_files.pop_back();
+}
+
+namespace {
+
+bool use(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* start = c.at;
+  std::string name;
+  if (c.peek() == '"') {
+    if (!c.text(name)) return false;
+  } else {
+    name = c.word();
+  }
+  const std::string_view about(start, static_cast<std::size_t>(c.at - start));
+  if (name.empty()) return c.fail(Code::syntax, "the name of a file is missing here", about);
+  if (!finish(c)) return false;
+  const fs::path path = script.folder / name;
+  if (!script.may_read(path))
+    return c.fail(Code::file, fmt::format("'{}' lies outside the script's folder", name), about,
+                  "--read-anywhere allows it");
+  std::error_code ignored;
+  const fs::path real = real_path(path, ignored);
+  if (std::find(script.open_files.begin(), script.open_files.end(), real) != script.open_files.end())
+    return c.fail(Code::file, fmt::format("'{}' comes to include itself", name), about);
+  if (script.open_files.size() >= 64) return c.fail(Code::file, "files are included more than 64 deep", about);
+  if (script.included >= most_included)
+    return c.fail(Code::file, fmt::format("more than {} files are included", most_included), about);
+  ++script.included;
+  auto text = contents(path);
+  if (!text) return c.fail(text.error().code, text.error().message, about);
+  script.open_files.push_back(real);
+  read_text(s, script, *text, path.string());
+  script.open_files.pop_back();
+  // What the file may have changed holds for the rest of this line's text.
+  c.rate = s.rate, c.ticks = s.ticks;
+  return true;
+}
+
+// Reads what a `file` or `texture` names, and keeps it in the scene; `path` becomes its place below the first script's
+// folder.
+bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  if (f == fn::font) {
+    const Status known = find_font(path);
+    if (!known) script.note(Severity::warning, known.error().message, about, known.error().hint);
+    return true;
+  }
+  if ((f != fn::file && f != fn::texture) || path.empty()) return true;
+  const fs::path where = script.folder / path;
+  if (!script.may_read(where))
+    return c.fail(Code::file, fmt::format("'{}' lies outside the script's folder", path), about,
+                  "--read-anywhere allows it");
+  path = script.shown(where);
+  const auto failed = [&](const Error& e) { return c.fail(e.code, e.message, about, e.hint); };
+  if (f == fn::file) {
+    if (s.meshes->contains(path)) return true;
+    auto mesh = load_mesh(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
+    if (!mesh) return failed(mesh.error());
+    s.meshes.edit()[path] = *mesh;
+  } else {
+    if (s.pictures->contains(path)) return true;
+    auto picture = read_picture(where.string());
+    if (!picture) return failed(picture.error());
+    s.pictures.edit()[path] = *picture;
+  }
+  return true;
+}
+
+}  // namespace
+
+ValueReader values(Command& k) {
+  return {k.cursor, k.scene,
+          [&k](FunctionId f, std::string& path, std::string_view about) { return asset(k, f, path, about); },
+          [&k](std::string message, std::string_view about, std::string hint) {
+            k.script.note(Severity::warning, std::move(message), about, std::move(hint));
+          }};
+}
+
+namespace {
+constexpr Verb files_rows[] = {
+    {"use", "use FILE", "Carries out another script here.", "use colors.bx", 0, use},
+};
+}  // namespace
+
+std::span<const Verb> files_verbs() { return files_rows; }
+
+}  // namespace betwixt

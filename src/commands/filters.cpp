@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// filter: a function through time over a track.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "language/line_words.h"
+#include "track/filter.h"
+
+namespace betwixt {
+namespace {
+
+// The filter that a command names: built in, of the author's own, or none.
+struct Chosen {
+  std::string_view name;
+  const FilterSpec* spec = nullptr;
+  const NamedProcedure* own = nullptr;
+  bool none() const { return name == "none"; }
+};
+
+bool choose(Command& k, Chosen& out) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view name = out.name = c.word();
+  const NamedProcedure* own = find_procedure(s, name);
+  if (own && own->role == Role::filter) out.own = own;
+  out.spec = out.own ? nullptr : find_filter(name);
+  if (out.spec || out.own || out.none()) return true;
+  std::vector<std::string_view> words;
+  std::string all = "filters are";
+  for (const FilterSpec& f : built_in_filters()) words.push_back(f.name), all += " " + std::string(f.name);
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::filter) words.push_back(p.name);
+  const std::string hint = did_you_mean(name, words);
+  return c.fail(Code::name,
+                name.empty() ? "the name of a filter is missing here"
+                             : fmt::format("there is no filter '{}'", name.substr(0, 40)),
+                name.empty() ? std::string_view(c.at, 0) : name,
+                hint.empty() ? all + "; of a plug-in: --load PLUGIN" : hint);
+}
+
+bool means_something(const Chosen& filter, Type type) {
+  if (type == Type::attachment || type == Type::names || type == Type::transform || type == Type::motion ||
+      type == Type::points)
+    return false;
+  return !filter.spec || suits(*filter.spec, type);
+}
+
+// What the filter knows of a key; null where it is the author's own and takes any that it makes use of.
+bool known_key(Cursor& c, const Chosen& filter, std::string_view key, const FilterParameter*& known) {
+  if (filter.own) {
+    if (filter.own->code->language != "lua") return true;
+    std::string global(key);  // a slip would be a nil in its code
+    std::replace(global.begin(), global.end(), '-', '_');
+    return stands_in(filter.own->code->source, global) ||
+           c.fail(Code::name, fmt::format("'{}' makes no use of '{}'", filter.name, key.substr(0, 40)), key);
+  }
+  if (!filter.spec) return true;
+  std::vector<std::string_view> words;
+  for (const FilterParameter& p : filter.spec->parameters) {
+    words.push_back(p.name);
+    if (p.name == key) known = &p;
+  }
+  return known || c.fail(Code::name, fmt::format("'{}' has no '{}'", filter.name, key.substr(0, 40)), key,
+                         did_you_mean(key, words));
+}
+
+// A number; with a unit a length of time, in seconds, or an angle, in radians.
+bool number_or_length(Cursor& c, bool length_wanted, double& out) {
+  const char* at = c.at;
+  Time length;
+  if (!length_wanted) {
+    if (!c.number(out)) return false;
+    const std::string_view unit = c.unit();
+    if (unit.empty()) return true;
+    c.at = at;
+    if (unit == "deg" || unit == "rad" || unit == "turn") return c.angle(out);
+  }
+  if (!c.length(length)) return false;
+  out = length.seconds();
+  return true;
+}
+
+bool parameter_value(Command& k, std::string_view key, const FilterParameter* known, Value& out) {
+  Cursor& c = k.cursor;
+  c.space();
+  const char* at = c.at;
+  if (c.peek() == '"') {
+    std::string text;
+    if (!c.text(text)) return false;
+    out = Text(std::move(text));
+  } else if (c.peek() == '(') {
+    Vec3 three;
+    if (!values(k).vector(3, three)) return false;
+    out = three;
+  } else {
+    double d = 0;
+    if (!number_or_length(c, known && known->time, d)) return false;
+    out = d;
+    if (known && !(d >= known->low && d <= known->high))
+      return c.fail(Code::range,
+                    d < known->low ? fmt::format("{} is at least {}", key, write_number(known->low))
+                                   : fmt::format("{} is at most {}", key, write_number(known->high)),
+                    c.since(at));
+  }
+  if (known && !std::holds_alternative<double>(out) && !(key == "amount" && std::holds_alternative<Vec3>(out)))
+    return c.fail(Code::type, fmt::format("{} is a number", key), c.since(at));
+  return true;
+}
+
+// [key=value …] [A..B]
+bool filter_arguments(Command& k, const Chosen& chosen, Filter& made) {
+  Cursor& c = k.cursor;
+  while (!c.at_line_end()) {
+    const char* start = c.at;
+    if (starts_like_time(c.peek())) {
+      Time from, to;
+      if (!c.segment(from, to)) return false;
+      made.segment = {from, to};
+      continue;
+    }
+    const std::string_view key = c.word();
+    if (key.empty() || !c.accept('='))
+      return c.fail(Code::syntax,
+                    fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
+                    c.since(start), "key=value, or a segment A..B");
+    const FilterParameter* known = nullptr;
+    Value v;
+    if (!known_key(c, chosen, key, known) || !parameter_value(k, key, known, v)) return false;
+    made.parameters.emplace_back(std::string(key), std::move(v));
+  }
+  return true;
+}
+
+bool filter(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  Selected on;
+  Chosen chosen;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(k, word, on)) return false;
+  if (on.velocity) return c.fail(Code::type, "filters stand on values, not on velocities", word);
+  if (!choose(k, chosen)) return false;
+  const Type type = on.spec ? on.type() : Type::vector;
+  if (!means_something(chosen, type) && !(chosen.spec && !on.spec))
+    return c.fail(Code::type, fmt::format("'{}' means nothing for {}", chosen.name, to_string(type)), word);
+  Filter made;
+  made.name = chosen.name;
+  if (chosen.own) made.code = chosen.own->code;
+  if (!filter_arguments(k, chosen, made)) return false;
+  for (const Target& t : on.targets) {
+    Slot& slot = s.objects.edit(t.object.index).slot(t.function, t.layer);
+    made.component = t.component;
+    if (!chosen.none())
+      slot.filters.push_back(made);
+    else
+      std::erase_if(slot.filters, [&](const Filter& f) { return t.component < 0 || f.component == t.component; });
+  }
+  return true;
+}
+
+constexpr Verb filters_rows[] = {
+    {"filter", "filter TARGET NAME [key=value …] [A..B]; filter TARGET none",
+     "A function through time over a track: smooth, noise, delay, limit, wobble, spring.",
+     "filter ball.position delay by=6f", Verb::layered, filter},
+};
+
+}  // namespace
+
+std::span<const Verb> filters_verbs() { return filters_rows; }
+
+}  // namespace betwixt

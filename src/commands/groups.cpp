@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that work on many objects at once.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "commands/command.h"
+#include "track/curve.h"
+#include "track/operations.h"
+
+namespace betwixt {
+namespace {
+
+bool stagger(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  Selected on;
+  Time by;
+  long seed = -1;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(k, word, on)) return false;
+  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
+  if (!c.length(by)) return false;
+  if (c.accept_word("random") && !c.whole_number(0, 1'000'000'000, "the seed of random", seed)) return false;
+  if (on.targets.size() > 1 && std::abs(by.seconds()) * static_cast<double>(on.targets.size()) > longest_seconds)
+    return c.fail(Code::range, "the events would end up more than 146 years away", word);
+  std::vector<std::int64_t> turn(on.targets.size());
+  for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = static_cast<std::int64_t>(i);
+  if (seed >= 0) {  // Fisher and Yates, by a generator that is the same everywhere
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    for (std::size_t i = turn.size(); i > 1; --i) std::swap(turn[i - 1], turn[random() % i]);
+  }
+  const Segment all{{INT64_MIN}, {INT64_MAX}};
+  if (!finish(c)) return false;
+  const Scene before = s;
+  for (std::size_t i = 0; i < on.targets.size(); ++i) {
+    if (!before.objects[on.targets[i].object.index].find(on.targets[i].function, on.targets[i].layer)) continue;
+    for (Track* t : edit_tracks(s, on.targets[i])) {
+      const auto done = move_segment(*t, all, {by.flicks * turn[i]});
+      if (done) continue;
+      s = before;
+      return c.fail(done.error().code, done.error().message, word);
+    }
+  }
+  return true;
+}
+
+bool spread(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  Selected on;
+  Value from, to;
+  c.space();
+  const std::string_view word = c.word();
+  if (!targets(k, word, on)) return false;
+  if (!on.spec) on.spec = &built_in_functions()[fn::position];
+  if (!c.accept_word("from")) return c.fail_here(Code::syntax, "'from' and a value are missing here");
+  if (!values(k).value(*on.spec, on.component, from)) return false;
+  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a value are missing here");
+  if (!values(k).value(*on.spec, on.component, to) || !finish(c)) return false;
+  const auto way = add_scaled(to, from, -1);
+  const bool turn = std::holds_alternative<Quat>(from) && std::holds_alternative<Quat>(to);
+  if (!way && !turn) return c.fail(Code::type, fmt::format("{} cannot be spread", to_string(on.type())), word);
+  const auto has_events = [&](const Target& t) {
+    const auto tracks = tracks_of(s, t);
+    return std::any_of(tracks.begin(), tracks.end(), [](const Track* track) { return !track->events.empty(); });
+  };
+  if (std::any_of(on.targets.begin(), on.targets.end(), has_events))
+    script.note(Severity::warning, "values of tracks that have events are not seen", word,
+                "spread lays out the values that hold without events");
+  const double last = static_cast<double>(std::max<std::size_t>(on.targets.size(), 2) - 1);
+  for (std::size_t i = 0; i < on.targets.size(); ++i) {
+    const double k = static_cast<double>(i) / last;
+    if (turn) {
+      const Quat a = std::get<Quat>(from), b = std::get<Quat>(to);
+      set_value(s, on.targets[i], slerp(a, dot(a, b) < 0 ? -b : b, k));
+    } else {
+      set_value(s, on.targets[i], i + 1 == on.targets.size() && i > 0 ? to : *add_scaled(from, *way, k));
+    }
+  }
+  return true;
+}
+
+constexpr Verb groups_rows[] = {
+    {"stagger", "stagger TARGETS by LENGTH [random N]", "Makes many objects do the same one after another.",
+     "stagger wheel*.position by 6f", Verb::layered, stagger},
+    {"spread", "spread TARGETS from VALUE to VALUE", "Lays values evenly from one object to the last.",
+     "spread wheel*.position from (0 0 0) to (9 0 0)", Verb::layered, spread},
+};
+
+}  // namespace
+
+std::span<const Verb> groups_verbs() { return groups_rows; }
+
+}  // namespace betwixt

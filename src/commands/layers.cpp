@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that lay motion over motion.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/verbs.h"
+
+namespace betwixt {
+namespace {
+
+bool layer(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "a name is missing here");
+  if (!free_name(k, std::string(word), word)) return false;
+  c.space();
+  const std::string_view mode = c.word();
+  if (mode != "add" && mode != "mix")
+    return c.fail(Code::syntax, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
+                  mode.empty() ? std::string_view(c.at, 0) : mode,
+                  "add lays its values on top; mix goes over to them by its weight");
+  Object object;
+  object.name = word;
+  object.kind = Kind::layer;
+  object.slot(fn::mode).set = Text(std::string(mode));
+  if (!parameters(k, object)) return false;
+  add_object(s, std::move(object));
+  return true;
+}
+
+bool on_layer(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view word = c.word();
+  if (word.empty()) return c.fail_here(Code::syntax, "the name of a layer is missing here");
+  const ObjectId id = s.names.find(word);
+  c.space();
+  const std::string_view next = c.peek_word();
+  // The rows of its sheet would have nowhere to go.
+  if (!time && first_dot(next) != std::string_view::npos) script.sheet.open = script.sheet.broken = true;
+  if (!id) {
+    std::vector<std::string_view> layers;
+    for (std::size_t i = 0; i < s.objects.size(); ++i)
+      if (s.objects[i].kind == Kind::layer && !s.objects[i].removed) layers.push_back(s.objects[i].name);
+    const std::string near = did_you_mean(word, layers);
+    return c.fail(Code::name, fmt::format("there is no layer '{}'", word.substr(0, 40)), word,
+                  near.empty() ? fmt::format("layer {} add makes one", word.substr(0, 40)) : near);
+  }
+  if (s.objects[id.index].kind != Kind::layer)
+    return c.fail(Code::type, fmt::format("'{}' is no layer", word), word, fmt::format("layer NAME add makes one"));
+  if (layer) return c.fail(Code::syntax, "one layer is enough", word);
+  c.space();
+  if (c.at_line_end())
+    return c.fail_here(Code::syntax, "a command is missing here", "as in on sway set ball.position (0 1 0)");
+  const std::string_view verb = c.peek_word();
+  const Verb* known = find_verb(verb);
+  if (verb.find('.') == std::string_view::npos && !(known && known->flags & Verb::layered))
+    return c.fail(Code::syntax, fmt::format("'{}' works on no layer", verb.substr(0, 40)), verb,
+                  "on a layer go events, set, filters and track operations");
+  Command layered{s, c, time, id, script};
+  if (time && verb.find('.') != std::string_view::npos) {  // at T on LAYER TARGET VALUE
+    c.space();
+    const std::string_view w = c.word();
+    Selected to;
+    if (!targets(layered, w, to)) return false;
+    return to.spec ? event(layered, to, *time) : pass_over(k, w.data());
+  }
+  return carry_out(layered);
+}
+
+constexpr Verb layers_rows[] = {
+    {"layer", "layer NAME add|mix [weight=W]", "A layer of motion over the objects; its weight is a target of its own.",
+     "layer sway add weight=0.5", 0, layer},
+    {"on", "on LAYER COMMAND, or on LAYER TARGET to open a sheet", "Carries out a command on a layer.",
+     "layer sway add\non sway at 12f ball.position (0 1 0)", Verb::timed, on_layer},
+};
+
+}  // namespace
+
+std::span<const Verb> layers_verbs() { return layers_rows; }
+
+}  // namespace betwixt

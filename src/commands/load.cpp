@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "commands/reader.h"
+#include "exchange/geometry.h"
+#include "program/code.h"
+#include "scene/names.h"
+
+namespace betwixt {
+namespace {
+
+// Shapes that are asked to blend but can only step: said once for each track.
+void look_at_blends(const Scene& s, Diagnostics& out) {
+  Program program;
+  bool compiled = false;
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    const Slot* slot = o.removed ? nullptr : o.find(fn::geometry);
+    if (!slot || slot->track->events.size() < 2) continue;
+    const Event* last = nullptr;
+    bool said = false;
+    slot->track->events.each([&](const Event& e) {
+      const Event* from = last;
+      last = &e;
+      if (!from || said || e.keep || from->keep) return;
+      const Twerper t = slot->track->global != Twerper::unset ? slot->track->global : from->twerper;
+      if (t == Twerper::unset || t == Twerper::hold) return;
+      if (!compiled) program = Program::compile(Document(std::make_shared<const Scene>(s))), compiled = true;
+      const auto& code = program.compiled();
+      if (!std::holds_alternative<ObjectId>(from->value) || !std::holds_alternative<ObjectId>(e.value)) return;
+      const auto shape = [&](const Value& v, Time time) {
+        const ObjectId id = std::get<ObjectId>(v);
+        Asking asking;
+        return code.shape(find_object(s, id) ? id.index : static_cast<std::uint32_t>(i), time,
+                          code.at(time, asking).data(), asking);
+      };
+      std::string why;
+      if (can_blend(shape(from->value, from->time), shape(e.value, e.time), &why)) return;
+      said = true;
+      const Document d(std::make_shared<const Scene>(s));
+      out.push_back({Severity::warning,
+                     fail(Code::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead",
+                                                  o.name, format_time(from->time, d), format_time(e.time, d), why)),
+                     {},
+                     0});
+    });
+  }
+}
+
+template <class Read>
+Loaded load(const LoadOptions& options, Read&& read) {
+  Scene scene;
+  Diagnostics diagnostics;
+  Script script(scene, diagnostics, options);
+  read(scene, script);
+  if (!has_errors(diagnostics)) look_at_blends(scene, diagnostics);
+  return {Document(std::make_shared<const Scene>(std::move(scene))), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Loaded load_file(const std::string& path, const LoadOptions& options) {
+  return load(options, [&](Scene& s, Script& script) { read_file(s, script, path); });
+}
+
+Loaded load_text(std::string_view text, const std::string& name, const LoadOptions& options) {
+  return load(options, [&](Scene& s, Script& script) { read_text(s, script, text, name); });
+}
+
+Result<Time> parse_time(std::string_view text, const Document& d) {
+  Cursor c(text);
+  c.rate = d.rate();
+  c.ticks = d.scene().ticks;
+  Time t;
+  if (c.time(t) && c.at_line_end() && c.at == c.end) return t;
+  if (c.error) return *c.error;
+  return fail(Code::syntax, fmt::format("'{}' is not a time", text.substr(0, 60)),
+              "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5");
+}
+
+std::string format_time(Time t, const Document& d) { return format_time(t, d.rate()); }
+
+Result<std::vector<Target>> find_targets(std::string_view pattern, const Document& d) {
+  Scene scene = d.scene();
+  Diagnostics notices;
+  Script script(scene, notices, {});
+  Cursor c(pattern);
+  Command asking{scene, c, {}, {}, script};
+  const std::string_view word = c.word();
+  if (c.at != c.end || word.empty())
+    return fail(Code::syntax, fmt::format("'{}' is not a target", pattern.substr(0, 60)),
+                "a target is an object and a function, as in ball.position");
+  Selected found;
+  std::vector<Target> out;
+  if (const auto objects = select(scene, word);
+      !objects.empty()) {  // an object: all that has been said of it, and where it is
+    for (ObjectId id : objects) {
+      for (const Slot& slot : scene.objects[id.index].slots)
+        if (!slot.layer) out.push_back({id, slot.function, -1});
+      out.push_back({id, world_function, -1});
+    }
+    return out;
+  }
+  if (word.find('.') == std::string_view::npos) {  // meant as an object, but there is none
+    if (is_pattern(word) || scene.aliases->contains(std::string(word))) return out;
+    const auto names = d.names();
+    return fail(Code::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
+                did_you_mean(word, {names.begin(), names.end()}));
+  }
+  if (!targets(asking, word, found, true)) return c.error.value_or(fail(Code::name, "this names nothing"));
+  const Program program = found.component < 0 ? Program() : Program::compile(d);
+  for (const Target& t : found.targets)
+    if (t.component >= 0 && !t.velocity && !only_asked(t.function) &&
+        program.compiled().find(t.object.index, t.function).orientation &&
+        program.compiled().find(t.object.index, t.function).live < 0)
+      return fail(Code::type,
+                  fmt::format("'{}' holds orientations, which have no separate angles",
+                              d.name(Target{t.object, t.function, -1})),
+                  "ask for the whole of it");
+  return found.targets;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Motions in scripts: 1f..48f T(6.28 0) R(-1turn @ 0 1). On the track a motion is an event that reigns up to the next
+// one; where nothing moves, an empty motion stands.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "betwixt/program.h"
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+bool moves(const Event& e) {
+  const auto* m = std::get_if<Moves>(&e.value);
+  return !e.keep && m && !(*m)->factors.empty();
+}
+
+}  // namespace
+
+// What stands behind a row's segment.
+bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* start = c.at;
+  if (to.velocity) return c.fail_here(Code::type, "a motion has no velocity");
+  if (c.peek() == '=')
+    return c.fail_here(Code::type, "a motion cannot be computed", "procedures compute positions, rotations and scales");
+  if (until && *until == from) return c.fail_here(Code::range, "a motion takes time, and this segment has none");
+  Event e;
+  e.time = from;
+  Moves value;
+  if (!values(k).motion(value)) return false;
+  const std::string_view about = c.since(start);
+  const bool rest = value->factors.empty();
+  e.value = std::move(value);
+  if (!way(k, to, e) || !finish(c)) return false;
+  const Document now(std::make_shared<const Scene>(s));
+  for (const Target& t : to.targets) {
+    if (t.layer)
+      return c.fail(Code::type, "a motion is no layer's: it is added to what the tracks say anyway", to.text);
+    const Slot* slot = s.objects[t.object.index].find(t.function);
+    if (!slot) continue;
+    const Event *busy = nullptr, *before = nullptr;
+    std::optional<Time> end;
+    slot->track->events.each([&](const Event& other) {
+      if (other.time < from) before = moves(other) ? &other : nullptr;
+      if (other.time >= from && before && !end) end = other.time;
+      if (until && other.time > from && other.time < *until && moves(other) && !busy) busy = &other;
+    });
+    // Up to the next event: where it stood open, the new one ends it.
+    if (before && end && *end > from) busy = before;
+    if (busy)
+      return c.fail(Code::range,
+                    fmt::format("'{}' is under way from {} with {}", now.name(t), format_time(busy->time, now),
+                                to_string(*std::get<Moves>(busy->value)).substr(0, 80)),
+                    about, "motions of one object follow one another; those at the same time make one string");
+  }
+  if (!until && !rest)
+    script.note(Severity::notice, "this motion has no end yet: it goes on to the next row", about,
+                "a segment, as in 1f..24f");
+  // An ease-in is of the arrival: it belongs to the event at the end.
+  const Time ease_in = until ? e.detail->ease_in : Time{};
+  if (ease_in != Time{}) e.detail.edit().ease_in = {};
+  for (const Target& t : to.targets) {
+    Events& events = edit_tracks(s, t)[0]->events;
+    if (until) {
+      for (const Event& inside : events.between(from, *until))
+        if (inside.time > from && inside.time < *until) events.erase(inside.time, inside.time);
+      Event end{*until, Moves(), {}, Twerper::unset, false, false};
+      if (const Event* there = events.find(*until)) end = *there;
+      if (ease_in != end.detail->ease_in) end.detail.edit().ease_in = ease_in;
+      events.put(std::move(end));
+    }
+    Event begin = e;
+    if (const Event* there = events.find(from); until && there && there->detail->ease_in != Time{})
+      begin.detail.edit().ease_in = there->detail->ease_in;
+    events.put(std::move(begin));
+  }
+  return true;
+}
+
+// What operations on times have made of motions: where they last otherwise than before, or have no end.
+void say_lasting(const Command& k, const Scene& before, const Selected& on, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  if (!on.spec || on.type() != Type::motion) return;
+  const Document now(std::make_shared<const Scene>(s));
+  struct Row {
+    Time from, length;
+    std::string text;
+  };
+  const auto rows = [](const Scene& scene, const Target& t, bool& open) {
+    std::vector<Row> all;
+    const Slot* slot = scene.objects[t.object.index].find(t.function);
+    if (!slot) return all;
+    slot->track->events.each([&](const Event& e) {
+      if (open) all.back().length = e.time - all.back().from;
+      open = moves(e);
+      if (open) all.push_back({e.time, {}, to_string(*std::get<Moves>(e.value))});
+    });
+    return all;
+  };
+  for (const Target& t : on.targets) {
+    bool was_open = false, open = false;
+    const std::vector<Row> was = rows(before, t, was_open), is = rows(s, t, open);
+    const auto known = [&](const Row& r) {
+      return std::any_of(was.begin(), was.end(),
+                         [&](const Row& o) { return o.length == r.length && o.text == r.text; });
+    };
+    if (open && !was_open)
+      return script.note(Severity::notice,
+                         fmt::format("'{}' has no end any more: what begins at {} does nothing", now.name(t),
+                                     format_time(is.back().from, now)),
+                         about, "clear its beginning too, or give the track a row \"\" where it ends");
+    std::string otherwise;
+    for (std::size_t i = 0; i + (open ? 1 : 0) < is.size() && otherwise.size() < 200; ++i)
+      if (!was.empty() && !known(is[i]))
+        otherwise += fmt::format("{}{} goes from {} to {}", otherwise.empty() ? "" : ", ", is[i].text.substr(0, 80),
+                                 format_time(is[i].from, now), format_time(is[i].from + is[i].length, now));
+    if (!otherwise.empty())
+      return script.note(Severity::notice, fmt::format("of '{}' now {}", now.name(t), otherwise), about);
+  }
+}
+
+Track centred(Track track, const std::string& from, const std::string& to) {
+  if (from == to) return track;
+  track.events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
+    auto* m = std::get_if<Moves>(&e.value);
+    if (!m) return;
+    Motion own = **m;
+    for (Factor& f : own.factors)
+      if (f.about == from) f.about = to;
+    *m = Moves(std::move(own));
+  });
+  return track;
+}
+
+void keep_centres(const Command& k, const std::vector<ObjectId>& leaving, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  std::set<std::string_view> names;
+  for (const ObjectId id : leaving) names.insert(s.objects[id.index].name);
+  const auto stays = [&](const Motion& m) {
+    return std::none_of(m.factors.begin(), m.factors.end(), [&](const Factor& f) { return names.contains(f.about); });
+  };
+  std::optional<Program> program;
+  for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
+    if (s.objects[i].removed || std::find(leaving.begin(), leaving.end(), ObjectId{i}) != leaving.end()) continue;
+    const Slot* slot = s.objects[i].find(fn::motion);
+    if (!slot) continue;
+    bool all = true;
+    slot->track->events.each([&](const Event& e) { all = all && (!moves(e) || stays(*std::get<Moves>(e.value))); });
+    if (all) continue;
+    const Document now(std::make_shared<const Scene>(s));
+    if (!program) program = Program::compile(now);
+    const std::vector<Motion> placed = program->motions(ObjectId{i});
+    std::size_t k = 0;
+    edit_track(s, Target{ObjectId{i}, fn::motion})->events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
+      if (!moves(e)) return;
+      Motion own = *std::get<Moves>(e.value);
+      for (std::size_t f = 0; f < own.factors.size(); ++f)
+        if (names.contains(own.factors[f].about)) {
+          own.factors[f].about.clear();
+          if (k < placed.size()) own.factors[f].centre = placed[k].factors[f].centre;
+        }
+      ++k;
+      e.value = Moves(std::move(own));
+    });
+    script.note(Severity::notice,
+                fmt::format("'{}' turns about where that was", now.name(Target{ObjectId{i}, fn::motion})), about);
+  }
+}
+
+}  // namespace betwixt

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Names of the author's own: for many objects, and for functions that all objects have.
+#include "base/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+bool alias(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view name = c.word();
+  if (!is_name(name))
+    return c.fail(Code::syntax,
+                  name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", name.substr(0, 60)),
+                  name.empty() ? std::string_view(c.at, 0) : name);
+  if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing here");
+  std::vector<std::string> elements;
+  while (!c.at_line_end()) {
+    const std::string_view e = c.word();
+    if (e.empty() || (!is_pattern(e) && !is_name(e)))
+      return c.fail_here(Code::syntax, "names and patterns are wanted here");
+    if (const auto braces = expand_braces(e); !braces) return c.fail(braces.error().code, braces.error().message, e);
+    elements.emplace_back(e);
+  }
+  s.aliases.edit()[std::string(name)] = std::move(elements);
+  return true;
+}
+
+bool define(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view name = c.word();
+  if (!is_name(name) || name.find('/') != std::string_view::npos)
+    return c.fail(
+        Code::syntax,
+        name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a function's name", name.substr(0, 60)),
+        name.empty() ? std::string_view(c.at, 0) : name);
+  for (std::size_t k = 0; k < kind_names.size(); ++k)
+    if (find_function(s, static_cast<Kind>(k), name))
+      return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
+  if (name == "world" || name == "velocity")
+    return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
+  static constexpr std::pair<std::string_view, Type> types[] = {{"number", Type::scalar},
+                                                                {"angle", Type::angle},
+                                                                {"vector", Type::vector},
+                                                                {"color", Type::color},
+                                                                {"boolean", Type::boolean},
+                                                                {"rotation", Type::rotation},
+                                                                {"orientation", Type::orientation},
+                                                                {"text", Type::text},
+                                                                {"shape", Type::shape},
+                                                                {"scalar", Type::scalar}};
+  c.space();
+  const std::string_view type = c.word();
+  const auto at = std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == type; });
+  if (at == std::end(types)) {
+    std::vector<std::string_view> words;
+    for (const auto& t : types) words.push_back(t.first);
+    const std::string hint = did_you_mean(type, words);
+    return c.fail(Code::name,
+                  type.empty() ? "a type is missing here" : fmt::format("there is no type '{}'", type.substr(0, 40)),
+                  type.empty() ? std::string_view(c.at, 0) : type,
+                  hint.empty() ? "types are number angle vector color boolean rotation orientation text shape" : hint);
+  }
+  static const Value rests[] = {0.0, 0.0, Vec3{}, Color{}, false, Angles{}, Quat{}, Text(), ObjectId{}, 0.0};
+  FunctionSpec spec{std::string(name), at->second, rests[at - std::begin(types)], 0xffffffff, Unit::none, {}};
+  c.space();
+  if (c.peek() == '=') {
+    Selected of;
+    of.spec = &spec;
+    if (!computed(k, of, spec.rest)) return false;
+  } else if (!c.at_line_end() && !values(k).value(spec, -1, spec.rest)) {
+    return false;
+  }
+  if (spec.type == Type::shape && std::holds_alternative<ObjectId>(spec.rest) && !(spec.rest == Value(ObjectId{})))
+    return c.fail(Code::type, "what every object has cannot begin as one object's shape", type,
+                  "leave it out, and set it");
+  if (!finish(c)) return false;
+  if (s.defined->size() >= 10000) return c.fail(Code::range, "no more than 10000 functions can be defined", name);
+  s.defined.edit().push_back(std::move(spec));
+  return true;
+}
+
+constexpr Verb names_rows[] = {
+    {"alias", "alias NAME = ELEMENT …", "A name for many objects; patterns inside are read at each use.",
+     "alias toys = ball wheel*", 0, alias},
+    {"define", "define NAME TYPE [default]", "A function of your own that every object has.", "define heat number 20",
+     0, define},
+};
+
+}  // namespace
+
+std::span<const Verb> names_verbs() { return names_rows; }
+
+}  // namespace betwixt

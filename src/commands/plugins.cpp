@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/plugins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "base/names.h"
+#include "commands/verbs.h"
+#include "procedure/lua.h"
+#include "procedure/plugins.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t most_words = 100;       // of all plug-ins
+constexpr std::size_t most_procedures = 230;  // of a film: a twerper's place among them is one byte
+
+// For all scripts of this process.
+struct Word {
+  std::string name, help, path;
+};
+struct Brought {
+  std::mutex mutex;
+  std::vector<Word> words;
+  std::vector<NamedProcedure> procedures;
+  std::vector<FunctionSpec> functions;
+};
+Brought& brought() {
+  static Brought b;
+  return b;
+}
+
+constexpr std::pair<std::string_view, Type> types[] = {
+    {"number", Type::scalar}, {"scalar", Type::scalar},   {"angle", Type::angle},      {"vector", Type::vector},
+    {"color", Type::color},   {"boolean", Type::boolean}, {"rotation", Type::rotation}};
+
+Value value_of_numbers(Type type, const std::vector<double>& n) {
+  const auto at = [&](std::size_t i) { return i < n.size() ? n[i] : 0.0; };
+  const Vec3 v{at(0), at(1), at(2)};
+  switch (type) {
+    case Type::vector:
+      return v;
+    case Type::color:
+      return Color{v.x, v.y, v.z};
+    case Type::boolean:
+      return v.x != 0;
+    case Type::rotation:
+      return Angles{v};
+    default:
+      return v.x;
+  }
+}
+
+bool is_function(std::string_view name) {
+  for (std::size_t k = 0; k < kind_names.size(); ++k)
+    if (find_built_in(static_cast<Kind>(k), name)) return true;
+  return name == "world" || name == "velocity";
+}
+
+}  // namespace
+
+std::string_view taken_by(std::string_view name, Role role) {
+  if (find_verb(name)) return "a command";
+  if (std::find(twerper_names.begin(), twerper_names.end(), name) != twerper_names.end()) return "a twerper";
+  if (find_filter(name)) return "a filter";
+  if (role == Role::value && known_to_lua(name)) return "a word of Lua";
+  const auto shell = reserved_words();
+  if (role == Role::command && std::find(shell.begin(), shell.end(), name) != shell.end()) return "a word of the shell";
+  return {};
+}
+
+Status use_plugin(const std::string& path) {
+  auto plugin = load_plugin(path);
+  if (!plugin) return plugin.error();
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  const auto refuse = [&](Code code, std::string why) { return fail(code, fmt::format("{}: {}", path, why)); };
+  std::vector<Word> words;
+  const auto free = [&](const std::string& name, std::string_view taken) -> Status {
+    if (!is_name(name)) return refuse(Code::name, fmt::format("'{}' cannot be a name", name));
+    if (!taken.empty()) return refuse(Code::name, fmt::format("it registers '{}', which is {} already", name, taken));
+    for (const Word& w : words)
+      if (w.name == name) return refuse(Code::name, fmt::format("it registers '{}' twice", name));
+    for (const Word& w : all.words)
+      if (w.name == name && w.path != path)
+        return refuse(Code::name, fmt::format("it registers '{}', which {} has brought already", name, w.path));
+    return Nothing{};
+  };
+  std::vector<FunctionSpec> functions;
+  for (const PluginItem& item : plugin->items) {
+    if (const Status s = free(item.name, taken_by(item.name, item.role)); !s) return s;
+    words.push_back({item.name, item.help, path});
+  }
+  for (const PluginFunction& f : plugin->functions) {
+    if (const Status s = free(f.name, is_function(f.name) ? "a function" : ""); !s) return s;
+    const auto* type =
+        std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == f.type; });
+    if (type == std::end(types))
+      return refuse(Code::type, fmt::format("the function '{}' has no type that is known: '{}'", f.name, f.type));
+    words.push_back({f.name, {}, path});
+    functions.push_back({f.name, type->second, value_of_numbers(type->second, f.numbers), 0xffffffff, Unit::none, {}});
+  }
+  const auto others = static_cast<std::size_t>(
+      std::count_if(all.words.begin(), all.words.end(), [&](const Word& w) { return w.path != path; }));
+  if (others + words.size() > most_words)
+    return refuse(Code::range, fmt::format("plug-ins have no more than {} words", most_words));
+  // The same file once more: its words are new again.
+  std::erase_if(all.procedures, [&](const NamedProcedure& p) { return p.code->source == path; });
+  std::erase_if(all.functions, [&](const FunctionSpec& f) {
+    return std::any_of(all.words.begin(), all.words.end(),
+                       [&](const Word& w) { return w.path == path && w.name == f.name; });
+  });
+  std::erase_if(all.words, [&](const Word& w) { return w.path == path; });
+  for (const PluginItem& item : plugin->items) all.procedures.push_back({item.name, item.role, item.code});
+  all.functions.insert(all.functions.end(), functions.begin(), functions.end());
+  all.words.insert(all.words.end(), words.begin(), words.end());
+  return Nothing{};
+}
+
+void adopt_plugins(Scene& s) {
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  for (const NamedProcedure& p : all.procedures)
+    if (!find_procedure(s, p.name) && s.procedures->size() < most_procedures) s.procedures.edit().push_back(p);
+  for (const FunctionSpec& f : all.functions)
+    if (!find_function(s, Kind::group, f.name)) s.defined.edit().push_back(f);
+}
+
+std::string plugin_help(std::string_view word) {
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  for (const Word& w : all.words)
+    if (w.name == word) return w.help;
+  return {};
+}
+
+std::vector<std::string> plugins_for(std::string_view script) {
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  std::vector<std::string> paths;
+  for (const Word& w : all.words)
+    if (std::find(paths.begin(), paths.end(), w.path) == paths.end() && stands_in(script, w.name))
+      paths.push_back(w.path);
+  return paths;
+}
+
+}  // namespace betwixt

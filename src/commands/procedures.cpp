@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Procedures and commands of the author's own.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "betwixt/program.h"
+#include "commands/command.h"
+#include "commands/plugins.h"
+#include "commands/reader.h"
+#include "procedure/lua.h"
+
+namespace betwixt {
+namespace {
+
+constexpr int deepest_command = 20;  // commands of the author's that run each other
+
+bool procedure(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view name = c.word();
+  if (!is_name(name) || name.find('/') != std::string_view::npos || name.find('.') != std::string_view::npos)
+    return c.fail(
+        Code::syntax,
+        name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a procedure's name", name.substr(0, 60)),
+        name.empty() ? std::string_view(c.at, 0) : name);
+  Role role = Role::value;
+  for (const Role r : {Role::value, Role::twerper, Role::filter, Role::command})
+    if (c.accept_word(role_names[static_cast<std::size_t>(r)])) role = r;
+  if (!c.accept_word("lua"))
+    return c.fail_here(Code::syntax, "'lua' is missing here", "as in procedure snap twerper lua \"u*u\"");
+  c.space();
+  const char* start = c.at;
+  std::string source;
+  if (!c.text(source)) return false;
+  const std::string_view about = c.since(start);
+  if (!finish(c)) return false;
+  if (const std::string_view what = taken_by(name, role); !what.empty())
+    return c.fail(Code::name, fmt::format("'{}' is {} already", name, what), name);
+  auto code = make_lua(role, std::move(source));
+  if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
+  NamedProcedure made{std::string(name), role, *std::move(code)};
+  const auto& all = *s.procedures;
+  const auto at = std::find_if(all.begin(), all.end(), [&](const NamedProcedure& p) { return p.name == name; });
+  if (at == all.end()) {
+    if (all.size() >= 200) return c.fail(Code::range, "no more than 200 procedures can have names", name);
+    s.procedures.edit().push_back(std::move(made));
+    return true;
+  }
+  if (at->role != role)
+    return c.fail(Code::name, fmt::format("'{}' is a {} already", name, role_names[static_cast<std::size_t>(at->role)]),
+                  name);
+  s.procedures.edit()[static_cast<std::size_t>(at - all.begin())] = std::move(made);
+  // Filters hold their code; they go on with the new one.
+  if (role == Role::filter)
+    for (std::size_t i = 0; i < s.objects.size(); ++i)
+      for (std::size_t k = 0; k < s.objects[i].slots.size(); ++k)
+        for (std::size_t f = 0; f < s.objects[i].slots[k].filters.size(); ++f)
+          if (s.objects[i].slots[k].filters[f].name == name)
+            s.objects.edit(i).slots[k].filters[f].code = find_procedure(s, name)->code;
+  return true;
+}
+
+// What the author's code can do to the film: its lines are carried out as if they stood in place of the command.
+struct Hosting : Host {
+  Command& k;
+  explicit Hosting(Command& command) : k(command) {}
+  Status run(std::string_view line) override {
+    Diagnostics said;
+    Script inner(k.scene, said, k.script.options);
+    inner.depth = k.script.depth + 1;
+    inner.root = k.script.root;
+    inner.copied = k.script.copied;
+    read_text(k.scene, inner, line, k.script.source.name);
+    k.script.copied = inner.copied;
+    for (const Diagnostic& d : said)
+      if (d.severity == Severity::error)
+        return fail(d.what.code, fmt::format("{} (in \"{}\")", d.what.message, line.substr(0, 80)), d.what.hint);
+    return Nothing{};
+  }
+  Result<Value> value(std::string_view target, double seconds) override {
+    if (!(std::abs(seconds) <= longest_seconds)) return fail(Code::range, "there is no such time");
+    const auto t = find_target(k.scene, target);
+    if (!t) return t.error();
+    return Program::compile(Document(std::make_shared<const Scene>(k.scene))).read(*t, from_seconds(seconds));
+  }
+  std::vector<std::string> objects(std::string_view pattern) override {
+    std::vector<std::string> names;
+    for (ObjectId id : select(k.scene, pattern)) names.push_back(k.scene.objects[id.index].name);
+    return names;
+  }
+};
+
+// The words behind it: texts without their quotes, vectors as they are written.
+bool arguments(Cursor& c, std::vector<std::string>& words) {
+  while (!c.at_line_end()) {
+    if (c.peek() == '"') {
+      std::string text;
+      if (!c.text(text)) return false;
+      words.push_back(std::move(text));
+      continue;
+    }
+    const char* at = c.at;
+    if (c.peek() == '(') {
+      int depth = 0;
+      while (c.at < c.end && *c.at != '\n') {
+        if (*c.at == '(') ++depth;
+        if (*c.at == ')' && --depth == 0) break;
+        ++c.at;
+      }
+      if (c.at < c.end && *c.at == ')') ++c.at;
+      words.emplace_back(c.since(at));
+      continue;
+    }
+    if (c.word().empty()) ++c.at;
+    words.emplace_back(c.since(at));
+  }
+  return true;
+}
+
+constexpr Verb procedures_rows[] = {
+    {"procedure", "procedure NAME [twerper|filter|command] lua \"…\"",
+     "A function of your own in Lua: a value, a twerper, a filter or a command.",
+     "procedure swing lua \"return math.sin(t)\"", 0, procedure},
+};
+
+}  // namespace
+
+// A command of the author's: it runs commands of the language, all of them or none.
+bool own_command(Command& k, const NamedProcedure& p) {
+  auto& [s, c, time, layer, script] = k;
+  const char* start = c.at;
+  std::vector<std::string> words;
+  if (!arguments(c, words)) return false;
+  if (script.depth >= deepest_command)
+    return c.fail(Code::range, fmt::format("commands run each other more than {} deep", deepest_command),
+                  {start - p.name.size(), p.name.size()});
+  Rollback all(s);
+  const NamedProcedure own = p;  // its lines may make another of this name
+  Hosting host(k);
+  const Status done = own.code->command(host, words);
+  if (done) return all.keep(), true;
+  return c.fail(done.error().code, fmt::format("{}: {}", own.name, done.error().message),
+                {start - own.name.size(), own.name.size()}, done.error().hint);
+}
+
+std::span<const Verb> procedures_verbs() { return procedures_rows; }
+
+}  // namespace betwixt

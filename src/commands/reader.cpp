@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/names.h"
+#include "commands/list_rows.h"
+#include "commands/verbs.h"
+#include "language/line_words.h"
+
+namespace betwixt {
+namespace {
+
+bool open_sheet(Command& k, std::string_view word) {
+  auto& [s, c, time, layer, script] = k;
+  Selected on;
+  if (!targets(k, word, on)) return false;
+  if (!c.at_line_end())
+    return c.fail_here(Code::syntax, "nothing follows the target that opens a sheet",
+                       fmt::format("its rows go below, indented; a single event is written: at TIME {} VALUE", word));
+  Sheet& sheet = script.sheet;
+  sheet = {};
+  sheet.open = true;
+  sheet.on = std::move(on);
+  if (!sheet.on.spec) return true;  // a pattern that names nothing: rows are read by nobody
+  for (const Target& t : sheet.on.targets)
+    if (Track* track = edit_track(s, t)) sheet.tracks.push_back(track);
+  if (sheet.tracks.size() != sheet.on.targets.size()) sheet.tracks.clear();
+  sheet.fresh = !sheet.tracks.empty() && sheet.tracks[0]->events.empty();
+  return true;
+}
+
+// Why there is no such command, and what may have been meant.
+bool no_command(Command& k, std::string_view w, const char* start) {
+  auto& [s, c, time, layer, script] = k;
+  const auto fail = [&](Code code, std::string message, std::string hint = {}) {
+    return c.fail(code, std::move(message), w, std::move(hint));
+  };
+  const std::string said(w.substr(0, 40));
+  if (starts_like_time(w[0]))
+    return c.fail(Code::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
+                  "rows are indented under a line that is only a target, as in ball.position");
+  if (const auto why = not_of_a_script(w); !why.empty())
+    return fail(Code::name, fmt::format("'{}' {}", w, why),
+                w == "load" ? "who shows the film loads it: betwixt play --load PLUGIN FILE" : "");
+  if (c.at_line_end() && !time) script.sheet.open = script.sheet.broken = true;  // meant as a target, it seems
+  if (s.names.find(w))
+    return fail(Code::name, fmt::format("'{}' is an object, not a command", said),
+                fmt::format("a sheet opens with a target, as in {}.position", said));
+  for (const ListRow& row : list_rows())
+    if (row.word == w && !time)
+      return fail(Code::name, fmt::format("'{}' is a row of a display list, not a command", w),
+                  "rows are indented, below make NAME or edit NAME");
+  if (w.starts_with("//") || w.starts_with(";")) return fail(Code::syntax, "a comment starts with '#' and a space");
+  const std::string message = fmt::format("there is no command '{}'", said);
+  if (w == "mirror")
+    return fail(Code::name, message, "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)");
+  c.space();
+  if (c.peek() == '=')
+    return fail(Code::name, message, fmt::format("names for many objects are made by: alias {} = …", said));
+  std::vector<std::string_view> words = verb_words();
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::command) words.push_back(p.name);
+  return fail(Code::name, message, did_you_mean(w, words));
+}
+
+bool row(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  Sheet& sheet = script.sheet;
+  if (!sheet.list.empty()) return list_row(k);
+  if (!sheet.on.spec) return pass_over(k, c.at);
+  Time from;
+  if (!starts_like_time(c.peek()))
+    return c.fail_here(Code::syntax,
+                       fmt::format("a row begins with a time, not with '{}'",
+                                   c.peek_word().empty() ? std::string_view(c.at, 1) : c.peek_word()),
+                       "a command that follows a sheet is not indented");
+  const char* const start = c.at;
+  std::optional<Time> until;
+  if (!time_or_segment(c, from, until)) return false;
+  if (until && sheet.on.type() != Type::motion) return one_time_only(c, c.since(start));
+  return (until ? moving(k, sheet.on, from, until) : event(k, sheet.on, from)) && finish(c);
+}
+
+// One logical line: whether it could be carried out.
+bool line(Command& k, const char* line_start) {
+  auto& [s, c, time, layer, script] = k;
+  if (c.at_line_end()) return true;
+  Sheet& sheet = script.sheet;
+  if (c.at > line_start && sheet.open) {
+    if (!sheet.broken) return row(k);
+    return pass_over(k, line_start);
+  }
+  close_list(s, script);
+  sheet.open = false;
+  const bool done = carry_out(k);
+  if (sheet.open) sheet.opener = {line_start, c.at};
+  return done;
+}
+
+// What went wrong in the line that began there; reading goes on behind it.
+void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
+  Error e = c.error.value_or(fail(Code::syntax, "this cannot be carried out"));
+  const LogicalLine one = logical_line({line_start, c.end});
+  const char* next = one.next(c.end);
+  // Where a bracket is never closed, what the lines below seem to lack is not the trouble.
+  if (one.depth > 0 && c.depth > 0 && c.where.data() >= next) {
+    e = fail(Code::syntax, "this bracket is never closed");
+    c.where = {c.brackets[std::min(static_cast<std::size_t>(c.depth), c.brackets.size()) - 1], 1};
+  }
+  const bool ignored = e.code == Code::type && s.policy == Policy::ignore;
+  if (ignored) e.message = "ignored: " + e.message;
+  script.report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
+  c.at = next;
+}
+
+void run(Scene& s, Script& script) {
+  const std::string_view text = script.source.text;
+  Cursor c(text);
+  if (text.starts_with("#!")) c.at = line_end(c.at, c.end);  // a script that the system can start
+  while (c.at < c.end && !script.given_up) {
+    const char* line_start = c.at;
+    const char* p = c.at;
+    while (p < c.end && blank(*p)) ++p;
+    if (p < c.end && *p == '\n') {
+      c.at = p + 1;
+      continue;
+    }
+    c.rate = s.rate, c.ticks = s.ticks;
+    c.frames_read = script.frames_read, c.ticks_read = script.ticks_read;
+    c.depth = 0;
+    Command k{s, c, {}, {}, script};
+    const bool done = line(k, line_start);
+    script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
+    if (!done) {
+      complain(s, c, script, line_start);
+      c.error.reset(), c.where = {};
+    } else if (c.at < c.end && *c.at == '\n') {
+      ++c.at;
+    }
+  }
+}
+
+}  // namespace
+
+bool finish(Cursor& c) {
+  if (c.at_line_end()) return true;
+  const std::string_view w = c.peek_word();
+  return c.fail_here(Code::syntax, w.empty() ? "nothing more is expected here"
+                                             : fmt::format("'{}' is not expected here", w.substr(0, 40)));
+}
+
+bool pass_over(Command& k, const char* from) {
+  k.cursor.at = logical_line({from, k.cursor.end}).end;
+  return true;
+}
+
+std::string_view not_of_a_script(std::string_view word) {
+  if (word == "load") return "is no word of a script: plug-ins are programs, which a script must not start";
+  const auto shell = reserved_words();
+  if (std::find(shell.begin(), shell.end(), word) == shell.end()) return {};
+  return "is a word of the shell; a script does not need it";
+}
+
+bool carry_out(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* start = c.at;
+  const std::string_view w = c.word();
+  if (w.empty()) return c.fail_here(Code::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
+  if (const Verb* v = find_verb(w)) {
+    if (v->run(k) && finish(c)) return true;
+    if (v->flags & Verb::opens_sheet) script.sheet.breaks();
+    if (c.error && c.error->hint.empty() && c.error->code == Code::syntax)
+      c.error->hint = fmt::format("usage: {}", v->usage);
+    return false;
+  }
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::command && p.name == w) return own_command(k, p);
+  if (w[0] == '#') return c.fail(Code::syntax, "a comment starts with '#' and a space", w);
+  if (first_dot(w) == std::string_view::npos || starts_like_time(w[0])) return no_command(k, w, start);
+  if (time) return c.fail(Code::syntax, "a verb is missing here", w);
+  if (open_sheet(k, w)) return true;
+  script.sheet.breaks();
+  return false;
+}
+
+void read_text(Scene& s, Script& script, std::string_view text, const std::string& name) {
+  const bool outermost = !script.source.text.data();
+  Source outer = std::exchange(script.source, {});
+  Sheet outer_sheet = std::exchange(script.sheet, {});
+  const std::filesystem::path outer_folder = std::exchange(script.folder, std::filesystem::path(name).parent_path());
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+  script.source = {text, name};
+  std::error_code ignored;
+  if (script.root.empty())
+    script.root = std::filesystem::weakly_canonical(script.folder.empty() ? "." : script.folder, ignored);
+  if (const auto bad = unsound(text)) {
+    script.report(Severity::error, bad->why, {text.data() + bad->at, 0});
+    script.diagnostics.back().line.clear();
+  } else {
+    run(s, script);
+  }
+  script.left_open = script.sheet.open && !script.sheet.broken;
+  script.left_sheet = script.left_open ? opener(s, script.sheet) : "";
+  close_list(s, script);
+  if (outermost) {
+    say_masked_events(s, script), say_idle_releases(s, script);
+    say_unfinished_lists(script);
+  }
+  script.source = std::move(outer);
+  script.sheet = std::move(outer_sheet);
+  script.folder = outer_folder;
+}
+
+}  // namespace betwixt

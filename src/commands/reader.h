@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Carries out a text on a scene, line by line: commands, and the rows of sheets. A command that cannot be carried out
+// changes nothing and says why.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "commands/script.h"
+
+namespace betwixt {
+
+// As if it stood where the author's script does; within the script, as if it stood in its place.
+void read_file(Scene&, Script&, const std::string& path);
+void read_text(Scene&, Script&, std::string_view text, const std::string& name);
+
+}  // namespace betwixt

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The script around a command: the text that is read, the sheet that is open, what has been read so far, and what there
+// is to say.
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/language.h"
+#include "language/lines.h"
+#include "scene/document.h"
+
+namespace betwixt {
+
+// A pattern that was read: which targets it names, and what their values are.
+struct Selected {
+  std::vector<Target> targets;
+  const FunctionSpec* spec = nullptr;  // of the first; all have its type
+  int component = -1;
+  std::string_view text;
+  bool velocity = false;
+  Type type() const { return component < 0 ? spec->type : component_type(spec->type); }
+};
+
+// What rows go to: the tracks of targets, or the versions of a display list.
+struct Sheet {
+  static constexpr std::size_t at_end = std::numeric_limits<std::size_t>::max();
+
+  bool open = false, broken = false;
+  Selected on;
+  std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
+  bool warned = false;
+  bool fresh = false;  // the track had no events when the sheet was opened
+  std::string opener;  // the line
+  // Of a display list:
+  std::string list;
+  struct Version {  // that rows go to
+    Time from;
+    std::size_t next = at_end;                   // where the next row goes; at_end: behind all others
+    bool passed_over = false;                    // it does not have what is replaced
+    std::optional<std::vector<Drawing>> nested;  // what is open at its end, where that is known
+  };
+  std::vector<Version> versions;
+  std::optional<Time> from;             // of an edit at a time
+  std::string tag;                      // behind which rows replace others
+  std::string_view place;               // of its name
+  std::vector<std::string_view> spots;  // of the commands that were read here, in the first version
+  Cow<DisplayLists> before;
+  Cow<LaterLists> later_before;
+  bool changed = false;
+
+  void breaks() { *this = {}, open = broken = true; }  // its rows are passed over, not complained about one by one
+};
+
+struct Script {
+  // What plug-ins brought becomes the scene's too.
+  Script(Scene&, Diagnostics&, const LoadOptions&);
+
+  // What later lines must know of earlier ones: for who gives every line to a script of its own.
+  struct Carried {
+    bool frames_read = false, ticks_read = false;
+    bool sheet_open = false;  // when the text ended
+    int included = 0;
+    std::size_t copied = 0;
+    std::string sheet;  // the lines that must stand above the next row, where a sheet is open
+  };
+  Carried carried() const { return {frames_read, ticks_read, left_open, included, copied, left_sheet}; }
+  // `script`: the file that the lines will be written to, and that they cannot `use`; may be empty.
+  void carry(const Carried& from, const std::string& script);
+
+  Diagnostics& diagnostics;
+  LoadOptions options;
+  std::filesystem::path root;                     // real path of the first script's folder
+  std::vector<std::filesystem::path> open_files;  // that use each other
+  int included = 0;                               // files
+  std::size_t copied = 0;                         // events made by copying
+  int depth = 0;                                  // of the author's commands that run others
+  bool live = false;                              // lines come one by one
+  bool frames_read = false, ticks_read = false;   // times have been given in these
+  Source source;                                  // the text being read now
+  std::filesystem::path folder;                   // its
+  Sheet sheet;                                    // its
+
+  // Said when all is read, where it is still so then:
+  std::map<std::pair<std::uint32_t, FunctionId>, Diagnostic> velocities;  // where each was first spoken of
+  struct Release {
+    Target target;
+    Time time;
+    Diagnostic idle;  // what to say where no velocity reigns
+  };
+  std::vector<Release> releases;
+  std::map<std::pair<std::string, Time>, Diagnostic> unfinished;  // display lists, and what is wrong with them
+
+  bool left_open = false;  // a sheet, when the text ended
+  std::string left_sheet;  // the lines that must stand above its next row
+
+  int errors = 0;
+  bool given_up = false;  // there are so many that the rest is not said
+
+  void report(Severity, Error, std::string_view about);
+  void note(Severity severity, std::string message, std::string_view about, std::string hint = {});
+
+  // The same to be said later, if it is still so then; none where nothing more is said.
+  std::optional<Diagnostic> withheld(Severity severity, std::string message, std::string_view about);
+
+  bool may_read(const std::filesystem::path&) const;
+  // The path as people know it: relative to the first script's folder.
+  std::string shown(const std::filesystem::path&) const;
+};
+
+// The rows of a display list are over: what shows it must show it as it is now.
+void close_list(Scene&, Script&);
+// The lines that the next row would have to stand below.
+std::string opener(const Scene&, const Sheet&);
+// What is to be said when all is read: what velocities mask, releases that end nothing, lists that are not whole.
+void say_masked_events(const Scene&, Script&);
+void say_idle_releases(const Scene&, Script&);
+void say_unfinished_lists(Script&);
+
+}  // namespace betwixt

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that work on segments of tracks.
+#include "commands/segments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "track/curve.h"
+#include "track/operations.h"
+
+namespace betwixt {
+namespace {
+
+// Does f(track, component, velocity) for all tracks of all targets, or for none. `along`: what goes on beside a track,
+// its velocity, goes along (R-T10).
+using Work = std::function<Result<Changed>(Track&, int component, bool velocity)>;
+
+Status each_track(Scene& s, const Target& t, bool along, const Work& work, Changed& sum) {
+  if (!s.objects[t.object.index].find(t.function, t.layer)) return Nothing{};
+  Target velocity = t;
+  velocity.velocity = true;
+  std::vector<Target> both{t};
+  const auto beside = t.velocity || !along ? std::vector<const Track*>() : tracks_of(s, velocity);
+  if (std::any_of(beside.begin(), beside.end(), [](const Track* track) { return !track->events.empty(); }))
+    both.push_back(velocity);
+  for (const Target& one : both) {
+    const auto tracks = edit_tracks(s, one);
+    const bool parts = t.component < 0 && tracks.size() > 1;
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      const Result<Changed> done = work(*tracks[i], parts ? static_cast<int>(i) : -1, one.velocity);
+      if (!done) return done.error();
+      sum.events += done->events, sum.replaced += done->replaced;
+    }
+  }
+  return Nothing{};
+}
+
+bool operate(Command& k, const Stretch& on, const Work& work, bool along = true) {
+  if (!finish(k.cursor)) return false;
+  Rollback all(k.scene);
+  Changed sum{0, 0};
+  for (const Target& t : on.of.targets)
+    if (const Status done = each_track(k.scene, t, along, work, sum); !done)
+      return k.cursor.fail(done.error().code, done.error().message, on.word, done.error().hint);
+  all.keep();
+  if (sum.events == 0)
+    k.script.note(Severity::notice, fmt::format("there are no events of '{}' there", on.of.text), on.word);
+  if (sum.replaced > 0)
+    k.script.note(Severity::notice, fmt::format("{} gave way", plural(sum.replaced, "event")), on.word);
+  return true;
+}
+
+// A number for all components, or one for each. Factors have no unit.
+bool factors(Command& k, const Stretch& on, Value& out) {
+  Cursor& c = k.cursor;
+  c.space();
+  if (c.peek() != '(') {
+    double d = 0;
+    if (!values(k).scalar(d)) return false;
+    out = d;
+    return true;
+  }
+  if (on.type() == Type::scalar || on.type() == Type::angle)
+    return c.fail_here(Code::type, fmt::format("one number is wanted here: this is {}", to_string(on.type())));
+  Vec3 v;
+  if (!values(k).vector(on.type() == Type::pair ? 2 : 3, v)) return false;
+  out = v;
+  return true;
+}
+
+bool move(Command& k) {
+  Cursor& c = k.cursor;
+  Stretch on;
+  Time by;
+  if (!on_segment(k, on)) return false;
+  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
+  if (!c.length(by)) return false;
+  const Scene before = k.scene;
+  if (!operate(k, on, [&](Track& t, int, bool) { return move_segment(t, on.segment, by); })) return false;
+  say_lasting(k, before, on.of, on.word);
+  return true;
+}
+
+bool stretch(Command& k) {
+  Cursor& c = k.cursor;
+  Stretch on;
+  double factor = 1;
+  if (!on_segment(k, on)) return false;
+  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a factor are missing here");
+  c.space();
+  const char* at = c.at;
+  if (!c.number(factor)) return false;
+  if (!(factor > 0))
+    return c.fail(Code::range,
+                  on.of.spec && on.type() == Type::motion
+                      ? "time is stretched by more than 0"
+                      : "time is stretched by more than 0; 'reverse' turns it round",
+                  c.since(at));
+  return operate(k, on, [&](Track& t, int, bool velocity) -> Result<Changed> {
+    // What takes longer goes slower.
+    if (velocity)
+      if (auto slower = scale_segment(t, on.segment, 1 / factor); !slower) return slower;
+    return stretch_segment(t, on.segment, factor);
+  });
+}
+
+bool reverse(Command& k) {
+  Stretch on;
+  if (!on_segment(k, on)) return false;
+  return operate(k, on, [&](Track& t, int, bool velocity) -> Result<Changed> {
+    if (velocity)
+      return fail(Code::type, "a track with velocities cannot be reversed",
+                  "clear them first, or reverse the velocity alone");
+    if (on.type() == Type::motion)
+      return fail(Code::type, "a motion cannot be reversed", "write what undoes it: betwixt algebra --inverse tells");
+    return reverse_segment(t, on.segment);
+  });
+}
+
+bool scale(Command& k) {
+  Stretch on;
+  Value by;
+  if (!on_segment(k, on) || !factors(k, on, by)) return false;
+  return operate(k, on,
+                 [&](Track& t, int component, bool) { return scale_segment(t, on.segment, part_of(by, component)); });
+}
+
+bool translate(Command& k) {
+  Stretch on;
+  Value by;
+  if (!on_segment(k, on) || !values(k).value(unbounded(on.spec()), on.of.component, by)) return false;
+  return operate(
+      k, on, [&](Track& t, int component, bool) { return translate_segment(t, on.segment, part_of(by, component)); },
+      on.of.velocity);
+}
+
+bool rotate(Command& k) {
+  Cursor& c = k.cursor;
+  Stretch on;
+  double angle = 0;
+  Vec3 axis, centre;
+  if (!on_segment(k, on) || !c.angle(angle) || !values(k).axis(axis)) return false;
+  if (c.accept('@') && !values(k).vector(3, centre, Unit::metres)) return false;
+  const Type type = on.of.spec ? on.type() : Type::vector;
+  if (type != Type::vector && type != Type::orientation && type != Type::rotation && type != Type::aim)
+    return c.fail(Code::type, fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)),
+                  on.word);
+  return operate(k, on, [&](Track& t, int component, bool velocity) -> Result<Changed> {
+    if (component >= 0)
+      return fail(Code::type, "the components of this track have tracks of their own: it cannot be rotated as a whole");
+    auto done = rotate_segment(t, on.segment, axis_angle(axis, angle), velocity ? Vec3{} : centre);
+    if (!done && type == Type::rotation)
+      return fail(Code::type, "angles cannot be rotated, orientations can", "write the track with axis(…) or quat(…)");
+    return done;
+  });
+}
+
+bool clear(Command& k) {
+  Cursor& c = k.cursor;
+  Stretch on;
+  c.space();
+  on.word = c.word();
+  if (!targets(k, on.word, on.of) || !c.time(on.segment.from)) return false;
+  on.segment.to = on.segment.from;
+  if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
+    const char* at = c.at;
+    c.at += 2;
+    if (!c.time(on.segment.to)) return false;
+    if (on.segment.to < on.segment.from) return c.fail(Code::range, "this segment ends before it begins", {at, 2});
+  }
+  const auto erase = [&](Track& t, int, bool) -> Result<Changed> {
+    return Changed{t.events.erase(on.segment.from, on.segment.to), 0};
+  };
+  const Scene before = k.scene;
+  if (!operate(k, on, erase, false)) return false;
+  say_lasting(k, before, on.of, on.word);
+  return true;
+}
+
+constexpr Verb segments_rows[] = {
+    {"move", "move TARGET A..B by LENGTH", "Moves the events of a segment in time.",
+     "move ball.position 1f..24f by 12f", Verb::layered, move},
+    {"stretch", "stretch TARGET A..B by FACTOR", "Makes a segment longer or shorter.",
+     "stretch ball.position 1f..24f by 2", Verb::layered, stretch},
+    {"reverse", "reverse TARGET A..B", "Runs a segment backwards.", "reverse ball.position 1f..24f", Verb::layered,
+     reverse},
+    {"scale", "scale TARGET A..B (X Y Z)", "Multiplies the values of a segment.",
+     "scale ball.position 1f..24f (1 -1 1)", Verb::layered, scale},
+    {"translate", "translate TARGET A..B (X Y Z)", "Adds to the values of a segment.",
+     "translate ball.position 1f..24f (0 1 0)", Verb::layered, translate},
+    {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", "Turns the values of a segment about an axis.",
+     "rotate ball.position 1f..24f 90deg y", Verb::layered, rotate},
+    {"clear", "clear TARGET A..B or clear TARGET TIME", "Takes out the events of a segment, or of one time.",
+     "clear ball.position 6f..18f", Verb::layered, clear},
+};
+
+}  // namespace
+
+const FunctionSpec& Stretch::spec() const { return of.spec ? *of.spec : built_in_functions()[fn::position]; }
+
+bool on_segment(Command& k, Stretch& on) {
+  Cursor& c = k.cursor;
+  c.space();
+  on.word = c.word();
+  return targets(k, on.word, on.of) && c.segment(on.segment.from, on.segment.to);
+}
+
+Value part_of(const Value& v, int component) {
+  return component < 0 || std::holds_alternative<double>(v) ? v : Value(component_of(v, component));
+}
+
+std::string plural(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::span<const Verb> segments_verbs() { return segments_rows; }
+
+}  // namespace betwixt

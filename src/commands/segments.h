@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What commands on segments of tracks share.
+#pragma once
+
+#include "commands/command.h"
+
+namespace betwixt {
+
+// TARGET A..B: a part of the tracks that a pattern names.
+struct Stretch {
+  std::string_view word;
+  Selected of;
+  Segment segment;
+  // Where the pattern names nothing the rest is still read, as if it were of positions.
+  const FunctionSpec& spec() const;
+  Type type() const { return of.component < 0 ? spec().type : component_type(spec().type); }
+};
+bool on_segment(Command&, Stretch&);
+
+// What belongs to a component, of a value for all of them.
+Value part_of(const Value&, int component);
+
+std::string plural(std::size_t n, const char* what);
+
+}  // namespace betwixt

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands about the whole document.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+bool read_rate(Command& k, Rate& rate, bool used, const char* what) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* start = c.at;
+  Rate fresh;
+  if (!c.per_second(fresh, what)) return false;
+  const std::string_view about = c.since(start);
+  const bool smooth = &rate == &s.ticks && c.accept_word("smooth");
+  if (!finish(c)) return false;
+  if (&rate == &s.ticks) s.smooth_ticks = smooth;
+  if (used && !(fresh == rate))
+    script.note(Severity::warning,
+                fmt::format("times in {} above this line were read at {} per second and stay where they are", what,
+                            rate.den == 1 ? std::to_string(rate.num) : fmt::format("{}/{}", rate.num, rate.den)),
+                about, "say the rate first");
+  rate = fresh;
+  return true;
+}
+
+bool rate(Command& k) { return read_rate(k, k.scene.rate, k.cursor.frames_read, "frames"); }
+bool ticks(Command& k) { return read_rate(k, k.scene.ticks, k.cursor.ticks_read, "ticks"); }
+
+bool range(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  Time from, to;
+  c.space();
+  const char* start = c.at;
+  if (!c.time(from)) return false;
+  if (c.peek() == '.' && c.end - c.at > 1 && c.at[1] == '.') c.at += 2;  // range 1f..72f is a segment too
+  if (!c.time(to)) return false;
+  if (to < from) return c.fail(Code::range, "the range ends before it begins", c.since(start));
+  if (!finish(c)) return false;
+  s.range = {from, to};
+  return true;
+}
+
+bool background(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  if (c.accept_word("none")) {
+    if (!finish(c)) return false;
+    s.background.reset();
+    return true;
+  }
+  Color color;
+  if (!values(k).color(color) || !finish(c)) return false;
+  s.background = color;
+  return true;
+}
+
+bool policy(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view w = c.word();
+  const auto at = std::find(policy_names.begin(), policy_names.end(), w);
+  if (at == policy_names.end())
+    return c.fail(Code::syntax, "the policy is translate, ignore or ask", w.empty() ? std::string_view(c.at, 0) : w,
+                  did_you_mean(w, {policy_names.begin(), policy_names.end()}));
+  if (!finish(c)) return false;
+  s.policy = static_cast<Policy>(at - policy_names.begin());
+  return true;
+}
+
+constexpr Verb settings_rows[] = {
+    {"rate", "rate N, as in rate 24 or rate 30000/1001", "Frames per second; the first thing to say.", "rate 25", 0,
+     rate},
+    {"range", "range FROM TO, as in range 1f 48f", "The part of time that is the film.", "range 1f 48f", 0, range},
+    {"ticks", "ticks N [smooth], environment ticks per second",
+     "Environment ticks per second, for times such as 90t; smooth: motion between them too.", "ticks 60 smooth", 0,
+     ticks},
+    {"background", "background COLOR", "The color behind everything; none makes it clear again.", "background navy", 0,
+     background},
+    {"policy", "policy translate|ignore|ask", "What an operation gets that means nothing for a target.",
+     "policy ignore", 0, policy},
+};
+
+}  // namespace
+
+std::span<const Verb> settings_verbs() { return settings_rows; }
+
+}  // namespace betwixt

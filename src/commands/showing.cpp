@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is seen when, and through which camera; notes.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+bool note_command(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  if (!time) return c.fail_here(Code::syntax, "a note needs a time", "as in at 24f note \"…\"");
+  std::string text;
+  if (!c.text(text) || !finish(c)) return false;
+  auto& notes = s.notes.edit();
+  const auto at =
+      std::upper_bound(notes.begin(), notes.end(), *time, [](Time t, const auto& n) { return t < n.first; });
+  notes.insert(at, {*time, std::move(text)});
+  return true;
+}
+
+bool notes(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view w = c.word();
+  if (w != "on" && w != "off") return c.fail(Code::syntax, "notes are on or off", w);
+  if (!finish(c)) return false;
+  s.notes_shown = w == "on";
+  return true;
+}
+
+bool look(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  if (!c.accept_word("through")) return c.fail_here(Code::syntax, "'through' is missing here");
+  ObjectId id;
+  c.space();
+  const std::string_view w = c.peek_word();
+  if (!values(k).object(id)) return false;
+  const Kind kind = s.objects[id.index].kind;
+  if (kind != Kind::camera)
+    return c.fail(Code::type, fmt::format("'{}' is a {}, not a camera", w, kind_names[static_cast<std::size_t>(kind)]),
+                  w);
+  if (!finish(c)) return false;
+  s.cuts.edit()[time.value_or(Time{INT64_MIN})] = id;
+  return true;
+}
+
+template <bool on>
+bool display(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  std::vector<ObjectId> found;
+  if (!objects(k, word, found) || !finish(c)) return false;
+  for (ObjectId id : found) {
+    const Target t{id, fn::display, -1};
+    if (!time) {
+      set_value(s, t, on);
+      continue;
+    }
+    Event e;
+    e.time = *time;
+    e.value = on;
+    put_event(s, t, std::move(e));
+  }
+  return true;
+}
+
+constexpr Verb showing_rows[] = {
+    {"look", "at TIME look through CAMERA", "From this time on the film is seen through a camera.",
+     "at 24f look through eye", Verb::timed, look},
+    {"show", "show A or at TIME show A", "Shows objects, from a time on or for the whole film.", "at 12f show ball",
+     Verb::timed, display<true>},
+    {"hide", "hide A or at TIME hide A", "Hides objects, from a time on or for the whole film.", "at 24f hide ball",
+     Verb::timed, display<false>},
+    {"note", "at TIME note \"…\"", "A remark at a time; it shows while the film plays.",
+     "at 24f note \"first bounce ends\"", Verb::timed, note_command},
+    {"notes", "notes on or notes off", "Whether notes show while the film plays.", "notes off", 0, notes},
+};
+
+}  // namespace
+
+std::span<const Verb> showing_verbs() { return showing_rows; }
+
+}  // namespace betwixt

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Targets: which display functions of which objects a pattern names.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+// OBJECT.FUNCTION.COMPONENT, each perhaps a pattern; `velocity` stands before or behind the component.
+struct TargetWords {
+  std::string_view whole, object, function, component;
+  bool velocity = false;
+};
+
+TargetWords words_of(std::string_view word) {
+  TargetWords w{word, {}, {}, {}};
+  const auto dot = first_dot(word);
+  w.object = word.substr(0, dot), w.function = word.substr(dot + 1);
+  if (const auto second = first_dot(w.function); second != std::string_view::npos) {
+    w.component = w.function.substr(second + 1);
+    w.function = w.function.substr(0, second);
+  }
+  constexpr std::string_view velocity = "velocity";
+  std::string_view& from = w.component;
+  w.velocity = from == velocity || from.ends_with(".velocity") || from.starts_with("velocity.");
+  if (w.velocity && from == velocity)
+    from = {};
+  else if (w.velocity && from.starts_with("velocity."))
+    from.remove_prefix(velocity.size() + 1);
+  else if (w.velocity)
+    from.remove_suffix(velocity.size() + 1);
+  return w;
+}
+
+// One pattern as it is looked up.
+struct Search {
+  Command& k;
+  TargetWords words;
+  bool asking;
+  Selected& out;
+  const Scene& scene() const { return k.scene; }
+  Kind kind(ObjectId id) const { return k.scene.objects[id.index].kind; }
+
+  Target target(ObjectId id, FunctionId f, int part) const {
+    Target t{id, f, part};
+    t.velocity = words.velocity;
+    t.layer = k.layer;
+    return t;
+  }
+  bool fail(Code code, std::string message, std::string_view about, std::string hint = {}) const {
+    return k.cursor.fail(code, std::move(message), about, std::move(hint));
+  }
+  bool still(const FunctionSpec& spec) const {
+    return fail(Code::type, fmt::format("{} has no velocity: it is {}", spec.name, to_string(spec.type)),
+                words.function);
+  }
+  bool names_nothing(std::string_view what) const {
+    k.script.note(Severity::notice, fmt::format("'{}' names nothing", what), what);
+    return true;
+  }
+};
+
+bool no_object(const Search& q) {
+  const Scene& s = q.scene();
+  const std::string_view object = q.words.object;
+  if (is_pattern(object))
+    if (const auto braces = expand_braces(object); !braces)
+      return q.fail(braces.error().code, braces.error().message, object);
+  if (is_pattern(object) || s.aliases->contains(std::string(object))) return q.names_nothing(object);
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < s.objects.size() && i < 10000; ++i)
+    if (!s.objects[i].removed) names.push_back(s.objects[i].name);
+  for (const auto& a : *s.aliases) names.push_back(a.first);
+  return q.fail(Code::name, fmt::format("there is no object '{}'", object.substr(0, 60)), object,
+                did_you_mean(object, names));
+}
+
+// What can be asked for only: the world matrix and the like, or where an object is: world.x
+bool asked_for(const Search& q, const std::vector<ObjectId>& objects, FunctionId asked) {
+  const auto& [whole, object, function, component, velocity] = q.words;
+  if (!q.asking) return q.fail(Code::type, fmt::format("'{}' can be asked for, not set", function), function);
+  const auto words =
+      component.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(component, 100);
+  for (const ObjectId id : objects) {
+    if (!find_asked(q.kind(id), function)) continue;
+    if (component.empty()) q.out.targets.push_back({id, asked, -1});
+    for (int i = 0; i < 3 && asked == world_function && words; ++i)
+      for (const std::string& w : *words)
+        if (matches(w, component_name(Type::vector, i))) q.out.targets.push_back({id, asked, i});
+  }
+  if (component.empty() || !q.out.targets.empty()) return true;
+  const std::string_view without = whole.substr(0, whole.size() - component.size() - 1);
+  return q.fail(Code::name, fmt::format("'{}' has no part '{}'", without, component.substr(0, 40)), component,
+                asked == world_function    ? fmt::format("{}.x, .y and .z say where it is", without)
+                : asked == motion_function ? fmt::format("{} is a matrix, row by row", without)
+                                           : fmt::format("ask for {}", without));
+}
+
+// The components that are meant; -1 for the whole.
+bool parts_of(const Search& q, const FunctionSpec& spec, std::vector<int>& parts) {
+  const std::string_view component = q.words.component;
+  if (component.empty()) return parts.push_back(-1), true;
+  const std::string near = has_velocity(spec.type) ? did_you_mean(component, {"velocity"}) : std::string();
+  if (component_count(spec.type) == 0)
+    return q.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)), component,
+                  near);
+  const auto words = expand_braces(component, 100);
+  if (!words) return q.fail(words.error().code, words.error().message, component);
+  std::string known;
+  for (int i = 0; i < component_count(spec.type); ++i) {
+    const std::string_view name = component_name(spec.type, i);
+    known += fmt::format("{}{}",
+                         i == 0                               ? "components are "
+                         : i + 1 < component_count(spec.type) ? ", "
+                                                              : " and ",
+                         name);
+  }
+  for (const auto& w : *words)
+    for (int i = 0; i < component_count(spec.type); ++i)
+      if (matches(w, component_name(spec.type, i)) && std::find(parts.begin(), parts.end(), i) == parts.end())
+        parts.push_back(i);
+  return !parts.empty() ||
+         q.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, component.substr(0, 40)), component,
+                near.empty() ? known : near);
+}
+
+std::vector<FunctionId> functions(const Search& q, Kind kind, const std::string& want) {
+  if (!is_pattern(want)) {
+    const auto f = find_function(q.scene(), kind, want);
+    return f ? std::vector{*f} : std::vector<FunctionId>();
+  }
+  std::vector<FunctionId> found;
+  for (const auto name : function_names(q.scene(), kind))
+    if (matches(want, name)) found.push_back(*find_function(q.scene(), kind, name));
+  return found;
+}
+
+// One function of one object is among those that are meant.
+bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
+  const FunctionSpec& spec = spec_of(q.scene(), f);
+  Selected& out = q.out;
+  if (out.velocity && !has_velocity(spec.type)) return many || q.still(spec);
+  std::vector<int> parts;
+  if (!parts_of(q, spec, parts)) return false;
+  if (!out.spec) out.spec = &spec, out.component = parts[0];
+  if (!q.asking && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {
+    if (!many) return true;
+    return q.fail(Code::type,
+                  spec.type == out.spec->type
+                      ? fmt::format("{} and {} are measured in different units", out.spec->name, spec.name)
+                      : fmt::format("these functions have values of different types: {} is {}, {} is {}",
+                                    out.spec->name, to_string(out.spec->type), spec.name, to_string(spec.type)),
+                  q.words.function);
+  }
+  for (const int part : parts) out.targets.push_back(q.target(id, f, part));
+  return true;
+}
+
+bool no_function(const Search& q, ObjectId id) {
+  const Object& o = q.scene().objects[id.index];
+  auto names = function_names(q.scene(), o.kind);
+  names.push_back("world");
+  return q.fail(Code::name,
+                fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), q.words.function.substr(0, 40)),
+                q.words.function, did_you_mean(q.words.function, names));
+}
+
+bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
+  const std::string_view function = q.words.function;
+  const bool many = is_pattern(function);
+  std::vector<std::string> wanted{std::string(function)};
+  if (many) {
+    auto braces = expand_braces(function);
+    if (!braces) return q.fail(braces.error().code, braces.error().message, function);
+    wanted = std::move(*braces);
+  }
+  for (const ObjectId id : objects)
+    for (const std::string& want : wanted)
+      for (const FunctionId f : functions(q, q.kind(id), want))
+        if (!take(q, id, f, many)) return false;
+  if (!q.out.targets.empty()) return true;
+  return many ? q.names_nothing(q.words.whole) : no_function(q, objects[0]);
+}
+
+}  // namespace
+
+std::size_t first_dot(std::string_view w) {
+  int braces = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (w[i] == '{') ++braces;
+    if (w[i] == '}') --braces;
+    if (w[i] == '.' && braces <= 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+bool targets(Command& k, std::string_view word, Selected& out, bool asking) {
+  const Scene& s = k.scene;
+  out = {};
+  out.text = word;
+  if (first_dot(word) == std::string_view::npos)
+    return k.cursor.fail(
+        Code::syntax,
+        word.empty() ? "a target is missing here" : fmt::format("'{}' is not a target", word.substr(0, 60)), word,
+        "a target is an object and a function, as in ball.position");
+  const Search q{k, words_of(word), asking, out};
+  const std::string_view object = q.words.object;
+  out.velocity = q.words.velocity;
+  if (q.words.component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say
+    const ObjectId id = s.aliases->contains(object) ? ObjectId{} : s.names.find(object);
+    if (const auto f = id ? find_function(s, q.kind(id), q.words.function) : std::nullopt) {
+      if (!asking && !own(k, id, word)) return false;
+      out.spec = &spec_of(s, *f);
+      if (out.velocity && !has_velocity(out.spec->type)) return q.still(*out.spec);
+      out.targets.push_back(q.target(id, *f, -1));
+      return true;
+    }
+  }
+  std::vector<ObjectId> objects = select(s, object);
+  if (!asking) {  // patterns name only what can be changed
+    if (objects.size() == 1 && !is_pattern(object) && !own(k, objects[0], word)) return false;
+    std::erase_if(objects, [&](ObjectId id) { return s.objects[id.index].derived; });
+  }
+  if (objects.empty()) return no_object(q);
+  if (const auto asked = find_asked(q.kind(objects[0]), q.words.function)) return asked_for(q, objects, *asked);
+  return all_of(q, objects);
+}
+
+}  // namespace betwixt

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands that write values, and events with their time.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/verbs.h"
+#include "track/curve.h"
+
+namespace betwixt {
+namespace {
+
+bool at(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  if (time) return c.fail_here(Code::syntax, "one 'at' is enough");
+  std::optional<Time> until;
+  c.space();
+  const char* const times = c.at;
+  Time from;
+  if (!time_or_segment(c, from, until)) return false;
+  const std::string_view segment = c.since(times);
+  Command timed{s, c, from, layer, script};
+  c.space();
+  const char* start = c.at;
+  const std::string_view w = c.word();
+  if (w.empty()) return c.fail_here(Code::syntax, "a target or a command is missing here");
+  if (w.find('.') != std::string_view::npos) {
+    Selected to;
+    if (!targets(timed, w, to)) return false;
+    if (!to.spec) return pass_over(k, start);
+    if (until && to.type() == Type::motion) return moving(timed, to, from, until);
+    if (until) return one_time_only(c, segment);
+    return event(timed, to, from);
+  }
+  if (until) return one_time_only(c, segment);
+  c.at = start;
+  if (w == "set")
+    return c.fail(Code::syntax, "'set' has no time; with 'at', write the target and its value", w,
+                  "as in at 24f ball.color red");
+  const Verb* verb = find_verb(w);
+  if (verb && verb->flags & Verb::timed) return carry_out(timed);
+  if (verb) return c.fail(Code::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
+  if (const auto why = not_of_a_script(w); !why.empty()) return c.fail(Code::name, fmt::format("'{}' {}", w, why), w);
+  const std::string near = did_you_mean(w, verb_words(Verb::timed));
+  return c.fail(Code::syntax, fmt::format("a target or a command is wanted here, not '{}'", w.substr(0, 40)), w,
+                near.empty() ? "as in at 24f ball.position (1 2 3)" : near);
+}
+
+bool set(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view w = c.word();
+  Selected to;
+  if (!targets(k, w, to)) return false;
+  if (!to.spec) return pass_over(k, w.data());
+  Value v;
+  c.space();
+  if (to.velocity)
+    return c.fail(Code::type, "a velocity holds from a time on", w, fmt::format("as in at 1f {} …", w.substr(0, 60)));
+  if (c.peek() == '=') {
+    if (to.component >= 0)
+      return c.fail_here(Code::type, "the whole value is set, not one component of it, when code computes it",
+                         fmt::format("at 1f {} = \"…\" computes one component", w.substr(0, 60)));
+    if (!computed(k, to, v) || !finish(c)) return false;
+    for (const Target& t : to.targets) set_value(s, t, v);
+    return true;
+  }
+  if (to.type() == Type::motion)
+    return c.fail(Code::type, "a motion is not set: it takes a segment of time", w,
+                  fmt::format("as in at 1f..24f {} T(6 0)", w.substr(0, 60)));
+  if (to.type() == Type::attachment)
+    return c.fail(Code::type, "an attachment is not set", w, "couple A to B, attach A to B, hang A on B, detach A");
+  if (!values(k).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
+  for (const Target& t : to.targets) {
+    const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
+    if (t.component >= 0 && slot && slot->set && std::holds_alternative<Procedure>(*slot->set))
+      return c.fail(Code::type, "code computes the whole of it; it has no separate components", w);
+    if (t.component >= 0 && slot && slot->set && std::holds_alternative<Quat>(*slot->set))
+      return c.fail(Code::type, "an orientation has no separate angles", w,
+                    "set the whole of it as euler(x y z) first");
+  }
+  for (const Target& t : to.targets) {
+    // A live host puts something into an environment as it is now, not as it was before (R-E9).
+    if (!script.options.now || to.type() != Type::names) {
+      set_value(s, t, v);
+      continue;
+    }
+    Event e;
+    e.time = *script.options.now;
+    e.value = v;
+    put_event(s, t, std::move(e));
+  }
+  return true;
+}
+
+bool global_twerper(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view w = c.word();
+  Selected to;
+  if (!targets(k, w, to)) return false;
+  if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
+  Twerper chosen = Twerper::unset;
+  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
+  if (!c.accept_word("none") && !twerper(k, to, chosen, bezier)) return false;
+  std::optional<bool> srgb;
+  if (!c.at_line_end()) {
+    const std::string_view key = c.peek_word();
+    if (key != "in") return finish(c);
+    c.word();
+    if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing behind in");
+    c.space();
+    const std::string_view how = c.word();
+    if (how != "light" && how != "srgb") return c.fail(Code::syntax, "colours blend in=light or in=srgb", how);
+    if (to.type() != Type::color)
+      return c.fail(Code::type, fmt::format("only colours blend in light or srgb; this is {}", to_string(to.type())),
+                    key);
+    srgb = how == "srgb";
+  }
+  if (!finish(c)) return false;
+  for (const Target& t : to.targets)
+    for (Track* track : edit_tracks(s, t)) {
+      track->global = chosen;
+      track->bezier = bezier;
+      if (srgb) track->srgb = *srgb;
+    }
+  return true;
+}
+
+bool extend(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const std::string_view w = c.word();
+  Selected to;
+  if (!targets(k, w, to)) return false;
+  c.space();
+  const std::string_view how = c.word();
+  const auto at = std::find(extend_names.begin(), extend_names.end(), how);
+  if (at == extend_names.end())
+    return c.fail(Code::syntax,
+                  how.empty() ? "hold, linear, cycle or bounce is missing here"
+                              : fmt::format("'{}' is no way to extend a track", how.substr(0, 40)),
+                  how, did_you_mean(how, {extend_names.begin(), extend_names.end()}));
+  bool before = true, after = true;
+  if (c.accept_word("before"))
+    after = false;
+  else if (c.accept_word("after"))
+    before = false;
+  if (!finish(c)) return false;
+  const auto extend = static_cast<Extend>(at - extend_names.begin());
+  for (const Target& t : to.targets)
+    for (Track* track : edit_tracks(s, t)) {
+      if (before) track->before = extend;
+      if (after) track->after = extend;
+    }
+  return true;
+}
+
+constexpr Verb tracks_rows[] = {
+    {"set", "set TARGET VALUE, as in set ball.color red", "The value of a function while its track has no events.",
+     "set ball.color red", Verb::layered, set},
+    {"at", "at TIME TARGET VALUE or at TIME COMMAND", "Gives a command its time, or puts one event on a track.",
+     "at 12f ball.radius 2 ease-in=4f", Verb::layered, at},
+    {"twerper", "twerper TARGET NAME [in=light|srgb]; none gives every event its own again",
+     "One interpolator for a whole track.", "twerper ball.position linear", Verb::layered, global_twerper},
+    {"extend", "extend TARGET hold|linear|cycle|bounce [before|after]",
+     "What a track does before its first and after its last event.", "extend ball.position cycle", Verb::layered,
+     extend},
+};
+
+}  // namespace
+
+std::span<const Verb> tracks_verbs() { return tracks_rows; }
+
+}  // namespace betwixt

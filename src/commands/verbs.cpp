@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/verbs.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace betwixt {
+
+using Rows = std::span<const Verb>;
+Rows settings_verbs(), environments_verbs(), objects_verbs(), names_verbs(), tracks_verbs(), attachments_verbs(),
+    showing_verbs(), copying_verbs(), segments_verbs(), groups_verbs(), filters_verbs(), layers_verbs(),
+    procedures_verbs(), fall_verbs(), dials_verbs(), files_verbs(), display_lists_verbs();
+
+const std::vector<Verb>& verbs() {
+  static const std::vector<Verb> all = [] {
+    std::vector<Verb> rows;
+    for (const Rows family :
+         {settings_verbs(), environments_verbs(), objects_verbs(), tracks_verbs(), attachments_verbs(), showing_verbs(),
+          copying_verbs(), segments_verbs(), groups_verbs(), filters_verbs(), layers_verbs(), procedures_verbs(),
+          fall_verbs(), dials_verbs(), names_verbs(), files_verbs(), display_lists_verbs()})
+      rows.insert(rows.end(), family.begin(), family.end());
+    return rows;
+  }();
+  return all;
+}
+
+const Verb* find_verb(std::string_view word) {
+  static const auto index = [] {
+    std::unordered_map<std::string_view, const Verb*> by_word;
+    for (const Verb& v : verbs()) by_word.emplace(v.word, &v);
+    return by_word;
+  }();
+  const auto at = index.find(word);
+  return at == index.end() ? nullptr : at->second;
+}
+
+std::vector<std::string_view> verb_words(unsigned flags) {
+  std::vector<std::string_view> words;
+  for (const Verb& v : verbs())
+    if ((v.flags & flags) == flags) words.push_back(v.word);
+  return words;
+}
+
+std::span<const std::string_view> reserved_words() {
+  static constexpr std::string_view shell[] = {"help", "list", "describe", "undo", "redo", "plot",
+                                               "play", "stop", "save",     "open", "load", "quit"};
+  return shell;
+}
+
+}  // namespace betwixt

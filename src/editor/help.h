@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Help: every word of the language and of the shell, with a sentence, how it is written, and an example.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scene/document.h"
+
+namespace betwixt {
+
+enum class HelpGroup { shell, verb, row, kind, function, twerper, filter, option };
+
+struct HelpEntry {
+  HelpGroup group;
+  std::string_view word, sentence;
+  std::string_view usage;
+  std::string_view example;  // lines that can be entered one after another
+};
+
+std::span<const HelpEntry> help_entries();
+
+// All words by groups, a line each; the film's own words too.
+std::string help_overview(const Scene&, bool of_the_shell = true);
+// All that is known about a word; empty where nothing is.
+std::string help_text(std::string_view word, const Scene&);
+
+}  // namespace betwixt

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Plug-ins as the language sees them: their words beside the built-in ones.
+#include <filesystem>
+
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+std::string at(const std::string& name) { return PLUGIN_DIR "/" + name + ".so"; }
+
+std::string refusal(const std::string& name) {
+  const Status s = use_plugin(at(name));
+  EXPECT_FALSE(s) << name;
+  return s ? "" : s.error().message;
+}
+
+// shows: G15 G17 G19
+TEST(Plugins, TheirWordsAreUsedAndExplainedLikeBuiltInOnes) {
+  ASSERT_TRUE(use_plugin(at("example")));
+  ASSERT_TRUE(use_plugin(at("example")));  // again: nothing new
+  const LoadedFilm s(
+      "create a sphere\na.radius\n  1f 1 overshoot\n  25f 3\na.position.x\n  1f 0 linear\n  25f 1\n"
+      "filter a.position.x stairs step=0.5\n");
+  const double v = 0.5 - 1, more = 1.70158;
+  expect_numbers(s, {{"a.radius", "13f", {1 + 2 * (1 + v * v * ((more + 1) * v + more))}},
+                     {"a.position.x", "6f", {0}},
+                     {"a.position.x", "8f", {0.5}}});
+  EXPECT_EQ(errors(read("create a sphere\nat 1f a.radius 2 overshot\n")),
+            std::vector<std::string>{"2:18: there is no twerper 'overshot'"});
+  EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 overshot\n").diagnostics.at(0).what.hint,
+            "did you mean 'overshoot'?");
+}
+
+// shows: G19
+TEST(Plugins, WordsThatAreTakenAreRefused) {
+  EXPECT_EQ(refusal("colliding"), at("colliding") + ": it registers 'quantise', which is a filter already");
+  ASSERT_TRUE(use_plugin(at("example")));
+  const std::string copy = testing::TempDir() + "betwixt-copy.so";
+  std::filesystem::copy_file(at("example"), copy, std::filesystem::copy_options::overwrite_existing);
+  const Status s = use_plugin(copy);
+  ASSERT_FALSE(s);
+  EXPECT_EQ(s.error().message, copy + ": it registers 'overshoot', which " + at("example") + " has brought already");
+  EXPECT_EQ(errors(read("procedure quantise filter lua \"1\"\n")),
+            std::vector<std::string>{"1:11: 'quantise' is a filter already"});
+}
+
+// shows: G19
+TEST(Plugins, ScriptsDoNotLoadThem) {
+  const Loaded l = read("load swirl.so\n");
+  EXPECT_EQ(errors(l), std::vector<std::string>{
+                           "1:1: 'load' is no word of a script: plug-ins are programs, which a script must not start"});
+  EXPECT_EQ(l.diagnostics.at(0).what.hint, "who shows the film loads it: betwixt play --load PLUGIN FILE");
+  EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 elastic\n").diagnostics.at(0).what.hint,
+            "where it is a plug-in's: --load PLUGIN");
+}
+
+// shows: G15
+TEST(Procedures, DoNotTakeNamesThatLuaHas) {
+  for (const char* name : {"value", "mix", "sin", "t", "end", "vec", "math"})
+    EXPECT_EQ(errors(read(fmt::format("procedure {} lua \"1\"\n", name))),
+              std::vector<std::string>{fmt::format("1:11: '{}' is a word of Lua already", name)});
+  EXPECT_EQ(errors(read("procedure sine lua \"1\"\nprocedure exp twerper lua \"u\"\n")), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace betwixt

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Procedures through the whole program, against closed forms.
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+// shows: G54 G55 R-T11
+TEST(Procedures, ReadAnyTrackAtAnyTime) {
+  const LoadedFilm s(
+      "rate 24\ndefine n number\ncreate a sphere\ncreate b sphere\ncouple b to a\n"
+      "a.position\n  1f (0 0 0) linear\n  49f (4 2 0)\nset b.position (0 0 1)\n"
+      "at 1f b.radius = \"2 + value('a.position.x', t + 0.5)\"\n"
+      "at 1f a.n = \"value('a.position.velocity').x + value('.position.y', 1)\"\n"
+      "at 1f b.n = \"value('b.world')[4] + value('b.world')[12]\"\n"
+      "at 1f b.position.y = \"0.5 * math.sin(tau * t)\"\n");
+  expect_numbers(s, {{"b.radius", "1f", {3}},
+                     {"b.radius", "25f", {5}},
+                     {"b.radius", "45f", {6}},  // past the end
+                     {"a.n", "13f", {3}},
+                     {"b.n", "25f", {3}},  // x from a, z its own
+                     {"b.position", "7f", {0, 0.5, 1}}});
+  EXPECT_NEAR(translation_of(s.frame("7f").items[1].world).y, 0.5 + 0.25, 1e-12);
+}
+
+// shows: G54 G52
+TEST(Procedures, WriteTextsAndStandAmongEvents) {
+  const LoadedFilm s(
+      "rate 24\ndefine n number\ncreate c text text=\"\"\ncreate a sphere\n"
+      "at 1f c.text = \"string.format('%d of %s', math.floor(t * 24 + 1.5), self)\"\n"
+      "a.n\n  1f 3 linear\n  25f = \"10 * t\"\n  49f 7 linear\n  73f = \"100 * t\"\n");
+  EXPECT_EQ(s.text("c.text", "12f"), "12 of c");
+  EXPECT_EQ(s.text("c.text", "30f"), "30 of c");
+  expect_numbers(s, {{"a.n", "13f", {6.5}},  // towards what it says at its beginning: 10
+                     {"a.n", "37f", {15}},
+                     {"a.n", "49f", {7}},
+                     {"a.n", "61f", {153.5}}});
+}
+
+// shows: G54
+TEST(Procedures, StandWhereAValueIsSet) {
+  const LoadedFilm s(
+      "rate 24\ncreate a sphere\ncreate b sphere\nset a.radius = \"1 + t\"\nset b.position = \"vec(t, 2 * t, 3 * t)\"\n"
+      "b.position.y\n  25f 7 linear\n  49f 9\n");
+  expect_numbers(s, "a.radius", "25f", {2});
+  expect_numbers(s, "b.position", "37f", {1.5, 8, 4.5});  // a component has events, the others have the procedure
+}
+
+// shows: G15 G17 G103 G105
+TEST(Procedures, OfAllRolesAreUsedLikeWhatIsBuiltIn) {
+  const LoadedFilm s(
+      "rate 24\nprocedure twice lua \"local x = ... return 2 * x\"\nprocedure snap twerper lua \"u * u\"\n"
+      "procedure lift filter lua \"input() + (by or 0) * t\"\n"
+      "procedure row command lua \"for i = 1, 3 do run('create p' .. i .. ' sphere position=(' .. i .. ' 0 0)') end\"\n"
+      "create a sphere\nrow\ndefine n number = \"twice(t)\"\n"
+      "a.radius\n  1f 1 snap\n  25f 3\nfilter a.position lift by=0\nfilter a.scale.y lift by=2\n");
+  expect_numbers(s, {{"a.radius", "13f", {1.5}},
+                     {"p3.position", "1f", {3, 0, 0}},
+                     {"p2.n", "13f", {1}},  // every object has it
+                     {"a.scale", "13f", {1, 2, 1}}});
+  // A command that fails does nothing at all.
+  const auto bad = errors(read("procedure row command lua \"run('create p sphere') run('create q nothing')\"\nrow\n"));
+  ASSERT_EQ(bad.size(), 1U);
+  EXPECT_NE(bad[0].find("there is no kind 'nothing'"), std::string::npos) << bad[0];
+}
+
+// shows: G55 R-T11
+TEST(Procedures, CirclesAreCutTheSameWhateverIsAskedFirst) {
+  const LoadedFilm s(
+      "define n number\ncreate {a,b,c,d,e,f} sphere\n"
+      "set a.n 1\nset b.n 2\nset c.n 3\nset d.n 4\nset e.n 5\nset f.n 6\n"
+      "at 2f a.n = \"value('a.n') + 1\"\n"
+      "at 2f b.n = \"value('c.n') + 10\"\nat 2f c.n = \"value('b.n') + 100\"\n"
+      "at 2f d.n = \"value('e.n') + 10\"\nat 2f e.n = \"value('f.n') + 100\"\nat 2f f.n = \"value('d.n') + 1000\"\n");
+  // Whoever is asked is where its circle is cut: there its last value without a procedure counts.
+  const std::vector<std::pair<const char*, double>> wanted = {{"a.n", 2},    {"b.n", 112},  {"c.n", 113},
+                                                              {"d.n", 1114}, {"e.n", 1115}, {"f.n", 1116}};
+  std::vector<Target> targets;
+  for (const auto& [name, v] : wanted) {
+    expect_numbers(s, name, "10f", {v});
+    targets.push_back(find_targets(name, s.loaded.document)->front());
+  }
+  std::vector<std::size_t> order{0, 1, 2, 3, 4, 5};
+  do {
+    std::vector<Target> asked;
+    for (const std::size_t k : order) asked.push_back(targets[k]);
+    std::vector<std::string> problems;
+    const auto all = s.program.read(asked, *parse_time("10f", s.loaded.document), &problems);
+    for (std::size_t k = 0; k < 6; ++k) ASSERT_EQ(numbers(all[k])[0], wanted[order[k]].second);
+    EXPECT_EQ(problems.size(), 6U);
+  } while (std::next_permutation(order.begin(), order.end()));
+  const Frame f = s.frame("10f");
+  EXPECT_NE(std::find(f.problems.begin(), f.problems.end(),
+                      "a.n reads itself in a circle: inside, its last value without a procedure counts"),
+            f.problems.end());
+}
+
+// shows: G54 G1
+TEST(Procedures, ThatErrOrNeverEndAreNamedAndTheFrameComes) {
+  const LoadedFilm s(
+      "rate 24\ncreate a sphere radius=3\ncreate b sphere\na.radius\n  1f 4\n  5f = \"nothing.x\"\n"
+      "at 1f b.scale = \"(function() while true do end end)()\"\nat 1f b.shininess = \"value('nobody.radius')\"\n"
+      "at 1f b.transparency = \"0 / 0\"\nat 1f b.position = \"'up'\"\n");
+  const Frame f = s.frame("10f");
+  ASSERT_EQ(f.items.size(), 2U);
+  EXPECT_EQ(f.items[0].shape->radius, 4);  // the last value that no procedure makes
+  EXPECT_EQ(f.items[1].world, Mat4{});
+  ASSERT_EQ(f.problems.size(), 5U);
+  const auto said = [&](const char* of, const char* why) {
+    return std::any_of(f.problems.begin(), f.problems.end(), [&](const std::string& p) {
+      return p.starts_with(std::string(of) + ": the procedure \"") && p.find(why) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(said("a.radius", "nothing"));
+  EXPECT_TRUE(said("b.scale", "stopped: "));
+  EXPECT_TRUE(said("b.shininess", "nobody"));
+  EXPECT_TRUE(said("b.transparency", "finite")) << fmt::format("{}", fmt::join(f.problems, "\n"));
+  EXPECT_TRUE(said("b.position", "it gives a text where"));
+  for (const std::string& p : f.problems) EXPECT_LT(p.size(), 300U) << p;
+}
+
+// shows: G17
+TEST(Procedures, TwerpersThatErrOrNeverEndAreNamedAndLinear) {
+  const LoadedFilm s(
+      "rate 24\ncreate a sphere\nprocedure broken twerper lua \"nothing.x\"\n"
+      "procedure endless twerper lua \"(function() while true do end end)()\"\n"
+      "procedure wild twerper lua \"1 / 0\"\n"
+      "a.radius\n  1f 2 broken\n  25f 4\na.position.x\n  1f 0 endless\n  25f 8\na.position.y\n  1f 0 wild\n  25f 8\n");
+  const Frame f = s.frame("13f");
+  EXPECT_EQ(f.items[0].shape->radius, 3);
+  EXPECT_EQ(translation_of(f.items[0].world), (Vec3{4, 4, 0}));
+  ASSERT_EQ(f.problems.size(), 3U) << fmt::format("{}", fmt::join(f.problems, "\n"));
+  EXPECT_TRUE(f.problems[0].starts_with("the twerper 'broken' gives no number, and is linear there: "))
+      << f.problems[0];
+  EXPECT_EQ(f.problems[1],
+            "the twerper 'endless' gives no number, and is linear there: stopped: it took more than 1000000 steps");
+  EXPECT_EQ(f.problems[2],
+            "the twerper 'wild' gives no number, and is linear there: it gave a number that is not finite");
+  std::vector<std::string> problems;
+  s.program.read(std::vector{find_targets("a.radius", s.loaded.document)->front()},
+                 *parse_time("13f", s.loaded.document), &problems);
+  EXPECT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(s.frame("1f").problems.empty() || s.frame("1f").problems.size() <= 3U);
+}
+
+// shows: G54
+TEST(Procedures, ThatCallEachOtherForEverAreNamedOnce) {
+  for (const char* form :
+       {"procedure ping lua \"pong()\"\nprocedure pong lua \"ping()\"\n",
+        "procedure ping lua \"\"\"local x = 1\nreturn pong()\"\"\"\nprocedure pong lua \"ping()\"\n"}) {
+    const LoadedFilm s(std::string("create a sphere\n") + form + "set a.radius = \"ping()\"\n");
+    const Frame f = s.frame("1f");
+    ASSERT_EQ(f.problems.size(), 1U);
+    EXPECT_LT(f.problems[0].size(), 160U) << f.problems[0];
+    EXPECT_NE(f.problems[0].find("ping: pong: procedures read each other more than 300 deep"), std::string::npos)
+        << f.problems[0];
+  }
+}
+
+// shows: G55 R-T11
+TEST(Procedures, WhatTheyReadIsTraced) {
+  const LoadedFilm s(
+      "define n number\ncreate a sphere\ncreate b sphere\ncreate c sphere\n"
+      "at 1f a.n = \"value('b.n', t - 1) + value('c.position.velocity').x\"\nat 1f b.n = \"value('.world')[4]\"\n"
+      "at 1f c.n = \"t < 1 and 0 or value('a.radius')\"\n");
+  const auto traced = [&](const char* target, const char* time) {
+    std::string out;
+    for (const Target& t :
+         s.program.reads(find_targets(target, s.loaded.document)->front(), *parse_time(time, s.loaded.document)))
+      out += s.loaded.document.name(t) + " ";
+    return out;
+  };
+  EXPECT_EQ(traced("a.n", "1f"), "b.n b.world c.position.velocity ");
+  EXPECT_EQ(traced("c.n", "1f"), "");
+  EXPECT_EQ(traced("c.n", "60f"), "a.radius ");
+  EXPECT_EQ(traced("c.radius", "60f"), "");
+}
+
+// shows: G59
+TEST(Procedures, RenamingReachesIntoThem) {
+  const LoadedFilm s(
+      "define n number = \"value('ball.radius')\"\ncreate ball sphere radius=3\ncreate balloon sphere radius=5\n"
+      "create a sphere\nprocedure r lua \"return value(\\\"ball.radius\\\") + value('balloon.radius')\"\n"
+      "at 1f a.radius = \"r() + value('ball.radius') \"\nset a.shininess = \"value('ball.radius') / 10\"\n"
+      "at 1f a.position.x = \"value('ball.radius')\"\nrename ball moon\n");
+  expect_numbers(
+      s, {{"a.radius", "3f", {11}}, {"a.shininess", "3f", {0.3}}, {"a.n", "3f", {3}}, {"a.position.x", "3f", {3}}});
+  EXPECT_TRUE(s.frame("3f").problems.empty());
+  EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document);
+}
+
+// shows: G12 G5
+TEST(Fall, StandsBesideLinesAndCurvesOnOneTrack) {
+  const LoadedFilm s(
+      "rate 24\ncreate ball sphere\nball.position.y\n  1f 2 linear\n  25f 8 linear\n  49f 6\n  73f 8\n  97f 14 hold\n"
+      "  121f 10\nat 121f fall ball gravity=10 for 1s\n");
+  const auto y = [&](const char* time, double wanted) { expect_numbers(s, "ball.position.y", time, {wanted}, 1e-9); };
+  y("7f", 3.5), y("19f", 6.5), y("31f", 7.5), y("43f", 6.5);  // lines, with a corner between them
+  y("61f", 6.5);                                              // curves: from rest at 49f on
+  y("85f", 10.75);                                            // no further than to the hold
+  y("109f", 14);
+  y("121f", 10), y("133f", 8.75), y("145f", 5);  // and a fall
+}
+
+// shows: G4 G3 G5 G52
+TEST(Fall, IsHalfATSquaredAfterItsDelay) {
+  const LoadedFilm s(
+      "rate 24\ncreate ball sphere\nball.position\n  1f (0 5 0) linear\n  49f (4 5 0) linear\n"
+      "at 1f fall ball delay=1s gravity=10 bounce=0.5 for 8s\n");
+  const auto y = [](double t) {
+    if (t < 1) return 5.0;  // walking on air
+    if (t < 2) return 5 - 5 * (t - 1) * (t - 1);
+    double at = 2, speed = 5;
+    while (t >= at + speed / 5) at += speed / 5, speed /= 2;
+    return speed * (t - at) - 5 * (t - at) * (t - at);
+  };
+  for (int k = 0; k <= 90; ++k) {
+    const double t = k / 24.0;
+    expect_numbers(s, "ball.position.y", fmt::format("{}f", k + 1), {y(t)}, 1e-6);
+    if (t < 3.8) expect_numbers(s, "ball.position.x", fmt::format("{}f", k + 1), {2 * t}, 1e-9);
+  }
+  expect_numbers(s, "ball.position.y", "9s", {0}, 1e-3);  // it lies
+  expect_numbers(s, "ball.position.x", "2s", {4}, 1e-9);
+  // Plain events: no procedure is left.
+  EXPECT_EQ(write(s.loaded.document).find("= \""), std::string::npos);
+}
+
+// shows: G4 G71
+TEST(Fall, EndsTheReignOfAVelocityAndGoesOnWithIt) {
+  const LoadedFilm s(
+      "rate 24\ncreate ball sphere\nset ball.position (0 10 0)\nat 1f ball.position.velocity (2 3 0)\n"
+      "at 25f fall ball gravity=10\n");
+  EXPECT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
+  for (const double t : {0.0, 0.25, 0.5, 1.0, 1.5}) {
+    const double x = 2 * (1 + t), y = 13 + 3 * t - 5 * t * t;
+    expect_numbers(s, "ball.position", fmt::format("{}s", 1 + t), {x, y, 0}, 1e-8);
+  }
+}
+
+// shows: G82 G83
+TEST(Fall, AfterLetgoIsThrownThroughTheWorldWhateverHeldIt) {
+  const LoadedFilm s(
+      "rate 24\ncreate hand group position=(0 8 0) rotation=euler(0 0 90deg) scale=(2 2 2)\n"
+      "at 1f hand.position.x 0 linear\nat 49f hand.position.x 6\n"
+      "create ball sphere\nset ball.position (1 0 0)\ncouple ball to hand\n"
+      "at 25f letgo ball\nat 25f fall ball gravity=10\n");
+  ASSERT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
+  // The pin is 2 above the hand, which goes 3 a second.
+  for (const double t : {0.0, 0.25, 0.5, 1.0, 1.25}) {
+    const Value r = s.read("ball.world", fmt::format("{}s", 1 + t));
+    const Vec3 at = translation_of(*std::get<Matrix>(r));
+    EXPECT_NEAR(at.x, 3 * (1 + t), 1e-6);
+    EXPECT_NEAR(at.y, 10 - 5 * t * t, 1e-6);
+    EXPECT_NEAR(at.z, 0, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace betwixt

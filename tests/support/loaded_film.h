@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the tests of the language ask of a script.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "betwixt/language.h"
+#include "betwixt/program.h"
+
+namespace betwixt {
+
+inline std::string said(const Diagnostics& all) {
+  std::string out;
+  for (const Diagnostic& d : all) out += to_string(d);
+  return out;
+}
+
+// A script without errors, ready to be asked.
+struct LoadedFilm {
+  explicit LoadedFilm(std::string_view text) : loaded(load_text(text, "test.bx")) {
+    EXPECT_FALSE(has_errors(loaded.diagnostics)) << text << "\n" << said(loaded.diagnostics);
+    program = Program::compile(loaded.document);
+  }
+  Value read(std::string_view target, std::string_view time) const {
+    const auto t = parse_time(time, loaded.document);
+    const auto found = find_targets(target, loaded.document);
+    if (!t || !found || found->size() != 1) {
+      ADD_FAILURE() << "cannot read " << target << " at " << time;
+      return 0.0;
+    }
+    return program.read(found->front(), *t);
+  }
+  std::vector<double> numbers(std::string_view target, std::string_view time) const {
+    return betwixt::numbers(read(target, time));
+  }
+  std::string text(std::string_view target, std::string_view time) const {
+    return **std::get_if<Text>(&static_cast<const Value&>(read(target, time)));
+  }
+  Frame frame(std::string_view time) const { return program.frame(*parse_time(time, loaded.document)); }
+  Loaded loaded;
+  Program program;
+};
+
+inline void expect_numbers(const LoadedFilm& s, std::string_view target, std::string_view time,
+                           const std::vector<double>& wanted, double within = 1e-12) {
+  const auto is = s.numbers(target, time);
+  ASSERT_EQ(is.size(), wanted.size()) << target << " at " << time;
+  for (std::size_t i = 0; i < is.size(); ++i)
+    EXPECT_NEAR(is[i], wanted[i], within) << target << " at " << time << ", number " << i;
+}
+
+struct Wanted {
+  std::string_view target, time;
+  std::vector<double> numbers;
+};
+inline void expect_numbers(const LoadedFilm& s, const std::vector<Wanted>& table) {
+  for (const Wanted& w : table) expect_numbers(s, w.target, w.time, w.numbers);
+}
+
+// "line:column: message" of every error.
+inline std::vector<std::string> errors(const Loaded& loaded) {
+  std::vector<std::string> out;
+  for (const Diagnostic& d : loaded.diagnostics)
+    if (d.severity == Severity::error)
+      out.push_back(fmt::format("{}:{}: {}", d.what.place.line, d.what.place.column, d.what.message));
+  return out;
+}
+
+inline Loaded read(std::string_view text) { return load_text(text, "test.bx"); }
+
+}  // namespace betwixt
