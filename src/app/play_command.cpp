@@ -15,7 +15,7 @@
 #include "base/files.h"
 #include "base/utf8.h"
 #include "betwixt/program.h"
-#include "editor/dials.h"
+#include "editor/controls.h"
 #include "scene/document.h"
 
 namespace betwixt {

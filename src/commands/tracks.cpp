@@ -138,19 +138,19 @@ bool extend(Command& k) {
   if (!targets(k, w, to)) return false;
   c.space();
   const std::string_view how = c.word();
-  const auto at = std::find(extend_names.begin(), extend_names.end(), how);
-  if (at == extend_names.end())
+  const auto at = std::find(extrapolation_names.begin(), extrapolation_names.end(), how);
+  if (at == extrapolation_names.end())
     return c.fail(Code::syntax,
                   how.empty() ? "hold, linear, cycle or bounce is missing here"
                               : fmt::format("'{}' is no way to extend a track", how.substr(0, 40)),
-                  how, did_you_mean(how, {extend_names.begin(), extend_names.end()}));
+                  how, did_you_mean(how, {extrapolation_names.begin(), extrapolation_names.end()}));
   bool before = true, after = true;
   if (c.accept_word("before"))
     after = false;
   else if (c.accept_word("after"))
     before = false;
   if (!finish(c)) return false;
-  const auto extend = static_cast<Extend>(at - extend_names.begin());
+  const auto extend = static_cast<Extrapolation>(at - extrapolation_names.begin());
   for (const Target& t : to.targets)
     for (Track* track : edit_tracks(s, t)) {
       if (before) track->before = extend;

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "commands/plugins.h"
-#include "editor/looking.h"
+#include "editor/describe.h"
 #include "editor/session_state.h"
 
 namespace betwixt {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "editor/looking.h"
+#include "editor/describe.h"
 #include "editor/session_state.h"
 
 namespace betwixt {

@@ -374,7 +374,7 @@ bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, Fun
       const auto reads = [&] {
         const char* name = (c.space(), c.at);
         if (!object(id)) return false;
-        if (!drawn(scene.objects[id.index].kind))
+        if (!drawable(scene.objects[id.index].kind))
           return c.fail(
               Code::type,
               fmt::format("a {} has no geometry", kind_names[static_cast<std::size_t>(scene.objects[id.index].kind)]),

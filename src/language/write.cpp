@@ -118,11 +118,11 @@ struct Writer {
                                             : twerper_name(s, t.global));
       out += t.srgb ? " in=srgb\n" : "\n";
     }
-    if (t.before == t.after && t.before != Extend::hold)
-      out += layer + fmt::format("extend {} {}\n", name, extend_names[static_cast<std::size_t>(t.before)]);
+    if (t.before == t.after && t.before != Extrapolation::hold)
+      out += layer + fmt::format("extend {} {}\n", name, extrapolation_names[static_cast<std::size_t>(t.before)]);
     if (t.before == t.after) return;
-    out += layer + fmt::format("extend {} {} before\n", name, extend_names[static_cast<std::size_t>(t.before)]);
-    out += layer + fmt::format("extend {} {} after\n", name, extend_names[static_cast<std::size_t>(t.after)]);
+    out += layer + fmt::format("extend {} {} before\n", name, extrapolation_names[static_cast<std::size_t>(t.before)]);
+    out += layer + fmt::format("extend {} {} after\n", name, extrapolation_names[static_cast<std::size_t>(t.after)]);
   }
 
   void settings() {

@@ -141,7 +141,7 @@ struct Moving {
   };
   std::vector<Piece> pieces;  // by time
   Time first, last;           // of the track's events
-  Extend extend_before = Extend::hold, extend_after = Extend::hold;
+  Extrapolation extend_before = Extrapolation::hold, extend_after = Extrapolation::hold;
   std::size_t placed = 0;  // whose centres are known: all, when compiling ends
 };
 

@@ -131,7 +131,7 @@ struct Compiler {
     reign.global = velocity.global, reign.bezier = velocity.bezier;
     const auto close = [&](std::optional<Time> release) {
       if (reign.events.empty()) return;
-      reign.after = release ? Extend::hold : velocity.after;
+      reign.after = release ? Extrapolation::hold : velocity.after;
       Piece p;
       p.from = reign.events.front().time;
       p.reign = static_cast<std::int32_t>(code.reigns.size());
@@ -358,7 +358,7 @@ struct Compiler {
     n.around = siting(o, fn::environments), n.drive = siting(o, fn::drive);
     n.transform = o.find(fn::transform) != nullptr;
     code.sited = code.sited || n.around >= 0;
-    if (drawn(o.kind) && !shape_varies(object)) {
+    if (drawable(o.kind) && !shape_varies(object)) {
       Asking asking;
       n.shape = std::make_shared<const Shape>(code.shape(object, {}, code.rest.data(), asking));
     }

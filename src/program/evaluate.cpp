@@ -116,7 +116,7 @@ void Program::Compiled::add_solids(Frame& frame, const double* numbers, const st
   for (std::uint32_t object = 0; object < node_of.size(); ++object) {
     if (node_of[object] == ObjectId::nothing) continue;
     const Node& n = nodes[node_of[object]];
-    if (!drawn(n.kind) || numbers[n.display] == 0) continue;
+    if (!drawable(n.kind) || numbers[n.display] == 0) continue;
     Item item;
     item.id = {object};
     item.world = w[node_of[object]];
@@ -126,7 +126,7 @@ void Program::Compiled::add_solids(Frame& frame, const double* numbers, const st
     const auto look = [&](const Value& v) {
       const ObjectId other = std::get<ObjectId>(v);
       const Object* o = find_object(scene, other);
-      return shape_of(o && drawn(o->kind) ? other.index : object);
+      return shape_of(o && drawable(o->kind) ? other.index : object);
     };
     const Binding& geometry = find(object, fn::geometry);
     if (geometry.steps < 0) {

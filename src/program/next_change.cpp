@@ -27,13 +27,14 @@ std::optional<Time> Program::next_change(Time t) const {
   Next next{t, std::nullopt};
   for (const CurveUse& use : code.curves) {
     const auto [first, last] = code.set.span(use.curve);
-    const Extend out = t < first ? use.curve.before : use.curve.after;
+    const Extrapolation out = t < first ? use.curve.before : use.curve.after;
     if (first <= t && t < last) return t;
-    if (out != Extend::hold && first < last) return t;
+    if (out != Extrapolation::hold && first < last) return t;
     next.may(first);
   }
   for (const Moving& m : code.movings) {
-    if ((t < m.first ? m.extend_before : t >= m.last ? m.extend_after : Extend::hold) != Extend::hold) return t;
+    if ((t < m.first ? m.extend_before : t >= m.last ? m.extend_after : Extrapolation::hold) != Extrapolation::hold)
+      return t;
     for (const Moving::Piece& p : m.pieces) {
       if (!p.open && p.from <= t && t < p.until) return t;
       if (!p.open) next.may(p.from);

@@ -86,7 +86,7 @@ struct Versions {
     std::vector<ExpandedPart> out;
     for (Shown& shown : all) {
       Object& o = shown.part.object;
-      if (drawn(o.kind) && shown.turns != std::vector{from_the_beginning}) {
+      if (drawable(o.kind) && shown.turns != std::vector{from_the_beginning}) {
         Events& events = o.slot(fn::display).track.edit().events;
         const auto put = [&](Time t, bool on) {
           Event e;

@@ -85,5 +85,4 @@ enum : FunctionId {
 };
 }
 
-
 }  // namespace betwixt

@@ -49,7 +49,7 @@ const KindRow& row_of(Kind);
 std::optional<Kind> find_kind(std::string_view name);
 
 std::string a_kind(Kind);  // "a sphere", "an environment"
-inline bool drawn(Kind k) { return row_of(k).fill != Fill::nothing; }
+inline bool drawable(Kind k) { return row_of(k).fill != Fill::nothing; }
 inline bool placed(Kind k) { return row_of(k).placed; }
 
 // By the numbers of the kinds.

@@ -21,8 +21,8 @@ constexpr QueryName query_names[] = {{Query::world, "world", [](Kind) { return t
                                      {Query::motion, "by", moves_others},
                                      {Query::interval, "every", moves_others},
                                      {Query::count, "count", moves_others},
-                                     {Query::touching, "touching", drawn},
-                                     {Query::in_view, "in-view", drawn}};
+                                     {Query::touching, "touching", drawable},
+                                     {Query::in_view, "in-view", drawable}};
 
 }  // namespace
 

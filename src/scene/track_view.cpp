@@ -49,7 +49,7 @@ Twerper unsaid(const Target& t, Type type, const Track& track) {
 }
 
 TrackView view_of(const Scene& s, const Target& t, const Track& track) {
-  const auto extrapolation = [](Extend e) { return extend_names[static_cast<std::size_t>(e)]; };
+  const auto extrapolation = [](Extrapolation e) { return extrapolation_names[static_cast<std::size_t>(e)]; };
   TrackView view{t,
                  track.events.size(),
                  {},

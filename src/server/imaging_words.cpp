@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "editor/help.h"
-#include "editor/looking.h"
+#include "editor/describe.h"
 #include "language/json.h"
 #include "server/answers.h"
 #include "server/imaging.h"

@@ -222,14 +222,14 @@ void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
   const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
   if (t < *first || t > *last) {
     const bool after = t > *last;
-    const Extend how = after ? c.after : c.before;
-    if (how == Extend::cycle || how == Extend::bounce) {
-      t = fold(t, *first, *last, how == Extend::bounce);
+    const Extrapolation how = after ? c.after : c.before;
+    if (how == Extrapolation::cycle || how == Extrapolation::bounce) {
+      t = fold(t, *first, *last, how == Extrapolation::bounce);
     } else {
       // A cut at an end leaves one value outside it, and no slope.
       const CurveDetail* end = detail(c.first + (after ? c.count - 1 : 0));
       const bool cut = end && end->cut;
-      if (how == Extend::linear && c.count > 1 && !cut)
+      if (how == Extrapolation::linear && c.count > 1 && !cut)
         return beyond(c, after, static_cast<double>(t - (after ? *last : *first)), out);
       const double* value = &values_[c.values + (after ? c.count - 1 : 0) * c.channels];
       std::copy_n(cut && !after ? end->before.data() : value, c.channels, out);

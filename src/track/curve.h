@@ -30,7 +30,7 @@ struct Curve {
   std::uint8_t channels = 1;
   bool orientation = false;
   bool srgb = false;  // the numbers are as written and become light when evaluated
-  Extend before = Extend::hold, after = Extend::hold;
+  Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
 };
 
 // Hears, on this thread and while it stands, which twerpers of the author's give no number: the place of each among
@@ -117,7 +117,7 @@ class StepTrack {
   };
   std::vector<Key> keys_;
   std::vector<Value> values_;
-  Extend before_ = Extend::hold, after_ = Extend::hold;
+  Extrapolation before_ = Extrapolation::hold, after_ = Extrapolation::hold;
 };
 
 }  // namespace betwixt

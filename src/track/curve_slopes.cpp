@@ -56,8 +56,8 @@ void CurveSet::derivative(const Curve& c, Time time, double* out) const {
   std::array<Numbers, 5> v{};
   double h = 0, offset = 0;  // a step, and where the time is among the five, in steps
   if (outside) {
-    const Extend how = t < *first ? c.before : c.after;
-    if (how == Extend::hold) return;
+    const Extrapolation how = t < *first ? c.before : c.after;
+    if (how == Extrapolation::hold) return;
     h = std::max(1.0, std::min(static_cast<double>(*last - *first) / 4096, second / 1024));
     const auto step = static_cast<std::int64_t>(h);
     h = static_cast<double>(step);

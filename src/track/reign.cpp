@@ -64,7 +64,7 @@ Reign::Reign(CurveSet& set, const Curve& velocity, bool orientation)
   const std::int64_t length_ = set.span(v_).second.flicks - from_.flicks;
   step_ = std::max<std::int64_t>(flicks_per_second / 30, length_ / 1'000'000 + 1);
   there_ = steps(set, 1);
-  if (v_.after == Extend::bounce) against_ = steps(set, -1);
+  if (v_.after == Extrapolation::bounce) against_ = steps(set, -1);
 }
 
 Reign::Steps Reign::steps(const CurveSet& set, double sign) const {
@@ -90,10 +90,10 @@ void Reign::numbers(const CurveSet& set, Time time, double* out) const {
   if (t > last.flicks) {
     const double past = static_cast<double>(t - last.flicks) / second;
     const std::int64_t period = last.flicks - first.flicks;
-    if (v_.count < 2 || v_.after == Extend::hold || v_.after == Extend::linear || period <= 0) {
+    if (v_.count < 2 || v_.after == Extrapolation::hold || v_.after == Extrapolation::linear || period <= 0) {
       double end[4] = {}, rate[4] = {};
       set.evaluate(v_, last, end);
-      if (v_.after == Extend::linear && v_.count > 1) {
+      if (v_.after == Extrapolation::linear && v_.count > 1) {
         double far[4] = {};
         set.evaluate(v_, {last.flicks + flicks_per_second}, far);
         for (std::uint32_t i = 0; i < n; ++i) rate[i] = far[i] - end[i];
@@ -105,7 +105,7 @@ void Reign::numbers(const CurveSet& set, Time time, double* out) const {
     const std::int64_t turns = (t - first.flicks) / period, rest = (t - first.flicks) % period;
     whole = static_cast<double>(turns);
     t = first.flicks + rest;
-    if (v_.after == Extend::bounce && (turns & 1)) ++whole, sign = -1, t = last.flicks - rest;
+    if (v_.after == Extrapolation::bounce && (turns & 1)) ++whole, sign = -1, t = last.flicks - rest;
   }
   std::uint32_t low = 0, high = v_.count;
   while (high - low > 1) {
@@ -137,11 +137,11 @@ Quat Reign::wandered(const CurveSet& set, Time time) const {
   const std::int64_t first = from_.flicks, last = set.span(v_).second.flicks, period = last - first;
   if (time.flicks <= last) return stepped(set, there_, 1, time.flicks);
   Quat q = stepped(set, there_, 1, last);
-  if (v_.after == Extend::cycle) {
+  if (v_.after == Extrapolation::cycle) {
     const std::int64_t gone = time.flicks - first;
     return stepped(set, there_, 1, first + gone % period) * turned_by_part(q, static_cast<double>(gone / period));
   }
-  if (v_.after == Extend::bounce) {
+  if (v_.after == Extrapolation::bounce) {
     // Back again the same velocities come in the other order: the inverse of going there against them.
     const std::int64_t gone = (time.flicks - first) / (2 * period), rest = (time.flicks - first) % (2 * period);
     const Quat home = conjugate(stepped(set, against_, -1, last));
@@ -151,7 +151,7 @@ Quat Reign::wandered(const CurveSet& set, Time time) const {
   }
   std::int64_t at = last;
   constexpr int most_steps = 100'000;  // what changes for ever has no checkpoints; later it stays as it is
-  if (v_.after == Extend::linear)
+  if (v_.after == Extrapolation::linear)
     for (int i = 0; at < time.flicks && i < most_steps; ++i) {
       const std::int64_t step = std::min(step_, time.flicks - at);
       q = normalize(magnus(set, v_, at, step, 1) * q);

@@ -9,14 +9,14 @@
 
 namespace betwixt {
 
-enum class Extend : std::uint8_t { hold, linear, cycle, bounce };
-inline constexpr std::array<std::string_view, 4> extend_names{"hold", "linear", "cycle", "bounce"};
+enum class Extrapolation : std::uint8_t { hold, linear, cycle, bounce };
+inline constexpr std::array<std::string_view, 4> extrapolation_names{"hold", "linear", "cycle", "bounce"};
 
 struct Track {
   Events events;
   Twerper global = Twerper::unset;  // set: the one interpolator of the whole track, whatever the events say (G102)
   std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};  // of a global bezier
-  Extend before = Extend::hold, after = Extend::hold;
+  Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
   bool srgb = false;  // colours: blend the numbers as written, not the light
   friend bool operator==(const Track&, const Track&) = default;
 };

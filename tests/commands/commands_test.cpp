@@ -158,7 +158,7 @@ TEST(Commands, Twerpers) {
                {0, 1, 2, 3, 4, 3});
 }
 
-TEST(Commands, Extend) {
+TEST(Commands, Extrapolation) {
   const LoadedFilm cycle = after_ramp("extend b.position.x cycle after\nextend b.position.x linear before");
   expect_track(cycle, "b.position.x", 9, {0, 1, 2, 3, 4, 3, 2, 1, 0, 1});
   expect_numbers(cycle, "b.position.x", "-1f", {-2}, 1e-9);

@@ -18,7 +18,7 @@ Seen seen(const Program& program, Time t) {
   const Scene& s = program.document().scene();
   for (const ObjectId id : *s.expansion) {
     const Object& o = s.objects[id.index];
-    if (!drawn(o.kind) || !std::get<bool>(program.read({id, fn::display}, t))) continue;
+    if (!drawable(o.kind) || !std::get<bool>(program.read({id, fn::display}, t))) continue;
     std::string one(kind_names[static_cast<std::size_t>(o.kind)]);
     for (const double v : numbers(program.read({id, fn::color}, t))) one += fmt::format(" {:.3f}", v);
     const Mat4 world = *std::get<Matrix>(program.read({id, Query::world}, t));

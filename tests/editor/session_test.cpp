@@ -216,7 +216,7 @@ TEST(LaterLists, A_session_writes_edits_row_by_row_and_takes_them_back) {
     const Scene& scene = session.document().scene();
     std::size_t n = 0;
     for (const ObjectId id : *scene.expansion)
-      n += drawn(scene.objects[id.index].kind) && std::get<bool>(program.read({id, fn::display}, Rate{}.frame(frame)));
+      n += drawable(scene.objects[id.index].kind) && std::get<bool>(program.read({id, fn::display}, Rate{}.frame(frame)));
     return n;
   };
   enter("make a");

@@ -291,7 +291,7 @@ TEST(Components, SplittingATrackKeepsEveryValue) {
     for (Event& e : events) put_event(a, {id, f}, std::move(e));
     Track* t = edit_track(a, {id, f});
     t->srgb = srgb;
-    t->before = Extend::bounce, t->after = Extend::linear;
+    t->before = Extrapolation::bounce, t->after = Extrapolation::linear;
     Scene b = a;
     ASSERT_TRUE(edit_track(b, {id, f, component}));
     EXPECT_EQ(edit_track(b, {id, f}), nullptr);

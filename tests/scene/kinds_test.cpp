@@ -51,10 +51,10 @@ TEST(Kinds, EachHasOneRowWithItsWords) {
 
 TEST(Kinds, WhatIsDrawnHasAnExtentAndTriangles) {
   for (const KindRow& row : kinds()) {
-    EXPECT_EQ(drawn(row.kind), row.fill != Fill::nothing) << row.name;
-    EXPECT_EQ(row.extent != nullptr, drawn(row.kind)) << row.name;
+    EXPECT_EQ(drawable(row.kind), row.fill != Fill::nothing) << row.name;
+    EXPECT_EQ(row.extent != nullptr, drawable(row.kind)) << row.name;
     EXPECT_EQ(row.mesh != nullptr, row.fill == Fill::surface) << row.name;
-    EXPECT_TRUE(row.placed || !drawn(row.kind)) << row.name;
+    EXPECT_TRUE(row.placed || !drawable(row.kind)) << row.name;
   }
 }
 

@@ -80,7 +80,7 @@ TEST(Curve, CutsHaveTwoValues) {
   EXPECT_EQ(value(track({cut}), 0.5), 4);
   EXPECT_EQ(value(track({cut}), 1), 10);
   Track line = track({cut, event(2, 20.0)});
-  line.before = Extend::linear;
+  line.before = Extrapolation::linear;
   EXPECT_EQ(value(line, 0), 4);
 }
 
@@ -253,7 +253,7 @@ TEST(Orientation, SplinesAboutOneAxisAreThoseOfTheAngle) {
 TEST(Orientation, KeepsTurningAtItsEndSpeed) {
   Event last = event(1, axis_angle({0, 1, 0}, 0.5));
   Track t = track({event(0, Quat{}), last});
-  t.before = t.after = Extend::linear;
+  t.before = t.after = Extrapolation::linear;
   EXPECT_NEAR(angle_between(turn(t, 5), axis_angle({0, 1, 0}, 2.5)), 0, 1e-5);
   EXPECT_NEAR(angle_between(turn(t, -3), axis_angle({0, 1, 0}, -1.5)), 0, 1e-5);
   // One that has come to rest stays there; one that has only started slowly goes on at its full speed.
@@ -261,7 +261,7 @@ TEST(Orientation, KeepsTurningAtItsEndSpeed) {
   t.events.put(last);
   EXPECT_NEAR(angle_between(turn(t, 5), axis_angle({0, 1, 0}, 0.5)), 0, 1e-5);
   Track slow = track({event(0, Quat{}), event(1, axis_angle({0, 1, 0}, 0.5))});
-  slow.after = Extend::linear;
+  slow.after = Extrapolation::linear;
   slow.events.edit_between({}, {}, [](Event& e) { e.detail.edit().ease_out = at(0.5); });
   // 0.5 in 1 s with half of it easing: full speed 0.5 / 0.75.
   EXPECT_NEAR(angle_between(turn(slow, 2), axis_angle({0, 1, 0}, 0.5 + 0.5 / 0.75)), 0, 1e-5);
@@ -304,13 +304,13 @@ TEST(Color, GoesThereAndBack) {
 }
 
 // shows: G31
-TEST(Extend, RepeatsAsDefined) {
+TEST(Extrapolation, RepeatsAsDefined) {
   const auto f = [](double s) { return s * s - 3 * s; };
   Track t;
   for (double s : {1.0, 1.5, 2.5, 3.0}) t.events.put(event(s, f(s), Twerper::linear));
   const Track inside = t;
   for (const bool bounce : {false, true}) {
-    t.before = t.after = bounce ? Extend::bounce : Extend::cycle;
+    t.before = t.after = bounce ? Extrapolation::bounce : Extrapolation::cycle;
     for (double s = -9.03125; s < 12; s += 0.0625) {
       double x = s;  // by walking
       bool back = false;
@@ -319,25 +319,25 @@ TEST(Extend, RepeatsAsDefined) {
       EXPECT_NEAR(value(t, s), value(inside, bounce && back ? 4 - x : x), 1e-9) << s;
     }
   }
-  t.before = t.after = Extend::linear;
+  t.before = t.after = Extrapolation::linear;
   EXPECT_NEAR(value(t, 0), f(1) - (f(1.5) - f(1)) / 0.5, 1e-12);
   EXPECT_NEAR(value(t, 1003), f(3) + 1000 * (f(3) - f(2.5)) / 0.5, 1e-9);
   // A curve goes on with its slope; a held one is held; one at rest stays.
   Track s = track({event(0, 0.0), event(1, 1.0), event(2, 4.0)});
-  s.before = s.after = Extend::linear;
+  s.before = s.after = Extrapolation::linear;
   EXPECT_NEAR(value(s, 3), 7, 1e-5);  // the chord's slope at the end
   Track held = track({event(0, 0.0, Twerper::hold), event(1, 5.0)});
-  held.before = held.after = Extend::linear;
+  held.before = held.after = Extrapolation::linear;
   EXPECT_EQ(value(held, 1), 5);
   EXPECT_EQ(value(held, 2), 5);
   EXPECT_EQ(value(held, -2), 0);
   Event rest = event(1, 5.0);
   rest.detail.edit().ease_in = at(0.3);
   Track resting = track({event(0, 0.0, Twerper::linear), rest});
-  resting.after = Extend::linear;
+  resting.after = Extrapolation::linear;
   EXPECT_NEAR(value(resting, 9), 5, 1e-9);
   Track one = track({event(2, 5.0)});
-  for (const Extend e : {Extend::hold, Extend::linear, Extend::cycle, Extend::bounce}) {
+  for (const Extrapolation e : {Extrapolation::hold, Extrapolation::linear, Extrapolation::cycle, Extrapolation::bounce}) {
     one.before = one.after = e;
     EXPECT_EQ(value(one, 0), 5);
     EXPECT_EQ(value(one, 9), 5);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "editor/dials.h"
+#include "editor/controls.h"
 
 #include <fmt/format.h>
 

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> Program::Compiled::bodies(Time t) const {
     const auto name = [&](std::uint32_t node) -> const std::string& {
       return document.scene().objects[nodes[node].object].name;
     };
-    return drawn(nodes[parent].kind) || part_of(name(i), name(parent)) ? parent : i;
+    return drawable(nodes[parent].kind) || part_of(name(i), name(parent)) ? parent : i;
   };
   for (std::uint32_t start = 0; start < nodes.size(); ++start) {
     std::uint32_t i = start;

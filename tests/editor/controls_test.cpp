@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Live input: what controls say turns what their dials name, now and for all times, or recorded as events.
-#include "editor/dials.h"
+#include "editor/controls.h"
 
 #include <limits>
 

@@ -144,21 +144,21 @@ std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t) const {
   constexpr double bound = 1e18;
   if (n.moving < 0) return std::nullopt;
   const Moving& m = movings[static_cast<std::size_t>(n.moving)];
-  const Extend how = t < m.first ? m.extend_before : t > m.last ? m.extend_after : Extend::hold;
-  if (how >= Extend::cycle) t = {fold(t.flicks, m.first.flicks, m.last.flicks, how == Extend::bounce)};
+  const Extrapolation how = t < m.first ? m.extend_before : t > m.last ? m.extend_after : Extrapolation::hold;
+  if (how >= Extrapolation::cycle) t = {fold(t.flicks, m.first.flicks, m.last.flicks, how == Extrapolation::bounce)};
   const auto later = std::upper_bound(m.pieces.begin(), m.pieces.end(), t,
                                       [](Time time, const Moving::Piece& p) { return time < p.from; });
   auto k = static_cast<std::size_t>(later - m.pieces.begin());
   // Before the first one a line goes on backwards.
-  const bool ahead = k == 0 && how == Extend::linear && m.pieces[0].from == m.first;
+  const bool ahead = k == 0 && how == Extrapolation::linear && m.pieces[0].from == m.first;
   if (k == 0 && !ahead) return std::nullopt;
   k = ahead ? 0 : k - 1;
   const Moving::Piece& p = m.pieces[k];
   if (k >= m.placed) {  // while centres are looked up: of what begins nothing is done, what is yet to come is not there
-    if (how != Extend::hold) return std::nullopt;
+    if (how != Extrapolation::hold) return std::nullopt;
     return p.before;
   }
-  const bool beyond = t >= p.until && !(how == Extend::linear && p.until == m.last);
+  const bool beyond = t >= p.until && !(how == Extrapolation::linear && p.until == m.last);
   double done = p.open ? 0 : 1;
   if (!p.open && !beyond) set.evaluate(p.progress, t, &done);
   Mat4 whole = betwixt::at(p.motion, done) * p.before;
