@@ -56,6 +56,7 @@ struct LivePart {
   Value rest;
   // A colour's component blends as light; its values are numbers.
   Type value_type() const { return component >= 0 && row_of(type).light ? Type::scalar : type; }
+  std::size_t piece_at(Time) const;  // where there are pieces
 };
 
 struct LiveStrand {
@@ -211,6 +212,7 @@ struct Program::Compiled {
   Value live_value(std::int32_t live, Time t, Asking&) const;  // as the author writes values
   // The rate of change per second, as the author would write it; nothing where that means nothing.
   std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&) const;
+  bool said_velocity(const LivePart&, Time t, double* out) const;  // by a reign or by its curve; false: by neither
   Value read(const Target&, Time t, Asking&) const;
   // Each twerper that failed, named once among the problems.
   void say(const TwerperFailures&, Asking&) const;

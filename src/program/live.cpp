@@ -48,42 +48,6 @@ void Asking::say(std::string problem) {
     problems.push_back(std::move(problem));
 }
 
-Vec3 to_angles(Quat q) {  // about x, then y, then z of the object's own axes
-  const Mat4 m = rotation(q);
-  const double y = std::asin(std::clamp(m(0, 2), -1.0, 1.0));
-  if (std::abs(m(0, 2)) > 1 - 1e-12) return {std::atan2(m(2, 1), m(1, 1)), y, 0};
-  return {std::atan2(-m(1, 2), m(2, 2)), y, std::atan2(-m(0, 1), m(0, 0))};
-}
-
-int held_numbers(const Value& v, bool orientation, double* out) {
-  if (const auto* a = std::get_if<Angles>(&v); a && orientation) return to_numbers(from_angles(a->xyz), out);
-  const int n = to_numbers(v, out);
-  if (std::holds_alternative<Color>(v))
-    for (int i = 0; i < 3; ++i) out[i] = to_linear(out[i]);
-  return n;
-}
-
-Value written_value(Type type, const double* n, bool orientation) {
-  if (!row_of(type).light) return value_of_numbers(type, n, orientation);
-  const double written[] = {to_srgb(n[0]), to_srgb(n[1]), to_srgb(n[2])};
-  return value_of_numbers(type, written);
-}
-
-Result<Value> fit(const Value& v, Type type, const Scene& scene) {
-  if (const auto fitting = fitted(v, type)) return *fitting;
-  const auto* text = std::get_if<Text>(&v);
-  if (text && std::holds_alternative<ObjectId>(row_of(type).example())) {
-    if (**text == "none") return Value(ObjectId{});
-    if (const ObjectId id = scene.names.find(**text)) return Value(id);
-    return fail(Code::name, fmt::format("there is no object '{}'", **text));
-  }
-  const char* is = std::holds_alternative<double>(v) ? "a number"
-                   : std::holds_alternative<Vec3>(v) ? "a vector"
-                   : text                            ? "a text"
-                                                     : "something else";
-  return fail(Code::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
-}
-
 namespace {
 
 using Compiled = Program::Compiled;
@@ -245,13 +209,8 @@ struct Worker {
     return any;
   }
 
-  std::size_t piece_at(const LivePart& part, Time t) const {
-    const auto at = std::upper_bound(part.pieces.begin(), part.pieces.end(), t,
-                                     [](Time time, const Piece& p) { return time < p.from; });
-    return at == part.pieces.begin() ? 0 : static_cast<std::size_t>(at - part.pieces.begin()) - 1;
-  }
   Value part_value(const LivePart& part, Time t) const {
-    return part.pieces.empty() ? scripted(part, t) : piece_value(part, piece_at(part, t), t);
+    return part.pieces.empty() ? scripted(part, t) : piece_value(part, part.piece_at(t), t);
   }
 
   // What a filter sees.
@@ -336,6 +295,12 @@ struct Worker {
 
 }  // namespace
 
+std::size_t LivePart::piece_at(Time t) const {
+  const auto at =
+      std::upper_bound(pieces.begin(), pieces.end(), t, [](Time time, const Piece& p) { return time < p.from; });
+  return at == pieces.begin() ? 0 : static_cast<std::size_t>(at - pieces.begin()) - 1;
+}
+
 Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
   const Worker worker{*this, live, asking};
@@ -384,80 +349,6 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking) 
   if (asking.open.empty()) asking.asked.clear();
   asking.cut = std::min(outer_cut, whole ? SIZE_MAX : asking.cut);
   return v;
-}
-
-std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionId f, Time t, Asking& asking) const {
-  const Binding& b = find(object, f);
-  const Type type = spec_of(document.scene(), f).type;
-  if (!has_velocity(type)) return std::nullopt;
-  const auto as_rate = [&](const double* n, bool orientation) -> Value {
-    if (orientation) return Vec3{n[0], n[1], n[2]};
-    return value_of_numbers(type, n);
-  };
-  Numbers n{};
-  if (b.live < 0 && !row_of(type).light) {
-    if (b.channels == 0) return std::nullopt;
-    for (std::uint32_t i = 0; i < b.curves; ++i) {
-      const CurveUse& use = curves[b.first_curve + i];
-      set.derivative(use.curve, t, n.data() + (use.offset - b.offset));
-    }
-    return as_rate(n.data(), b.orientation);
-  }
-  if (b.live >= 0) {  // a reign says its velocity itself; so do the plain pieces about it
-    const Live& live = lives[static_cast<std::size_t>(b.live)];
-    const LiveStrand& own = live.strands[0];
-    const Worker worker{*this, live, asking};
-    const auto of_part = [&](const LivePart& part, double* out) {
-      if (part.pieces.empty()) return false;
-      const Piece& p = part.pieces[worker.piece_at(part, t)];
-      if (p.reign >= 0) {
-        set.evaluate(reigns[static_cast<std::size_t>(p.reign)].velocity(), t, out);
-        return true;
-      }
-      if (p.scripted || row_of(part.type).light) return false;
-      if (p.primary.count > 0) set.derivative(p.primary, t, out);
-      return p.primary.count > 0;
-    };
-    bool all = live.strands.size() == 1 && own.filters.empty() && !own.parts.empty();
-    bool orientation = false;
-    for (const LivePart& part : own.parts) {
-      all = all && of_part(part, n.data() + std::max(part.component, 0));
-      orientation = orientation || part.orientation;
-    }
-    if (all) return as_rate(n.data(), orientation);
-  }
-  // Three values close by, from here on: values are continuous to the right.
-  const std::int64_t h = flicks_per_second / 8192;
-  const auto at = [&](std::int64_t steps) {
-    const Time when{t.flicks + steps * h};
-    if (b.live >= 0) return live_value(b.live, when, asking);
-    Numbers x{};
-    evaluate(b, when, asking, x.data());
-    return Value(to_srgb(vec3(x.data())));
-  };
-  const Value here = at(0), next = at(1), last = at(2);
-  const double seconds = Time{h}.seconds();
-  const auto turn = [](const Value& v) {
-    const auto* q = std::get_if<Quat>(&v);
-    const auto* e = std::get_if<Angles>(&v);
-    return q ? *q : from_angles(e ? e->xyz : Vec3{});
-  };
-  if (std::holds_alternative<Quat>(here) || std::holds_alternative<Quat>(next)) {
-    const auto spin = [&](const Value& to) {
-      Quat d = turn(to) * conjugate(turn(here));
-      if (d.w < 0) d = -d;
-      const Vec3 v{d.x, d.y, d.z};
-      const double l = length(v);
-      return l > 1e-15 ? (2 * std::atan2(l, d.w) / l) * v : Vec3{};
-    };
-    return Value((1 / (2 * seconds)) * (4 * spin(next) - spin(last)));
-  }
-  const auto near = add_scaled(next, here, -1), far = add_scaled(last, here, -1);
-  if (!near || !far) return std::nullopt;
-  double one[4] = {}, two[4] = {};
-  to_numbers(*near, one), to_numbers(*far, two);
-  for (int i = 0; i < 4; ++i) one[i] = (4 * one[i] - two[i]) / (2 * seconds);
-  return value_of_numbers(type, one);
 }
 
 }  // namespace betwixt

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of compiling: tracks and constants (compile.cpp), what is worked out by question and answer
+// (compile_lives.cpp), and what is where (compile_nodes.cpp).
+#pragma once
+
+#include "program/code.h"
+
+namespace betwixt {
+
+// Room for a constant of a type in the array of numbers; colours become light.
+Binding bind_constant(Program::Compiled&, FunctionId, const Value&, Type);
+Binding bind_track(Program::Compiled&, const Slot&);
+Binding bind_live(Program::Compiled&, std::uint32_t object, FunctionId);
+// Nodes, the environments and the parents that they have; all bindings are made.
+void compile_nodes(Program::Compiled&);
+
+inline bool scripted(const Value& v) { return std::holds_alternative<Procedure>(v); }
+bool scripted(const Track&);
+bool has_values(const Track&);
+template <class F>
+void each_track(const Strand& s, F&& f) {
+  if (s.components.empty()) f(*s.track);
+  for (const auto& c : s.components) f(*c);
+}
+bool has_events(const Strand&);
+
+}  // namespace betwixt

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From values as the author writes them to the numbers that the array holds, and back.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "program/code.h"
+
+namespace betwixt {
+
+Vec3 to_angles(Quat q) {  // about x, then y, then z of the object's own axes
+  const Mat4 m = rotation(q);
+  const double y = std::asin(std::clamp(m(0, 2), -1.0, 1.0));
+  if (std::abs(m(0, 2)) > 1 - 1e-12) return {std::atan2(m(2, 1), m(1, 1)), y, 0};
+  return {std::atan2(-m(1, 2), m(2, 2)), y, std::atan2(-m(0, 1), m(0, 0))};
+}
+
+int held_numbers(const Value& v, bool orientation, double* out) {
+  if (const auto* a = std::get_if<Angles>(&v); a && orientation) return to_numbers(from_angles(a->xyz), out);
+  const int n = to_numbers(v, out);
+  if (std::holds_alternative<Color>(v))
+    for (int i = 0; i < 3; ++i) out[i] = to_linear(out[i]);
+  return n;
+}
+
+Value written_value(Type type, const double* n, bool orientation) {
+  if (!row_of(type).light) return value_of_numbers(type, n, orientation);
+  const double written[] = {to_srgb(n[0]), to_srgb(n[1]), to_srgb(n[2])};
+  return value_of_numbers(type, written);
+}
+
+Result<Value> fit(const Value& v, Type type, const Scene& scene) {
+  if (const auto fitting = fitted(v, type)) return *fitting;
+  const auto* text = std::get_if<Text>(&v);
+  if (text && std::holds_alternative<ObjectId>(row_of(type).example())) {
+    if (**text == "none") return Value(ObjectId{});
+    if (const ObjectId id = scene.names.find(**text)) return Value(id);
+    return fail(Code::name, fmt::format("there is no object '{}'", **text));
+  }
+  const char* is = std::holds_alternative<double>(v) ? "a number"
+                   : std::holds_alternative<Vec3>(v) ? "a vector"
+                   : text                            ? "a text"
+                                                     : "something else";
+  return fail(Code::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
+}
+
+}  // namespace betwixt

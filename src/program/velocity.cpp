@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How fast values change.
+#include <algorithm>
+#include <cmath>
+
+#include "program/code.h"
+#include "track/operations.h"
+
+namespace betwixt {
+namespace {
+
+Quat turn_of(const Value& v) {
+  const auto* q = std::get_if<Quat>(&v);
+  const auto* e = std::get_if<Angles>(&v);
+  return q ? *q : from_angles(e ? e->xyz : Vec3{});
+}
+
+// The turning from one orientation to another, the short way, as a vector.
+Vec3 turning(const Value& from, const Value& to) {
+  Quat d = turn_of(to) * conjugate(turn_of(from));
+  if (d.w < 0) d = -d;
+  const Vec3 v{d.x, d.y, d.z};
+  const double l = length(v);
+  return l > 1e-15 ? (2 * std::atan2(l, d.w) / l) * v : Vec3{};
+}
+
+// The slope at the first of three values, as long after each other.
+std::optional<Value> slope(const Value (&v)[3], double seconds, Type type) {
+  if (std::holds_alternative<Quat>(v[0]) || std::holds_alternative<Quat>(v[1]))
+    return Value((1 / (2 * seconds)) * (4 * turning(v[0], v[1]) - turning(v[0], v[2])));
+  const auto near = add_scaled(v[1], v[0], -1), far = add_scaled(v[2], v[0], -1);
+  if (!near || !far) return std::nullopt;
+  double one[4] = {}, two[4] = {};
+  to_numbers(*near, one), to_numbers(*far, two);
+  for (int i = 0; i < 4; ++i) one[i] = (4 * one[i] - two[i]) / (2 * seconds);
+  return value_of_numbers(type, one);
+}
+
+}  // namespace
+
+bool Program::Compiled::said_velocity(const LivePart& part, Time t, double* out) const {
+  if (part.pieces.empty()) return false;
+  const Piece& p = part.pieces[part.piece_at(t)];
+  if (p.reign >= 0) {
+    set.evaluate(reigns[static_cast<std::size_t>(p.reign)].velocity(), t, out);
+    return true;
+  }
+  if (p.scripted || row_of(part.type).light) return false;
+  if (p.primary.count > 0) set.derivative(p.primary, t, out);
+  return p.primary.count > 0;
+}
+
+std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionId f, Time t, Asking& asking) const {
+  const Binding& b = find(object, f);
+  const Type type = spec_of(document.scene(), f).type;
+  if (!has_velocity(type)) return std::nullopt;
+  const auto as_rate = [&](const double* n, bool orientation) -> Value {
+    return orientation ? Value(vec3(n)) : value_of_numbers(type, n);
+  };
+  double n[4] = {};
+  if (b.live < 0 && !row_of(type).light) {
+    if (b.channels == 0) return std::nullopt;
+    for (std::uint32_t i = 0; i < b.curves; ++i) {
+      const CurveUse& use = curves[b.first_curve + i];
+      set.derivative(use.curve, t, n + (use.offset - b.offset));
+    }
+    return as_rate(n, b.orientation);
+  }
+  if (b.live >= 0) {  // a reign says its velocity itself; so do the plain pieces about it
+    const Live& live = lives[static_cast<std::size_t>(b.live)];
+    const LiveStrand& own = live.strands[0];
+    bool all = live.strands.size() == 1 && own.filters.empty() && !own.parts.empty();
+    bool orientation = false;
+    for (const LivePart& part : own.parts) {
+      all = all && said_velocity(part, t, n + std::max(part.component, 0));
+      orientation = orientation || part.orientation;
+    }
+    if (all) return as_rate(n, orientation);
+  }
+  // Three values close by, from here on: values are continuous to the right.
+  const std::int64_t h = flicks_per_second / 8192;
+  const auto at = [&](std::int64_t steps) -> Value {
+    const Time when{t.flicks + steps * h};
+    if (b.live >= 0) return live_value(b.live, when, asking);
+    double x[4] = {};
+    evaluate(b, when, asking, x);
+    return to_srgb(vec3(x));
+  };
+  return slope({at(0), at(1), at(2)}, Time{h}.seconds(), type);
+}
+
+}  // namespace betwixt
