@@ -41,19 +41,8 @@ bool dial(Command& k) {
   if (to.targets.size() != 1)
     return c.fail(Code::name, "a dial turns one target", word, "a group or a function of your own can turn many");
   made.target = to.targets[0];
-  switch (to.type()) {
-    case Type::scalar:
-    case Type::angle:
-    case Type::boolean:
-    case Type::vector:
-    case Type::pair:
-    case Type::color:
-    case Type::rotation:
-    case Type::text:
-      break;
-    default:
-      return c.fail(Code::type, fmt::format("no dial can turn {}", to_string(to.type())), word);
-  }
+  if (!row_of(to.type()).dials)
+    return c.fail(Code::type, fmt::format("no dial can turn {}", to_string(to.type())), word);
   if (c.accept_word("from")) {
     if (!c.number(made.low) || !c.number(made.high)) return false;
     if (made.low == made.high) return c.fail_here(Code::range, "the dial's own range has no width");

@@ -41,9 +41,7 @@ bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
   auto& [s, c, time, layer, script] = k;
   if (!c.accept('=')) return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", key));
   const Type type = to.type();
-  if (type != Type::scalar && type != Type::angle && type != Type::pair && type != Type::vector &&
-      type != Type::rotation)
-    return c.fail(Code::type, fmt::format("{} has no tangents", to_string(type)), key);
+  if (!row_of(type).tangents) return c.fail(Code::type, fmt::format("{} has no tangents", to_string(type)), key);
   const FunctionSpec free = unbounded(*to.spec);  // a speed may be of any size
   Value v;
   c.space();
@@ -60,8 +58,7 @@ bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
 bool rate_of_change(Command& k, const Selected& to, Value& out) {
   auto& [s, c, time, layer, script] = k;
   const Type type = to.type();
-  if (type != Type::rotation && type != Type::orientation)
-    return values(k).value(unbounded(*to.spec), to.component, out);
+  if (row_of(type).changes != Changes::by_turning) return values(k).value(unbounded(*to.spec), to.component, out);
   c.space();
   Vec3 v;
   if (c.peek_word() == "axis") {
@@ -226,16 +223,8 @@ bool computed(Command& k, const Selected& to, Value& out) {
   std::string source;
   if (!c.text(source)) return false;
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
-  switch (to.type()) {
-    case Type::points:
-    case Type::names:
-    case Type::attachment:
-    case Type::transform:
-    case Type::motion:
-      return c.fail(Code::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
-    default:
-      break;
-  }
+  if (!row_of(to.type()).computed)
+    return c.fail(Code::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
   if (to.spec->name == "file" || !to.spec->words.empty() || to.spec->name == "texture" || to.spec->name == "font")
     return c.fail(Code::type, fmt::format("{} cannot be computed", to.spec->name), about);
   auto code = make_lua(Role::value, std::move(source));

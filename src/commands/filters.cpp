@@ -44,10 +44,7 @@ bool choose(Command& k, Chosen& out) {
 }
 
 bool means_something(const Chosen& filter, Type type) {
-  if (type == Type::attachment || type == Type::names || type == Type::transform || type == Type::motion ||
-      type == Type::points)
-    return false;
-  return !filter.spec || suits(*filter.spec, type);
+  return row_of(type).computed && (!filter.spec || suits(*filter.spec, type));
 }
 
 // What the filter knows of a key; null where it is the author's own and takes any that it makes use of.

@@ -48,30 +48,18 @@ bool define(Command& k) {
       return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
   if (name == "world" || name == "velocity")
     return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
-  static constexpr std::pair<std::string_view, Type> types[] = {{"number", Type::scalar},
-                                                                {"angle", Type::angle},
-                                                                {"vector", Type::vector},
-                                                                {"color", Type::color},
-                                                                {"boolean", Type::boolean},
-                                                                {"rotation", Type::rotation},
-                                                                {"orientation", Type::orientation},
-                                                                {"text", Type::text},
-                                                                {"shape", Type::shape},
-                                                                {"scalar", Type::scalar}};
   c.space();
   const std::string_view type = c.word();
-  const auto at = std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == type; });
-  if (at == std::end(types)) {
-    std::vector<std::string_view> words;
-    for (const auto& t : types) words.push_back(t.first);
+  const TypeRow* row = find_type(type);
+  if (!row) {
+    const std::vector<std::string_view> words = type_words();
     const std::string hint = did_you_mean(type, words);
     return c.fail(Code::name,
                   type.empty() ? "a type is missing here" : fmt::format("there is no type '{}'", type.substr(0, 40)),
                   type.empty() ? std::string_view(c.at, 0) : type,
-                  hint.empty() ? "types are number angle vector color boolean rotation orientation text shape" : hint);
+                  hint.empty() ? fmt::format("types are {}", fmt::join(words, " ")) : hint);
   }
-  static const Value rests[] = {0.0, 0.0, Vec3{}, Color{}, false, Angles{}, Quat{}, Text(), ObjectId{}, 0.0};
-  FunctionSpec spec{std::string(name), at->second, rests[at - std::begin(types)], 0xffffffff, Unit::none, {}};
+  FunctionSpec spec{.name = std::string(name), .type = row->type, .rest = row->example(), .kinds = 0xffffffff};
   c.space();
   if (c.peek() == '=') {
     Selected of;

@@ -33,25 +33,10 @@ Brought& brought() {
   return b;
 }
 
-constexpr std::pair<std::string_view, Type> types[] = {
-    {"number", Type::scalar}, {"scalar", Type::scalar},   {"angle", Type::angle},      {"vector", Type::vector},
-    {"color", Type::color},   {"boolean", Type::boolean}, {"rotation", Type::rotation}};
-
-Value value_of_numbers(Type type, const std::vector<double>& n) {
-  const auto at = [&](std::size_t i) { return i < n.size() ? n[i] : 0.0; };
-  const Vec3 v{at(0), at(1), at(2)};
-  switch (type) {
-    case Type::vector:
-      return v;
-    case Type::color:
-      return Color{v.x, v.y, v.z};
-    case Type::boolean:
-      return v.x != 0;
-    case Type::rotation:
-      return Angles{v};
-    default:
-      return v.x;
-  }
+// The type that a plug-in calls so, where its values are numbers.
+const TypeRow* type_of_numbers(std::string_view word) {
+  const TypeRow* row = find_type(word);
+  return row && row->dials && row->channels > 0 ? row : nullptr;
 }
 
 bool is_function(std::string_view name) {
@@ -96,12 +81,14 @@ Status use_plugin(const std::string& path) {
   }
   for (const PluginFunction& f : plugin->functions) {
     if (const Status s = free(f.name, is_function(f.name) ? "a function" : ""); !s) return s;
-    const auto* type =
-        std::find_if(std::begin(types), std::end(types), [&](const auto& t) { return t.first == f.type; });
-    if (type == std::end(types))
+    const TypeRow* row = type_of_numbers(f.type);
+    if (!row)
       return refuse(Code::type, fmt::format("the function '{}' has no type that is known: '{}'", f.name, f.type));
     words.push_back({f.name, {}, path});
-    functions.push_back({f.name, type->second, value_of_numbers(type->second, f.numbers), 0xffffffff, Unit::none, {}});
+    double n[4] = {};
+    std::copy_n(f.numbers.begin(), std::min<std::size_t>(f.numbers.size(), 4), n);
+    functions.push_back(
+        {.name = f.name, .type = row->type, .rest = value_of_numbers(row->type, n), .kinds = 0xffffffff});
   }
   const auto others = static_cast<std::size_t>(
       std::count_if(all.words.begin(), all.words.end(), [&](const Word& w) { return w.path != path; }));

@@ -64,10 +64,10 @@ bool factors(Command& k, const Stretch& on, Value& out) {
     out = d;
     return true;
   }
-  if (on.type() == Type::scalar || on.type() == Type::angle)
+  if (std::holds_alternative<double>(row_of(on.type()).example()))
     return c.fail_here(Code::type, fmt::format("one number is wanted here: this is {}", to_string(on.type())));
   Vec3 v;
-  if (!values(k).vector(on.type() == Type::pair ? 2 : 3, v)) return false;
+  if (!values(k).vector(component_count(on.type()) == 2 ? 2 : 3, v)) return false;
   out = v;
   return true;
 }
@@ -146,7 +146,7 @@ bool rotate(Command& k) {
   if (!on_segment(k, on) || !c.angle(angle) || !values(k).axis(axis)) return false;
   if (c.accept('@') && !values(k).vector(3, centre, Unit::metres)) return false;
   const Type type = on.of.spec ? on.type() : Type::vector;
-  if (type != Type::vector && type != Type::orientation && type != Type::rotation && type != Type::aim)
+  if (!row_of(type).rotates)
     return c.fail(Code::type, fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)),
                   on.word);
   return operate(k, on, [&](Track& t, int component, bool velocity) -> Result<Changed> {

@@ -115,7 +115,7 @@ bool global_twerper(Command& k) {
     c.space();
     const std::string_view how = c.word();
     if (how != "light" && how != "srgb") return c.fail(Code::syntax, "colours blend in=light or in=srgb", how);
-    if (to.type() != Type::color)
+    if (!row_of(to.type()).light)
       return c.fail(Code::type, fmt::format("only colours blend in light or srgb; this is {}", to_string(to.type())),
                     key);
     srgb = how == "srgb";

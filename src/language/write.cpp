@@ -24,7 +24,7 @@ struct Writer {
     return o ? o->name : "";
   }
   std::string value(const Value& v, const FunctionSpec& spec, int component) const {
-    const bool turns = spec.type == Type::rotation || spec.type == Type::orientation;
+    const bool turns = row_of(spec.type).changes == Changes::by_turning;
     if (const auto* m = std::get_if<Moves>(&v)) {  // a centre that is gone is the origin, as it is in the film
       Motion motion = **m;
       for (Factor& f : motion.factors)
@@ -133,15 +133,6 @@ struct Writer {
     if (s.range) out += "range " + point(s.range->first) + " " + point(s.range->second) + "\n";
     if (s.background) out += "background " + write_color(*s.background) + "\n";
     if (!s.notes_shown) out += "notes off\n";
-    static constexpr std::pair<Type, std::string_view> types[] = {{Type::scalar, "number"},
-                                                                  {Type::angle, "angle"},
-                                                                  {Type::vector, "vector"},
-                                                                  {Type::color, "color"},
-                                                                  {Type::boolean, "boolean"},
-                                                                  {Type::rotation, "rotation"},
-                                                                  {Type::orientation, "orientation"},
-                                                                  {Type::text, "text"},
-                                                                  {Type::shape, "shape"}};
     for (const NamedProcedure& p : *s.procedures)
       if (p.code->language == "lua")
         out += fmt::format("procedure {} {} lua {}\n", p.name, role_names[static_cast<std::size_t>(p.role)],
@@ -149,8 +140,7 @@ struct Writer {
       else
         out += fmt::format("# {} comes from the plug-in {}\n", p.name, p.code->source);
     for (const FunctionSpec& f : *s.defined)
-      for (const auto& [type, word] : types)
-        if (type == f.type) out += fmt::format("define {} {} {}\n", f.name, word, value(f.rest, f, -1));
+      out += fmt::format("define {} {} {}\n", f.name, row_of(f.type).word, value(f.rest, f, -1));
     for (const auto& [name, elements] : *s.aliases) {
       out += "alias " + name + " =";
       for (const auto& e : elements) out += " " + e;

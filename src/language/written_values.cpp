@@ -143,10 +143,10 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of) {
   const Type type = component < 0 ? spec.type : component_type(spec.type);
   if (const auto* d = std::get_if<double>(&v)) {
-    if (type == Type::angle) return write_angle(*d);
+    if (row_of(type).angles) return write_angle(*d);
     return write_number(*d) + (spec.unit == Unit::millimetres ? "mm" : "");
   }
-  if (const auto* p = std::get_if<Vec3>(&v)) return write_vector(*p, type == Type::pair ? 2 : 3);
+  if (const auto* p = std::get_if<Vec3>(&v)) return write_vector(*p, component_count(type) == 2 ? 2 : 3);
   if (const auto* c = std::get_if<Color>(&v)) return write_color(*c);
   if (const auto* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
   if (const auto* a = std::get_if<Angles>(&v))

@@ -10,6 +10,8 @@
 #include <bit>
 #include <limits>
 
+#include "track/types.h"
+
 namespace betwixt {
 
 // What a filter was told, or else what it does when nothing is said.
@@ -48,21 +50,17 @@ struct Sample {
   int count = 0;
 };
 Sample numbers(const Value& v) {
-  if (const auto* d = std::get_if<double>(&v)) return {{*d}, 1};
-  if (const auto* p = std::get_if<Vec3>(&v)) return {{p->x, p->y, p->z}, 3};
-  if (const auto* c = std::get_if<Color>(&v)) return {{c->r, c->g, c->b}, 3};
-  if (const auto* a = std::get_if<Angles>(&v)) return {{a->xyz.x, a->xyz.y, a->xyz.z}, 3};
-  if (const auto* q = std::get_if<Quat>(&v)) return {{q->w, q->x, q->y, q->z}, 4};
-  return {};
+  Sample s;
+  if (!std::holds_alternative<bool>(v)) s.count = to_numbers(v, s.n);
+  return s;
 }
 // The value of the same kind as `like` that has these numbers. There is no darker than black.
 Value value_of(const Value& like, const double* n) {
-  if (std::holds_alternative<double>(like)) return n[0];
-  if (std::holds_alternative<Vec3>(like)) return Vec3{n[0], n[1], n[2]};
-  if (std::holds_alternative<Color>(like)) return Color{std::max(n[0], 0.0), std::max(n[1], 0.0), std::max(n[2], 0.0)};
-  if (std::holds_alternative<Angles>(like)) return Angles{{n[0], n[1], n[2]}};
-  if (std::holds_alternative<Quat>(like)) return normalize(Quat{n[0], n[1], n[2], n[3]});
-  return like;
+  if (numbers(like).count == 0) return like;
+  Value v = with_numbers(like, n);
+  if (auto* c = std::get_if<Color>(&v)) *c = {std::max(c->r, 0.0), std::max(c->g, 0.0), std::max(c->b, 0.0)};
+  if (auto* q = std::get_if<Quat>(&v)) *q = normalize(*q);
+  return v;
 }
 
 // The track at the points first, first + 1, … of a grid.

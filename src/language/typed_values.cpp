@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How a value of each type is read: a row each, as in track/types.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+// What is wanted, and from where on it is read.
+struct TypedReader {
+  ValueReader& values;
+  const FunctionSpec& spec;
+  const int component;
+  const FunctionId function;
+  Cursor& c = values.c;
+  const Type type = component < 0 ? spec.type : component_type(spec.type);
+  const char* const start = (c.space(), c.at);
+
+  bool number(Value& out) {
+    double d = 0;
+    return values.scalar(d, spec.unit) && in_range(d) && (out = d, true);
+  }
+  bool angle(Value& out) {
+    double d = 0;
+    return c.angle(d) && (component >= 0 || in_range(d)) && (out = d, true);
+  }
+  bool vector(Value& out) {
+    Vec3 v;
+    const int n = component_count(type);
+    if (!values.vector(n, v, spec.unit)) return false;
+    for (int i = 0; i < n; ++i)
+      if (!in_range(v[i])) return false;
+    out = v;
+    return true;
+  }
+  bool truth(Value& out) {
+    const std::string_view w = c.word();
+    if (w != "on" && w != "off") return wanted(w);
+    out = w == "on";
+    return true;
+  }
+  bool rotation(Value& out) { return values.orientation(out, true); }
+  bool orientation(Value& out) { return values.orientation(out, false); }
+  bool shape(Value& out) {
+    const std::string_view w = c.word();
+    if (w == "none") return out = ObjectId{}, true;
+    if (w != "shape") return wanted(w, "write shape(NAME), the geometry of another object, or none");
+    ObjectId id;
+    if (!c.open()) return false;
+    const char* name = (c.space(), c.at);
+    if (!values.object(id)) return false;
+    if (const Kind kind = values.scene.objects[id.index].kind; !drawable(kind))
+      return c.fail(Code::type, fmt::format("{} has no geometry", a_kind(kind)), c.since(name));
+    out = id;
+    return c.close();
+  }
+  bool aim(Value& out) {
+    Vec3 v;
+    ObjectId id;
+    if (c.peek() == '(') return values.vector(3, v, spec.unit) && (out = v, true);
+    if (c.accept_word("none")) return out = id, true;
+    if (c.at_line_end()) return c.fail_here(Code::syntax, "a point (x y z) or the name of an object is missing here");
+    return values.object(id) && (out = id, true);
+  }
+  bool text(Value& out) {
+    std::string s;
+    if (spec.words.empty() || c.peek() == '"') {  // quotes are welcome round a word too
+      if (!c.text(s)) return false;
+    } else {
+      s = c.word();
+    }
+    if (!spec.words.empty() && !is_choice(s)) return false;
+    if (values.file && !values.file(function, s, c.since(start))) return false;
+    out = Text(std::move(s));
+    return true;
+  }
+  bool attachment(Value& out) {
+    static constexpr std::string_view words[] = {"detach", "letgo", "hang", "attach", "couple"};
+    const std::string_view w = c.word();
+    const auto at = std::find(std::begin(words), std::end(words), w);
+    if (at == std::end(words)) return wanted(w, "couple to NAME, attach to NAME, hang on NAME, detach or letgo");
+    Attachment a{static_cast<Hold>(at - std::begin(words)), {}, false};
+    if (a.hold >= Hold::hang) {
+      const std::string_view link = a.hold == Hold::hang ? "on" : "to";
+      if (!c.accept_word(link)) return c.fail_here(Code::syntax, fmt::format("'{}' is missing here", link));
+      c.space();
+      if (!values.object(a.parent)) return false;
+      a.keep_world = c.accept_word("keep-world");
+    }
+    out = a;
+    return true;
+  }
+  bool transform(Value& out) {
+    Mat4 m;
+    return values.transform(m) && (out = Matrix(m), true);
+  }
+  // Of a type that has a reader of its own.
+  template <class T, bool (ValueReader::*read)(T&)>
+  bool plainly(Value& out) {
+    T v;
+    return (values.*read)(v) && (out = std::move(v), true);
+  }
+
+  bool wanted(std::string_view instead, std::string_view hint = {}) {
+    return c.fail(Code::type, fmt::format("{} is wanted here", to_string(type)),
+                  instead.empty() ? std::string_view(start, 0) : instead, std::string(hint));
+  }
+  bool in_range(double d) {
+    if (d >= spec.low && d <= spec.high) return true;
+    const double limit = d < spec.low ? spec.low : spec.high;
+    return c.fail(Code::range,
+                  fmt::format("{} is at {} {}", spec.name, d < spec.low ? "least" : "most",
+                              row_of(type).angles ? fmt::format("{:.4g}deg", limit * 180 / pi) : write_number(limit)),
+                  c.since(start), function == fn::fov ? "a camera sees less than 180deg" : "");
+  }
+  bool is_choice(const std::string& s) {
+    std::vector<std::string_view> words;
+    for (std::string_view rest = spec.words; !rest.empty();) {
+      const auto bar = rest.find('|');
+      words.push_back(rest.substr(0, bar));
+      rest = bar == std::string_view::npos ? std::string_view() : rest.substr(bar + 1);
+    }
+    if (std::find(words.begin(), words.end(), s) != words.end()) return true;
+    std::string all;
+    for (auto w : words) all += (all.empty() ? "" : w == words.back() ? " or " : ", ") + std::string(w);
+    return c.fail(Code::type, fmt::format("{} is {}", spec.name, all),
+                  s.empty() ? std::string_view(start, 0) : c.since(start), did_you_mean(s, words));
+  }
+};
+
+struct TypeReaderRow {
+  Type type;
+  bool (TypedReader::*read)(Value& out);
+};
+using Typed = TypedReader;
+constexpr TypeReaderRow readers[] = {
+    {Type::scalar, &Typed::number},
+    {Type::angle, &Typed::angle},
+    {Type::pair, &Typed::vector},
+    {Type::vector, &Typed::vector},
+    {Type::color, &Typed::plainly<Color, &ValueReader::color>},
+    {Type::boolean, &Typed::truth},
+    {Type::rotation, &Typed::rotation},
+    {Type::orientation, &Typed::orientation},
+    {Type::shape, &Typed::shape},
+    {Type::aim, &Typed::aim},
+    {Type::text, &Typed::text},
+    {Type::points, &Typed::plainly<Points, &ValueReader::points>},
+    {Type::names, &Typed::plainly<Names, &ValueReader::names>},
+    {Type::attachment, &Typed::attachment},
+    {Type::transform, &Typed::transform},
+    {Type::motion, &Typed::plainly<Moves, &ValueReader::motion>},
+};
+consteval bool readers_in_order() {
+  for (std::size_t i = 0; i < std::size(readers); ++i)
+    if (readers[i].type != static_cast<Type>(i)) return false;
+  return true;
+}
+static_assert(readers_in_order());
+
+}  // namespace
+
+bool ValueReader::value(const FunctionSpec& spec, int component, Value& out, FunctionId f) {
+  TypedReader wanted{*this, spec, component, f};
+  return (wanted.*readers[static_cast<std::size_t>(wanted.type)].read)(out);
+}
+
+}  // namespace betwixt
