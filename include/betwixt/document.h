@@ -54,10 +54,6 @@ struct Target {
   friend constexpr bool operator==(Target, Target) = default;
 };
 
-inline constexpr std::uint16_t world_function = static_cast<std::uint16_t>(Query::world),
-                               motion_function = static_cast<std::uint16_t>(Query::motion);
-constexpr bool only_asked(std::uint16_t function) { return Target({}, function).query().has_value(); }
-
 // What words stand for: patterns and names, which are looked up at each use.
 using Aliases = std::map<std::string, std::vector<std::string>, std::less<>>;
 

@@ -74,7 +74,7 @@ bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachm
       Time until{INT64_MAX};
       const Time from = when.value_or(Time{INT64_MIN});
       const auto known = attachments(s.objects[child.index]);
-      for (const Attached& a : known)
+      for (const AttachmentSpan& a : known)
         if (a.from > from) {
           until = a.from;
           break;

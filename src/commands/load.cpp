@@ -40,12 +40,12 @@ void look_at_blends(const Scene& s, Diagnostics& out) {
       std::string why;
       if (can_blend(shape(from->value, from->time), shape(e.value, e.time), &why)) return;
       said = true;
-      const Document d(std::make_shared<const Scene>(s));
-      out.push_back({Severity::warning,
-                     fail(Code::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead",
-                                                  o.name, format_time(from->time, d), format_time(e.time, d), why)),
-                     {},
-                     0});
+      out.push_back(
+          {Severity::warning,
+           fail(Code::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,
+                                        format_time(from->time, s.rate), format_time(e.time, s.rate), why)),
+           {},
+           0});
     });
   }
 }
@@ -100,7 +100,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
     for (ObjectId id : objects) {
       for (const Slot& slot : scene.objects[id.index].slots)
         if (!slot.layer) out.push_back({id, slot.function, -1});
-      out.push_back({id, world_function, -1});
+      out.push_back({id, Query::world});
     }
     return out;
   }
@@ -113,7 +113,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   if (!targets(asking, word, found, true)) return c.error.value_or(fail(Code::name, "this names nothing"));
   const Program program = found.component < 0 ? Program() : Program::compile(d);
   for (const Target& t : found.targets)
-    if (t.component >= 0 && !t.velocity && !only_asked(t.function) &&
+    if (t.component >= 0 && !t.velocity && !t.query() &&
         program.compiled().find(t.object.index, t.function).orientation &&
         program.compiled().find(t.object.index, t.function).live < 0)
       return fail(Code::type,

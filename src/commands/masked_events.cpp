@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "commands/script.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -41,7 +42,6 @@ void each_masked(const Slot& slot, Type type, F&& f) {
 
 void say_masked_events(const Scene& s, Script& script) {
   constexpr std::size_t named = 3;
-  const Document document(std::make_shared<const Scene>(s));
   for (auto& [key, d] : script.velocities) {
     const Object* o = find_object(s, {key.first});
     const Slot* slot = o ? o->find(key.second) : nullptr;
@@ -50,8 +50,8 @@ void say_masked_events(const Scene& s, Script& script) {
     std::size_t count = 0;
     each_masked(*slot, spec_of(s, key.second).type, [&](const Event& e, int component) {
       if (++count > named) return;
-      said += fmt::format("{}{} at {}", count > 1 ? ", " : "",
-                          document.name(Target{{key.first}, key.second, component}), format_time(e.time, document));
+      said += fmt::format("{}{} at {}", count > 1 ? ", " : "", target_name(s, {{key.first}, key.second, component}),
+                          format_time(e.time, s.rate));
     });
     if (count == 0) continue;
     d.what.message = fmt::format("a velocity has priority: {} event{} masked ({}{})", count,

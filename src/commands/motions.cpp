@@ -11,6 +11,7 @@
 
 #include "betwixt/program.h"
 #include "commands/command.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -39,7 +40,6 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   const bool rest = value->factors.empty();
   e.value = std::move(value);
   if (!way(k, to, e) || !finish(c)) return false;
-  const Document now(std::make_shared<const Scene>(s));
   for (const Target& t : to.targets) {
     if (t.layer)
       return c.fail(Code::type, "a motion is no layer's: it is added to what the tracks say anyway", to.text);
@@ -56,7 +56,7 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
     if (before && end && *end > from) busy = before;
     if (busy)
       return c.fail(Code::range,
-                    fmt::format("'{}' is under way from {} with {}", now.name(t), format_time(busy->time, now),
+                    fmt::format("'{}' is under way from {} with {}", target_name(s, t), format_time(busy->time, s.rate),
                                 to_string(*std::get<Moves>(busy->value)).substr(0, 80)),
                     about, "motions of one object follow one another; those at the same time make one string");
   }
@@ -88,7 +88,6 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
 void say_lasting(const Command& k, const Scene& before, const Selected& on, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (!on.spec || on.type() != Type::motion) return;
-  const Document now(std::make_shared<const Scene>(s));
   struct Row {
     Time from, length;
     std::string text;
@@ -113,16 +112,16 @@ void say_lasting(const Command& k, const Scene& before, const Selected& on, std:
     };
     if (open && !was_open)
       return script.note(Severity::notice,
-                         fmt::format("'{}' has no end any more: what begins at {} does nothing", now.name(t),
-                                     format_time(is.back().from, now)),
+                         fmt::format("'{}' has no end any more: what begins at {} does nothing", target_name(s, t),
+                                     format_time(is.back().from, s.rate)),
                          about, "clear its beginning too, or give the track a row \"\" where it ends");
     std::string otherwise;
     for (std::size_t i = 0; i + (open ? 1 : 0) < is.size() && otherwise.size() < 200; ++i)
       if (!was.empty() && !known(is[i]))
         otherwise += fmt::format("{}{} goes from {} to {}", otherwise.empty() ? "" : ", ", is[i].text.substr(0, 80),
-                                 format_time(is[i].from, now), format_time(is[i].from + is[i].length, now));
+                                 format_time(is[i].from, s.rate), format_time(is[i].from + is[i].length, s.rate));
     if (!otherwise.empty())
-      return script.note(Severity::notice, fmt::format("of '{}' now {}", now.name(t), otherwise), about);
+      return script.note(Severity::notice, fmt::format("of '{}' now {}", target_name(s, t), otherwise), about);
   }
 }
 
@@ -154,8 +153,7 @@ void keep_centres(const Command& k, const std::vector<ObjectId>& leaving, std::s
     bool all = true;
     slot->track->events.each([&](const Event& e) { all = all && (!moves(e) || stays(*std::get<Moves>(e.value))); });
     if (all) continue;
-    const Document now(std::make_shared<const Scene>(s));
-    if (!program) program = Program::compile(now);
+    if (!program) program = Program::compile(Document(std::make_shared<const Scene>(s)));
     const std::vector<Motion> placed = program->motions(ObjectId{i});
     std::size_t k = 0;
     edit_track(s, Target{ObjectId{i}, fn::motion})->events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
@@ -170,7 +168,7 @@ void keep_centres(const Command& k, const std::vector<ObjectId>& leaving, std::s
       e.value = Moves(std::move(own));
     });
     script.note(Severity::notice,
-                fmt::format("'{}' turns about where that was", now.name(Target{ObjectId{i}, fn::motion})), about);
+                fmt::format("'{}' turns about where that was", target_name(s, {ObjectId{i}, fn::motion})), about);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -82,24 +83,24 @@ bool no_object(const Search& q) {
 }
 
 // What can be asked for only: the world matrix and the like, or where an object is: world.x
-bool asked_for(const Search& q, const std::vector<ObjectId>& objects, FunctionId asked) {
+bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query asked) {
   const auto& [whole, object, function, component, velocity] = q.words;
   if (!q.asking) return q.fail(Code::type, fmt::format("'{}' can be asked for, not set", function), function);
   const auto words =
       component.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(component, 100);
   for (const ObjectId id : objects) {
-    if (!find_asked(q.kind(id), function)) continue;
+    if (!find_query(q.kind(id), function)) continue;
     if (component.empty()) q.out.targets.push_back({id, asked, -1});
-    for (int i = 0; i < 3 && asked == world_function && words; ++i)
+    for (int i = 0; i < 3 && asked == Query::world && words; ++i)
       for (const std::string& w : *words)
         if (matches(w, component_name(Type::vector, i))) q.out.targets.push_back({id, asked, i});
   }
   if (component.empty() || !q.out.targets.empty()) return true;
   const std::string_view without = whole.substr(0, whole.size() - component.size() - 1);
   return q.fail(Code::name, fmt::format("'{}' has no part '{}'", without, component.substr(0, 40)), component,
-                asked == world_function    ? fmt::format("{}.x, .y and .z say where it is", without)
-                : asked == motion_function ? fmt::format("{} is a matrix, row by row", without)
-                                           : fmt::format("ask for {}", without));
+                asked == Query::world    ? fmt::format("{}.x, .y and .z say where it is", without)
+                : asked == Query::motion ? fmt::format("{} is a matrix, row by row", without)
+                                         : fmt::format("ask for {}", without));
 }
 
 // The components that are meant; -1 for the whole.
@@ -228,7 +229,7 @@ bool targets(Command& k, std::string_view word, Selected& out, bool asking) {
     std::erase_if(objects, [&](ObjectId id) { return s.objects[id.index].derived; });
   }
   if (objects.empty()) return no_object(q);
-  if (const auto asked = find_asked(q.kind(objects[0]), q.words.function)) return asked_for(q, objects, *asked);
+  if (const auto asked = find_query(q.kind(objects[0]), q.words.function)) return asked_for(q, objects, *asked);
   return all_of(q, objects);
 }
 

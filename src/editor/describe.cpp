@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "base/names.h"
 #include "betwixt/language.h"
@@ -51,12 +50,11 @@ Error no_object(const Document& d, const std::string& word) {
 std::string object_lines(const Document& d, ObjectId id, const Program& program) {
   const Object& o = d.scene().objects[id.index];
   std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind));
-  for (const Attached& a : attachments(o)) {
+  for (const AttachmentSpan& a : attachments(o)) {
     if (!a.to.parent) continue;
     static constexpr std::string_view how[] = {"", "", "hangs on", "is attached to", "is coupled to"};
     said += fmt::format("  {} {}", how[static_cast<std::size_t>(a.to.hold)], d.name(a.to.parent));
-    if (a.from.flicks > std::numeric_limits<std::int64_t>::min() / 4)
-      said += fmt::format(" from {}", format_time(a.from, d));
+    if (a.from != from_the_beginning) said += fmt::format(" from {}", format_time(a.from, d));
     said += "\n";
   }
   const Time first = d.range().first;
@@ -87,7 +85,7 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
 
 std::string track_lines(const Document& d, const Target& t) {
   std::string said;
-  if (only_asked(t.function)) return said;
+  if (t.query()) return said;
   const FunctionSpec& spec = spec_of(d.scene(), t.function);
   for (const Track* track : tracks_of(d.scene(), t))
     track->events.each([&](const Event& e) {
@@ -178,9 +176,8 @@ Result<std::string> describe(const Document& d, const std::string& word) {
 }
 
 std::string list_notes(const Document& d) {
-  constexpr std::int64_t ever = std::numeric_limits<std::int64_t>::max() / 2;
   std::string said;
-  for (const auto& [time, words] : d.notes(Time{-ever}, Time{ever}))
+  for (const auto& [time, words] : d.notes(from_the_beginning, for_good))
     said += fmt::format("{:8} {}\n", format_time(time, d), write_text(words));
   return said.empty() ? "there are no notes\n" : said;
 }

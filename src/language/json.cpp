@@ -63,7 +63,7 @@ std::string json(const Value& r, const Target& target, const Document& d) {
     return out + "]";
   }
   auto n = numbers(r);
-  const bool whole = !only_asked(target.function) && target.component < 0;
+  const bool whole = !target.query() && target.component < 0;
   if (whole && n.size() == 3)
     n.resize(static_cast<std::size_t>(std::min(3, row_of(spec_of(d.scene(), target.function).type).channels)));
   return list(n);

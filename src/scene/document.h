@@ -150,13 +150,11 @@ inline const Object* find_object(const Scene& s, ObjectId id) {
   return id.index < s.objects.size() && !s.objects[id.index].removed ? &s.objects[id.index] : nullptr;
 }
 
-std::optional<FunctionId> find_asked(Kind, std::string_view name);
 // Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left
 // out.
 std::vector<ObjectId> select(const Scene&, std::string_view word);
 // First what holds from the beginning, then the track's, each until the next.
 std::vector<AttachmentSpan> attachments(const Object&);
-using Attached = AttachmentSpan;
 // The environments that an object is in (fn::environments) or that drive it (fn::drive), the outermost first, each
 // until the next; the first ones count before their time too. Which generation of a name that is was settled when the
 // event that says so came (R-E9).

@@ -38,11 +38,6 @@ std::string_view name_of(Query query) {
       ->name;
 }
 
-std::optional<FunctionId> find_asked(Kind kind, std::string_view name) {
-  const auto query = find_query(kind, name);
-  return query ? std::optional(static_cast<FunctionId>(*query)) : std::nullopt;
-}
-
 std::string object_name(const Scene& s, ObjectId id) {
   const Object* o = find_object(s, id);
   return o ? o->name : "none";
