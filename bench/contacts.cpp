@@ -7,10 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+
+#include "timing.h"
 
 using namespace betwixt;
 
@@ -18,13 +19,6 @@ namespace {
 
 constexpr std::uint32_t count = 10'000;
 constexpr int rounds = 50;
-
-template <class F>
-double milliseconds(F&& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
 
 struct Spread {
   std::vector<double> all;

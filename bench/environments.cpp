@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -17,6 +16,7 @@
 
 #include "copying.h"
 #include "program/environment_set.h"
+#include "timing.h"
 
 using namespace betwixt;
 
@@ -32,13 +32,6 @@ void insist(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "wrong: %s\n", what);
   std::exit(1);
-}
-
-template <class F>
-double milliseconds(F&& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 struct Spread {

@@ -5,21 +5,12 @@
 # lesson-check.sh PROGRAM [FOLDER]: opens lessons in a real browser, wide and narrow, and sees that they say no error,
 # load nothing, fit the window, obey the slider, the keys, the button and the address, and compute what the program
 # computes. With FOLDER, pictures of them go there. It needs Chromium, and exits 3 where there is none.
-program=$(realpath -- "${1:?which program?}") || exit 3
+here=$(dirname -- "$(realpath -- "${BASH_SOURCE[0]}")")
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
   { echo "lesson-check.sh: there is no Chromium here: apt-get install chromium" >&2; exit 3; }
 pictures=${2:+$(mkdir -p -- "$2" && realpath -- "$2")}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-passed=0 failed=0
-verdict() { # NAME yes|… EXPLANATION
-  if [ "$2" = yes ]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf 'FAILED %s: %s\n' "$1" "$3"
-  fi
-}
+# shellcheck source=tests/app/support.sh
+. "$here/../tests/app/support.sh"
 browse() { # SIZE ARGUMENT…
   local size=$1
   shift
@@ -131,5 +122,4 @@ S(0 linear) S(1.0000001) S(1 1)
 T(1e-9 0) S(1e3)
 T(9e8 -9e8)
 MOTIONS
-printf '%d passed, %d failed\n' "$passed" "$failed"
-[ "$failed" = 0 ]
+summary

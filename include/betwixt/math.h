@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 namespace betwixt {
 
@@ -36,6 +38,22 @@ inline Vec3 normalize(Vec3 a, Vec3 otherwise = {0, 0, 1}) {
   return l > 0 ? (1 / l) * a : otherwise;
 }
 
+// A box with its sides along the axes; at first there is nothing in it.
+struct Box {
+  Vec3 low{1, 1, 1}, high{-1, -1, -1};  // low > high: nothing
+  constexpr bool empty() const { return low.x > high.x; }
+  constexpr Vec3 middle() const { return 0.5 * low + 0.5 * high; }
+  constexpr Vec3 half() const { return 0.5 * (high - low); }
+  // Grows until it holds that too.
+  constexpr void add(Vec3 p) {
+    if (empty()) low = high = p;
+    for (int i = 0; i < 3; ++i) low[i] = p[i] < low[i] ? p[i] : low[i], high[i] = p[i] > high[i] ? p[i] : high[i];
+  }
+  constexpr void add(const Box& b) {
+    if (!b.empty()) add(b.low), add(b.high);
+  }
+};
+
 // A unit quaternion w + xi + yj + zk stands for an orientation.
 struct Quat {
   double w = 1, x = 0, y = 0, z = 0;
@@ -57,6 +75,14 @@ inline Quat axis_angle(Vec3 axis, double angle) {
   const Vec3 n = normalize(axis);
   const double s = std::sin(angle / 2);
   return {std::cos(angle / 2), n.x * s, n.y * s, n.z * s};
+}
+// What does the turn of q `s` times, by the whole of its angle: that of -q is the other way around. Half the turn that
+// is shorter than half a circle is power(q.w < 0 ? -q : q, 0.5).
+inline Quat power(Quat q, double s) {
+  const double sine = length(Vec3{q.x, q.y, q.z});
+  if (sine < 1e-300) return {};
+  const double half_angle = s * std::atan2(sine, q.w), k = std::sin(half_angle) / sine;
+  return {std::cos(half_angle), k * q.x, k * q.y, k * q.z};
 }
 // Angles about the object's own x axis, then its y axis, then its z axis.
 inline Quat from_angles(Vec3 a) {
@@ -86,7 +112,8 @@ constexpr Vec3 transform_vector(const Mat4& a, Vec3 v) {
   return {a(0, 0) * v.x + a(0, 1) * v.y + a(0, 2) * v.z, a(1, 0) * v.x + a(1, 1) * v.y + a(1, 2) * v.z,
           a(2, 0) * v.x + a(2, 1) * v.y + a(2, 2) * v.z};
 }
-constexpr Vec3 translation_of(const Mat4& a) { return {a(0, 3), a(1, 3), a(2, 3)}; }
+constexpr Vec3 column(const Mat4& a, int c) { return {a(0, c), a(1, c), a(2, c)}; }
+constexpr Vec3 translation_of(const Mat4& a) { return column(a, 3); }
 constexpr Mat4 translation(Vec3 t) {
   Mat4 r;
   r(0, 3) = t.x, r(1, 3) = t.y, r(2, 3) = t.z;
@@ -106,6 +133,31 @@ constexpr Mat4 rotation(Quat q) {
   r(2, 2) = 1 - 2 * (q.x * q.x + q.y * q.y);
   return r;
 }
+
+// Of what an affine matrix does to directions.
+constexpr double determinant(const Mat4& a) { return dot(column(a, 0), cross(column(a, 1), column(a, 2))); }
+// Of an affine matrix; none where it is singular.
+inline std::optional<Mat4> inverse(const Mat4& affine) {
+  const Vec3 a = column(affine, 0), b = column(affine, 1), c = column(affine, 2);
+  const double det = determinant(affine);
+  if (!(std::abs(det) > 1e-12 * length(a) * length(b) * length(c))) return std::nullopt;
+  const Vec3 rows[] = {1 / det * cross(b, c), 1 / det * cross(c, a), 1 / det * cross(a, b)};
+  Mat4 out;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) out(i, k) = rows[i][k];
+  const Vec3 back = -transform_vector(out, translation_of(affine));
+  out(0, 3) = back.x, out(1, 3) = back.y, out(2, 3) = back.z;
+  return out;
+}
+
+// Whether all of the numbers are: neither infinite nor no number.
+inline bool finite(std::span<const double> numbers) {
+  for (const double x : numbers)
+    if (!std::isfinite(x)) return false;
+  return true;
+}
+inline bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool finite(const Mat4& a) { return finite(std::span(a.m)); }
 
 // A rigid motion: at `eye`, the -z axis towards `target`, y up as far as may be.
 inline Mat4 look_at(Vec3 eye, Vec3 target) {

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "betwixt/math.h"
+
 namespace betwixt {
 
 // Eight bits a channel, sRGB, straight alpha, rows from the top, four bytes a pixel: r g b a.
@@ -36,10 +38,7 @@ struct Mesh {
   std::vector<MeshPart> parts;                // covers `triangles`; empty: one plain part
   bool closed = false;                        // no inside can be seen: back faces may be culled
 
-  struct Box {
-    std::array<float, 3> low{0, 0, 0}, high{0, 0, 0};
-  };
-  Box box() const;
+  Box box() const;  // the origin, where there is nothing
 };
 
 }  // namespace betwixt

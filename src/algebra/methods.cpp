@@ -30,6 +30,118 @@ bool half_turn(long double turns, std::int64_t steps) {
   return std::abs(std::ldexp(static_cast<double>(part), -63)) > 1 - 1e-9;
 }
 
+// The plan of a row of the source's table, while it is made.
+template <class Number>
+class Scheme {
+ public:
+  Scheme(const Motion& motion, std::int64_t steps, const std::string& row) : motion_(motion), row_(row) {
+    plan_.steps = steps;
+    for (const Factor& f : motion.factors)
+      (f.kind == Factor::Kind::translate ? t_ : f.kind == Factor::Kind::rotate ? r_ : s_) = &f;
+    const Number n(static_cast<double>(steps)), one(1);
+    if (s_) plan_.slope_x = (Number(s_->by.x) - one) / n, plan_.slope_y = (Number(s_->by.y) - one) / n;
+    if (t_) dx_ = Number(t_->by.x) / n, dy_ = Number(t_->by.y) / n;
+  }
+
+  Result<Plan<Number>> made() {
+    if (s_ && s_->law == Factor::Law::exponential && !(s_->by.x == 1 && s_->by.y == 1))
+      return fail(Code::type, "the geometric method scales by the linear law", "S(… linear), or the method `matrix`");
+    if (!r_) return go_straight(), plan_;
+    long double all = 0, so_far = 0;
+    for (const Factor& f : motion_.factors)
+      if (f.kind == Factor::Kind::rotate) all += planar_turns(f);
+    for (const Factor& f : motion_.factors)
+      if (f.kind == Factor::Kind::rotate &&
+          (half_turn(so_far += planar_turns(f), plan_.steps) || half_turn(all, plan_.steps)))
+        return fail(Code::range, "half a turn in one step cannot be made of shears", "more steps");
+    return turn(all), plan_;
+  }
+
+ private:
+  using R = Register<Number>;
+
+  int add(const R& reg) {
+    plan_.registers.push_back(reg);
+    return static_cast<int>(plan_.registers.size()) - 1;
+  }
+  int sheared(Number x, Number y, long double turns) {
+    const Shears<Number> by = shears<Number>(turns, plan_.steps);
+    R reg{R::Kind::sheared, x, y, turns};
+    reg.p = by.a, reg.q = by.b;
+    const int at = add(reg);
+    add({R::Kind::second});
+    return at;
+  }
+  // Where the turning stands, or goes.
+  void put_offset() {
+    const Vec3 c = r_->centre;
+    if (t_)
+      plan_.inputs = {add({R::Kind::ramp, Number(c.x), dx_}), add({R::Kind::ramp, Number(c.y), dy_})};
+    else
+      plan_.constants.insert(plan_.constants.end(), {Number(c.x), Number(c.y)});
+  }
+
+  void go_straight() {
+    plan_.kernel = s_ ? Kernel::slide : Kernel::move;
+    if (row_ == "ST") dx_ = Number(s_->by.x) * dx_, dy_ = Number(s_->by.y) * dy_;
+    plan_.gain_x = s_ ? dx_ - plan_.slope_x * Number(s_->centre.x) : dx_;
+    plan_.gain_y = s_ ? dy_ - plan_.slope_y * Number(s_->centre.y) : dy_;
+    if (!s_) plan_.constants = {dx_, dy_};
+  }
+
+  void turn(long double turns) {
+    Block turned;
+    turned.turns = turns;
+    plan_.blocks = {turned};
+    const Shears<Number> whole = shears<Number>(turns, plan_.steps);
+    const Vec3 centre = r_->centre;  // of the last, which is the innermost
+    plan_.centre_x = -centre.x, plan_.centre_y = -centre.y;
+    plan_.constants = {whole.a, whole.b};
+    if (row_ == "R" || row_ == "TR") {
+      plan_.kernel = Kernel::shears;
+      put_offset();
+    } else if (row_ == "RT") {
+      plan_.kernel = Kernel::pushed_shears;
+      plan_.constants.insert(plan_.constants.end(), {Number(centre.x), Number(centre.y)});
+      plan_.gain_x = dx_, plan_.gain_y = dy_;
+      const int push = sheared(dx_, dy_, turns);
+      plan_.inputs = {push, push + 1};
+    } else if (row_ == "SR") {
+      plan_.kernel = Kernel::swung_shears;
+      plan_.home_x = centre.x, plan_.home_y = centre.y;
+      plan_.gain_x = Number(centre.x) - Number(s_->centre.x), plan_.gain_y = Number(centre.y) - Number(s_->centre.y);
+    } else if (s_) {  // RS, TRS
+      plan_.kernel = Kernel::carried_shears;
+      plan_.gain_x = plan_.slope_x * (Number(centre.x) - Number(s_->centre.x));
+      plan_.gain_y = plan_.slope_y * (Number(centre.y) - Number(s_->centre.y));
+      put_offset();
+    } else {
+      plan_.kernel = Kernel::shears;
+      turn_arms();
+    }
+  }
+
+  // Each arm turns about the end of the one before.
+  void turn_arms() {
+    const std::vector<Factor>& f = motion_.factors;
+    int x = add({R::Kind::constant, Number(f[0].centre.x)}), y = add({R::Kind::constant, Number(f[0].centre.y)});
+    long double turns = 0;
+    for (std::size_t j = 0; j + 1 < f.size(); ++j) {
+      turns += planar_turns(f[j]);
+      const Vec3 from = f[j].centre, to = f[j + 1].centre;
+      const int arm = sheared(Number(to.x) - Number(from.x), Number(to.y) - Number(from.y), turns);
+      x = add({R::Kind::sum, {}, {}, 0, 0, x, arm}), y = add({R::Kind::sum, {}, {}, 0, 0, y, arm + 1});
+    }
+    plan_.inputs = {x, y};
+  }
+
+  const Motion& motion_;
+  const std::string row_;
+  const Factor *t_ = nullptr, *r_ = nullptr, *s_ = nullptr;  // the last of each
+  Number dx_ = 0, dy_ = 0;                                   // of a step
+  Plan<Number> plan_;
+};
+
 }  // namespace
 
 std::string letters(const Motion& motion) {
@@ -42,101 +154,13 @@ long double planar_turns(const Factor& f) { return turns_of(f.axis.z < 0 ? -f.an
 
 template <class Number>
 Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
-  using R = Register<Number>;
   const std::string row = letters(motion);
   const bool arms = row.size() > 1 && row.find_first_not_of('R') == std::string::npos;
   constexpr const char* rows[] = {"T", "S", "R", "TS", "ST", "TR", "RT", "RS", "SR", "TRS"};
   if (!arms && std::find(std::begin(rows), std::end(rows), row) == std::end(rows))
     return fail(Code::type, fmt::format("the geometric method has no scheme for {}", row.empty() ? "no factors" : row),
                 "it knows T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` takes every string");
-  Plan<Number> plan;
-  plan.steps = steps;
-  const Number n(static_cast<double>(steps));
-  const Factor *t = nullptr, *r = nullptr, *s = nullptr;
-  for (const Factor& f : motion.factors)
-    (f.kind == Factor::Kind::translate ? t : f.kind == Factor::Kind::rotate ? r : s) = &f;
-  if (s && s->law == Factor::Law::exponential && !(s->by.x == 1 && s->by.y == 1))
-    return fail(Code::type, "the geometric method scales by the linear law", "S(… linear), or the method `matrix`");
-  const auto number = [](double x) { return Number(x); };
-  if (s) plan.slope_x = (number(s->by.x) - number(1)) / n, plan.slope_y = (number(s->by.y) - number(1)) / n;
-  Number dx = 0, dy = 0;
-  if (t) dx = number(t->by.x) / n, dy = number(t->by.y) / n;
-  if (!r) {
-    if (!s) {
-      plan.kernel = Kernel::move;
-      plan.gain_x = dx, plan.gain_y = dy;
-      plan.constants = {dx, dy};
-      return plan;
-    }
-    plan.kernel = Kernel::slide;
-    if (row == "ST") dx = number(s->by.x) * dx, dy = number(s->by.y) * dy;
-    plan.gain_x = dx - plan.slope_x * number(s->centre.x), plan.gain_y = dy - plan.slope_y * number(s->centre.y);
-    return plan;
-  }
-  Block turned;
-  for (const Factor& f : motion.factors)
-    if (f.kind == Factor::Kind::rotate) turned.turns += planar_turns(f);
-  long double so_far = 0;
-  for (const Factor& f : motion.factors)
-    if (f.kind == Factor::Kind::rotate &&
-        (half_turn(so_far += planar_turns(f), steps) || half_turn(turned.turns, steps)))
-      return fail(Code::range, "half a turn in one step cannot be made of shears", "more steps");
-  plan.blocks = {turned};
-  const Shears<Number> whole = shears<Number>(turned.turns, steps);
-  const Vec3 centre = r->centre;  // of the last, which is the innermost
-  plan.centre_x = -centre.x, plan.centre_y = -centre.y;
-  plan.constants = {whole.a, whole.b};
-  const auto add = [&](R reg) {
-    plan.registers.push_back(reg);
-    return static_cast<int>(plan.registers.size()) - 1;
-  };
-  const auto sheared = [&](Number x, Number y, long double turns) {
-    const Shears<Number> by = shears<Number>(turns, steps);
-    R reg{R::Kind::sheared, x, y, turns};
-    reg.p = by.a, reg.q = by.b;
-    const int at = add(reg);
-    add({R::Kind::second});
-    return at;
-  };
-  const auto fixed_offset = [&] {
-    plan.constants.push_back(number(centre.x));
-    plan.constants.push_back(number(centre.y));
-  };
-  const auto moving_offset = [&] {
-    plan.inputs = {add({R::Kind::ramp, number(centre.x), dx}), add({R::Kind::ramp, number(centre.y), dy})};
-  };
-  const auto gain = [&](double c, double about, Number slope) { return slope * (number(c) - number(about)); };
-  if (row == "R" || row == "TR") {
-    plan.kernel = Kernel::shears;
-    t ? moving_offset() : fixed_offset();
-  } else if (arms) {
-    plan.kernel = Kernel::shears;
-    const std::vector<Factor>& f = motion.factors;
-    int x = add({R::Kind::constant, number(f[0].centre.x)}), y = add({R::Kind::constant, number(f[0].centre.y)});
-    long double turns = 0;
-    for (std::size_t j = 0; j + 1 < f.size(); ++j) {
-      turns += planar_turns(f[j]);
-      const Vec3 from = f[j].centre, to = f[j + 1].centre;
-      const int arm = sheared(number(to.x) - number(from.x), number(to.y) - number(from.y), turns);
-      x = add({R::Kind::sum, {}, {}, 0, 0, x, arm}), y = add({R::Kind::sum, {}, {}, 0, 0, y, arm + 1});
-    }
-    plan.inputs = {x, y};
-  } else if (row == "RT") {
-    plan.kernel = Kernel::pushed_shears;
-    fixed_offset();
-    plan.gain_x = dx, plan.gain_y = dy;
-    const int push = sheared(dx, dy, turned.turns);
-    plan.inputs = {push, push + 1};
-  } else if (row == "SR") {
-    plan.kernel = Kernel::swung_shears;
-    plan.home_x = centre.x, plan.home_y = centre.y;
-    plan.gain_x = number(centre.x) - number(s->centre.x), plan.gain_y = number(centre.y) - number(s->centre.y);
-  } else {  // RS, TRS
-    plan.kernel = Kernel::carried_shears;
-    plan.gain_x = gain(centre.x, s->centre.x, plan.slope_x), plan.gain_y = gain(centre.y, s->centre.y, plan.slope_y);
-    t ? moving_offset() : fixed_offset();
-  }
-  return plan;
+  return Scheme<Number>(motion, steps, row).made();
 }
 
 template <class Number>

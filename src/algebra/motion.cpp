@@ -17,8 +17,6 @@ using Law = Factor::Law;
 constexpr const char* axes[] = {"x", "y", "z"};
 constexpr const char* letters[] = {"T", "R", "S"};
 
-bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 // Of fraction t; the whole is exact.
 double scale_at(double total, Law law, double t) {
   return law == Law::linear ? std::lerp(1.0, total, t) : std::pow(total, t);

@@ -34,6 +34,9 @@ struct Block {
   bool diagonal() const { return !linear && turns == 0; }
 };
 
+// Makes one block of two that stand together, where they are one.
+bool merge(Block& into, const Block&);
+
 template <class Number>
 struct Offset {
   Number x{}, y{};              // fixed

@@ -82,8 +82,7 @@ Result<Value> value_of(const FunctionSpec& spec, const Dial& dial, std::span<con
   if (text || numbers.size() != wanted)
     return fail(Code::type, fmt::format("{}: {} wants {}, not {}", dial.address, spec.name, in_words(wanted),
                                         text ? "a text" : in_words(numbers.size())));
-  if (!std::all_of(numbers.begin(), numbers.end(), [](double d) { return std::isfinite(d); }))
-    return fail(Code::range, dial.address + ": this is no number");
+  if (!finite(numbers)) return fail(Code::range, dial.address + ": this is no number");
   Result<Value> v = dial.mapped ? mapped(dial, numbers[0]) : made_of(type, numbers);
   if (!v) return v;
   FunctionSpec limits = spec;

@@ -26,15 +26,10 @@ bool in_reach(const std::array<float, 3>& p) {
 Mat4 normal_matrix(const Mat4& m) {
   Mat4 n;
   for (int c = 0; c < 3; ++c) {
-    const auto column = [&](int i) { return Vec3{m(0, i % 3), m(1, i % 3), m(2, i % 3)}; };
-    const Vec3 cofactor = cross(column(c + 1), column(c + 2));
+    const Vec3 cofactor = cross(column(m, (c + 1) % 3), column(m, (c + 2) % 3));
     n(0, c) = cofactor.x, n(1, c) = cofactor.y, n(2, c) = cofactor.z;
   }
   return n;
-}
-
-double determinant(const Mat4& m) {
-  return dot(Vec3{m(0, 0), m(1, 0), m(2, 0)}, cross(Vec3{m(0, 1), m(1, 1), m(2, 1)}, Vec3{m(0, 2), m(1, 2), m(2, 2)}));
 }
 
 using Vertex = std::array<float, 8>;

@@ -140,24 +140,12 @@ class Ply {
 
   bool number(Number type, double& out) {
     if (form_ == Form::ascii) return ascii(out);
-    switch (type) {
-      case Number::i8:
-        return binary<std::int8_t>(out);
-      case Number::u8:
-        return binary<std::uint8_t>(out);
-      case Number::i16:
-        return binary<std::int16_t>(out);
-      case Number::u16:
-        return binary<std::uint16_t>(out);
-      case Number::i32:
-        return binary<std::int32_t>(out);
-      case Number::u32:
-        return binary<std::uint32_t>(out);
-      case Number::f32:
-        return binary<float>(out);
-      default:
-        return binary<double>(out);
-    }
+    // In the order of Number.
+    static constexpr bool (Ply::*read[])(double&) = {&Ply::binary<std::int8_t>,  &Ply::binary<std::uint8_t>,
+                                                     &Ply::binary<std::int16_t>, &Ply::binary<std::uint16_t>,
+                                                     &Ply::binary<std::int32_t>, &Ply::binary<std::uint32_t>,
+                                                     &Ply::binary<float>,        &Ply::binary<double>};
+    return (this->*read[static_cast<std::size_t>(type)])(out);
   }
 
   // The property's numbers, into values_.

@@ -25,20 +25,14 @@ double turn(const Contour& c, Vec3 facing) {
   return dot(sum, facing);
 }
 
-struct Bounds {
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-};
-
-Bounds bounds(const Contour& c, Bounds b = {}) {
-  for (const Vec3 p : c)
-    for (int i = 0; i < 3; ++i) b.low[i] = std::min(b.low[i], p[i]), b.high[i] = std::max(b.high[i], p[i]);
+Box bounds(const Contour& c, Box b = {}) {
+  for (const Vec3 p : c) b.add(p);
   return b;
 }
-Vec3 middle(const Bounds& b) { return 0.5 * (b.low + b.high); }
-Vec3 middle(const Contour& c) { return middle(bounds(c)); }
+Vec3 middle(const Contour& c) { return bounds(c).middle(); }
 
 // Where in `to` is what `p` is in `from`.
-Vec3 carried(Vec3 p, const Bounds& from, const Bounds& to) {
+Vec3 carried(Vec3 p, const Box& from, const Box& to) {
   for (int i = 0; i < 3; ++i) {
     const double span = from.high[i] - from.low[i];
     p[i] = lerp(to.low[i], to.high[i], span > 0 ? (p[i] - from.low[i]) / span : 0.5);
@@ -63,7 +57,7 @@ struct Island {
 struct DrawnGlyph {
   std::string text;
   std::vector<Island> islands;
-  Bounds place;
+  Box place;
 };
 
 DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
@@ -190,11 +184,11 @@ Vec3 middle(const Island& island) { return middle(island.outer); }
 // Pairs the parts of one place with those of another, the largest first, each with the nearest that is still free; what
 // is left over comes from, or goes to, where it would be in the other place.
 template <class Part, class F>
-void pair_parts(const std::vector<Part>& a, const std::vector<Part>& b, const Bounds& place_a, const Bounds& place_b,
-                F both, std::vector<Pair>& out) {
+void pair_parts(const std::vector<Part>& a, const std::vector<Part>& b, const Box& place_a, const Box& place_b, F both,
+                std::vector<Pair>& out) {
   const bool swapped = a.size() > b.size();
   const auto &fewer = swapped ? b : a, &more = swapped ? a : b;
-  const Bounds &from = swapped ? place_b : place_a, &to = swapped ? place_a : place_b;
+  const Box &from = swapped ? place_b : place_a, &to = swapped ? place_a : place_b;
   std::vector<bool> taken(more.size());
   for (const auto& part : fewer) {
     const Vec3 wanted = carried(middle(part), from, to);
@@ -262,20 +256,20 @@ Partners partners(const std::vector<DrawnGlyph>& a, const std::vector<DrawnGlyph
 }
 
 // The point between two letters that follow each other; where one lacks or begins another line, beside the other.
-Vec3 gap(const Bounds* before, const Bounds* after) {
-  const auto beside = [](const Bounds& b, double x) { return Vec3{x, middle(b).y, middle(b).z}; };
+Vec3 gap(const Box* before, const Box* after) {
+  const auto beside = [](const Box& b, double x) { return Vec3{x, b.middle().y, b.middle().z}; };
   if (before == nullptr) return beside(*after, after->low.x);
   const Vec3 left = beside(*before, before->high.x);
-  if (after == nullptr || middle(*after).x <= middle(*before).x) return left;
+  if (after == nullptr || after->middle().x <= before->middle().x) return left;
   return 0.5 * (left + beside(*after, after->low.x));
 }
 
 // Letters `first` up to `last` of `all` have no partner; `before` and `after` are the places of their neighbours'
 // partners.
-void lone_glyphs(const std::vector<DrawnGlyph>& all, std::size_t first, std::size_t last, const Bounds* before,
-                 const Bounds* after, Way way, std::vector<Pair>& out) {
+void lone_glyphs(const std::vector<DrawnGlyph>& all, std::size_t first, std::size_t last, const Box* before,
+                 const Box* after, Way way, std::vector<Pair>& out) {
   for (std::size_t i = first; i < last; ++i) {
-    const Vec3 point = before == nullptr && after == nullptr ? middle(all[i].place) : gap(before, after);
+    const Vec3 point = before == nullptr && after == nullptr ? all[i].place.middle() : gap(before, after);
     for (const auto& island : all[i].islands) lone(island, point, way, out);
   }
 }

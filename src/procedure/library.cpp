@@ -5,68 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procedure/arithmetic.h"
 #include "procedure/machine.h"
 #include "procedure/nested.h"
-#include "procedure/noise.h"
 
 namespace betwixt::lua {
 namespace {
 
 // --- plain functions (may raise; see machine.h) ---
-
-double number(lua_State* l, int i) { return luaL_checknumber(l, i); }
-
-template <Kind kind, int count>
-int make(lua_State* l) {
-  double n[4];
-  for (int i = 0; i < count; ++i) n[i] = number(l, i + 1);
-  return push(l, kind, n), 1;
-}
-
-int make_axis(lua_State* l) {
-  const Quat q = axis_angle({number(l, 1), number(l, 2), number(l, 3)}, number(l, 4));
-  const double n[] = {q.w, q.x, q.y, q.z};
-  return push(l, Kind::quat, n), 1;
-}
-
-Vec3 vector(lua_State* l, int i) {
-  double n[16];
-  if (read(l, i, n) != Kind::vector) luaL_argerror(l, i, "a vector is needed");
-  return {n[0], n[1], n[2]};
-}
-int push_vector(lua_State* l, Vec3 v) {
-  const double n[] = {v.x, v.y, v.z};
-  return push(l, Kind::vector, n), 1;
-}
-int length_of(lua_State* l) { return lua_pushnumber(l, length(vector(l, 1))), 1; }
-int dot_of(lua_State* l) { return lua_pushnumber(l, dot(vector(l, 1), vector(l, 2))), 1; }
-int cross_of(lua_State* l) { return push_vector(l, cross(vector(l, 1), vector(l, 2))); }
-int normalized(lua_State* l) { return push_vector(l, normalize(vector(l, 1), {0, 0, 0})); }
-
-Vec3 up_to_three(lua_State* l) { return {number(l, 1), luaL_optnumber(l, 2, 0), luaL_optnumber(l, 3, 0)}; }
-int noise_of(lua_State* l) { return lua_pushnumber(l, noise(up_to_three(l), std::clamp(lua_gettop(l), 1, 3))), 1; }
-int random_of(lua_State* l) { return lua_pushnumber(l, hashed(up_to_three(l))), 1; }
-int clamp_of(lua_State* l) {
-  return lua_pushnumber(l, std::fmax(number(l, 2), std::fmin(number(l, 1), number(l, 3)))), 1;
-}
-int smoothstep(lua_State* l) {
-  const double low = number(l, 1), high = number(l, 2), x = number(l, 3);
-  const double u = low == high ? x >= high : std::fmax(0, std::fmin((x - low) / (high - low), 1));
-  return lua_pushnumber(l, u * u * (3 - 2 * u)), 1;
-}
-// mix(a, b, u) = a (1 - u) + b u, of numbers and whatever has arithmetic.
-int mix(lua_State* l) {
-  const double u = number(l, 3);
-  lua_settop(l, 2);
-  lua_pushnumber(l, u);
-  lua_arith(l, LUA_OPMUL);
-  lua_insert(l, 1);
-  lua_pushnumber(l, 1 - u);
-  lua_arith(l, LUA_OPMUL);
-  lua_insert(l, 1);
-  lua_arith(l, LUA_OPADD);
-  return 1;
-}
 
 // What a function of Lua's own takes is more than one step where it goes through a list or a text.
 enum class Charge { text, list, range, move, sort };
@@ -193,6 +139,13 @@ int pairs(lua_State* l) {
   return results;
 }
 
+// Asking somebody else is more than one step.
+template <int (*body)(lua_State*, Machine&)>
+int priced(lua_State* l) {
+  const int results = guarded<body>(l);
+  return charge(l, 20), results;
+}
+
 int push_answer(lua_State* l, const std::string& target, const Result<Value>& r) {
   if (!r) return fail_with(l, r.error().message);
   if (!push(l, *r)) return fail_with(l, "'" + target + "' has a value that Lua has no word for");
@@ -209,10 +162,6 @@ int value_of(lua_State* l, Machine& m) {
   if (!m.call->host) return fail_with(l, "value: only procedures and commands can ask for values");
   if (now) return fail_with(l, "value: at what time?");
   return push_answer(l, target, m.call->host->value(target, at));
-}
-int value(lua_State* l) {
-  const int results = guarded<value_of>(l);
-  return charge(l, 20), results;
 }
 
 // Says of what was asked in a call, not of the question that it became.
@@ -243,10 +192,6 @@ int touching_of(lua_State* l, Machine& m) {
   lua_pushboolean(l, std::find(names.begin(), names.end(), lua_tostring(l, 2)) != names.end());
   return 1;
 }
-int touching(lua_State* l) {
-  const int results = guarded<touching_of>(l);
-  return charge(l, 20), results;
-}
 
 int input_at(lua_State* l, Machine& m) {
   if (!m.call->input) return fail_with(l, "input: only filters have one");
@@ -254,10 +199,6 @@ int input_at(lua_State* l, Machine& m) {
   if (!std::isfinite(at) || (!lua_isnoneornil(l, 1) && !lua_isnumber(l, 1)))
     return fail_with(l, "input: the time is no number");
   return push_answer(l, "input", m.call->input->at(at));
-}
-int input(lua_State* l) {
-  const int results = guarded<input_at>(l);
-  return charge(l, 20), results;
 }
 
 // A command's lines may take as long as they take: the clock stands still.
@@ -270,10 +211,6 @@ int run_line(lua_State* l, Machine& m) {
   const Status done = m.call->host->run({line, size});
   deadline += std::chrono::steady_clock::now() - before;
   return done ? 0 : fail_with(l, done.error().message);
-}
-int run(lua_State* l) {
-  const int results = guarded<run_line>(l);
-  return charge(l, 20), results;
 }
 
 int objects_of(lua_State* l, Machine& m) {
@@ -306,17 +243,13 @@ int call_routine(lua_State* l, Machine& m) {
   }
   return push_answer(l, name, result);
 }
-int call(lua_State* l) {
-  const int results = guarded<call_routine>(l);
-  return charge(l, 20), results;
-}
 
 // A name that no table has: a named procedure, or nil.
 int find_global(lua_State* l, Machine& m) {
   if (lua_type(l, 2) != LUA_TSTRING || !m.call || !m.call->questions) return 0;
   if (!m.call->questions->procedure(lua_tostring(l, 2))) return 0;
   lua_pushvalue(l, 2);
-  lua_pushcclosure(l, call, 1);
+  lua_pushcclosure(l, priced<call_routine>, 1);
   return 1;
 }
 
@@ -350,28 +283,10 @@ void wrap(lua_State* l, const char* name, lua_CFunction through) {
   lua_setfield(l, -2, name);
 }
 
-constexpr luaL_Reg own[] = {{"vec", make<Kind::vector, 3>},
-                            {"rgb", make<Kind::color, 3>},
-                            {"euler", make<Kind::angles, 3>},
-                            {"quat", make<Kind::quat, 4>},
-                            {"axis", make_axis},
-                            {"length", length_of},
-                            {"dot", dot_of},
-                            {"cross", cross_of},
-                            {"normalize", normalized},
-                            {"noise", noise_of},
-                            {"random", random_of},
-                            {"clamp", clamp_of},
-                            {"mix", mix},
-                            {"smoothstep", smoothstep},
-                            {"tostring", guarded<to_text>},
-                            {"pairs", pairs},
-                            {"value", value},
-                            {"touching", touching},
-                            {"input", input},
-                            {"run", run},
-                            {"objects", objects},
-                            {nullptr, nullptr}};
+constexpr luaL_Reg own[] = {{"tostring", guarded<to_text>}, {"pairs", pairs},
+                            {"value", priced<value_of>},    {"touching", priced<touching_of>},
+                            {"input", priced<input_at>},    {"run", priced<run_line>},
+                            {"objects", objects},           {nullptr, nullptr}};
 
 }  // namespace
 
@@ -383,6 +298,7 @@ void open_library(lua_State* l, Machine& m) {
   copy(l, luaopen_base, {"tonumber"}, charged<Charge::text>);
   copy(l, luaopen_math, of_math);
   luaL_setfuncs(l, own, 0);
+  luaL_setfuncs(l, arithmetic_functions, 0);
   lua_pushnumber(l, 2 * pi);
   lua_setfield(l, -2, "tau");
 

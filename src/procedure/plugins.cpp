@@ -42,8 +42,7 @@ Result<Value> read(const betwixt_value& v) {
   if (v.kind < BETWIXT_NUMBER || v.kind > BETWIXT_TEXT) return fail(Code::type, "it gave no value");
   if (v.kind == BETWIXT_TEXT) return Value(Text(std::string(v.text ? v.text : "")));
   const std::size_t count = numbers(example_of_kind(v.kind)).size();
-  if (!std::all_of(v.numbers, v.numbers + count, [](double d) { return std::isfinite(d); }))
-    return fail(Code::range, "it gave a number that is not finite");
+  if (!finite({v.numbers, count})) return fail(Code::range, "it gave a number that is not finite");
   Value made = with_numbers(example_of_kind(v.kind), v.numbers);
   if (auto* q = std::get_if<Quat>(&made)) *q = normalize(*q);
   return made;

@@ -195,9 +195,8 @@ Result<Value> to_value(lua_State* l, int index) {
   const Kind kind = read(l, index, n);
   if (kind == Kind::none) return list_value(l, lua_absindex(l, index));
   if (kind == Kind::matrix) return no_value("a matrix is no value; its .x .y .z are");
-  for (int i = 0; i < shape(kind).count; ++i)
-    if (!std::isfinite(n[i]))
-      return fail(Code::range, std::string("it gave ") + shape(kind).article + " with a number that is not finite");
+  if (!finite({n, static_cast<std::size_t>(shape(kind).count)}))
+    return fail(Code::range, std::string("it gave ") + shape(kind).article + " with a number that is not finite");
   Value v = with_numbers(shape(kind).example(), n);
   if (auto* q = std::get_if<Quat>(&v)) *q = normalize(*q);
   return v;

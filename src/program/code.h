@@ -204,8 +204,8 @@ struct Program::Compiled {
   const Binding& find(std::uint32_t object, FunctionId f) const;
 
   // Evaluation. `numbers` is the array for the time.
-  std::vector<double> at(Time t, Asking&) const;
-  std::vector<double> places_at(Time t, Asking&) const;  // only what says where things are and how large
+  // `for_contacts`: of what is worked out, only what says where things are and how large.
+  std::vector<double> at(Time t, Asking&, bool for_contacts = false) const;
   void evaluate(const CurveUse& use, Time t, double* out) const;
   // One binding alone: its numbers only.
   void evaluate(const Binding& b, Time t, Asking&, double* out) const;
@@ -266,7 +266,5 @@ Vec3 to_angles(Quat);
 void compile_motions(Program::Compiled&, const std::vector<std::int32_t>& frozen);
 
 inline Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
-
-std::optional<Mat4> inverse(const Mat4& affine);  // none where it is singular
 
 }  // namespace betwixt

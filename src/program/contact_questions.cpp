@@ -17,16 +17,6 @@ bool part_of(const std::string& name, const std::string& whole) {
 
 }  // namespace
 
-std::vector<double> Program::Compiled::places_at(Time t, Asking& asking) const {
-  std::vector<double> numbers = rest;
-  for (const CurveUse& use : curves) evaluate(use, t, &numbers[use.offset]);
-  if (!lives.empty())
-    for (const Binding& b : bindings)
-      if (b.live >= 0 && b.channels > 0 && spec_of(document.scene(), b.function).matters_to_contacts())
-        evaluate(b, t, asking, &numbers[b.offset]);
-  return numbers;
-}
-
 std::vector<std::uint32_t> Program::Compiled::bodies(Time t) const {
   constexpr std::uint32_t unknown = 0xffffffff;
   std::vector<std::uint32_t> body(nodes.size(), unknown), chain;
@@ -60,7 +50,7 @@ Frame Program::Compiled::solids(Time t, Asking& asking) const {
   f.time = t;
   for (const Node& n : nodes)  // while attachments are still being worked out
     if (const Hand* h = hand(n, t); h && h->frozen >= 0) thaw(h->frozen, asking);
-  const auto numbers = places_at(t, asking);
+  const auto numbers = at(t, asking, true);
   const auto w = worlds(t, numbers.data(), asking);
   add_solids(f, numbers.data(), w, asking);
   if (camera_at(t)) f.camera = camera(t, numbers.data(), w);

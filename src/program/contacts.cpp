@@ -20,7 +20,6 @@
 namespace betwixt {
 namespace {
 
-bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 Vec3 row(const Mat4& m, int i) { return {m(i, 0), m(i, 1), m(i, 2)}; }
 double dot_of_sizes(Vec3 a, Vec3 b) { return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z); }
 
@@ -128,11 +127,9 @@ class Tree : btQuantizedBvh {
  public:
   explicit Tree(const std::vector<Extent>& boxes) {
     m_useQuantization = false;  // one thing far away would make all others one
-    Extent all = boxes.front();
-    for (const Extent& b : boxes)
-      for (int i = 0; i < 3; ++i)
-        all.low[i] = std::min(all.low[i], b.low[i]), all.high[i] = std::max(all.high[i], b.high[i]);
-    const Vec3 origin = 0.5 * all.low + 0.5 * all.high;
+    Extent all;
+    for (const Extent& b : boxes) all.add(b);
+    const Vec3 origin = all.middle();
     const int count = static_cast<int>(boxes.size());
     m_leafNodes.resize(count);
     for (int i = 0; i < count; ++i) {
@@ -207,8 +204,8 @@ void find_pairs(Contacts& c, const std::vector<Mover>& movers, Time from, Time t
   std::vector<Extent> ways(movers.size());
   for (std::size_t i = 0; i < movers.size(); ++i) {
     const auto &a = movers[i].from, &b = movers[i].to;
-    for (int k = 0; k < 3; ++k)
-      ways[i].low[k] = std::min(a.low[k], b.low[k]), ways[i].high[k] = std::max(a.high[k], b.high[k]);
+    ways[i] = {a.low, a.high};
+    ways[i].add({b.low, b.high});
   }
   const auto span = static_cast<double>((to - from).flicks);
   Tree(ways).each_pair([&](int i, int k) {

@@ -12,12 +12,14 @@ Vec3 mix(Vec3 a, Vec3 b, double s) { return a + s * (b - a); }
 
 }  // namespace
 
-std::vector<double> Program::Compiled::at(Time t, Asking& asking) const {
+std::vector<double> Program::Compiled::at(Time t, Asking& asking, bool for_contacts) const {
   std::vector<double> numbers = rest;
   for (const CurveUse& use : curves) evaluate(use, t, &numbers[use.offset]);
   if (!lives.empty())
     for (const Binding& b : bindings)
-      if (b.live >= 0 && b.channels > 0) evaluate(b, t, asking, &numbers[b.offset]);
+      if (b.live >= 0 && b.channels > 0 &&
+          (!for_contacts || spec_of(document.scene(), b.function).matters_to_contacts()))
+        evaluate(b, t, asking, &numbers[b.offset]);
   return numbers;
 }
 
@@ -228,9 +230,7 @@ Extent Program::Compiled::stage() const {
       for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p = transform_point(item.world, {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y,
                                                     corner & 4 ? e.high.z : e.low.z});
-        if (!std::isfinite(p.x + p.y + p.z)) continue;
-        if (all.empty()) all = {p, p};
-        for (int i = 0; i < 3; ++i) all.low[i] = std::min(all.low[i], p[i]), all.high[i] = std::max(all.high[i], p[i]);
+        if (finite(p)) all.add(p);
       }
     }
   }

@@ -17,11 +17,6 @@ using Numbers = std::array<double, 4>;
 
 Quat quat(const double* n) { return {n[0], n[1], n[2], n[3]}; }
 
-Quat power(Quat q, double w) {
-  if (q.w < 0) q = -q;
-  return slerp({}, q, w);
-}
-
 // a + b, and the way from a to b; orientations turn. Nothing where the two do not go together.
 std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mix) {
   const auto turn = [](const Value& v) -> std::optional<Quat> {
@@ -32,7 +27,7 @@ std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mi
   if (std::holds_alternative<Quat>(a) || std::holds_alternative<Quat>(b)) {
     const auto p = turn(a), q = turn(b);
     if (!p || !q) return std::nullopt;
-    if (!mix) return *p * power(*q, w);
+    if (!mix) return *p * power(q->w < 0 ? -*q : *q, w);
     return slerp(*p, dot(*p, *q) < 0 ? -*q : *q, w);
   }
   if (a.index() != b.index()) return std::nullopt;
@@ -105,8 +100,7 @@ struct Worker {
     const auto fitting = fit(*answer, type, scene);
     if (!fitting) return say(fitting.error().message);
     double n[4];
-    for (int i = to_numbers(*fitting, n); i-- > 0;)
-      if (!std::isfinite(n[i])) return say("it is not finite");
+    if (!finite({n, static_cast<std::size_t>(to_numbers(*fitting, n))})) return say("it is not finite");
     return *fitting;
   }
 
@@ -258,8 +252,8 @@ struct Worker {
     };
     if (!made) return pass(made.error().message);
     double n[4];
-    for (int i = to_numbers(*made, n); i-- > 0;)
-      if (!std::isfinite(n[i])) return pass("it gives a value that is not finite");
+    if (!finite({n, static_cast<std::size_t>(to_numbers(*made, n))}))
+      return pass("it gives a value that is not finite");
     if (f.component >= 0) {
       const auto* d = std::get_if<double>(&*made);
       return d ? with_component(plain, f.component, *d) : pass("it does not give a number");

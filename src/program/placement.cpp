@@ -44,25 +44,6 @@ Mat4 linear_part(Mat4 m) {
   return m;
 }
 
-}  // namespace
-
-// None where the matrix is singular.
-std::optional<Mat4> inverse(const Mat4& m) {
-  const auto column = [&](int c) { return Vec3{m(0, c), m(1, c), m(2, c)}; };
-  const Vec3 a = column(0), b = column(1), c = column(2);
-  const double det = dot(a, cross(b, c));
-  if (!(std::abs(det) > 1e-12 * length(a) * length(b) * length(c))) return std::nullopt;
-  const Vec3 rows[] = {1 / det * cross(b, c), 1 / det * cross(c, a), 1 / det * cross(a, b)};
-  Mat4 out;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) out(i, k) = rows[i][k];
-  const Vec3 move = -transform_vector(out, translation_of(m));
-  out(0, 3) = move.x, out(1, 3) = move.y, out(2, 3) = move.z;
-  return out;
-}
-
-namespace {
-
 Mat4 held_turn(Hold hold, const Placed& parent) {
   return hold == Hold::couple ? linear_part(parent.world) : hold == Hold::attach ? rotation(parent.turn) : Mat4{};
 }

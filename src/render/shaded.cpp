@@ -23,10 +23,8 @@ class Shaded final : public Module {
 
   Status draw(const Frame& frame, Picture& out) override {
     store_.next_frame();
-    bool good = false;
-    View view = make_view(frame.camera, canvas_.width(), canvas_.height(), good);
-    std::vector<Thing> things;
-    if (good) things = gather(frame, view, store_, Purpose::surfaces);
+    View view;
+    const std::vector<Thing> things = gather(frame, canvas_.width(), canvas_.height(), store_, Purpose::surfaces, view);
     std::vector<const Thing*> solid, glass, casters, hairlines;
     for (const Thing& t : things) {
       const bool surface = !t.mesh->parts.empty();

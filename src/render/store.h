@@ -22,7 +22,7 @@ struct StoredTexture {
 
 struct StoredMesh {
   std::shared_ptr<const Mesh> mesh;
-  Mesh::Box box;
+  Box box;
   std::vector<MeshPart> parts;  // at least one where there are triangles; all within bounds
   gl::VertexArray triangles, edges;
   gl::Buffer vertices, indices, edge_vertices, edge_indices;

@@ -23,22 +23,12 @@ Geometry geometry_of(const Item& item, int detail) {
   return between ? realise_blend(*item.shape, *item.toward, item.blend, detail) : realise(*item.shape, detail);
 }
 
-Bounds bounds_of(const Mesh::Box& box, const Mat4& m) {
-  Vec3 center, half;
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    center[i] = 0.5 * (static_cast<double>(box.low[k]) + box.high[k]);
-    half[i] = 0.5 * (static_cast<double>(box.high[k]) - box.low[k]);
-  }
-  Bounds b{transform_point(m, center), {}};
+Bounds bounds_of(const Box& box, const Mat4& m) {
+  const Vec3 half = box.half();
+  Bounds b{transform_point(m, box.middle()), {}};
   for (int i = 0; i < 3; ++i)
     b.half[i] = std::abs(m(i, 0)) * half.x + std::abs(m(i, 1)) * half.y + std::abs(m(i, 2)) * half.z;
   return b;
-}
-
-double determinant(const Mat4& m) {
-  const auto column = [&](int c) { return Vec3{m(0, c), m(1, c), m(2, c)}; };
-  return dot(column(0), cross(column(1), column(2)));
 }
 
 bool has_holes(const Item& item, const StoredMesh& mesh, Store& store) {
@@ -65,7 +55,10 @@ void make_ball(Thing& t, const Mat4& world, double pixels, Store& store) {
 
 }  // namespace
 
-std::vector<Thing> gather(const Frame& frame, View& view, Store& store, Purpose purpose) {
+std::vector<Thing> gather(const Frame& frame, int width, int height, Store& store, Purpose purpose, View& view) {
+  bool good = false;
+  view = make_view(frame.camera, width, height, good);
+  if (!good) return {};
   const auto fewer = static_cast<std::size_t>(purpose);
   std::vector<Thing> things;
   things.reserve(frame.items.size());

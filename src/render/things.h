@@ -27,8 +27,9 @@ struct Thing {
 
 enum class Purpose : std::uint8_t { surfaces, lines };
 
-// Fits the view's depths to what is visible. Things come in the items' order. For `surfaces` spheres may come as
+// What there is to draw in a picture of that size; nothing where the camera's numbers cannot be used. Fits the view's
+// depths to what is visible. Things come in the items' order. For `surfaces` spheres may come as
 // balls; for `lines` meshes are coarser, since lines close together make only a grey.
-std::vector<Thing> gather(const Frame&, View&, Store&, Purpose);
+std::vector<Thing> gather(const Frame&, int width, int height, Store&, Purpose, View&);
 
 }  // namespace betwixt

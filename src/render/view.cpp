@@ -6,11 +6,6 @@
 
 namespace betwixt {
 
-bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool finite(const Mat4& a) {
-  return std::all_of(a.m.begin(), a.m.end(), [](double x) { return std::isfinite(x); });
-}
-
 std::array<float, 16> to_float(const Mat4& a) {
   std::array<float, 16> r;
   std::transform(a.m.begin(), a.m.end(), r.begin(), [](double x) { return static_cast<float>(x); });

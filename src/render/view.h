@@ -40,7 +40,5 @@ struct View {
 View make_view(const Camera&, int width, int height, bool& good);
 
 std::array<float, 16> to_float(const Mat4&);
-bool finite(Vec3);
-bool finite(const Mat4&);
 
 }  // namespace betwixt

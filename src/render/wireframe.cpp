@@ -32,10 +32,8 @@ class Wireframe final : public Module {
 
   Status draw(const Frame& frame, Picture& out) override {
     store_.next_frame();
-    bool good = false;
-    View view = make_view(frame.camera, canvas_.width(), canvas_.height(), good);
-    std::vector<Thing> things;
-    if (good) things = gather(frame, view, store_, Purpose::lines);
+    View view;
+    const std::vector<Thing> things = gather(frame, canvas_.width(), canvas_.height(), store_, Purpose::lines, view);
     std::vector<const Thing*> seen;
     for (const Thing& t : things)
       if (t.visible) seen.push_back(&t);

@@ -6,10 +6,7 @@
 
 namespace betwixt {
 
-struct Extent {
-  Vec3 low{1, 1, 1}, high{-1, -1, -1};  // low > high: nothing
-  bool empty() const { return low.x > high.x; }
-};
+using Extent = Box;
 
 // A box in object space that holds the shape. Texts are estimated from their number of letters.
 Extent extent(const Shape&);

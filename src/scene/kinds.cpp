@@ -18,9 +18,8 @@ Extent centred_on_origin(Vec3 half) { return {-half, half}; }
 
 Extent around_points(const std::vector<Vec3>& points, double margin) {
   if (points.empty()) return {};
-  Extent e{points[0], points[0]};
-  for (Vec3 p : points)
-    for (int i = 0; i < 3; ++i) e.low[i] = std::min(e.low[i], p[i]), e.high[i] = std::max(e.high[i], p[i]);
+  Extent e;
+  for (const Vec3 p : points) e.add(p);
   const Vec3 m{margin, margin, margin};
   return {e.low - m, e.high + m};
 }
@@ -34,9 +33,7 @@ Extent of_ring(const Shape& s) { return centred_on_origin({s.radius + s.tube, s.
 Extent of_polygon(const Shape& s) { return around_points(*s.points, 0); }
 Extent of_points(const Shape& s) { return around_points(*s.points, s.width / 2); }
 Extent of_mesh(const Shape& s) {
-  if (!s.mesh || s.mesh->positions.empty()) return {};
-  const auto box = s.mesh->box();
-  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+  return s.mesh && !s.mesh->positions.empty() ? s.mesh->box() : Extent{};
 }
 
 // Width and lines of a text, letters taken as 0.6 em wide.

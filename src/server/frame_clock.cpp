@@ -235,17 +235,18 @@ void FrameClock::await(Nanos moment) {
 void FrameClock::make(const Plan& p) {
   const bool look = current_->edition.look;
   Shown s{p.number, p.time, 0, {}};
+  const auto lost = [&](const Error& why) {
+    const std::lock_guard lock(trouble_mutex_);
+    trouble_ = why;
+    screen_.reset();
+    ring(told_);
+  };
   const Nanos begun = monotonic_now();
   if (look || screen_) {
     const Frame frame = current_->edition.program.frame(p.time);
     s.problems = frame.problems;
     if (screen_)
-      if (Status drawn = screen_->draw(frame); !drawn) {
-        const std::lock_guard lock(trouble_mutex_);
-        trouble_ = drawn.error();
-        screen_.reset();
-        ring(told_);
-      }
+      if (Status drawn = screen_->draw(frame); !drawn) lost(drawn.error());
   }
   const Nanos took = monotonic_now() - begun;
   cost_ = took > cost_ ? took : cost_ - (cost_ - took) / 8;  // what it has taken of late, at most
@@ -253,12 +254,7 @@ void FrameClock::make(const Plan& p) {
   const Nanos late = std::max<Nanos>(0, monotonic_now() - p.deadline);
   s.late = late;
   if (screen_)
-    if (Status done = screen_->show(s); !done) {
-      const std::lock_guard lock(trouble_mutex_);
-      trouble_ = done.error();
-      screen_.reset();
-      ring(told_);
-    }
+    if (Status done = screen_->show(s); !done) lost(done.error());
   if (current_->edition.transport.running) {
     if (last_ && p.number > *last_ + 1) count_between(*last_, p.number);
     last_ = p.number;

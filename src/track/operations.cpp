@@ -24,9 +24,7 @@ std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
 
 bool finite(const Value& v) {
   double n[4];
-  for (int i = to_numbers(v, n); i-- > 0;)
-    if (!std::isfinite(n[i])) return false;
-  return true;
+  return betwixt::finite(std::span<const double>(n, static_cast<std::size_t>(to_numbers(v, n))));
 }
 
 // Changes every value (and, if asked, tangent) of a segment by f, or nothing at all.

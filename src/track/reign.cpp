@@ -27,12 +27,6 @@ Quat magnus(const CurveSet& set, const Curve& v, std::int64_t from, std::int64_t
   return turn_by(sign * h / 2 * (p + q) + (std::sqrt(3.0) / 12 * h * h) * cross(q, p));
 }
 
-Quat turned_by_part(Quat q, double n) {
-  const Vec3 v{q.x, q.y, q.z};
-  const double l = length(v);
-  return l < 1e-300 ? Quat{} : turn_by((n * 2 * std::atan2(l, q.w) / l) * v);
-}
-
 }  // namespace
 
 Reign::Reign(CurveSet& set, const Curve& velocity, bool orientation)
@@ -139,13 +133,13 @@ Quat Reign::wandered(const CurveSet& set, Time time) const {
   Quat q = stepped(set, there_, 1, last);
   if (v_.after == Extrapolation::cycle) {
     const std::int64_t gone = time.flicks - first;
-    return stepped(set, there_, 1, first + gone % period) * turned_by_part(q, static_cast<double>(gone / period));
+    return stepped(set, there_, 1, first + gone % period) * power(q, static_cast<double>(gone / period));
   }
   if (v_.after == Extrapolation::bounce) {
     // Back again the same velocities come in the other order: the inverse of going there against them.
     const std::int64_t gone = (time.flicks - first) / (2 * period), rest = (time.flicks - first) % (2 * period);
     const Quat home = conjugate(stepped(set, against_, -1, last));
-    const Quat all = turned_by_part(home * q, static_cast<double>(gone));
+    const Quat all = power(home * q, static_cast<double>(gone));
     if (rest <= period) return stepped(set, there_, 1, first + rest) * all;
     return stepped(set, against_, -1, last - (rest - period)) * home * q * all;
   }

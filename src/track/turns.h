@@ -21,9 +21,5 @@ inline Quat exp(Quat v) {
   const double k = a > 1e-12 ? std::sin(a) / a : 1;
   return {std::cos(a), k * v.x, k * v.y, k * v.z};
 }
-inline Quat power(Quat q, double s) {
-  const Quat l = log(q);
-  return exp({0, s * l.x, s * l.y, s * l.z});
-}
 
 }  // namespace betwixt

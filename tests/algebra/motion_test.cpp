@@ -7,15 +7,10 @@
 #include "algebra/precise.h"
 #include "algebra/vectors.h"
 #include "betwixt/algebra.h"
+#include "support/motions.h"
 
 namespace betwixt {
 namespace {
-
-Motion parsed(const std::string& text) {
-  const auto motion = parse_motion(text);
-  EXPECT_TRUE(motion) << text << ": " << (motion ? "" : motion.error().message);
-  return motion ? *motion : Motion{};
-}
 
 TEST(Motion, IsAtThePlacesOfTheVectors) {
   ASSERT_EQ(vectors().size(), 12u);
@@ -151,39 +146,39 @@ TEST(Motion, SaysWhereItsTextIsWrong) {
     return std::to_string(e.place.column) + "+" + std::to_string(e.place.length) + " " + e.message +
            (e.hint.empty() ? "" : " | " + e.hint);
   };
-  EXPECT_EQ(said("T(1 0) Q(1)"), "8+1 a motion is a string of T(…), R(…) and S(…) | as in T(6.28 0) R(-1turn @ 0 1)");
-  EXPECT_EQ(said("r(90deg)"), "1+1 'r' is no factor of a motion | did you mean 'R'?");
-  EXPECT_EQ(said("T 1 0"), "3+1 '(' is missing behind T");
-  EXPECT_EQ(said("T(1)"), "1+3 a translation has two or three numbers | T(6 0) or T(6 0 0)");
-  EXPECT_EQ(said("T(1 0"), "6+1 ')' is missing");
-  EXPECT_EQ(said("T(1 0 0 0)"), "9+1 no more than three numbers stand here");
-  EXPECT_EQ(said("R(90)"), "3+2 an angle needs its unit: 90 | units are deg, °, turn, rad");
-  EXPECT_EQ(said("R(90grad)"), "5+4 'grad' is not a unit of angle | units are deg, °, turn, rad");
-  EXPECT_EQ(said("R()"), "3+1 a number is wanted here");
-  EXPECT_EQ(said("R(90deg @ 1)"), "11+1 a centre has two or three numbers");
-  EXPECT_EQ(said("R(90deg @ )"), "11+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object");
-  EXPECT_EQ(said("R(90deg about z)"),
-            "9+5 'about' means nothing in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
-  EXPECT_EQ(said("R(90deg axis 0 0 0)"), "9+10 this axis has no direction");
-  EXPECT_EQ(said("S(2 -1)"),
-            "1+6 a scaling by -1 has no in-betweens | factors above 0, or the linear law: S(… linear)");
-  EXPECT_EQ(said("S(2 -1 linear)"), "fine");
-  EXPECT_EQ(said("S()"), "1+2 a scaling has one, two or three numbers | S(2), S(2 1) or S(2 1 1)");
-  EXPECT_EQ(said("S(2 2 lin)"), "7+3 'lin' means nothing in a scaling | S(2 2 @ 0 0 linear)");
-  EXPECT_EQ(said("T(1e999 0)"), "3+5 '1e999' is no finite number");
-  EXPECT_EQ(said("T(inf 0)"), "3+3 'inf' is no finite number");
-  EXPECT_EQ(said("T(0 nan)"), "5+3 'nan' is no finite number");
-  EXPECT_EQ(said("S(2cm)"), "3+3 a plain number is wanted here, not 2cm");
-  EXPECT_EQ(said("S(50%)"), "3+3 a plain number is wanted here, not 50%");
-  EXPECT_EQ(said("R(90 deg)"), "3+2 an angle needs its unit: 90 | no blank before it: 90deg");
-  EXPECT_EQ(said("T(1 0 @ 0 0)"), "7+1 '@' does not belong here, in a translation | T(6 0) or T(6 0 0)");
-  EXPECT_EQ(said("T(1 0 linear)"), "7+6 'linear' does not belong here, in a translation | T(6 0) or T(6 0 0)");
-  EXPECT_EQ(said("R(90deg axis x @ 0 0)"),
-            "16+1 '@' does not belong here, in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
-  EXPECT_EQ(said("S(2 2 linear linear)"),
-            "14+6 'linear' does not belong here, in a scaling | S(2 2 @ 0 0), behind it perhaps linear");
-  EXPECT_EQ(said("R(0) R(0 @ 1 1) R(1rad axis (0 1 0))"), "fine");
-  EXPECT_EQ(said("R(35° @ ä)"), "9+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object");
+  const std::pair<const char*, const char*> table[] = {
+      {"T(1 0) Q(1)", "8+1 a motion is a string of T(…), R(…) and S(…) | as in T(6.28 0) R(-1turn @ 0 1)"},
+      {"r(90deg)", "1+1 'r' is no factor of a motion | did you mean 'R'?"},
+      {"T 1 0", "3+1 '(' is missing behind T"},
+      {"T(1)", "1+3 a translation has two or three numbers | T(6 0) or T(6 0 0)"},
+      {"T(1 0", "6+1 ')' is missing"},
+      {"T(1 0 0 0)", "9+1 no more than three numbers stand here"},
+      {"R(90)", "3+2 an angle needs its unit: 90 | units are deg, °, turn, rad"},
+      {"R(90grad)", "5+4 'grad' is not a unit of angle | units are deg, °, turn, rad"},
+      {"R()", "3+1 a number is wanted here"},
+      {"R(90deg @ 1)", "11+1 a centre has two or three numbers"},
+      {"R(90deg @ )", "11+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object"},
+      {"R(90deg about z)", "9+5 'about' means nothing in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)"},
+      {"R(90deg axis 0 0 0)", "9+10 this axis has no direction"},
+      {"S(2 -1)", "1+6 a scaling by -1 has no in-betweens | factors above 0, or the linear law: S(… linear)"},
+      {"S(2 -1 linear)", "fine"},
+      {"S()", "1+2 a scaling has one, two or three numbers | S(2), S(2 1) or S(2 1 1)"},
+      {"S(2 2 lin)", "7+3 'lin' means nothing in a scaling | S(2 2 @ 0 0 linear)"},
+      {"T(1e999 0)", "3+5 '1e999' is no finite number"},
+      {"T(inf 0)", "3+3 'inf' is no finite number"},
+      {"T(0 nan)", "5+3 'nan' is no finite number"},
+      {"S(2cm)", "3+3 a plain number is wanted here, not 2cm"},
+      {"S(50%)", "3+3 a plain number is wanted here, not 50%"},
+      {"R(90 deg)", "3+2 an angle needs its unit: 90 | no blank before it: 90deg"},
+      {"T(1 0 @ 0 0)", "7+1 '@' does not belong here, in a translation | T(6 0) or T(6 0 0)"},
+      {"T(1 0 linear)", "7+6 'linear' does not belong here, in a translation | T(6 0) or T(6 0 0)"},
+      {"R(90deg axis x @ 0 0)",
+       "16+1 '@' does not belong here, in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)"},
+      {"S(2 2 linear linear)",
+       "14+6 'linear' does not belong here, in a scaling | S(2 2 @ 0 0), behind it perhaps linear"},
+      {"R(0) R(0 @ 1 1) R(1rad axis (0 1 0))", "fine"},
+      {"R(35° @ ä)", "9+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object"}};
+  for (const auto& [text, words] : table) EXPECT_EQ(said(text), words) << text;
 }
 
 }  // namespace

@@ -59,33 +59,35 @@ std::string before(const Motion& motion, Method method) {
   return cost.functions > 0 ? fmt::format("{}, {} f", to_string(cost), cost.functions) : to_string(cost);
 }
 
+template <class F>
+std::string table_of(std::string head, F row_of) {
+  for (const Row& row : rows()) head += row_of(row, *printed_costs(row.motion));
+  return head;
+}
+
 std::string per_step() {
-  std::string table =
+  return table_of(
       "| string | matrix, source | matrix | differences | geometric, source | geometric | best | best, linear law |\n"
-      "|---|---|---|---|---|---|---|---|\n";
-  for (const Row& row : rows()) {
-    const Printed printed = *printed_costs(row.motion);
-    const Motion even = linear(row.motion);
-    table += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.name, to_string(printed.matrix),
-                         step(row.motion, Method::matrix), step(row.motion, Method::differences),
-                         to_string(printed.geometric), step(even, Method::geometric), step(row.motion, Method::best),
-                         even == row.motion ? "the same" : step(even, Method::best));
-  }
-  return table;
+      "|---|---|---|---|---|---|---|---|\n",
+      [](const Row& row, const Printed& printed) {
+        const Motion even = linear(row.motion);
+        return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.name, to_string(printed.matrix),
+                           step(row.motion, Method::matrix), step(row.motion, Method::differences),
+                           to_string(printed.geometric), step(even, Method::geometric), step(row.motion, Method::best),
+                           even == row.motion ? "the same" : step(even, Method::best));
+      });
 }
 
 std::string besides() {
-  std::string table =
+  return table_of(
       "| string | matrix, source | matrix | geometric, source | geometric | best | afterwards, source |\n"
-      "|---|---|---|---|---|---|---|\n";
-  for (const Row& row : rows()) {
-    const Printed printed = *printed_costs(row.motion);
-    table += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", row.name, to_string(printed.matrix_before),
-                         before(row.motion, Method::matrix), to_string(printed.geometric_before),
-                         before(linear(row.motion), Method::geometric), before(row.motion, Method::best),
-                         to_string(printed.geometric_after));
-  }
-  return table;
+      "|---|---|---|---|---|---|---|\n",
+      [](const Row& row, const Printed& printed) {
+        return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", row.name, to_string(printed.matrix_before),
+                           before(row.motion, Method::matrix), to_string(printed.geometric_before),
+                           before(linear(row.motion), Method::geometric), before(row.motion, Method::best),
+                           to_string(printed.geometric_after));
+      });
 }
 
 // All that the source counts per step is reached or beaten by a method that goes exactly where the motion is.

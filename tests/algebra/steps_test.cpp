@@ -9,15 +9,10 @@
 #include "algebra/precise.h"
 #include "algebra/stepper.h"
 #include "betwixt/algebra.h"
+#include "support/motions.h"
 
 namespace betwixt {
 namespace {
-
-Motion parsed(const std::string& text) {
-  const auto motion = parse_motion(text);
-  EXPECT_TRUE(motion) << text << ": " << (motion ? "" : motion.error().message);
-  return motion ? *motion : Motion{};
-}
 
 struct Cloud {
   std::vector<double> x, y;
@@ -163,61 +158,6 @@ TEST(Steps, AreTheSameForManyPointsAndForOne) {
   }
 }
 
-TEST(Kernels, GiveTheSameBitsByVectorsAndOneByOne) {
-  using namespace algebra;
-  std::mt19937 random(8);
-  const auto number = [&] { return static_cast<double>(random() % 4001) / 1000.0 - 2; };
-  for (int k = 0; k < kernel_count; ++k) {
-    std::vector<double> plain[8];
-    std::vector<Counted> counted[8];
-    for (int a = 0; a < 8; ++a)
-      for (int i = 0; i < 37; ++i) plain[a].push_back(number()), counted[a].push_back(plain[a].back());
-    double inputs[most_inputs];
-    Counted same[most_inputs];
-    for (int i = 0; i < most_inputs; ++i) inputs[i] = number(), same[i] = inputs[i];
-    const auto arrays = [](auto(&a)[8]) {
-      using N = typename std::remove_reference_t<decltype(a[0])>::value_type;
-      return Arrays<N>{a[0].data(), a[1].data(), a[2].data(), a[3].data(), a[4].data(),
-                       a[5].data(), a[6].data(), a[7].data(), 37};
-    };
-    step_all(static_cast<Kernel>(k), arrays(plain), inputs);
-    step_plainly(static_cast<Kernel>(k), arrays(counted), same);
-    for (int a = 0; a < 8; ++a)
-      for (std::size_t i = 0; i < 37; ++i) EXPECT_EQ(plain[a][i], static_cast<double>(counted[a][i])) << k << " " << a;
-  }
-}
-
-// Whole arrays, past the caches and on two threads, against one point after the other.
-template <class Number>
-void expect_same_at_size() {
-  using namespace algebra;
-  constexpr std::size_t count = (std::size_t{1} << 20) + 37;
-  std::mt19937 random(9);
-  const auto number = [&] { return static_cast<double>(random() % 4001) / 1000.0 - 2; };
-  for (int k = 0; k < kernel_count; ++k) {
-    Line<Number> many[8], each[8];
-    for (int a = 0; a < 8; ++a) {
-      many[a].resize(count);
-      for (Number& x : many[a]) x = static_cast<Number>(number());
-      each[a] = many[a];
-    }
-    Number inputs[most_inputs];
-    for (Number& x : inputs) x = static_cast<Number>(number());
-    const auto arrays = [&](Line<Number>(&a)[8], std::size_t from, std::size_t to) {
-      return part(Arrays<Number>{a[0].data(), a[1].data(), a[2].data(), a[3].data(), a[4].data(), a[5].data(),
-                                 a[6].data(), a[7].data(), count},
-                  from, to);
-    };
-    step_all(static_cast<Kernel>(k), arrays(many, 0, count), inputs);
-    // In pieces that are no whole vectors, on one thread, through the caches.
-    for (std::size_t from = 0; from < count; from += 4999)
-      step_all(static_cast<Kernel>(k), arrays(each, from, std::min(count, from + 4999)), inputs, 1);
-    for (int a = 0; a < 8; ++a) EXPECT_TRUE(many[a] == each[a]) << k << " " << a;
-  }
-}
-TEST(Kernels, GiveTheSameBitsForManyInDouble) { expect_same_at_size<double>(); }
-TEST(Kernels, GiveTheSameBitsForManyInFloat) { expect_same_at_size<float>(); }
-
 // Table 1 of the source, the columns "matrix reachable" and "best exact": figures worked out by hand.
 TEST(Counts, ReachWhatCanBeReached) {
   struct Row {
@@ -302,29 +242,34 @@ TEST(Steps, SayWhatCannotBe) {
     const auto made = Steps<double>::make(parsed(text), steps, m, x, y);
     return made ? std::string("fine") : made.error().message + " | " + made.error().hint;
   };
-  EXPECT_EQ(
-      said("R(1turn) T(1 1)", Method::differences),
-      "no one matrix makes all steps of this motion: a way and a turn do not commute, so the root of the whole is an "
-      "arc and not this path | the method `best` takes every string");
-  EXPECT_EQ(
-      said("S(2 2) T(1 1)", Method::differences),
-      "no one matrix makes all steps of this motion: a way and a scaling do not commute, so the root of the whole "
-      "takes another path | the method `best` takes every string");
-  EXPECT_EQ(said("S(2 3) R(1turn)", Method::differences),
-            "no one matrix makes all steps of this motion: its factors do not commute, so the root of the whole takes "
-            "another path | the method `best` takes every string");
-  EXPECT_EQ(
-      said("S(2 3 linear)", Method::differences),
-      "no one matrix makes all steps of this motion: the steps of a scaling by the linear law are not alike | the "
-      "method `best` takes every string");
-  EXPECT_EQ(said("S(2 3)", Method::geometric),
-            "the geometric method scales by the linear law | S(… linear), or the method `matrix`");
-  EXPECT_EQ(said("T(1 1) T(1 1)", Method::geometric),
-            "the geometric method has no scheme for TT | it knows T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` "
-            "takes every string");
-  EXPECT_EQ(said("R(5turn)", Method::geometric), "half a turn in one step cannot be made of shears | more steps");
-  EXPECT_EQ(said("T(1 1 1)", Method::best), "this motion leaves the plane | steps are made in the plane only");
-  EXPECT_EQ(said("T(1 1)", Method::best, 0), "0 steps lead nowhere | at least 1: frame 0 is rest, frame 1 the end");
+  struct Case {
+    const char* text;
+    Method method;
+    const char* words;
+    std::int64_t steps = 10;
+  };
+  const Case table[] = {
+      {"R(1turn) T(1 1)", Method::differences,
+       "no one matrix makes all steps of this motion: a way and a turn do not commute, so the root of the whole is an "
+       "arc and not this path | the method `best` takes every string"},
+      {"S(2 2) T(1 1)", Method::differences,
+       "no one matrix makes all steps of this motion: a way and a scaling do not commute, so the root of the whole "
+       "takes another path | the method `best` takes every string"},
+      {"S(2 3) R(1turn)", Method::differences,
+       "no one matrix makes all steps of this motion: its factors do not commute, so the root of the whole takes "
+       "another path | the method `best` takes every string"},
+      {"S(2 3 linear)", Method::differences,
+       "no one matrix makes all steps of this motion: the steps of a scaling by the linear law are not alike | the "
+       "method `best` takes every string"},
+      {"S(2 3)", Method::geometric,
+       "the geometric method scales by the linear law | S(… linear), or the method `matrix`"},
+      {"T(1 1) T(1 1)", Method::geometric,
+       "the geometric method has no scheme for TT | it knows T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` "
+       "takes every string"},
+      {"R(5turn)", Method::geometric, "half a turn in one step cannot be made of shears | more steps"},
+      {"T(1 1 1)", Method::best, "this motion leaves the plane | steps are made in the plane only"},
+      {"T(1 1)", Method::best, "0 steps lead nowhere | at least 1: frame 0 is rest, frame 1 the end", 0}};
+  for (const Case& c : table) EXPECT_EQ(said(c.text, c.method, c.steps), c.words) << c.text;
 }
 
 }  // namespace

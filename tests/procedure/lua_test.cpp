@@ -140,21 +140,22 @@ TEST(Lua, EveryErrorInWords) {
   EXPECT_EQ(make_lua(Role::value, "1 +").error().message, "unexpected symbol near <eof>");
   EXPECT_EQ(make_lua(Role::value, "  ").error().message, "there is no code");
   EXPECT_EQ(make_lua(Role::value, "local x = ").error().message, "unexpected symbol near <eof>");
-  EXPECT_EQ(error("local p\nreturn p.x"), "line 2: attempt to index a nil value (local 'p')");
-  EXPECT_EQ(error("nil"), "it gave no value");
-  EXPECT_EQ(error("0/0"), "it gave a number that is not finite");
-  EXPECT_EQ(error("vec(1, 1/0, 0)"), "it gave a vector with a number that is not finite");
-  EXPECT_EQ(error("print"), "it gave no value");
-  EXPECT_EQ(error("{1, 2}"), "a list is a value only where all in it are vectors, or all are texts");
-  EXPECT_EQ(error("local t = {} t[1] = t return t"),
-            "a list is a value only where all in it are vectors, or all are texts");
-  EXPECT_EQ(error("value('nowhere')"), "there is no 'nowhere'");
-  EXPECT_EQ(error("value('x', 1/0)"), "value: the time is no number");
-  EXPECT_EQ(error("vec(1,2,3) + rgb(1,1,1)"), "there is no a vector + a color");
-  EXPECT_EQ(error("error({})"), "it ended with an error that is no text");
-  EXPECT_EQ(error("run('x')"), "run: only commands can");
-  EXPECT_EQ(error("input()"), "input: only filters have one");
-  EXPECT_EQ(error("string.rep('x', 2000000)"), "rep: a text of more than 1000000 characters");
+  const std::pair<const char*, const char*> table[] = {
+      {"local p\nreturn p.x", "line 2: attempt to index a nil value (local 'p')"},
+      {"nil", "it gave no value"},
+      {"0/0", "it gave a number that is not finite"},
+      {"vec(1, 1/0, 0)", "it gave a vector with a number that is not finite"},
+      {"print", "it gave no value"},
+      {"{1, 2}", "a list is a value only where all in it are vectors, or all are texts"},
+      {"local t = {} t[1] = t return t", "a list is a value only where all in it are vectors, or all are texts"},
+      {"value('nowhere')", "there is no 'nowhere'"},
+      {"value('x', 1/0)", "value: the time is no number"},
+      {"vec(1,2,3) + rgb(1,1,1)", "there is no a vector + a color"},
+      {"error({})", "it ended with an error that is no text"},
+      {"run('x')", "run: only commands can"},
+      {"input()", "input: only filters have one"},
+      {"string.rep('x', 2000000)", "rep: a text of more than 1000000 characters"}};
+  for (const auto& [code, words] : table) EXPECT_EQ(error(code), words) << code;
 }
 
 // shows: G14

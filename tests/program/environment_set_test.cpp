@@ -9,30 +9,20 @@
 #include <bit>
 #include <random>
 
+#include "support/environments.h"
+#include "support/random.h"
+
 namespace betwixt {
 namespace {
 
-using Event = EnvironmentEvent;
-using Animate = Event::Animate;
-using Halt = Event::Halt;
-using Kill = Event::Kill;
+using namespace environments;
 using Member = EnvironmentSet::Member;
 using Range = EnvironmentSet::Range;
 
-using Random = std::mt19937_64;
-
-constexpr double degree = pi / 180;
-const Mat4 step = translation({1, 0, 0});
 const Mat4 turn_about_z = rotation(axis_angle({0, 0, 1}, 1.234));
 
 Member member(std::vector<Event> events, int generation = 0) {
   return {std::make_shared<const Environment>(Environment::compile(std::move(events))), generation};
-}
-Animate every(std::int64_t interval, const Mat4& m) {
-  Animate a;
-  a.motion = m;
-  a.timing.interval = interval;
-  return a;
 }
 Member steady(std::int64_t tick, std::int64_t interval, const Mat4& m) {
   return member({{tick, 1, every(interval, m)}});
@@ -51,14 +41,6 @@ bool same_bits(const Mat4& a, const Mat4& b) {
   return std::bit_cast<std::array<std::uint64_t, 16>>(a.m) == std::bit_cast<std::array<std::uint64_t, 16>>(b.m);
 }
 Mat4 asked(const Member& m, std::int64_t tick) { return m.environment->at(m.generation, tick); }
-
-double between(Random& r, double least, double most) { return std::uniform_real_distribution(least, most)(r); }
-std::int64_t whole(Random& r, std::int64_t least, std::int64_t most) {
-  return std::uniform_int_distribution<std::int64_t>(least, most)(r);
-}
-Vec3 vector(Random& r, double most) {
-  return {between(r, -most, most), between(r, -most, most), between(r, -most, most)};
-}
 
 Mat4 turn(Random& r) {
   const double angle = whole(r, 0, 1) ? degree * static_cast<double>(whole(r, -180, 180)) : between(r, -pi, pi);

@@ -93,4 +93,10 @@ inline std::pair<double, double> middle(const Picture& p, int above = 128) {
   return {x / n, y / n};
 }
 
+inline Light lamp(Vec3 position, double range) {
+  Light l;
+  l.position = position, l.range = range;
+  return l;
+}
+
 }  // namespace betwixt::scenes

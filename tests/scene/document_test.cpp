@@ -4,23 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "support/objects.h"
+
 namespace betwixt {
 namespace {
 
-ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere, ObjectId parent = {}) {
-  Object o;
-  o.name = name;
-  o.kind = kind;
-  if (parent) o.slot(fn::attachment).set = Attachment{Hold::couple, parent, false};
-  return add_object(s, std::move(o));
-}
-Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
-  Event e;
-  e.time = from_seconds(seconds);
-  e.value = std::move(v);
-  e.twerper = twerper;
-  return e;
-}
 std::vector<std::string> named(const Scene& s, std::string_view word) {
   std::vector<std::string> out;
   for (ObjectId id : select(s, word)) out.push_back(s.objects[id.index].name);

@@ -9,27 +9,16 @@
 #include <string>
 #include <thread>
 
+#include "support/environments.h"
 #include "support/thesis_animator.h"
 
 namespace betwixt {
 namespace {
 
-using Event = EnvironmentEvent;
-using Animate = Event::Animate;
-using Halt = Event::Halt;
-using Kill = Event::Kill;
-using Cancel = Event::Cancel;
+using namespace environments;
 
-constexpr double degree = pi / 180;
-const Mat4 step = translation({1, 0, 0});
 const Mat4 turn = rotation(axis_angle({0, 0, 1}, 90 * degree));
 
-Animate every(std::int64_t interval, const Mat4& m) {
-  Animate a;
-  a.motion = m;
-  a.timing.interval = interval;
-  return a;
-}
 Animate between(std::optional<std::int64_t> from, std::optional<std::int64_t> until, Animate a) {
   a.from = from, a.until = until;
   return a;

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "scene/meshes.h"
 #include "scene/topology.h"
 
 namespace betwixt {
@@ -35,22 +36,6 @@ bool watertight(const Mesh& m) {
   for (const auto& [edge, n] : uses)
     if (uses[{edge.second, edge.first}] != n) return false;
   return true;
-}
-
-void expect_sound(const Mesh& m, const char* what) {
-  ASSERT_EQ(m.normals.size(), m.positions.size()) << what;
-  EXPECT_TRUE(m.uvs.empty() || m.uvs.size() == m.positions.size()) << what;
-  for (const auto& n : m.normals) EXPECT_NEAR(length(widen(n)), 1, 1e-6) << what;
-  for (const auto& uv : m.uvs)
-    for (const float f : uv) EXPECT_TRUE(f >= 0 && f <= 1) << what << " " << f;
-  for (const auto i : m.triangles) ASSERT_LT(i, m.positions.size()) << what;
-  for (const auto i : m.edges) ASSERT_LT(i, m.positions.size()) << what;
-  for (std::size_t i = 0; i < m.triangles.size(); i += 3) {  // normals and triangles face the same way
-    const auto at = [&](std::size_t k) { return widen(m.positions[m.triangles[i + k]]); };
-    const Vec3 face = cross(at(1) - at(0), at(2) - at(0));
-    for (std::size_t k = 0; k < 3; ++k)
-      ASSERT_GT(dot(face, widen(m.normals[m.triangles[i + k]])), 0) << what << " " << i;
-  }
 }
 
 TEST(Primitives, AreSoundAndClosed) {
@@ -116,7 +101,7 @@ TEST(Primitives, TubeIsARoundClosedLine) {
   expect_sound(straight, "tube");
   EXPECT_TRUE(watertight(straight));
   EXPECT_NEAR(signed_volume(straight) / (pi * r * r * 3 + 4 * pi / 3 * r * r * r), 1, 0.01);
-  const Mesh::Box box = straight.box();
+  const Box box = straight.box();
   EXPECT_NEAR(box.low[0], -r, 1e-6);
   EXPECT_NEAR(box.high[0], 3 + r, 1e-6);
   // Corners, a way back, the same point twice.
@@ -137,28 +122,6 @@ TEST(Primitives, BallsAndLines) {
   EXPECT_EQ(line.edges, (std::vector<std::uint32_t>{0, 1, 1, 2}));
   EXPECT_TRUE(line.triangles.empty());
   EXPECT_TRUE(line_mesh({}).edges.empty());
-}
-
-TEST(Topology, NormalsBreakAtCreases) {
-  Mesh box = box_mesh();
-  box.normals.clear();
-  Mesh sharp = box, round = box;
-  make_normals(sharp, 60 * pi / 180);
-  expect_sound(sharp, "sharp box");
-  EXPECT_EQ(sharp.positions.size(), 24U);
-  make_normals(round, 100 * pi / 180);
-  for (std::size_t i = 0; i < round.positions.size(); ++i)
-    EXPECT_GT(dot(normalize(widen(round.positions[i])), widen(round.normals[i])), 0.8);  // towards the corner
-}
-
-TEST(Topology, InsideOutIsNotClosed) {
-  Mesh box = box_mesh();
-  for (std::size_t i = 0; i < box.triangles.size(); i += 3) std::swap(box.triangles[i], box.triangles[i + 1]);
-  EXPECT_FALSE(is_closed(box));
-  EXPECT_LT(signed_volume(box), 0);
-  Mesh open = box_mesh();
-  open.triangles.resize(open.triangles.size() - 3);
-  EXPECT_FALSE(is_closed(open));
 }
 
 }  // namespace

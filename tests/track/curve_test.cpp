@@ -6,6 +6,8 @@
 
 #include <random>
 
+#include "support/events.h"
+
 namespace betwixt {
 namespace {
 
@@ -13,18 +15,6 @@ using Numbers = std::array<double, 4>;
 constexpr std::int64_t sec = flicks_per_second;
 Time at(double seconds) { return from_seconds(seconds); }
 
-Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
-  Event e;
-  e.time = at(seconds);
-  e.value = std::move(v);
-  e.twerper = twerper;
-  return e;
-}
-Track track(std::vector<Event> events) {
-  Track t;
-  for (Event& e : events) t.events.put(std::move(e));
-  return t;
-}
 Numbers all(const Track& t, Type type, Time time) {
   CurveSet set;
   Numbers n{};

@@ -4,27 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include "support/events.h"
 #include "track/curve.h"
 
 namespace betwixt {
 namespace {
 
 Time at(double seconds) { return from_seconds(seconds); }
-Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
-  Event e;
-  e.time = at(seconds);
-  e.value = std::move(v);
-  e.twerper = twerper;
-  return e;
-}
 Event shaped(Event e, double ease_in, double ease_out) {
   e.detail.edit().ease_in = at(ease_in), e.detail.edit().ease_out = at(ease_out);
   return e;
-}
-Track track(std::vector<Event> events) {
-  Track t;
-  for (Event& e : events) t.events.put(std::move(e));
-  return t;
 }
 std::vector<std::pair<double, double>> content(const Track& t) {
   std::vector<std::pair<double, double>> out;

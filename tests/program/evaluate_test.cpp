@@ -1,42 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "betwixt/program.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <thread>
 
 #include "program/code.h"
-#include "scene/extent.h"
+#include "program/programs.h"
 
 namespace betwixt {
 namespace {
 
-ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere, ObjectId parent = {}) {
-  Object o;
-  o.name = name;
-  o.kind = kind;
-  if (parent) o.slot(fn::attachment).set = Attachment{Hold::couple, parent, false};
-  return add_object(s, std::move(o));
-}
-Event event(double seconds, Value v, Twerper twerper = Twerper::unset) {
-  Event e;
-  e.time = from_seconds(seconds);
-  e.value = std::move(v);
-  e.twerper = twerper;
-  return e;
-}
-Program compile(const Scene& s) { return Program::compile(Document(std::make_shared<const Scene>(s))); }
-Mat4 world(const Program& p, ObjectId id, double seconds = 0) {
-  return *std::get<Matrix>(p.read({id, Query::world}, from_seconds(seconds)));
-}
-void expect_near(const Mat4& a, const Mat4& b, double by = 1e-12) {
-  for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(a.m[i], b.m[i], by) << i;
-}
-void expect_near(Vec3 a, Vec3 b, double by = 1e-12) {
-  EXPECT_NEAR(length(a - b), 0, by) << a.x << " " << a.y << " " << a.z;
-}
 void expect_same(const Frame& a, const Frame& b) {  // bit for bit
   ASSERT_EQ(a.items.size(), b.items.size());
   for (std::size_t i = 0; i < a.items.size(); ++i) {
@@ -47,62 +21,6 @@ void expect_same(const Frame& a, const Frame& b) {  // bit for bit
   }
   EXPECT_EQ(a.camera.world, b.camera.world);
   EXPECT_EQ(a.camera.fov, b.camera.fov);
-}
-
-// shows: G61 G80 G85
-TEST(World, IsTheProductDownTheChain) {
-  Scene s;
-  const ObjectId car = add(s, "car", Kind::group), wheel = add(s, "car/wheel", Kind::cylinder, car);
-  put_event(s, {car, fn::position}, event(0, Vec3{0, 0, 0}, Twerper::linear));
-  put_event(s, {car, fn::position}, event(2, Vec3{4, 0, 0}));
-  set_value(s, {car, fn::rotation}, Angles{{0, pi / 2, 0}});
-  set_value(s, {car, fn::scale}, Vec3{2, 3, 4});
-  set_value(s, {wheel, fn::position}, Vec3{1, 2, 3});
-  set_value(s, {wheel, fn::attach_position}, Vec3{0.5, 0, 0});
-  set_value(s, {wheel, fn::rotation}, axis_angle({1, 0, 0}, 0.7));
-  set_value(s, {wheel, fn::pivot}, Vec3{0, 1, 0});
-  set_value(s, {wheel, fn::scale}, Vec3{1, 2, 1});
-  const Program p = compile(s);
-  const Mat4 parent = translation({2, 0, 0}) * rotation(axis_angle({0, 1, 0}, pi / 2)) * scaling({2, 3, 4});
-  const Mat4 own = translation({1.5, 2, 3}) * translation({0, 1, 0}) * rotation(axis_angle({1, 0, 0}, 0.7)) *
-                   scaling({1, 2, 1}) * translation({0, -1, 0});
-  expect_near(world(p, car, 1), parent);
-  expect_near(world(p, wheel, 1), parent * own);
-  // By hand: the car's y axis stays up, three times as long; the pivot does not turn: (1.5, 3, 3) in the car.
-  expect_near(transform_point(world(p, wheel, 1), {0, 1, 0}), {2 + 4 * 3, 9, -2 * 1.5});
-  // Free: the place on the parent does not count.
-  Scene free = s;
-  remove_objects(free, {car});
-  expect_near(world(compile(free), wheel, 1), translation({-0.5, 0, 0}) * own);
-}
-
-TEST(World, AnglesTurnAboutXThenYThenZOfTheObject) {
-  Scene s;
-  const ObjectId id = add(s, "ball");
-  set_value(s, {id, fn::rotation}, Angles{{0.3, 0.5, 0.7}});
-  const auto about = [](int i, double a) {
-    Mat4 m;
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    m(j, j) = m(k, k) = std::cos(a), m(k, j) = std::sin(a), m(j, k) = -std::sin(a);
-    return m;
-  };
-  expect_near(world(compile(s), id), about(0, 0.3) * about(1, 0.5) * about(2, 0.7));
-}
-
-// shows: G85
-TEST(World, ChainsMayBeDeepAndParentsYoungerThanChildren) {
-  Scene s;
-  constexpr std::uint32_t n = 100'000;
-  for (std::uint32_t i = 0; i < n; ++i)  // each on the one made after it
-    set_value(s,
-              {add(s, "b" + std::to_string(i), Kind::sphere, i + 1 < n ? ObjectId{i + 1} : ObjectId{}), fn::position},
-              Vec3{0, 1, 0});
-  const Program p = compile(s);
-  const Frame f = p.frame({});
-  ASSERT_EQ(f.items.size(), n);
-  EXPECT_EQ(f.items[0].id, ObjectId{0});
-  EXPECT_EQ(translation_of(f.items[0].world).y, n);
-  EXPECT_EQ(translation_of(f.items[n - 1].world).y, 1);
 }
 
 // shows: G47 G89
@@ -314,44 +232,6 @@ TEST(Components, SplittingATrackKeepsEveryValue) {
   for (const bool srgb : {false, true})
     check(fn::color,
           {event(0, Color{0, 0.5, 1}), event(1, Color{1, 0.2, 0}, Twerper::smooth), event(3, Color{0, 1, 0})}, srgb, 0);
-}
-
-// shows: G29 G36
-TEST(Read, GivesEveryTypeBack) {
-  Scene s;
-  s.defined.edit().push_back({"mood", Type::scalar, 3.5, 0xffffffff, Unit::none, {}});
-  const auto mood = static_cast<FunctionId>(built_in_functions().size());
-  const ObjectId id = add(s, "words", Kind::text), line = add(s, "line", Kind::polyline);
-  set_value(s, {id, fn::text}, Text(std::string("hello")));
-  using V = std::vector<Vec3>;
-  put_event(s, {line, fn::points}, event(0, Points(V{{0, 0, 0}, {1, 0, 0}}), Twerper::linear));
-  put_event(s, {line, fn::points}, event(1, Points(V{{0, 2, 0}, {3, 0, 0}})));
-  const Program p = compile(s);
-  EXPECT_EQ(*std::get<Text>(p.read({id, fn::text}, {})), "hello");
-  EXPECT_EQ(*std::get<Points>(p.read({line, fn::points}, from_seconds(0.5))), (V{{0, 1, 0}, {2, 0, 0}}));
-  EXPECT_EQ(std::get<double>(p.read({id, mood}, {})), 3.5);
-  EXPECT_EQ(std::get<double>(p.read({id, fn::scale, 1}, {})), 1);
-  EXPECT_EQ(numbers(p.read({id, Query::world}, {})).size(), 16U);
-  EXPECT_EQ(numbers(Value(true)), std::vector<double>{1});
-  EXPECT_TRUE(numbers(Value(Text())).empty());
-}
-
-TEST(Extent, HoldsTheShape) {
-  Shape s;
-  s.kind = Kind::torus;
-  EXPECT_EQ(extent(s).high, (Vec3{1.3, 0.3, 1.3}));
-  s.kind = Kind::plane;
-  s.size = {4, 2, 1};
-  EXPECT_EQ(extent(s).low, (Vec3{-2, -1, 0}));
-  s.kind = Kind::points;
-  s.width = 0.5;
-  s.points = Points(std::vector<Vec3>{{1, 2, 3}, {-1, 5, 0}});
-  EXPECT_EQ(extent(s).low, (Vec3{-1.25, 1.75, -0.25}));
-  EXPECT_EQ(extent(s).high, (Vec3{1.25, 5.25, 3.25}));
-  s.points = Points();
-  EXPECT_TRUE(extent(s).empty());
-  s.kind = Kind::mesh;
-  EXPECT_TRUE(extent(s).empty());
 }
 
 }  // namespace

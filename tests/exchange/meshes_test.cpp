@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
+#include "exchange/meshes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,21 +10,13 @@
 #include <string>
 
 #include "betwixt/picture.h"
-#include "exchange/meshes.h"
+#include "exchange/files.h"
 #include "scene/topology.h"
-#include "support/folder.h"
 
 namespace betwixt {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Files : public testing::Test {
- protected:
-  std::string at(const std::string& name) const { return folder_ / name; }
-  std::string put(const std::string& name, const std::string& content) const { return folder_.put(name, content); }
-  const Folder folder_;
-};
 
 bool anything(const std::string&) { return true; }
 Result<std::shared_ptr<const Mesh>> load(const std::string& path) { return load_mesh(path, anything); }
@@ -166,66 +160,6 @@ TEST_F(Files, EveryFileIsAskedFor) {
   const auto buffer =
       load_mesh(data + "IndexOutOfRange.gltf", [](const std::string& p) { return p.find(".bin") == p.npos; });
   EXPECT_FALSE(buffer);
-}
-
-Picture gradient() {
-  Picture p{7, 5, {}};
-  for (int i = 0; i < 4 * 7 * 5; ++i) p.rgba.push_back(static_cast<std::uint8_t>(i * 37));
-  return p;
-}
-
-TEST_F(Files, PicturesComeBackAsTheyWent) {
-  const Picture p = gradient();
-  ASSERT_TRUE(write_png(at("p.png"), p));
-  const auto q = read_picture(at("p.png"));
-  ASSERT_TRUE(q) << q.error().message;
-  EXPECT_EQ((*q)->width, 7);
-  EXPECT_EQ((*q)->height, 5);
-  EXPECT_EQ((*q)->rgba, p.rgba);
-  EXPECT_NE(folder_.get("p.png").find("sRGB"), std::string::npos);
-  // A BMP of one blue pixel, written by hand.
-  const std::string bmp(
-      "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0\0\0\0\0\4\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
-      "\0\xff\0\0\0",
-      58);
-  const auto blue = read_picture(put("b.bmp", bmp));
-  ASSERT_TRUE(blue) << blue.error().message;
-  EXPECT_EQ((*blue)->rgba, (std::vector<std::uint8_t>{0, 0, 255, 255}));
-}
-
-TEST_F(Files, PicturesAreNeverHalfWritten) {
-  const auto message = [](const Status& s) { return s ? std::string() : s.error().message; };
-  ASSERT_TRUE(write_png(at("p.png"), gradient()));
-  EXPECT_EQ(message(write_png(at("p.png"), gradient(), false)), at("p.png") + " exists already");
-  EXPECT_TRUE(write_png(at("p.png"), gradient(), true));
-  EXPECT_TRUE(write_png(at("new.png"), gradient(), false));
-  EXPECT_EQ(message(write_png(at("no/p.png"), gradient())),
-            "cannot write " + at("no/p.png") + ": no such file or directory");
-  fs::create_directory(at("d.png"));
-  EXPECT_EQ(message(write_png(at("d.png"), gradient())), at("d.png") + " is a folder, not a file");
-  const auto full = write_png("/dev/full", gradient());
-  EXPECT_EQ(message(full), "cannot write /dev/full: no space left on device");
-  EXPECT_EQ(full.error().code, Code::machine);
-  EXPECT_EQ(message(write_png(at("x.png"), Picture{2, 2, {1}})), "a picture of 2 by 2 pixels cannot be written");
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"d.png", "new.png", "p.png"}));
-}
-
-TEST_F(Files, BrokenPicturesHaveAMessage) {
-  const auto message = [](const std::string& path) {
-    const auto p = read_picture(path);
-    return p ? std::string() : p.error().message;
-  };
-  EXPECT_EQ(message(at("none.png")), "there is no file " + at("none.png"));
-  EXPECT_EQ(message(put("e.png", "")), at("e.png") + " is empty");
-  EXPECT_EQ(message(put("w.png", "words")), at("w.png") + " is not a picture that can be read");
-  EXPECT_EQ(message(put("h.png", "\x89PNG\r\n\x1a\n")).find(at("h.png") + " is broken or not a picture: "), 0U);
-  EXPECT_EQ(message(put("j.jpg", "\xff\xd8\xff\xe0 words")).find(at("j.jpg") + " is broken or not a picture: "), 0U);
-  ASSERT_TRUE(write_png(at("p.png"), gradient()));
-  fs::resize_file(at("p.png"), fs::file_size(at("p.png")) / 2);
-  EXPECT_EQ(message(at("p.png")).find(at("p.png") + " is broken or not a picture: "), 0U);
-  Picture wide{16385, 1, std::vector<std::uint8_t>(4 * 16385)};
-  ASSERT_TRUE(write_png(at("wide.png"), wide));
-  EXPECT_EQ(message(at("wide.png")), at("wide.png") + " has 16385 by 1 pixels; 1 to 16384 a side can be read");
 }
 
 }  // namespace

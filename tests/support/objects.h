@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Objects in one line.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "scene/document.h"
+#include "support/events.h"
+
+namespace betwixt {
+
+// Coupled to its parent, where it has one.
+inline ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere, ObjectId parent = {}) {
+  Object o;
+  o.name = name;
+  o.kind = kind;
+  if (parent) o.slot(fn::attachment).set = Attachment{Hold::couple, parent, false};
+  return add_object(s, std::move(o));
+}
+
+}  // namespace betwixt
