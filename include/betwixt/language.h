@@ -16,7 +16,11 @@ namespace betwixt {
 
 struct LoadOptions {
   bool read_anywhere = false;  // else a script reads files only below its own folder
-  // A live host's commands about environments happen when they come: the time of those that give none.
+  // Lines of a live host happen when they come. Where this is set, `animate`, `halt`, `kill` and `cancel` that give no
+  // time happen now; `set` puts what it names into environments (`environments`, `drive`) now, as `at` would; and a
+  // `begin` below `make` or `edit` belongs to the environment that has the name now. In a history each of them stands
+  // with this time, in ticks. What a line runs that its author did not write (files that it uses, commands of their
+  // own) is not the host's: it happens as it stands.
   std::optional<Time> now = {};
 };
 

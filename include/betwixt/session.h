@@ -40,6 +40,7 @@ class Session {
     std::string said;      // lines, each with its end; may be empty
   };
 
+  struct State;
   explicit Session(Doors = {}, const LoadOptions& = {});
   ~Session();
   Session(Session&&) noexcept;
@@ -61,7 +62,6 @@ class Session {
   std::string text() const;         // what `save` writes: the author's text, byte for byte, and what was done since
 
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

@@ -108,7 +108,9 @@ bool use(Command& k) {
   auto text = contents(path);
   if (!text) return c.fail(text.error().code, text.error().message, about);
   script.open_files.push_back(real);
+  const auto now = std::exchange(script.options.now, std::nullopt);  // its lines came when it was written
   read_text(s, script, *text, path.string());
+  script.options.now = now;
   script.open_files.pop_back();
   // What the file may have changed holds for the rest of this line's text.
   c.rate = s.rate, c.ticks = s.ticks;

@@ -124,6 +124,7 @@ bool callable(Command& k, const std::string& name) {
 // next (R-E9).
 bool since(Command& k, DisplayCommand& command) {
   auto& [s, c, time, layer, script] = k;
+  const std::string_view behind(c.at, 0);  // the name; a comment may follow
   if (c.accept_word("since")) {
     Time t;
     if (!c.time(t)) return false;
@@ -134,6 +135,7 @@ bool since(Command& k, DisplayCommand& command) {
   } else if (script.options.now) {
     c.ticks_read = true;
     command.since = tick(k);
+    script.stamp(s, behind, " since ", "");
   }
   return true;
 }

@@ -78,6 +78,20 @@ std::string opener(const Scene& s, const Sheet& sheet) {
   return fmt::format("{}\n  replace {} {}", edit, sheet.tag, offset);
 }
 
+namespace {
+
+// What shows the list must show it as it is now; where that would be too much, its last rows are not done.
+void show(Scene& s, Script& script, const std::string& name) {
+  Sheet& sheet = script.sheet;
+  if (!sheet.changed || s.main.empty() || !ever_calls(s, s.main, name)) return;
+  if (const Status done = expand(s); !done) {
+    s.lists = sheet.before, s.later_lists = sheet.later_before;
+    script.report(Severity::error, done.error(), sheet.place);
+  }
+}
+
+}  // namespace
+
 // The rows of a display list are over: what shows it must show it as it is now.
 void close_list(Scene& s, Script& script) {
   Sheet& sheet = script.sheet;
@@ -96,11 +110,13 @@ void close_list(Scene& s, Script& script) {
         spot.data() ? spot : sheet.place);
     if (d) script.unfinished[{name, v.from}] = *std::move(d);  // it may still be completed
   }
-  if (!sheet.changed || s.main.empty() || !ever_calls(s, s.main, name)) return;
-  if (const Status done = expand(s); !done) {
-    s.lists = sheet.before, s.later_lists = sheet.later_before;
-    script.report(Severity::error, done.error(), sheet.place);
-  }
+  show(s, script, name);
+}
+
+void show_list(Scene& s, Script& script) {
+  Sheet& sheet = script.sheet;
+  if (!sheet.open || sheet.list.empty()) return;
+  show(s, script, sheet.list);
 }
 
 void say_unfinished_lists(Script& script) {

@@ -71,7 +71,9 @@ struct Hosting : Host {
   explicit Hosting(Command& command) : k(command) {}
   Status run(std::string_view line) override {
     Diagnostics said;
-    Script inner(k.scene, said, k.script.options);
+    LoadOptions options = k.script.options;
+    options.now.reset();  // they are not in a history
+    Script inner(k.scene, said, options);
     inner.depth = k.script.depth + 1;
     inner.root = k.script.root;
     inner.copied = k.script.copied;

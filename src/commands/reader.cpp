@@ -26,11 +26,7 @@ bool open_sheet(Command& k, std::string_view word) {
   sheet = {};
   sheet.open = true;
   sheet.on = std::move(on);
-  if (!sheet.on.spec) return true;  // a pattern that names nothing: rows are read by nobody
-  for (const Target& t : sheet.on.targets)
-    if (Track* track = edit_track(s, t)) sheet.tracks.push_back(track);
-  if (sheet.tracks.size() != sheet.on.targets.size()) sheet.tracks.clear();
-  sheet.fresh = !sheet.tracks.empty() && sheet.tracks[0]->events.empty();
+  find_tracks(s, sheet);
   return true;
 }
 
@@ -118,10 +114,9 @@ void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
   c.at = next;
 }
 
-void run(Scene& s, Script& script) {
-  const std::string_view text = script.source.text;
-  Cursor c(text);
-  if (text.starts_with("#!")) c.at = line_end(c.at, c.end);  // a script that the system can start
+void run(Scene& s, Script& script, std::size_t from = 0) {
+  Cursor c(script.source.text);
+  c.at += from;
   while (c.at < c.end && !script.given_up) {
     const char* line_start = c.at;
     const char* p = c.at;
@@ -172,7 +167,12 @@ bool carry_out(Command& k) {
   const char* start = c.at;
   const std::string_view w = c.word();
   if (w.empty()) return c.fail_here(Code::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
+  script.verb = start;
   if (const Verb* v = find_verb(w)) {
+    if ((v->flags & Verb::stamped) && !time && script.options.now) {
+      script.stamp(s, {start, 0}, "at ", " ");
+      c.ticks_read = true;
+    }
     if (v->run(k) && finish(c)) return true;
     if (v->flags & Verb::opens_sheet) script.sheet.breaks();
     if (c.error && c.error->hint.empty() && c.error->code == Code::syntax)
@@ -202,11 +202,9 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   if (const auto bad = unsound(text)) {
     script.report(Severity::error, bad->why, {text.data() + bad->at, 0});
     script.diagnostics.back().line.clear();
-  } else {
-    run(s, script);
+  } else {  // a script that the system can start begins with a line for it
+    run(s, script, text.starts_with("#!") ? std::min(text.find('\n'), text.size()) : 0);
   }
-  script.left_open = script.sheet.open && !script.sheet.broken;
-  script.left_sheet = script.left_open ? opener(s, script.sheet) : "";
   close_list(s, script);
   if (outermost) {
     say_masked_events(s, script), say_idle_releases(s, script);
@@ -215,6 +213,30 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   script.source = std::move(outer);
   script.sheet = std::move(outer_sheet);
   script.folder = outer_folder;
+}
+
+void read_line(Scene& s, Script& script, std::string_view line, const std::string& name) {
+  script.folder = std::filesystem::path(name).parent_path();
+  const std::shared_ptr<const OpenSheet> left = std::exchange(script.left, nullptr);
+  if (left && indented(line) && !go_on(s, script, *left)) {
+    // What its names mean has changed.
+    const std::size_t said = script.diagnostics.size();
+    script.source = {left->opener, name};
+    run(s, script);
+    script.sheet.place = {}, script.sheet.spots.clear();
+    for (std::size_t i = said; i < script.diagnostics.size(); ++i) script.diagnostics[i].what.place = {};
+    std::erase_if(script.diagnostics, [](const Diagnostic& d) { return d.severity != Severity::error; });
+  }
+  script.source = {line, name};
+  if (const auto bad = unsound(line)) {
+    script.report(Severity::error, bad->why, {line.data() + bad->at, 0});
+    script.diagnostics.back().line.clear();
+  } else {
+    run(s, script);
+  }
+  show_list(s, script);
+  say_masked_events(s, script), say_idle_releases(s, script);
+  script.left = left_open(s, script);
 }
 
 }  // namespace betwixt

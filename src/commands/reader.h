@@ -16,4 +16,7 @@ namespace betwixt {
 void read_file(Scene&, Script&, const std::string& path);
 void read_text(Scene&, Script&, std::string_view text, const std::string& name);
 
+// One logical line of a live author: a command, or a row of the sheet that an earlier one left open.
+void read_line(Scene&, Script&, std::string_view line, const std::string& name);
+
 }  // namespace betwixt

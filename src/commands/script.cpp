@@ -17,12 +17,31 @@ Script::Script(Scene& scene, Diagnostics& to, const LoadOptions& how) : diagnost
   adopt_plugins(scene);
 }
 
-void Script::carry(const Carried& from, const std::string& script) {
-  frames_read = from.frames_read, ticks_read = from.ticks_read;
-  included = from.included, copied = from.copied;
+Script::Script(Scene& scene, Diagnostics& to, const LoadOptions& how, const SoFar& from, const Home& home)
+    : Script(scene, to, how) {
+  static_cast<SoFar&>(*this) = from;
   live = true;
+  root = home.root;
+  if (!home.file.empty()) open_files.push_back(home.file);
+}
+
+Home::Home(const std::string& called) : name(called) {
   std::error_code ignored;
-  if (!script.empty()) open_files.push_back(std::filesystem::weakly_canonical(script, ignored));
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  root = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, ignored);
+  if (!name.empty()) file = std::filesystem::weakly_canonical(name, ignored);
+}
+
+// In place of a part of the line: the time of now.
+void Script::stamp(const Scene& s, std::string_view place, std::string_view before, std::string_view behind) {
+  const auto at = static_cast<std::size_t>(place.data() - source.text.data());
+  stamps.push_back({at, place.size(), fmt::format("{}{}t{}", before, s.ticks.whole(*options.now), behind)});
+}
+
+std::string Script::stamped() const {
+  std::string line(source.text);
+  for (auto s = stamps.rbegin(); s != stamps.rend(); ++s) line.replace(s->at, s->length, s->text);
+  return line;
 }
 
 void Script::report(Severity severity, Error error, std::string_view about) {

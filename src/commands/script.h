@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,31 +60,48 @@ struct Sheet {
   void breaks() { *this = {}, open = broken = true; }  // its rows are passed over, not complained about one by one
 };
 
-struct Script {
+// A sheet that stays open between lines, and what names meant when it was left. As long as they mean that, its rows go
+// where they went; otherwise its lines are read again.
+struct OpenSheet {
+  std::string opener;   // the lines that must stand above the next row
+  std::string pattern;  // that names its targets
+  Sheet sheet;
+  NameIndex names;
+  Cow<std::vector<FunctionSpec>> defined;
+  Cow<std::map<std::string, std::vector<std::string>, std::less<>>> aliases;
+  Cow<DisplayLists> lists;
+  Cow<LaterLists> later_lists;
+};
+
+// What later lines must know of earlier ones: a value, so that keeping one is undo.
+struct SoFar {
+  bool frames_read = false, ticks_read = false;  // times have been given in these
+  int included = 0;                              // files
+  std::size_t copied = 0;                        // events made by copying
+  std::shared_ptr<const OpenSheet> left;         // null: no sheet is open
+};
+
+// Where a script stands, found out once. `name`: of its file, may be empty.
+struct Home {
+  Home() = default;
+  explicit Home(const std::string& name);
+  std::string name;
+  std::filesystem::path root;  // real path of its folder
+  std::filesystem::path file;  // … of itself, which it cannot `use`
+};
+
+struct Script : SoFar {
   // What plug-ins brought becomes the scene's too.
   Script(Scene&, Diagnostics&, const LoadOptions&);
-
-  // What later lines must know of earlier ones: for who gives every line to a script of its own.
-  struct Carried {
-    bool frames_read = false, ticks_read = false;
-    bool sheet_open = false;  // when the text ended
-    int included = 0;
-    std::size_t copied = 0;
-    std::string sheet;  // the lines that must stand above the next row, where a sheet is open
-  };
-  Carried carried() const { return {frames_read, ticks_read, left_open, included, copied, left_sheet}; }
-  // `script`: the file that the lines will be written to, and that they cannot `use`; may be empty.
-  void carry(const Carried& from, const std::string& script);
+  // A live author's, which goes on.
+  Script(Scene&, Diagnostics&, const LoadOptions&, const SoFar&, const Home&);
 
   Diagnostics& diagnostics;
   LoadOptions options;
   std::filesystem::path root;                     // real path of the first script's folder
   std::vector<std::filesystem::path> open_files;  // that use each other
-  int included = 0;                               // files
-  std::size_t copied = 0;                         // events made by copying
   int depth = 0;                                  // of the author's commands that run others
   bool live = false;                              // lines come one by one
-  bool frames_read = false, ticks_read = false;   // times have been given in these
   Source source;                                  // the text being read now
   std::filesystem::path folder;                   // its
   Sheet sheet;                                    // its
@@ -98,8 +116,15 @@ struct Script {
   std::vector<Release> releases;
   std::map<std::pair<std::string, Time>, Diagnostic> unfinished;  // display lists, and what is wrong with them
 
-  bool left_open = false;  // a sheet, when the text ended
-  std::string left_sheet;  // the lines that must stand above its next row
+  // How the line stands in a history, where it happens now: with the time at which it came.
+  struct Stamp {
+    std::size_t at, length;  // what of the line it stands in place of
+    std::string text;
+  };
+  std::vector<Stamp> stamps;
+  const char* verb = nullptr;  // of the command that is carried out
+  void stamp(const Scene&, std::string_view place, std::string_view before, std::string_view behind);
+  std::string stamped() const;
 
   int errors = 0;
   bool given_up = false;  // there are so many that the rest is not said
@@ -117,8 +142,15 @@ struct Script {
 
 // The rows of a display list are over: what shows it must show it as it is now.
 void close_list(Scene&, Script&);
+void show_list(Scene&, Script&);  // … while they go on
 // The lines that the next row would have to stand below.
 std::string opener(const Scene&, const Sheet&);
+// The sheet of a script, for the lines that are still to come; null: none is open.
+std::shared_ptr<const OpenSheet> left_open(const Scene&, const Script&);
+// Whether a sheet that was left open still means what it meant; then it is the script's.
+bool go_on(Scene&, Script&, const OpenSheet&);
+// Where rows go directly.
+void find_tracks(Scene&, Sheet&);
 // What is to be said when all is read: what velocities mask, releases that end nothing, lists that are not whole.
 void say_masked_events(const Scene&, Script&);
 void say_idle_releases(const Scene&, Script&);

@@ -58,6 +58,12 @@ bool set(Command& k) {
   if (!to.spec) return pass_over(k, w.data());
   Value v;
   c.space();
+  // A live host puts something into an environment as it is now, not as it was before (R-E9).
+  if (!time && script.options.now && to.type() == Type::names) {
+    script.stamp(s, {script.verb, static_cast<std::size_t>(w.data() - script.verb)}, "at ", " ");
+    c.ticks_read = true;
+    return event(k, to, *script.options.now);
+  }
   if (to.velocity)
     return c.fail(Code::type, "a velocity holds from a time on", w, fmt::format("as in at 1f {} …", w.substr(0, 60)));
   if (c.peek() == '=') {
@@ -82,17 +88,7 @@ bool set(Command& k) {
       return c.fail(Code::type, "an orientation has no separate angles", w,
                     "set the whole of it as euler(x y z) first");
   }
-  for (const Target& t : to.targets) {
-    // A live host puts something into an environment as it is now, not as it was before (R-E9).
-    if (!script.options.now || to.type() != Type::names) {
-      set_value(s, t, v);
-      continue;
-    }
-    Event e;
-    e.time = *script.options.now;
-    e.value = v;
-    put_event(s, t, std::move(e));
-  }
+  for (const Target& t : to.targets) set_value(s, t, v);
   return true;
 }
 

@@ -72,9 +72,9 @@ std::vector<std::string> Session::complete(std::string_view line) const {
   b.last = blank_at == std::string_view::npos ? line : line.substr(blank_at + 1);
   b.words = line_words(line.substr(0, line.size() - b.last.size()));
   if (!b.words.empty()) b.verb = b.words[0];
-  const std::string& sheet = state_->editor.now().script.sheet;
-  b.row = !sheet.empty() && !line.empty() && (indented(line) || starts_like_time(line[0]));
-  b.in_list = b.row && (sheet.starts_with("edit ") || sheet.starts_with("at "));
+  const auto& sheet = state_->editor.now().script.left;
+  b.row = sheet && !line.empty() && (indented(line) || starts_like_time(line[0]));
+  b.in_list = b.row && !sheet->sheet.list.empty();
   Words all;
   if (b.last.find('.') != std::string_view::npos)
     functions(document().scene(), b.last, all);

@@ -22,7 +22,7 @@ namespace betwixt {
 // What can be gone back to: a document and what the next line must know, the sheet that is open among it.
 struct Point {
   Document document;
-  Script::Carried script;
+  SoFar script;
 };
 
 // What a line does. Nothing has changed yet.
@@ -50,7 +50,7 @@ class Editor {
   // Begins with the author's text; the sink is told nothing. `name`: the file that it stands in, may be empty.
   Diagnostics begin(std::string text, const std::string& name);
   void keep(Sink sink) { sink_ = std::move(sink); }
-  void rename(const std::string& name) { name_ = name; }
+  void rename(const std::string& name) { home_ = Home(name); }
   void allow(const LoadOptions& options) { options_ = options; }
 
   const Point& now() const { return now_; }
@@ -76,7 +76,8 @@ class Editor {
   LoadOptions options_;
   std::size_t depth_;
   Sink sink_;
-  std::string name_, base_;
+  Home home_;
+  std::string base_;
   Point now_;
   std::vector<Step> steps_;
   std::size_t standing_ = 0;

@@ -18,24 +18,6 @@ namespace {
 using enum HelpGroup;
 
 constexpr HelpEntry other_words[] = {
-    {shell, "help", "Explains a word; without one, lists all words.", "help [WORD]", "help copy"},
-    {shell, "list", "Lists the objects, their kinds and how many events they have.", "list [PATTERN]", "list wheel*"},
-    {shell, "describe", "Says what an object is, has and hangs on; of a target, its events.", "describe NAME|TARGET",
-     "describe ball"},
-    {shell, "undo", "Takes back the last command, without limit.", "undo", "undo"},
-    {shell, "redo", "Does again what was taken back.", "redo", "redo"},
-    {shell, "notes", "Without a word, lists the notes and their times.", "notes", "notes"},
-    {shell, "plot", "Draws values against time, in an SVG file.", "plot TARGET [-> FILE.svg]",
-     "plot ball.position -> ball.svg"},
-    {shell, "play", "Plays the film, or a part of it, in the terminal; q comes back.", "play [A..B]", "play 1f..24f"},
-    {shell, "stop", "Ends the playing.", "stop", "stop"},
-    {shell, "save", "Writes the author's text as it was and below it what has been done since.", "save [FILE]",
-     "save film.bx"},
-    {shell, "open", "Goes on with another script; asks first where something is not saved.", "open FILE",
-     "open bounce.bx"},
-    {shell, "load", "Loads a plug-in; its words are then used like all others.", "load FILE", "load ./swirl.so"},
-    {shell, "quit", "Ends the session; asks first where something is not saved. Ctrl-D is the same.", "quit", "quit"},
-
     {kind, "group", "No shape; things hang on it.", "", "create hand2 group position=(0 1 0)"},
     {kind, "sphere", "A ball.", "radius=1", "create s sphere radius=2"},
     {kind, "box", "A box.", "size=(1 1 1)", "create b box size=(2 1 1)"},
@@ -192,7 +174,7 @@ std::string about(const NamedProcedure& p) {
 
 std::span<const HelpEntry> help_entries() {
   static const std::vector<HelpEntry> all = [] {
-    std::vector<HelpEntry> entries;
+    std::vector<HelpEntry> entries = shell_entries();
     for (const Verb& v : verbs()) entries.push_back({verb, v.word, v.sentence, v.usage, v.example});
     for (const ListRow& r : list_rows()) entries.push_back({row, r.word, r.sentence, r.usage, r.example});
     entries.insert(entries.end(), std::begin(other_words), std::end(other_words));

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/document.h"
 
@@ -22,6 +23,7 @@ struct HelpEntry {
 };
 
 std::span<const HelpEntry> help_entries();
+std::vector<HelpEntry> shell_entries();  // beside their bodies
 
 // All words by groups, a line each; the film's own words too.
 std::string help_overview(const Scene&, bool of_the_shell = true);

@@ -25,7 +25,7 @@ struct Session::State {
   using Words = std::vector<std::string>;
   // A word of the shell. One that is a command too is the shell's where it stands alone.
   struct Word {
-    std::string_view word;
+    std::string_view word, usage, sentence, example;
     std::size_t most;  // words behind it
     Answer (State::*run)(const Words&);
   };
@@ -55,7 +55,7 @@ struct Session::State {
   int lines = 0;  // that were entered
 
   const Document& document() const { return editor.now().document; }
-  bool sheet_open() const { return !editor.now().script.sheet.empty(); }
+  bool sheet_open() const { return editor.now().script.left != nullptr; }
   std::string called() const { return file.empty() ? "this film" : fmt::format("'{}'", file); }
   std::string text() const;
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "editor/describe.h"
+#include "editor/help.h"
 #include "editor/session_state.h"
 
 namespace betwixt {
@@ -24,11 +25,27 @@ using Answer = Session::Answer;
 
 std::span<const Session::State::Word> Session::State::words() {
   static constexpr Word all[] = {
-      {"help", 1, &State::help},          {"list", 1, &State::list},   {"describe", 1, &State::describe},
-      {"undo", 0, &State::undo},          {"redo", 0, &State::redo},   {"notes", 0, &State::notes},
-      {"plot", any_number, &State::plot}, {"play", 1, &State::play},   {"stop", 0, &State::stop},
-      {"save", 1, &State::save_word},     {"open", 1, &State::reopen}, {"load", 1, &State::load},
-      {"quit", 0, &State::quit},
+      {"help", "help [WORD]", "Explains a word; without one, lists all words.", "help copy", 1, &State::help},
+      {"list", "list [PATTERN]", "Lists the objects, their kinds and how many events they have.", "list wheel*", 1,
+       &State::list},
+      {"describe", "describe NAME|TARGET", "Says what an object is, has and hangs on; of a target, its events.",
+       "describe ball", 1, &State::describe},
+      {"undo", "undo", "Takes back the last command, without limit.", "undo", 0, &State::undo},
+      {"redo", "redo", "Does again what was taken back.", "redo", 0, &State::redo},
+      {"notes", "notes", "Without a word, lists the notes and their times.", "notes", 0, &State::notes},
+      {"plot", "plot TARGET [-> FILE.svg]", "Draws values against time, in an SVG file.",
+       "plot ball.position -> ball.svg", any_number, &State::plot},
+      {"play", "play [A..B]", "Plays the film, or a part of it, in the terminal; q comes back.", "play 1f..24f", 1,
+       &State::play},
+      {"stop", "stop", "Ends the playing.", "stop", 0, &State::stop},
+      {"save", "save [FILE]", "Writes the author's text as it was and below it what has been done since.",
+       "save film.bx", 1, &State::save_word},
+      {"open", "open FILE", "Goes on with another script; asks first where something is not saved.", "open bounce.bx",
+       1, &State::reopen},
+      {"load", "load FILE", "Loads a plug-in; its words are then used like all others.", "load ./swirl.so", 1,
+       &State::load},
+      {"quit", "quit", "Ends the session; asks first where something is not saved. Ctrl-D is the same.", "quit", 0,
+       &State::quit},
   };
   return all;
 }
@@ -37,6 +54,13 @@ const Session::State::Word* Session::State::find_word(std::string_view word) {
   for (const Word& w : words())
     if (w.word == word) return &w;
   return nullptr;
+}
+
+std::vector<HelpEntry> shell_entries() {
+  std::vector<HelpEntry> all;
+  for (const Session::State::Word& w : Session::State::words())
+    all.push_back({HelpGroup::shell, w.word, w.sentence, w.usage, w.example});
+  return all;
 }
 
 Answer Session::State::help(const Words& w) { return answer_of(look_up(document(), argument(w))); }

@@ -5,6 +5,7 @@
 // was, and costs what the edit touches, not what the document holds.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <unordered_map>
@@ -79,6 +80,10 @@ class NameIndex {
   ObjectId find(std::string_view name) const;
   void put(const std::string& name, ObjectId id) { shard(name).edit()[name] = id; }
   void erase(const std::string& name) { shard(name).edit().erase(name); }
+  bool same(const NameIndex& other) const {
+    return std::equal(shards_.begin(), shards_.end(), other.shards_.begin(),
+                      [](const Cow<Shard>& a, const Cow<Shard>& b) { return a.same(b); });
+  }
 
  private:
   struct Hash {

@@ -159,7 +159,7 @@ Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
 
 // A word of the server, or a command. One that is both (`notes`, `start`) is a command where more words follow.
 Imaging::Reply Imaging::enter_whole(Visitor& h, const SaidLine& line, Nanos now) {
-  const bool row = line.indented && !h.sheet.empty();
+  const bool row = line.indented && h.sheet;
   const Word* word = row ? nullptr : find_word(line.verb);
   if (!word || (!line.alone() && is_verb(line.verb))) return command(h, line, now);
   if (line.words.size() > word->most + 1) return no(h, now, one_word_too_many(line.words[word->most + 1], word->usage));
@@ -197,11 +197,11 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
   if (line.words.empty()) return yes(h, now, "");
   const std::int64_t at = stamp(now);
   Point from = editor_.now();
-  from.script.sheet = h.sheet;
+  from.script.left = h.sheet;
   Result<Carried> c = carry_out(from, event_count_, line.text, at);
   if (!c) {
     Error e = c.error();
-    if (!(line.indented && !h.sheet.empty())) h.sheet.clear();
+    if (!line.indented) h.sheet.reset();
     if (e.message.starts_with("there is no command") && e.hint.empty()) {
       std::vector<std::string_view> known;
       for (const Word& w : words()) known.push_back(w.word);
@@ -210,7 +210,7 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
     return no(h, now, e);
   }
   Deed& deed = c->deed;
-  h.sheet = deed.after.script.sheet;
+  h.sheet = deed.after.script.left;
   if (!c->kept) return yes(h, now, said(c->said));
   if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}); !s) return no(h, now, s.error());
   ++commands_;

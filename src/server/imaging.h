@@ -105,8 +105,8 @@ class Imaging {
   struct Visitor {
     Host host = 0;
     std::int64_t line = 0;
-    std::string sheet;  // that its rows go to; empty: none is open
-    std::string open;   // lines of a command that is not whole yet
+    std::shared_ptr<const OpenSheet> sheet;  // that its rows go to; null: none is open
+    std::string open;                        // lines of a command that is not whole yet
     int open_lines = 0;
     bool bundling = false, leaving = false;
     std::vector<Bundled> bundle;

@@ -54,17 +54,17 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
 // A command of a bundle, after those before it; or why it cannot be done.
 std::optional<Error> Imaging::carry_out(const Bundled& line, Together& all, std::int64_t stamp) const {
   const std::string_view verb = first_word(line.text);
-  std::string& sheet = all.point.script.sheet;
-  const bool row = indented(line.text) && !sheet.empty();
+  auto& sheet = all.point.script.left;
+  const bool row = indented(line.text) && sheet;
   if (!row && (verb == "quit" || (line.alone && find_word(verb)))) {
-    sheet.clear();
+    sheet.reset();
     return fail(Code::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
                 "a bundle holds commands of the language");
   }
   if (line_words(line.text).empty()) return {};
   Result<Carried> c = carry_out(all.point, all.events, line.text, stamp);
   if (!c) {
-    if (!row) sheet.clear();
+    if (!row) sheet.reset();
     return c.error();
   }
   all.stamped = all.stamped || c->deed.stamped;
@@ -78,12 +78,12 @@ std::optional<Error> Imaging::carry_out(const Bundled& line, Together& all, std:
 Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
   const auto lines = std::exchange(h.bundle, {});
   const auto broken = std::exchange(h.bundle_broken, {});
-  h.bundling = false, h.bundle_size = 0, h.sheet.clear();
+  h.bundling = false, h.bundle_size = 0, h.sheet.reset();
   if (broken) return no(h, now, *broken);
   const std::int64_t at = stamp(now);
   Together all;
   all.point = editor_.now(), all.events = event_count_;
-  all.point.script.sheet.clear();
+  all.point.script.left.reset();
   for (const Bundled& line : lines) {
     std::optional<Error> e = carry_out(line, all, at);
     if (!e) continue;

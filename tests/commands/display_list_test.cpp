@@ -459,19 +459,21 @@ TEST(DisplayList, Others_hang_on_what_it_draws) {
 // all that has been said makes the same document as one text.
 TEST(DisplayList, Hosts_write_display_lists_side_by_side) {
   Document document;
-  Script::Carried carried;
-  std::string history, sheets[2];
+  SoFar progress;
+  std::shared_ptr<const OpenSheet> sheets[2];
+  std::string history;
+  const auto opener = [&](int host) { return sheets[host] ? sheets[host]->opener : ""; };
   const auto enter = [&](int host, const std::string& line) {
     Scene scene = document.scene();
     Diagnostics all;
-    Script script(scene, all, {});
-    script.carry(carried, "");
-    const std::string above = line[0] == ' ' ? sheets[host] : "";
-    read_text(scene, script, above + "\n" + line + "\n", "host");
+    progress.left = sheets[host];
+    const std::string above = line[0] == ' ' ? opener(host) : "";
+    Script script(scene, all, {}, progress, Home());
+    read_line(scene, script, line, "host");
     EXPECT_EQ(said(all), "") << line;
     document = Document(std::make_shared<const Scene>(std::move(scene)));
-    carried = script.carried();
-    sheets[host] = carried.sheet;
+    progress = script;
+    sheets[host] = script.left;
     history += above + "\n" + line + "\n";
   };
   enter(0, "make a");
@@ -482,15 +484,15 @@ TEST(DisplayList, Hosts_write_display_lists_side_by_side) {
   enter(0, "  point (1 0)");
   enter(1, "  point (0 1)");
   enter(0, "  end");
-  EXPECT_EQ(sheets[0], "edit a");
+  EXPECT_EQ(opener(0), "edit a");
   enter(1, "  replace x");
-  EXPECT_EQ(sheets[1], "edit b\n  replace x 0");
+  EXPECT_EQ(opener(1), "edit b\n  replace x 0");
   enter(0, "  call b");
   enter(1, "  point (2 0)");
   enter(0, "start a");
-  EXPECT_EQ(sheets[0], "");
+  EXPECT_EQ(opener(0), "");
   enter(1, "  point (3 0)");
-  EXPECT_EQ(sheets[1], "edit b\n  replace x 2");
+  EXPECT_EQ(opener(1), "edit b\n  replace x 2");
   const Loaded at_once = read(
       "make b\n  tag x\n  point (2 0)\n  point (3 0)\nmake a\n  begin e\n  point (1 0)\n  end\n"
       "  call b\nstart a\n");

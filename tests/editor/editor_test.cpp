@@ -60,13 +60,13 @@ TEST(Editor, NothingIsDoneThatItsSinkCannotKeep) {
 TEST(Editor, SheetsOfSeveralAuthorsStandSideBySide) {
   Editor editor;
   editor.begin("create {a,b} sphere\n", "");
-  std::string sheets[2];
+  std::shared_ptr<const OpenSheet> sheets[2];
   const auto enter = [&](int who, const std::string& line) {
     Point from = editor.now();
-    from.script.sheet = sheets[who];
+    from.script.left = sheets[who];
     Deed deed = editor.carry_out(from, line);
     EXPECT_TRUE(deed.done) << line;
-    sheets[who] = deed.after.script.sheet;
+    sheets[who] = deed.after.script.left;
     if (deed.opens) return;
     EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
   };
@@ -77,6 +77,76 @@ TEST(Editor, SheetsOfSeveralAuthorsStandSideBySide) {
   enter(1, "  9f 4");
   EXPECT_EQ(as_script("", editor.steps()), "a.radius\n  1f 2\nb.radius\n  1f 3\n  9f 4\n");
   EXPECT_TRUE(load_text(as_script(editor.base(), editor.steps()), "").document == editor.now().document);
+}
+
+// What rows go to while others change what names mean: the text that has the sheet's line above each row says it.
+TEST(Editor, ASheetMeansWhatItsLineWouldMeanNow) {
+  Editor editor;
+  editor.begin("create b1 sphere\nmake l\n  tag x\n  point (0 0)\nstart l\n", "");
+  std::string text = editor.base();
+  std::shared_ptr<const OpenSheet> sheet;  // of one; the other says whole commands
+  const auto row = [&](const std::string& line) {
+    Point from = editor.now();
+    from.script.left = sheet;
+    Deed deed = editor.carry_out(from, line);
+    if (!deed.done) return deed.said.at(0).what.message;
+    if (line[0] == ' ') text += deed.sheet + "\n";
+    text += line + "\n";
+    sheet = deed.after.script.left;
+    EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
+    EXPECT_TRUE(load_text(text, "").document == editor.now().document) << text;
+    return std::string();
+  };
+  const auto other = [&](const std::string& line) {
+    EXPECT_TRUE(say(editor, line));
+    text += line + "\n";
+  };
+  for (const char* line : {"b*.radius", "  1f 2"}) EXPECT_EQ(row(line), "");
+  other("at 5f b1.radius 3");
+  EXPECT_EQ(row("  9f 4"), "");
+  other("create b2 sphere");
+  EXPECT_EQ(row("  10f 4"), "");
+  EXPECT_EQ(row("b1.position"), "");
+  EXPECT_EQ(row("  1f (1 0 0)"), "");
+  other("rename b1 moon");
+  EXPECT_NE(row("  2f (2 0 0)"), "");
+  for (const char* line : {"edit l", "  replace x", "  point (1 0)"}) EXPECT_EQ(row(line), "");
+  other("make m");
+  EXPECT_EQ(row("  point (2 0)"), "");
+  other("at 9f edit l");
+  EXPECT_EQ(row("  point (3 0)"), "");
+  other("delete l");
+  EXPECT_NE(row("  point (4 0)"), "");
+}
+
+// LoadOptions::now: what is stamped where, and that the history makes the same document without it.
+TEST(Editor, WhatHappensNowStandsWithItsTime) {
+  Editor editor;
+  editor.begin(
+      "create ball sphere\nprocedure both command lua \"run('animate f every 2t by rotate(1deg, y)')\"\nmake l\n  "
+      "point (0 0)\n",
+      "");
+  const Time now = Rate{30, 1}.span(7);
+  const auto enter = [&](const std::string& line, const std::string& stands, bool stamped) {
+    Deed deed = editor.carry_out(editor.now(), line, now);
+    ASSERT_TRUE(deed.done) << line << ": " << deed.said.at(0).what.message;
+    EXPECT_EQ(deed.line, stands);
+    EXPECT_EQ(deed.stamped, stamped) << line;
+    EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
+    const Loaded again = load_text(as_script(editor.base(), editor.steps()), "");
+    EXPECT_FALSE(has_errors(again.diagnostics)) << line;
+    EXPECT_TRUE(again.document == editor.now().document) << line;
+  };
+  enter("  animate  e every 1t by rotate(1deg, y)", "at 7t animate  e every 1t by rotate(1deg, y)", true);
+  enter("set  ball.environments (e)  # in", "at 7t ball.environments (e)  # in", true);
+  enter("set ball.drive (e)", "at 7t ball.drive (e)", true);
+  enter("set ball.radius 2", "set ball.radius 2", false);
+  enter("at 9t halt e", "at 9t halt e", false);
+  enter("halt x*", "at 7t halt x*", true);
+  enter("both", "both", false);
+  enter("edit l", "edit l", false);
+  enter("  begin e  # here", "  begin e since 7t  # here", false);
+  enter("  end", "  end", false);
 }
 
 // Whatever is done, taken back and done again: what stands makes the document.

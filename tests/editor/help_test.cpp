@@ -71,5 +71,17 @@ TEST(Help, ExplainsWordsOfPlugins) {
   EXPECT_NE(help_overview(scene).find("  stairs           A filter of the plug-in"), std::string::npos);
 }
 
+// What a script is told of words that are not its own, and what it may not name so.
+TEST(Help, WordsOfTheShellAreReserved) {
+  for (const HelpEntry& e : shell_entries())
+    EXPECT_NE(find_verb(e.word) != nullptr,
+              std::find(reserved_words().begin(), reserved_words().end(), e.word) != reserved_words().end())
+        << e.word;
+  for (const std::string_view w : reserved_words())
+    EXPECT_TRUE(std::any_of(help_entries().begin(), help_entries().end(), [&](const HelpEntry& e) {
+      return e.group == HelpGroup::shell && e.word == w;
+    })) << w;
+}
+
 }  // namespace
 }  // namespace betwixt
