@@ -17,11 +17,13 @@ namespace betwixt {
 using FunctionId = std::uint16_t;
 constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
 
+constexpr std::uint32_t all_kinds = 0xffffffff;
+
 struct FunctionSpec {
   std::string name = {};
   Type type = Type::scalar;
-  Value rest = {};          // the value where nobody says otherwise
-  std::uint32_t kinds = 0;  // bit per Kind; a row that names none is shared by the kinds whose rows name it
+  Value rest = {};                  // the value where nobody says otherwise
+  std::uint32_t kinds = all_kinds;  // bit per Kind; of a built-in one, all: those that are placed
   Unit unit = Unit::none;
   std::string words = {};             // for texts that are one of a few words: "point|sun"
   double low = -1e300, high = 1e300;  // numbers outside mean nothing
