@@ -170,22 +170,22 @@ bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view w = c.word();
-  const auto at = std::find(twerper_names.begin() + 1, twerper_names.end(), w);
+  const auto found = find_twerper(w);
   const auto& own = *s.procedures;
   const auto mine = std::find_if(own.begin(), own.end(),
                                  [&](const NamedProcedure& p) { return p.name == w && p.role == Role::twerper; });
-  if (at == twerper_names.end() && mine != own.end()) {
+  if (!found && mine != own.end()) {
     out = static_cast<Twerper>(first_own_twerper + (mine - own.begin()));
     std::string why;
     return fits(out, to.type(), &why) || c.fail(Code::type, why, w);
   }
-  if (at == twerper_names.end()) {
+  if (!found) {
     if (w.empty()) return c.fail_here(Code::name, "a twerper is missing here");
     const std::string near = did_you_mean(w, twerper_words(s));
     return c.fail(Code::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
                   near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
   }
-  out = static_cast<Twerper>(at - twerper_names.begin());
+  out = *found;
   std::string why;
   if (!fits(out, to.type(), &why))
     return c.fail(Code::type, why, w,

@@ -43,8 +43,8 @@ bool define(Command& k) {
         Code::syntax,
         name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a function's name", name.substr(0, 60)),
         name.empty() ? std::string_view(c.at, 0) : name);
-  for (std::size_t k = 0; k < kind_names.size(); ++k)
-    if (find_function(s, static_cast<Kind>(k), name))
+  for (const KindRow& row : kinds())
+    if (find_function(s, row.kind, name))
       return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
   if (name == "world" || name == "velocity")
     return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);

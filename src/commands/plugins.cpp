@@ -40,8 +40,8 @@ const TypeRow* type_of_numbers(std::string_view word) {
 }
 
 bool is_function(std::string_view name) {
-  for (std::size_t k = 0; k < kind_names.size(); ++k)
-    if (find_built_in(static_cast<Kind>(k), name)) return true;
+  const auto all = built_in_functions();
+  if (std::any_of(all.begin(), all.end(), [&](const FunctionSpec& f) { return f.name == name; })) return true;
   return name == "world" || name == "velocity";
 }
 
@@ -49,7 +49,7 @@ bool is_function(std::string_view name) {
 
 std::string_view taken_by(std::string_view name, Role role) {
   if (find_verb(name)) return "a command";
-  if (std::find(twerper_names.begin(), twerper_names.end(), name) != twerper_names.end()) return "a twerper";
+  if (name == name_of(Twerper::unset) || find_twerper(name)) return "a twerper";
   if (find_filter(name)) return "a filter";
   if (role == Role::value && known_to_lua(name)) return "a word of Lua";
   const auto shell = reserved_words();

@@ -41,9 +41,7 @@ bool look(Command& k) {
   const std::string_view w = c.peek_word();
   if (!values(k).object(id)) return false;
   const Kind kind = s.objects[id.index].kind;
-  if (kind != Kind::camera)
-    return c.fail(Code::type, fmt::format("'{}' is a {}, not a camera", w, kind_names[static_cast<std::size_t>(kind)]),
-                  w);
+  if (kind != Kind::camera) return c.fail(Code::type, fmt::format("'{}' is a {}, not a camera", w, name_of(kind)), w);
   if (!finish(c)) return false;
   s.cuts.edit()[time.value_or(Time{INT64_MIN})] = id;
   return true;

@@ -143,8 +143,7 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
     std::size_t events = events_of(o);
     if (o.kind == Kind::layer)
       for (std::size_t i = 0; i < d.scene().objects.size(); ++i) events += events_of(d.scene().objects[i], id);
-    said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, kind_names[static_cast<std::size_t>(o.kind)],
-                        counted(events, "event"));
+    said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, name_of(o.kind), counted(events, "event"));
   }
   return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said;
 }

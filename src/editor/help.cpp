@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <deque>
 #include <vector>
 
 #include "commands/list_rows.h"
@@ -18,107 +20,9 @@ namespace {
 using enum HelpGroup;
 
 constexpr HelpEntry other_words[] = {
-    {kind, "group", "No shape; things hang on it.", "", "create hand2 group position=(0 1 0)"},
-    {kind, "sphere", "A ball.", "radius=1", "create s sphere radius=2"},
-    {kind, "box", "A box.", "size=(1 1 1)", "create b box size=(2 1 1)"},
-    {kind, "cylinder", "A cylinder along y.", "radius=1 height=1", "create c cylinder radius=0.5 height=2"},
-    {kind, "cone", "A cone along y.", "radius=1 height=1", "create c cone height=2"},
-    {kind, "torus", "A ring.", "radius=1 tube=0.3", "create ring torus tube=0.1"},
-    {kind, "plane", "A flat rectangle.", "size=(1 1)", "create floor plane size=(20 20)"},
-    {kind, "disc", "A flat disc.", "radius=1", "create d disc radius=3"},
-    {kind, "polygon", "A filled outline.", "points=((x y) …)", "create p polygon points=((0 0) (2 0) (1 2))"},
-    {kind, "polyline", "A line through points.", "points=((x y) …) width=0.05",
-     "create l polyline points=((0 0) (2 0) (1 2)) width=0.1"},
-    {kind, "points", "A cloud of points.", "points=((x y z) …) size=0.05",
-     "create stars points points=((0 0 0) (1 2 3)) size=0.1"},
-    {kind, "text", "Letters, flat or with a depth.", "text=\"…\" font=\"DejaVu Sans\" size=1 depth=0",
-     "create title text text=\"The end\" size=2"},
-    {kind, "mesh", "A shape from a file below the script's folder.", "file=\"…\" texture=\"…\"",
-     "create tree mesh file=\"tree.obj\""},
-    {kind, "light", "A lamp, or the sun.", "range=20 intensity=1 shines=point|sun",
-     "create sun light shines=sun intensity=2"},
-    {kind, "camera", "Where the film is seen from.", "lens=35mm or fov=50deg or height=10, look-at=(x y z) or a name",
-     "create side camera position=(30 0 0) look-at=ball"},
-    {kind, "environment", "What the command animate makes: a matrix that moves what is in it.", "", ""},
-    {kind, "layer", "What the command layer makes: motion laid over objects.", "weight=1 mode=add|mix", ""},
-
-    {function, "position", "Where an object is, from what holds it.", "a vector", "set ball.position (0 10 0)"},
-    {function, "rotation", "How it is turned: about its x, y and z axes, or an orientation.",
-     "euler(x y z), axis(x y z, angle), quat(w x y z)", "set ball.rotation euler(0deg 90deg 0deg)"},
-    {function, "scale", "How large it is, along each axis.", "a vector", "set ball.scale (1 2 1)"},
-    {function, "pivot", "The point it turns and grows about.", "a vector", "set ball.pivot (0 -1 0)"},
-    {function, "attach-position", "Where on it others are attached.", "a vector", "set ball.attach-position (0 1 0)"},
-    {function, "color", "Its color.", "a name, #rrggbb, rgb(…), hsv(…)", "set ball.color gold"},
-    {function, "shininess", "How sharply it shines, 0 to 1.", "a number", "set ball.shininess 0.8"},
-    {function, "transparency", "How much is seen through it, 0 to 1.", "a number", "set ball.transparency 0.5"},
-    {function, "geometry", "The shape it shows: its own, or another object's.", "shape(NAME) or none",
-     "set ball.geometry shape(wheel1)"},
-    {function, "display", "Whether it is seen.", "on or off", "set ball.display off"},
-    {function, "material", "What it seems to be made of.", "\"plastic\", \"matte\", \"metal\" or \"glow\"",
-     "set ball.material \"metal\""},
-    {function, "texture", "A picture on it, from a file below the script's folder.", "\"FILE\"",
-     "set ball.texture \"\""},
-    {function, "attachment", "What holds it, and how; see hang, attach and couple.", "", ""},
-    {function, "environments", "The environments it is in, the outermost first.", "(E1 E2)",
-     "animate wind every 1t by translate(0.1 0 0)\nset ball.environments (wind)"},
-    {function, "drive", "Environments that move it in its own space, before its own place.", "(E1 E2)",
-     "animate spin every 1t by rotate(6deg, z)\nset ball.drive (spin)"},
-    {function, "transform", "Moves it in its own space, before its own place.",
-     "translate(…) rotate(…) scale(…) or matrix(…)", "set ball.transform scale(1 2 1) rotate(30deg, z)"},
-    {function, "motion",
-     "A string of translations, rotations and scalings over a segment; the leftmost is applied last.",
-     "1f..48f T(6.28 0) R(-1turn @ 0 1)", "at 1f..48f ball.motion T(6.28 0) R(-1turn @ 0 1)"},
-    {function, "radius", "Of spheres, discs, cylinders, cones and rings.", "a number", "set ball.radius 2"},
-    {function, "size", "Of boxes, planes, letters and points.", "as many numbers as it has sides",
-     "create crate box\nset crate.size (1 2 3)"},
-    {function, "height", "Of cylinders and cones; of a camera without perspective, what it sees.", "a number",
-     "set eye.height 10"},
-    {function, "tube", "How thick a ring is.", "a number", "create ring torus\nset ring.tube 0.1"},
-    {function, "points", "The points of an outline, a line or a cloud.", "((x y) …)",
-     "create line polyline\nset line.points ((0 0) (1 1))"},
-    {function, "width", "How thick a line is.", "a number", "create line polyline\nset line.width 0.2"},
-    {function, "text", "What letters say.", "\"…\"", "create title text\nset title.text \"The end\""},
-    {function, "font", "The font of letters.", "\"…\"", "create title text\nset title.font \"DejaVu Sans\""},
-    {function, "depth", "How thick letters are.", "a number", "create title text\nset title.depth 0.2"},
-    {function, "file", "The file of a mesh.", "\"FILE\"", ""},
-    {function, "range", "How far a lamp shines.", "a number", "set lamp.range 60"},
-    {function, "intensity", "How brightly a lamp shines.", "a number", "set lamp.intensity 2"},
-    {function, "shines", "Whether a lamp shines from a point or like the sun.", "\"point\" or \"sun\"",
-     "set lamp.shines \"sun\""},
-    {function, "lens", "The lens of a camera, on a gate 36 mm wide.", "35mm", "set eye.lens 50mm"},
-    {function, "fov", "The horizontal angle a camera sees.", "an angle", "set eye.fov 50deg"},
-    {function, "look-at", "What a camera looks at.", "a point or a name", "set eye.look-at ball"},
-    {function, "weight", "How much of a layer counts, 0 to 1.", "a number", ""},
-    {function, "mode", "Whether a layer is added or mixed in.", "\"add\" or \"mix\"", ""},
     {function, "world", "Where it is in the world, a matrix; it can be asked for, not set.", "", ""},
     {function, "touching", "The names of what it touches; it can be asked for, not set.", "", ""},
     {function, "in-view", "Whether any of it is in view; it can be asked for, not set.", "", ""},
-
-    {twerper, "hold", "Stays, then jumps at the next event.", "", "at 12f ball.radius 2 hold"},
-    {twerper, "linear", "Straight to the next event.", "", "at 12f ball.radius 2 linear"},
-    {twerper, "smooth", "Through all events without a corner (Catmull-Rom).", "", "at 12f ball.radius 2 smooth"},
-    {twerper, "bspline", "Softer than smooth; comes near its events only.", "", "at 12f ball.radius 2 bspline"},
-    {twerper, "hermite", "Through all events, by tangents of your own.", "hermite [tangent=V]",
-     "at 12f ball.radius 2 hermite tangent=0"},
-    {twerper, "bezier", "To the next event along a curve of speed.", "bezier(x1 y1 x2 y2)",
-     "at 12f ball.radius 2 bezier(0.25 0.1 0.25 1)"},
-    {twerper, "slerp", "The shortest way between two orientations.", "",
-     "at 12f hand.rotation axis(0 1 0, 90deg) slerp"},
-    {twerper, "squad", "Through many orientations without a corner.", "",
-     "at 12f hand.rotation axis(0 1 0, 90deg) squad"},
-
-    {filter, "smooth", "A mean over a window of time around each moment.", "width=0.5s",
-     "filter ball.position smooth width=0.3s"},
-    {filter, "spring", "As through a weight on a spring: comes late, and swings on.", "frequency=2 damping=0.3",
-     "filter ball.position spring frequency=3"},
-    {filter, "noise", "Wanders by chance, the same whenever it is asked.", "amount=1 frequency=1 seed=0",
-     "filter ball.position noise amount=(0.1 0.1 0) frequency=4"},
-    {filter, "wobble", "Adds a sine.", "amount=1 frequency=1 phase=0",
-     "filter ball.position wobble amount=(0 0.2 0) frequency=2"},
-    {filter, "delay", "Comes later; below 0 earlier.", "by=0.25s", "filter ball.position delay by=6f"},
-    {filter, "steps", "Holds each value until the next step.", "rate=12", "filter ball.position steps rate=8"},
-    {filter, "limit", "Never below, never above.", "low= high=", "filter ball.radius limit high=3"},
-    {filter, "quantise", "Whole multiples only.", "by=0.1", "filter ball.position quantise by=0.5"},
 
     {option, "ease-in", "How long before its event a value slows down.", "ease-in=LENGTH",
      "at 12f ball.radius 2 ease-in=4f"},
@@ -170,6 +74,16 @@ std::string about(const NamedProcedure& p) {
   return out + ".";
 }
 
+// "frequency=2 damping=0.3"; what is not limited stands without a number.
+std::string written_parameters(const FilterSpec& f) {
+  std::string out;
+  for (const FilterParameter& p : f.parameters) {
+    const std::string rest = std::isfinite(p.rest) ? fmt::format("{}{}", p.rest, p.time ? "s" : "") : "";
+    out += fmt::format("{}{}={}", out.empty() ? "" : " ", p.name, rest);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::span<const HelpEntry> help_entries() {
@@ -177,7 +91,18 @@ std::span<const HelpEntry> help_entries() {
     std::vector<HelpEntry> entries = shell_entries();
     for (const Verb& v : verbs()) entries.push_back({verb, v.word, v.sentence, v.usage, v.example});
     for (const ListRow& r : list_rows()) entries.push_back({row, r.word, r.sentence, r.usage, r.example});
+    for (const KindRow& k : kinds()) entries.push_back({HelpGroup::kind, k.name, k.sentence, k.written, k.example});
+    for (const bool common : {true, false})  // what all have first
+      for (const FunctionSpec& f : built_in_functions())
+        if (!f.sentence.empty() && common == ((f.kinds & bit(Kind::group)) != 0))
+          entries.push_back({HelpGroup::function, f.name, f.sentence, f.written, f.example});
     entries.insert(entries.end(), std::begin(other_words), std::end(other_words));
+    for (const TwerperRow& t : twerpers())
+      if (!t.sentence.empty()) entries.push_back({HelpGroup::twerper, t.name, t.sentence, t.written, t.example});
+    static std::deque<std::string> written;  // of filters
+    for (const FilterSpec& f : built_in_filters())
+      entries.push_back(
+          {HelpGroup::filter, f.name, f.sentence, written.emplace_back(written_parameters(f)), f.example});
     return entries;
   }();
   return all;

@@ -166,8 +166,7 @@ struct Writer {
       }
       const bool layer = o.kind == Kind::layer;
       out += (layer ? "layer " : "create ") + flat_name(o.name) + " ";
-      out +=
-          layer ? *std::get<Text>(*o.find(fn::mode)->set) : std::string(kind_names[static_cast<std::size_t>(o.kind)]);
+      out += layer ? *std::get<Text>(*o.find(fn::mode)->set) : std::string(betwixt::name_of(o.kind));
       for (const Slot& slot : o.slots) {
         if (!slot.set || refers(slot) || slot.function == fn::mode) continue;
         const FunctionSpec& spec = spec_of(s, slot.function);

@@ -19,7 +19,7 @@ Seen seen(const Program& program, Time t) {
   for (const ObjectId id : *s.expansion) {
     const Object& o = s.objects[id.index];
     if (!drawable(o.kind) || !std::get<bool>(program.read({id, fn::display}, t))) continue;
-    std::string one(kind_names[static_cast<std::size_t>(o.kind)]);
+    std::string one(name_of(o.kind));
     for (const double v : numbers(program.read({id, fn::color}, t))) one += fmt::format(" {:.3f}", v);
     const Mat4 world = *std::get<Matrix>(program.read({id, Query::world}, t));
     const Slot* points = o.find(fn::points);

@@ -131,7 +131,7 @@ void expect_reversed(Track t, Type type, double from, double to) {
 TEST(Reverse, RunsEveryTwerperTheSameWayBack) {
   using enum Twerper;
   for (const Twerper twerper : {hold, linear, smooth, bspline, hermite, bezier}) {
-    SCOPED_TRACE(twerper_names[static_cast<std::size_t>(twerper)]);
+    SCOPED_TRACE(name_of(twerper));
     expect_reversed(
         track({event(1, 3.0, twerper), event(1.5, 7.0, twerper), event(3, -2.0, twerper), event(4, 1.0, twerper)}),
         Type::scalar, 1, 4);
