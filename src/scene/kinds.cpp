@@ -32,9 +32,7 @@ Extent of_round(const Shape& s) { return centred_on_origin({s.radius, s.height /
 Extent of_ring(const Shape& s) { return centred_on_origin({s.radius + s.tube, s.tube, s.radius + s.tube}); }
 Extent of_polygon(const Shape& s) { return around_points(*s.points, 0); }
 Extent of_points(const Shape& s) { return around_points(*s.points, s.width / 2); }
-Extent of_mesh(const Shape& s) {
-  return s.mesh && !s.mesh->positions.empty() ? s.mesh->box() : Extent{};
-}
+Extent of_mesh(const Shape& s) { return s.mesh && !s.mesh->positions.empty() ? s.mesh->box() : Extent{}; }
 
 // Width and lines of a text, letters taken as 0.6 em wide.
 Extent of_text(const Shape& s) {

@@ -134,7 +134,7 @@ TEST(Editor, WhatHappensNowStandsWithItsTime) {
     EXPECT_EQ(deed.stamped, stamped) << line;
     EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
     const Loaded again = load_text(as_script(editor.base(), editor.steps()), "");
-    EXPECT_FALSE(has_errors(again.diagnostics)) << line;
+    EXPECT_EQ(has_errors(again.diagnostics), line.starts_with("  begin")) << line;  // its end is still to come
     EXPECT_TRUE(again.document == editor.now().document) << line;
   };
   enter("  animate  e every 1t by rotate(1deg, y)", "at 7t animate  e every 1t by rotate(1deg, y)", true);
