@@ -25,87 +25,114 @@ constexpr std::string_view example(std::string_view factor) {
 // What `m` does, done about a point.
 Mat4 about(const Mat4& m, Vec3 centre) { return translation(centre) * m * translation(-centre); }
 
-}  // namespace
+// Reads one factor's brackets: what it multiplies by, and the centre behind '@', in brackets of its own or not.
+struct FactorReader {
+  ValueReader& values;
+  std::string_view word;
+  Mat4 matrix;
+  bool centred = false;
+  Vec3 centre;
 
-bool ValueReader::transform(Mat4& out) {
-  const auto numbers = [&](int count, double* n) {
+  bool numbers(int count, double* n, Unit unit = Unit::metres) {
+    Cursor& c = values.c;
     for (int i = 0; i < count; ++i) {
       c.space();
       if (c.peek() == ')')
         return c.fail_here(Code::syntax, fmt::format("{} numbers are wanted here, not {}", count, i));
-      if (!scalar(n[i], count == 16 ? Unit::none : Unit::metres)) return false;
+      if (!values.scalar(n[i], unit)) return false;
     }
     return true;
-  };
-  // Behind '@', in brackets of its own or not.
-  const auto point = [&](Vec3& p) {
-    c.space();
-    if (c.peek() == '(') return vector(3, p, Unit::metres);
+  }
+
+  bool translate() {
     double n[3];
     if (!numbers(3, n)) return false;
-    p = {n[0], n[1], n[2]};
+    matrix = translation({n[0], n[1], n[2]});
     return true;
-  };
-  Mat4 product;
-  int count = 0;
-  for (;; ++count) {
+  }
+
+  bool rotate() {
+    double angle = 0;
+    Vec3 axis{0, 0, 1};
+    if (!values.c.angle(angle) || !values.axis(axis)) return false;
+    matrix = rotation(axis_angle(axis, angle));
+    return true;
+  }
+
+  bool scale() {
+    Cursor& c = values.c;
+    double n[3];
     c.space();
-    if (count > 0 && c.accept('*')) c.space();
-    const std::string_view word = c.peek_word();
-    if (std::find(std::begin(factors), std::end(factors), word) == std::end(factors)) break;
+    if (!values.scalar(n[0])) return false;
+    n[1] = n[2] = n[0];
     c.space();
-    c.word();
+    if (c.peek() != ')' && c.peek() != '@' && (!values.scalar(n[1]) || !values.scalar(n[2]))) return false;
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0 && values.warn)
+      values.warn("a scale of 0 shrinks all to a point: nothing is seen", word, "to hide something: hide NAME");
+    matrix = scaling({n[0], n[1], n[2]});
+    return true;
+  }
+
+  bool sixteen() {
+    Cursor& c = values.c;
+    double n[16];
+    const char* start = (c.space(), c.at);
+    if (!numbers(16, n, Unit::none)) return false;
+    for (int i = 0; i < 16; ++i) matrix(i / 4, i % 4) = n[i];
+    return (n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1) ||
+           c.fail(Code::range, "the last row of a matrix is 0 0 0 1", c.since(start),
+                  "16 numbers row by row; a translation stands in the last column");
+  }
+
+  bool point() {
+    values.c.space();
+    if (values.c.peek() == '(') return values.vector(3, centre, Unit::metres);
+    double n[3];
+    if (!numbers(3, n)) return false;
+    centre = {n[0], n[1], n[2]};
+    return true;
+  }
+
+  bool read() {
+    Cursor& c = values.c;
     c.space();
     if (c.peek() != '(')
       return c.fail_here(Code::syntax, fmt::format("an opening bracket '(' is missing here, behind '{}'", word),
                          fmt::format("as in {}", example(word)));
     if (!c.open()) return false;
-    Mat4 m;
-    double n[16];
-    Vec3 centre;
-    bool centred = false;
-    if (word == "translate") {
-      if (!numbers(3, n)) return false;
-      m = translation({n[0], n[1], n[2]});
-    } else if (word == "rotate") {
-      double angle = 0;
-      Vec3 axis_of{0, 0, 1};
-      if (!c.angle(angle) || !axis(axis_of)) return false;
-      m = rotation(axis_angle(axis_of, angle));
-    } else if (word == "scale") {
-      c.space();
-      if (!scalar(n[0])) return false;
-      n[1] = n[2] = n[0];
-      c.space();
-      if (c.peek() != ')' && c.peek() != '@' && (!scalar(n[1]) || !scalar(n[2]))) return false;
-      if (n[0] == 0 && n[1] == 0 && n[2] == 0 && warn)
-        warn("a scale of 0 shrinks all to a point: nothing is seen", word, "to hide something: hide NAME");
-      m = scaling({n[0], n[1], n[2]});
-    } else {
-      const char* start = (c.space(), c.at);
-      if (!numbers(16, n)) return false;
-      for (int i = 0; i < 16; ++i) m(i / 4, i % 4) = n[i];
-      if (n[12] != 0 || n[13] != 0 || n[14] != 0 || n[15] != 1)
-        return c.fail(Code::range, "the last row of a matrix is 0 0 0 1", c.since(start),
-                      "16 numbers row by row; a translation stands in the last column");
-    }
+    const bool done = word == "translate" ? translate()
+                      : word == "rotate"  ? rotate()
+                      : word == "scale"   ? scale()
+                                          : sixteen();
+    if (!done) return false;
     c.space();
     const bool inside = c.accept('@');
-    if (inside && !point(centre)) return false;
-    if (!c.close()) return false;
-    centred = inside;
+    if ((inside && !point()) || !c.close()) return false;
     c.space();
-    if (!inside && c.accept('@')) {
-      if (!vector(3, centre, Unit::metres)) return false;
-      centred = true;
-    }
-    if (centred && word == "matrix")
-      return c.fail(Code::syntax, "a matrix has its centre in it", word, "rotate and scale take @ (x y z)");
-    product = product * (centred ? about(m, centre) : m);
+    centred = inside || c.accept('@');
+    if (centred && !inside && !values.vector(3, centre, Unit::metres)) return false;
+    return !(centred && word == "matrix") ||
+           c.fail(Code::syntax, "a matrix has its centre in it", word, "rotate and scale take @ (x y z)");
+  }
+};
+
+}  // namespace
+
+bool ValueReader::transform(Mat4& out) {
+  Mat4 product;
+  int count = 0;
+  for (;; ++count) {
+    c.space();
+    if (count > 0 && c.accept('*')) c.space();
+    FactorReader factor{*this, c.peek_word(), {}, false, {}};
+    if (std::find(std::begin(factors), std::end(factors), factor.word) == std::end(factors)) break;
+    c.space();
+    c.word();
+    if (!factor.read()) return false;
+    product = product * (factor.centred ? about(factor.matrix, factor.centre) : factor.matrix);
   }
   if (count == 0) {
-    const std::string_view word = c.peek_word();
-    std::string hint = did_you_mean(word, {std::begin(factors), std::end(factors)});
+    const std::string hint = did_you_mean(c.peek_word(), {std::begin(factors), std::end(factors)});
     return c.fail_here(Code::syntax, "a transform is wanted here",
                        hint.empty() ? "translate(x y z), rotate(90deg, z) @ (x y z), scale(x y z) or matrix(…)" : hint);
   }
