@@ -15,9 +15,10 @@
 namespace betwixt {
 
 // How an object goes through the world at a time.
-struct Bearing {
-  Vec3 place, speed;  // of its origin, in the world; speed per second, coming from before where there is a break
-  Mat4 carries;       // the linear part of what takes values of its position track to the world
+struct Kinematics {
+  // Of its origin, in the world; the velocity per second, coming from before where there is a break.
+  Vec3 position, velocity;
+  Mat4 to_world;  // the linear part of what takes values of its position track to the world
 };
 
 class Program {
@@ -33,7 +34,7 @@ class Program {
   // What procedures looked at to give this value, in the order they looked.
   std::vector<Target> reads(const Target&, Time) const;
 
-  Bearing bearing(ObjectId, Time) const;
+  Kinematics kinematics(ObjectId, Time) const;
   // The motions of an object in the order of time, their centres as places.
   std::vector<Motion> motions(ObjectId) const;
   // The first time after `t` at which a frame may differ from the one at `t`: `t` itself while something goes on
@@ -45,7 +46,7 @@ class Program {
 
   const Document& document() const;
 
-  struct Compiled;  // src/program/code.h
+  struct Compiled;  // src/program/compiled.h
   const Compiled& compiled() const { return *code_; }
 
  private:

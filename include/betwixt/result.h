@@ -16,7 +16,7 @@
 namespace betwixt {
 
 // What kind of thing went wrong; the exit code of the program follows from it.
-enum class Code : std::uint8_t {
+enum class ErrorCode : std::uint8_t {
   syntax,   // the text cannot be read
   name,     // a name that nothing has, or that something has already
   type,     // a value or operation that means nothing for its target
@@ -32,7 +32,7 @@ struct Place {
 };
 
 struct Error {
-  Code code = Code::syntax;
+  ErrorCode code = ErrorCode::syntax;
   std::string message;  // what is wrong, in plain words, no full stop
   std::string hint;     // a near miss or a way out, may be empty
   Place place;
@@ -76,7 +76,7 @@ class [[nodiscard]] Result {
 struct Nothing {};
 using Status = Result<Nothing>;
 
-inline Error fail(Code code, std::string message, std::string hint = {}) {
+inline Error fail(ErrorCode code, std::string message, std::string hint = {}) {
   return {code, std::move(message), std::move(hint), {}};
 }
 

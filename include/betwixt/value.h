@@ -65,9 +65,9 @@ using Moves = Shared<Motion>;  // from this event to the next one
 //   hang    its position only is moved by the parent    attach  the parent turns it too, its scale does not
 //   couple  the parent's whole matrix                   detach  nothing holds it: its tracks are in the world
 //   letgo   nothing holds it, but what held it stays as it was at that moment
-enum class Hold : std::uint8_t { detach, letgo, hang, attach, couple };
+enum class AttachmentKind : std::uint8_t { detach, letgo, hang, attach, couple };
 struct Attachment {
-  Hold hold = Hold::detach;
+  AttachmentKind kind = AttachmentKind::detach;
   ObjectId parent;          // of hang, attach and couple
   bool keep_world = false;  // it stays where it is in the world at that moment
   friend constexpr bool operator==(const Attachment&, const Attachment&) = default;

@@ -88,8 +88,8 @@ struct Reader : algebra::Cursor {
     if (end == first) {
       const std::string_view name = word();
       if (!name.empty() && peek() == '(')
-        return fail(from, at, Code::type, fmt::format("{}() is not worked out here", name), "write the number");
-      return fail(from, std::max(at, from + 1), Code::syntax, "a number is wanted here");
+        return fail(from, at, ErrorCode::type, fmt::format("{}() is not worked out here", name), "write the number");
+      return fail(from, std::max(at, from + 1), ErrorCode::syntax, "a number is wanted here");
     }
     if (lower(c(end)) == 'e' && (digit(c(end + 1)) || ((c(end + 1) == '+' || c(end + 1) == '-') && digit(c(end + 2)))))
       end += 2, digits();
@@ -99,7 +99,7 @@ struct Reader : algebra::Cursor {
     return read.ec == std::errc() || too_large(from);
   }
   bool too_large(std::size_t from) {
-    return fail(from, at, Code::range,
+    return fail(from, at, ErrorCode::range,
                 fmt::format("'{}' is too large or too small a number", text.substr(from, at - from)));
   }
   // What stands behind a number: a unit, or nothing.
@@ -114,8 +114,9 @@ struct Reader : algebra::Cursor {
     const std::string_view name = unit();
     if (same(name, "px") || (name.empty() && out == 0)) return true;
     if (name.empty())
-      return fail(from, at, Code::type, fmt::format("a length needs its unit: {}", text.substr(from, at - from)), "px");
-    return fail(unit_from, at, Code::type, fmt::format("'{}' is not a unit of length here", name),
+      return fail(from, at, ErrorCode::type, fmt::format("a length needs its unit: {}", text.substr(from, at - from)),
+                  "px");
+    return fail(unit_from, at, ErrorCode::type, fmt::format("'{}' is not a unit of length here", name),
                 "px: what others come to depends on the page");
   }
   bool angle(double& out) {
@@ -129,7 +130,7 @@ struct Reader : algebra::Cursor {
         out = out * u.of / u.divisor;
         return std::isfinite(out) || too_large(from);
       }
-    return fail(name.empty() ? from : unit_from, at, Code::type,
+    return fail(name.empty() ? from : unit_from, at, ErrorCode::type,
                 name.empty() ? fmt::format("an angle needs its unit: {}", text.substr(from, at - from))
                              : fmt::format("'{}' is not a unit of angle", name),
                 "units are deg, grad, rad, turn");
@@ -139,7 +140,7 @@ struct Reader : algebra::Cursor {
     const std::size_t unit_from = at;
     const std::string_view name = unit();
     return name.empty() ||
-           fail(unit_from, at, Code::type, fmt::format("a number without a unit is wanted here, not '{}'", name),
+           fail(unit_from, at, ErrorCode::type, fmt::format("a number without a unit is wanted here, not '{}'", name),
                 name == "%" ? "50% is 0.5" : "");
   }
   const Function* function_name() {
@@ -148,21 +149,22 @@ struct Reader : algebra::Cursor {
     for (const Function& f : functions)
       if (same(name, f.name)) {
         if (peek() == '(') return &f;
-        fail(at, at + 1, Code::syntax, fmt::format("'(' is missing right behind {}", f.name));
+        fail(at, at + 1, ErrorCode::syntax, fmt::format("'(' is missing right behind {}", f.name));
         return nullptr;
       }
     for (const std::string_view n : no_motions)
       if (same(name, n)) {
-        fail(from, at, Code::type, fmt::format("{}() is no translation, rotation or scaling", n),
+        fail(from, at, ErrorCode::type, fmt::format("{}() is no translation, rotation or scaling", n),
              fmt::format("what is read: {}", wanted));
         return nullptr;
       }
     if (same(name, "none"))
-      fail(from, at, Code::syntax, "'none' stands alone or not at all");
+      fail(from, at, ErrorCode::syntax, "'none' stands alone or not at all");
     else if (name.empty())
-      fail(from, from + 1, Code::syntax, "a CSS transform is wanted here", "as in translate(10px, 20px) rotate(90deg)");
+      fail(from, from + 1, ErrorCode::syntax, "a CSS transform is wanted here",
+           "as in translate(10px, 20px) rotate(90deg)");
     else
-      fail(from, at, Code::name, fmt::format("'{}' is no CSS transform", name),
+      fail(from, at, ErrorCode::name, fmt::format("'{}' is no CSS transform", name),
            fmt::format("what is read: {}", wanted));
     return nullptr;
   }
@@ -183,14 +185,14 @@ struct Reader : algebra::Cursor {
       if (!read) return false;
       space();
     } while (peek() == ',');
-    if (at == text.size()) return fail(at, at + 1, Code::syntax, "')' is missing");
-    if (peek() != ')') return fail(at, at + 1, Code::syntax, "',' or ')' is wanted here");
+    if (at == text.size()) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
+    if (peek() != ')') return fail(at, at + 1, ErrorCode::syntax, "',' or ')' is wanted here");
     if (count < f->least) return wrong_count(*f, from);
     ++at;
-    return fill(out, *f, values, count) || fail(from, at, Code::range, "this axis has no direction");
+    return fill(out, *f, values, count) || fail(from, at, ErrorCode::range, "this axis has no direction");
   }
   bool wrong_count(const Function& f, std::size_t from) {
-    return fail(from, at + 1, Code::syntax, fmt::format("{}() takes {}", f.name, f.values));
+    return fail(from, at + 1, ErrorCode::syntax, fmt::format("{}() takes {}", f.name, f.values));
   }
   static bool fill(Factor& out, const Function& f, const double (&values)[4], int count) {
     out.kind = f.kind;
@@ -214,7 +216,7 @@ struct Reader : algebra::Cursor {
 // ---- Writing
 
 Error about(std::size_t i, std::string what, std::string hint) {
-  return fail(Code::type, fmt::format("factor {}: {}", i + 1, what), std::move(hint));
+  return fail(ErrorCode::type, fmt::format("factor {}: {}", i + 1, what), std::move(hint));
 }
 
 // CSS knows places and the linear law only.
@@ -296,7 +298,7 @@ Result<Motion> from_css(std::string_view transforms, Vec3 origin) {
   if (same(r.word(), "none") && (r.space(), r.at == transforms.size())) return motion;
   for (r.at = 0, r.space(); r.at < transforms.size(); r.space()) {
     if (motion.factors.size() == 10'000) {
-      r.fail(r.at, r.at + 1, Code::range, "no more than 10000 transforms");
+      r.fail(r.at, r.at + 1, ErrorCode::range, "no more than 10000 transforms");
       return *r.error;
     }
     Factor f;

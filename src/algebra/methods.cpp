@@ -45,7 +45,8 @@ class Scheme {
 
   Result<Plan<Number>> made() {
     if (s_ && s_->law == Factor::Law::exponential && !(s_->by.x == 1 && s_->by.y == 1))
-      return fail(Code::type, "the geometric method scales by the linear law", "S(… linear), or the method `matrix`");
+      return fail(ErrorCode::type, "the geometric method scales by the linear law",
+                  "S(… linear), or the method `matrix`");
     if (!r_) return go_straight(), plan_;
     long double all = 0, so_far = 0;
     for (const Factor& f : motion_.factors)
@@ -53,7 +54,7 @@ class Scheme {
     for (const Factor& f : motion_.factors)
       if (f.kind == Factor::Kind::rotate &&
           (half_turn(so_far += planar_turns(f), plan_.steps) || half_turn(all, plan_.steps)))
-        return fail(Code::range, "half a turn in one step cannot be made of shears", "more steps");
+        return fail(ErrorCode::range, "half a turn in one step cannot be made of shears", "more steps");
     return turn(all), plan_;
   }
 
@@ -158,7 +159,8 @@ Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
   const bool arms = row.size() > 1 && row.find_first_not_of('R') == std::string::npos;
   constexpr const char* rows[] = {"T", "S", "R", "TS", "ST", "TR", "RT", "RS", "SR", "TRS"};
   if (!arms && std::find(std::begin(rows), std::end(rows), row) == std::end(rows))
-    return fail(Code::type, fmt::format("the geometric method has no scheme for {}", row.empty() ? "no factors" : row),
+    return fail(ErrorCode::type,
+                fmt::format("the geometric method has no scheme for {}", row.empty() ? "no factors" : row),
                 "it knows T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` takes every string");
   return Scheme<Number>(motion, steps, row).made();
 }
@@ -167,7 +169,7 @@ template <class Number>
 Result<Plan<Number>> differences(const Motion& motion, std::int64_t steps) {
   const Canonical<Number> string = canonical<Number>(motion, steps);
   const auto none = [](std::string why) {
-    return fail(Code::type, "no one matrix makes all steps of this motion: " + why,
+    return fail(ErrorCode::type, "no one matrix makes all steps of this motion: " + why,
                 "the method `best` takes every string");
   };
   Plan<Number> plan;

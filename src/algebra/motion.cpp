@@ -56,7 +56,7 @@ Mat4 after(const Mat4& a, const Mat4& b) {
 
 Error about_factor(const Motion& motion, std::size_t i, std::string_view what, std::string_view hint = {}) {
   const Factor& f = motion.factors[i];
-  return fail(Code::range, fmt::format("factor {}, {}: {}", i + 1, letters[static_cast<int>(f.kind)], what),
+  return fail(ErrorCode::range, fmt::format("factor {}, {}: {}", i + 1, letters[static_cast<int>(f.kind)], what),
               std::string(hint));
 }
 
@@ -124,7 +124,7 @@ Mat4 at(const Motion& motion, double t) {
 
 Result<Mat4> frame(const Motion& motion, std::int64_t k, std::int64_t steps) {
   if (steps < 1)
-    return fail(Code::range, fmt::format("{} steps lead nowhere", steps),
+    return fail(ErrorCode::range, fmt::format("{} steps lead nowhere", steps),
                 "at least 1: frame 0 is rest, frame 1 the end");
   // k / steps is rounded: what is left of it counts where a motion has many turns.
   Mat4 product;

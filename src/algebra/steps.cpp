@@ -16,7 +16,8 @@ using algebra::Tally;
 Status ready(const Motion& motion, std::int64_t steps) {
   if (auto bad = check(motion); !bad) return bad;
   if (auto first = frame(motion, 0, steps); !first) return first.error();
-  if (!is_planar(motion)) return fail(Code::type, "this motion leaves the plane", "steps are made in the plane only");
+  if (!is_planar(motion))
+    return fail(ErrorCode::type, "this motion leaves the plane", "steps are made in the plane only");
   return Nothing{};
 }
 
@@ -65,7 +66,7 @@ Result<Steps<Number>> Steps<Number>::make(const Motion& motion, std::int64_t ste
                                           std::span<const Number> x, std::span<const Number> y) {
   if (auto bad = ready(motion, steps); !bad) return bad.error();
   if (x.size() != y.size())
-    return fail(Code::range, fmt::format("{} points have an x and {} have a y", x.size(), y.size()));
+    return fail(ErrorCode::range, fmt::format("{} points have an x and {} have a y", x.size(), y.size()));
   auto plan = planned<double>(motion, steps, method, x.size());
   if (!plan) return plan.error();
   return Steps(std::unique_ptr<State>(new State{Stepper<Number>(*std::move(plan), motion, x, y)}));

@@ -67,8 +67,9 @@ struct MotionReader : algebra::Cursor {
       word();
       const std::size_t to = std::max(at, from + 1);
       return end != first || bad == std::errc::result_out_of_range
-                 ? fail(from, to, Code::range, fmt::format("'{}' is no finite number", text.substr(from, to - from)))
-                 : fail(from, to, Code::syntax, "a number is wanted here");
+                 ? fail(from, to, ErrorCode::range,
+                        fmt::format("'{}' is no finite number", text.substr(from, to - from)))
+                 : fail(from, to, ErrorCode::syntax, "a number is wanted here");
     }
     at += static_cast<std::size_t>(end - first);
     const std::size_t unit_from = at;
@@ -82,13 +83,13 @@ struct MotionReader : algebra::Cursor {
     std::string known;
     for (const Unit& u : units) known += (known.empty() ? "" : ", ") + std::string(u.name);
     if (!name.empty())
-      return fail(unit_from, at, Code::type, fmt::format("'{}' is not a unit of {}", name, kind),
+      return fail(unit_from, at, ErrorCode::type, fmt::format("'{}' is not a unit of {}", name, kind),
                   fmt::format("units are {}", known));
     const std::size_t to = at;
     space();
     const std::string_view apart = next_word();
     const bool blank = std::any_of(units, units + n, [&](const Unit& u) { return u.name == apart; });
-    return fail(from, to, Code::type, fmt::format("an angle needs its unit: {}", text.substr(from, to - from)),
+    return fail(from, to, ErrorCode::type, fmt::format("an angle needs its unit: {}", text.substr(from, to - from)),
                 blank ? fmt::format("no blank before it: {}{}", text.substr(from, to - from), apart)
                       : fmt::format("units are {}", known));
   }
@@ -96,17 +97,17 @@ struct MotionReader : algebra::Cursor {
   bool plain_number(double& out) {
     const std::size_t from = at;
     if (!number(out, lengths, "length")) {
-      if (error->code != Code::type) return false;
+      if (error->code != ErrorCode::type) return false;
     } else if (const char last = text[at - 1]; last != 'm') {
       return true;
     }
     error.reset();
-    return fail(from, at, Code::type,
+    return fail(from, at, ErrorCode::type,
                 fmt::format("a plain number is wanted here, not {}", text.substr(from, at - from)));
   }
   bool numbers(double (&out)[3], int& count, bool plain = false) {
     for (count = 0; at_number(); ++count) {
-      if (count == 3) return fail(at, at + 1, Code::syntax, "no more than three numbers stand here");
+      if (count == 3) return fail(at, at + 1, ErrorCode::syntax, "no more than three numbers stand here");
       if (!(plain ? plain_number(out[count]) : number(out[count], lengths, "length"))) return false;
     }
     return true;
@@ -114,7 +115,7 @@ struct MotionReader : algebra::Cursor {
   // The end of a factor, or what does not belong into it.
   bool close(Kind kind) {
     if (accept(')')) return true;
-    if (at == text.size()) return fail(at, at + 1, Code::syntax, "')' is missing");
+    if (at == text.size()) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
     const std::size_t from = at;
     if (peek() == '@')
       ++at;
@@ -125,7 +126,7 @@ struct MotionReader : algebra::Cursor {
                                      "S(2 2 @ 0 0), behind it perhaps linear"};
     constexpr const char* names[] = {"translation", "rotation", "scaling"};
     return fail(
-        from, to, Code::syntax,
+        from, to, ErrorCode::syntax,
         fmt::format("'{}' does not belong here, in a {}", text.substr(from, to - from), names[static_cast<int>(kind)]),
         forms[static_cast<int>(kind)]);
   }
@@ -136,7 +137,7 @@ struct MotionReader : algebra::Cursor {
     if (!at_number() && peek() != '(') {
       const std::string_view name = word();
       if (!is_name(name))
-        return fail(from, at, Code::syntax, "a centre is wanted here", "@ 0 1, @ 0 1 2 or the name of an object");
+        return fail(from, at, ErrorCode::syntax, "a centre is wanted here", "@ 0 1, @ 0 1 2 or the name of an object");
       f.about = name;
       return true;
     }
@@ -144,8 +145,8 @@ struct MotionReader : algebra::Cursor {
     double n[3] = {};
     int count = 0;
     if (!numbers(n, count)) return false;
-    if (count < 2) return fail(from, at, Code::syntax, "a centre has two or three numbers");
-    if (bracket && !accept(')')) return fail(at, at + 1, Code::syntax, "')' is missing");
+    if (count < 2) return fail(from, at, ErrorCode::syntax, "a centre has two or three numbers");
+    if (bracket && !accept(')')) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
     f.centre = {n[0], n[1], n[2]};
     return true;
   }
@@ -153,7 +154,8 @@ struct MotionReader : algebra::Cursor {
     double n[3] = {};
     int count = 0;
     if (!numbers(n, count)) return false;
-    if (count < 2) return fail(from, at, Code::syntax, "a translation has two or three numbers", "T(6 0) or T(6 0 0)");
+    if (count < 2)
+      return fail(from, at, ErrorCode::syntax, "a translation has two or three numbers", "T(6 0) or T(6 0 0)");
     f.by = {n[0], n[1], n[2]};
     return true;
   }
@@ -171,17 +173,17 @@ struct MotionReader : algebra::Cursor {
         const std::size_t name_at = at;
         const std::string_view name = word();
         if (name.size() != 1 || name[0] < 'x' || name[0] > 'z')
-          return fail(name_at, at, Code::syntax, "an axis is wanted here", "axis x, y or z, or three numbers");
+          return fail(name_at, at, ErrorCode::syntax, "an axis is wanted here", "axis x, y or z, or three numbers");
         n[name[0] - 'x'] = 1, count = 3;
       } else if (!numbers(n, count, true)) {
         return false;
       }
-      if (bracket && !accept(')')) return fail(at, at + 1, Code::syntax, "')' is missing");
-      if (count != 3) return fail(from, at, Code::syntax, "an axis has three numbers", "as in axis 0 1 0");
+      if (bracket && !accept(')')) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
+      if (count != 3) return fail(from, at, ErrorCode::syntax, "an axis has three numbers", "as in axis 0 1 0");
       f.axis = {n[0], n[1], n[2]};
-      if (f.axis == Vec3{}) return fail(from, at, Code::range, "this axis has no direction");
+      if (f.axis == Vec3{}) return fail(from, at, ErrorCode::range, "this axis has no direction");
     } else if (!w.empty()) {
-      return fail(from, at, Code::syntax, fmt::format("'{}' means nothing in a rotation", w),
+      return fail(from, at, ErrorCode::syntax, fmt::format("'{}' means nothing in a rotation", w),
                   "R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
     }
     return true;
@@ -192,7 +194,7 @@ struct MotionReader : algebra::Cursor {
     f.kind = Kind::scale;
     if (!numbers(n, count, true)) return false;
     if (count == 0)
-      return fail(from, at, Code::syntax, "a scaling has one, two or three numbers", "S(2), S(2 1) or S(2 1 1)");
+      return fail(from, at, ErrorCode::syntax, "a scaling has one, two or three numbers", "S(2), S(2 1) or S(2 1 1)");
     f.by = count == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], count == 3 ? n[2] : 1};
     if (accept('@') && !centre(f)) return false;
     space();
@@ -200,10 +202,11 @@ struct MotionReader : algebra::Cursor {
     if (const std::string_view w = word(); w == "linear")
       f.law = Law::linear;
     else if (!w.empty())
-      return fail(word_at, at, Code::syntax, fmt::format("'{}' means nothing in a scaling", w), "S(2 2 @ 0 0 linear)");
+      return fail(word_at, at, ErrorCode::syntax, fmt::format("'{}' means nothing in a scaling", w),
+                  "S(2 2 @ 0 0 linear)");
     for (int c = 0; c < 3; ++c)
       if (f.law == Law::exponential && !(f.by[c] > 0))
-        return fail(from, at, Code::range, fmt::format("a scaling by {} has no in-betweens", f.by[c]),
+        return fail(from, at, ErrorCode::range, fmt::format("a scaling by {} has no in-betweens", f.by[c]),
                     "factors above 0, or the linear law: S(… linear)");
     return true;
   }
@@ -217,12 +220,12 @@ struct MotionReader : algebra::Cursor {
     else if (letter == "S")
       f.kind = Kind::scale;
     else if (letter == "t" || letter == "r" || letter == "s")
-      return fail(from, at, Code::syntax, fmt::format("'{}' is no factor of a motion", letter),
+      return fail(from, at, ErrorCode::syntax, fmt::format("'{}' is no factor of a motion", letter),
                   fmt::format("did you mean '{}'?", static_cast<char>(letter[0] - 'a' + 'A')));
     else
-      return fail(from, std::max(at, from + 1), Code::syntax, "a motion is a string of T(…), R(…) and S(…)",
+      return fail(from, std::max(at, from + 1), ErrorCode::syntax, "a motion is a string of T(…), R(…) and S(…)",
                   "as in T(6.28 0) R(-1turn @ 0 1)");
-    if (!accept('(')) return fail(at, at + 1, Code::syntax, fmt::format("'(' is missing behind {}", letter));
+    if (!accept('(')) return fail(at, at + 1, ErrorCode::syntax, fmt::format("'(' is missing behind {}", letter));
     const bool read = f.kind == Kind::translate ? translate(f, from)
                       : f.kind == Kind::rotate  ? rotate(f)
                                                 : scale(f, from);
@@ -247,7 +250,7 @@ std::string centre_text(const Factor& f, int count) {
 
 namespace algebra {
 
-bool Cursor::fail(std::size_t from, std::size_t to, Code code, std::string message, std::string hint) {
+bool Cursor::fail(std::size_t from, std::size_t to, ErrorCode code, std::string message, std::string hint) {
   if (error) return false;
   error = betwixt::fail(code, std::move(message), std::move(hint));
   const std::string_view before = text.substr(0, from), about = text.substr(before.size()).substr(0, to - from);
@@ -279,7 +282,7 @@ Result<Motion> parse_motion(std::string_view text) {
   for (r.space(); r.at < text.size(); r.space()) {
     if (!motion.factors.empty() && r.accept('*')) r.space();
     if (motion.factors.size() == 10'000) {
-      r.fail(r.at, r.at + 1, Code::range, "no more than 10000 factors");
+      r.fail(r.at, r.at + 1, ErrorCode::range, "no more than 10000 factors");
       return *r.error;
     }
     Factor f;

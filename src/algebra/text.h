@@ -26,7 +26,7 @@ struct Cursor {
   std::optional<Error> error = {};
 
   // Of the bytes from..to. Always false.
-  bool fail(std::size_t from, std::size_t to, Code, std::string message, std::string hint = {});
+  bool fail(std::size_t from, std::size_t to, ErrorCode, std::string message, std::string hint = {});
   char peek() const { return at < text.size() ? text[at] : '\0'; }
 };
 

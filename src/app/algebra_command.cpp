@@ -47,7 +47,7 @@ Result<double> number(std::string_view text, std::string_view what) {
   double x = 0;
   const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), x);
   if (bad != std::errc() || end != text.data() + text.size() || !std::isfinite(x))
-    return fail(Code::syntax, fmt::format("{}: '{}' is no number", what, text.substr(0, 60)));
+    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is no number", what, text.substr(0, 60)));
   return x;
 }
 
@@ -67,7 +67,7 @@ Result<std::vector<Point>> read_points(const std::string& text) {
     const auto numbers = parts(word, ",");
     const bool gaps = word.find(",,") != std::string_view::npos || word.front() == ',' || word.back() == ',';
     if (gaps || (numbers.size() != 2 && numbers.size() != 3))
-      return fail(Code::syntax, fmt::format("--points: '{}' is no point", word.substr(0, 60)),
+      return fail(ErrorCode::syntax, fmt::format("--points: '{}' is no point", word.substr(0, 60)),
                   "as in --points \"1,0 -0.5,2\"");
     Point p{{}, static_cast<int>(numbers.size())};
     for (int c = 0; c < p.numbers; ++c) {
@@ -77,7 +77,7 @@ Result<std::vector<Point>> read_points(const std::string& text) {
     }
     points.push_back(p);
   }
-  if (points.empty()) return fail(Code::syntax, "--points: there is no point", "as in --points \"1,0 -0.5,2\"");
+  if (points.empty()) return fail(ErrorCode::syntax, "--points: there is no point", "as in --points \"1,0 -0.5,2\"");
   return points;
 }
 
@@ -206,7 +206,7 @@ Result<AskedFrames> read(const AlgebraCall& call) {
     const auto k = number(text, "--at");
     if (!k) return k.error();
     if (asked.method && (*k != std::floor(*k) || std::abs(*k) > 9e15))
-      return fail(Code::range, fmt::format("--at: a method goes from step to step, and {} is none", text));
+      return fail(ErrorCode::range, fmt::format("--at: a method goes from step to step, and {} is none", text));
     asked.frames.push_back(*k);
   }
   return asked;
@@ -217,7 +217,8 @@ Status read_steps(AlgebraCall& call) {
   const char* end = call.steps_text.data() + call.steps_text.size();
   const auto [at, bad] = std::from_chars(call.steps_text.data(), end, call.steps);
   if (bad == std::errc() && at == end) return Nothing{};
-  return fail(Code::syntax, fmt::format("--steps: '{}' is no whole number of steps", call.steps_text.substr(0, 60)));
+  return fail(ErrorCode::syntax,
+              fmt::format("--steps: '{}' is no whole number of steps", call.steps_text.substr(0, 60)));
 }
 
 // What the motion is, in `asked`; the exit code where it is none.
@@ -226,7 +227,7 @@ int read_motion(const AlgebraCall& call, AskedFrames& asked) {
   if (!call.origin.empty()) {
     const auto place = read_points(call.origin);
     if (!place || place->size() != 1)
-      return complain(fail(Code::syntax, fmt::format("--origin: '{}' is no point", call.origin.substr(0, 60)),
+      return complain(fail(ErrorCode::syntax, fmt::format("--origin: '{}' is no point", call.origin.substr(0, 60)),
                            "as in --origin 50,50"),
                       wrong_call);
     origin = (*place)[0].at;
@@ -236,7 +237,7 @@ int read_motion(const AlgebraCall& call, AskedFrames& asked) {
   for (const Factor& f : motion->factors)
     if (!f.about.empty())
       return complain(
-          fail(Code::name, fmt::format("there is no object '{}' here", f.about), "a centre is a place: @ 0 1"),
+          fail(ErrorCode::name, fmt::format("there is no object '{}' here", f.about), "a centre is a place: @ 0 1"),
           wrong_input);
   if (call.inverse) motion = inverse(*motion);
   if (!motion) return complain(motion.error(), wrong_input);
@@ -267,7 +268,7 @@ int look_ahead(const AskedFrames& asked, std::int64_t count) {
   const auto steps = Steps<double>::make(asked.motion, count, *asked.method, {&none, 1}, {&none, 1});
   if (!steps) return complain(steps.error(), wrong_input);
   for (const Point& p : asked.points)
-    if (p.numbers == 3) return complain(fail(Code::type, "the methods move points of the plane"), wrong_call);
+    if (p.numbers == 3) return complain(fail(ErrorCode::type, "the methods move points of the plane"), wrong_call);
   if (asked.method == Method::geometric && end_only(asked.motion))
     fmt::print(stderr, "betwixt: notice: this scheme meets the motion at its end, and leaves it in between\n");
   return all_done;
@@ -317,7 +318,7 @@ int algebra(AlgebraCall& call) {
     for (Point& p : asked->points) p.numbers = 3;
   if (call.to_css) return print_css(*asked);
   if (call.count && !planar)
-    return complain(fail(Code::type, "this motion leaves the plane", "operations are counted in the plane only"),
+    return complain(fail(ErrorCode::type, "this motion leaves the plane", "operations are counted in the plane only"),
                     wrong_input);
   if ((call.inverse || call.css) && !call.json) fmt::print("{}\n", to_string(asked->motion));
   if (const int code = look_ahead(*asked, call.steps); code != all_done) return code;
@@ -327,7 +328,7 @@ int algebra(AlgebraCall& call) {
 Status known_method(const std::string& name, std::string& to) {
   for (const Method known : methods)
     if (name == name_of(known)) return to = name, Nothing{};
-  return fail(Code::name, fmt::format("'{}' is no method: matrix, geometric, differences or best", name));
+  return fail(ErrorCode::name, fmt::format("'{}' is no method: matrix, geometric, differences or best", name));
 }
 
 std::vector<Parameter> algebra_parameters(AlgebraCall& call) {

@@ -21,7 +21,7 @@ constexpr double most_frames = 10'000'000;
 int complain(const Error& e, int otherwise) {
   fmt::print(stderr, "betwixt: {}\n", e.message);
   if (!e.hint.empty()) fmt::print(stderr, "  {}\n", e.hint);
-  return e.code == Code::machine ? static_cast<int>(machine_failed) : otherwise;
+  return e.code == ErrorCode::machine ? static_cast<int>(machine_failed) : otherwise;
 }
 
 LoadOptions& load_options() {
@@ -53,20 +53,21 @@ Result<FrameList> read_frames(const std::string& text, const Document& document)
   if (!text.empty()) {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos)
-      return fail(Code::range, fmt::format("--frames: \"{}\" is no segment", text), "such as 1f..24f");
+      return fail(ErrorCode::range, fmt::format("--frames: \"{}\" is no segment", text), "such as 1f..24f");
     const auto from = read_time(text.substr(0, dots), document, "--frames");
     if (!from) return from.error();
     const auto to = read_time(text.substr(dots + 2), document, "--frames");
     if (!to) return to.error();
     first = *from, last = *to;
-    if (last < first) return fail(Code::range, fmt::format("--frames: \"{}\" ends before it begins", text));
+    if (last < first) return fail(ErrorCode::range, fmt::format("--frames: \"{}\" ends before it begins", text));
   }
   const double number = frames.rate.frame_number(first);
   const double count = std::floor(frames.rate.frame_number(last) - number + 1e-6) + 1;
   if (count > most_frames)
-    return fail(Code::range, fmt::format("{:.0f} frames are too many for one film; at most {:.0f}", count, most_frames),
+    return fail(ErrorCode::range,
+                fmt::format("{:.0f} frames are too many for one film; at most {:.0f}", count, most_frames),
                 "name some: --frames A..B");
-  if (std::abs(number) > 1e9) return fail(Code::range, "--frames: too far from the beginning");
+  if (std::abs(number) > 1e9) return fail(ErrorCode::range, "--frames: too far from the beginning");
   frames.first = first;
   frames.count = std::max(1, static_cast<int>(count));
   frames.number = static_cast<int>(std::floor(number));

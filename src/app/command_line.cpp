@@ -140,7 +140,7 @@ int command_line(int argc, char** argv) {
     if (!app.got_subcommand(s.name)) continue;
     const int exit_code = s.run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      return complain(fail(Code::machine, "the answer cannot be written to standard output"), machine_failed);
+      return complain(fail(ErrorCode::machine, "the answer cannot be written to standard output"), machine_failed);
     return exit_code;
   }
   fmt::print(stderr, "{}", app.help());

@@ -19,8 +19,9 @@ struct FrameCall {
 
 int frame(const FrameCall& call) {
   if (!call.out.ends_with(".png") && !call.out.ends_with(".PNG"))
-    return complain(fail(Code::range, "one picture is a .png, not \"" + call.out + "\"", "for films: betwixt render"),
-                    wrong_call);
+    return complain(
+        fail(ErrorCode::range, "one picture is a .png, not \"" + call.out + "\"", "for films: betwixt render"),
+        wrong_call);
   if (Status s = check_place(call.out, !call.keep_old); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;

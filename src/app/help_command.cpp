@@ -55,7 +55,7 @@ int help(const HelpCall& call) {
   for (const HelpEntry& e : help_entries()) known.push_back(e.word);
   for (const Subcommand& s : subcommands()) known.push_back(s.name);
   return complain(
-      fail(Code::name, fmt::format("there is no help about '{}'", call.word), did_you_mean(call.word, known)),
+      fail(ErrorCode::name, fmt::format("there is no help about '{}'", call.word), did_you_mean(call.word, known)),
       wrong_call);
 }
 

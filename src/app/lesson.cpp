@@ -54,21 +54,22 @@ bool drawable(const Motion& motion) {
 
 Status ready(const std::string& path, const Motion& motion, const LessonOptions& options) {
   if (const std::string type = ending(path); type != "html" && type != "htm")
-    return fail(Code::range, fmt::format("a lesson is a .html, not \"{}\"", path));
+    return fail(ErrorCode::range, fmt::format("a lesson is a .html, not \"{}\"", path));
   if (auto bad = check(motion); !bad) return bad;
-  if (!is_planar(motion)) return fail(Code::type, "this motion leaves the plane", "a lesson is drawn in the plane");
+  if (!is_planar(motion))
+    return fail(ErrorCode::type, "this motion leaves the plane", "a lesson is drawn in the plane");
   if (auto first = frame(motion, 0, options.steps); !first) return first.error();
   if (motion.factors.size() > most_factors)
-    return fail(Code::range, fmt::format("{} factors are too many for a lesson", motion.factors.size()),
+    return fail(ErrorCode::range, fmt::format("{} factors are too many for a lesson", motion.factors.size()),
                 fmt::format("at most {}", most_factors));
   if (options.points.size() > most_points)
-    return fail(Code::range, fmt::format("{} points are too many for a lesson", options.points.size()),
+    return fail(ErrorCode::range, fmt::format("{} points are too many for a lesson", options.points.size()),
                 fmt::format("at most {}", most_points));
   for (const Vec3& p : options.points)
     if (!(std::abs(p.x) <= farthest && std::abs(p.y) <= farthest))
-      return fail(Code::range, "a point lies too far out for a lesson", "numbers up to a thousand million");
+      return fail(ErrorCode::range, "a point lies too far out for a lesson", "numbers up to a thousand million");
   if (!drawable(motion))
-    return fail(Code::range, "this motion goes too far out for a lesson", "numbers up to a thousand million");
+    return fail(ErrorCode::range, "this motion goes too far out for a lesson", "numbers up to a thousand million");
   return Nothing{};
 }
 

@@ -163,12 +163,13 @@ Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
   int number = 0;
   const auto [end, wrong] = std::from_chars(port.data(), port.data() + port.size(), number);
   if (wrong != std::errc() || end != port.data() + port.size() || number < 1 || number > 65535 || host.empty())
-    return fail(Code::range, fmt::format("--listen: \"{}\" is no port", where), "such as 9000, or 192.168.1.5:9000");
+    return fail(ErrorCode::range, fmt::format("--listen: \"{}\" is no port", where),
+                "such as 9000, or 192.168.1.5:9000");
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_socktype = SOCK_DGRAM;
   wanted.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
   if (::getaddrinfo(host.c_str(), port.c_str(), &wanted, &found) != 0)
-    return fail(Code::range, fmt::format("--listen: there is no address {}", host));
+    return fail(ErrorCode::range, fmt::format("--listen: there is no address {}", host));
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, ::freeaddrinfo);
   const int s = ::socket(found->ai_family, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   const int room = 1 << 20;  // for what comes between two pictures; the system may give less
@@ -176,7 +177,7 @@ Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
   if (s < 0 || ::bind(s, found->ai_addr, found->ai_addrlen) != 0) {
     const int error = errno;
     if (s >= 0) ::close(s);
-    return fail(Code::file, fmt::format("--listen: cannot listen on {}: {}", where, std::strerror(error)),
+    return fail(ErrorCode::file, fmt::format("--listen: cannot listen on {}: {}", where, std::strerror(error)),
                 error == EADDRINUSE ? "another program listens there: take another port" : "");
   }
   return std::unique_ptr<LiveInput>(std::make_unique<Live>(s));

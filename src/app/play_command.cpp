@@ -255,7 +255,7 @@ Document recording(const Document& document, bool on) {
 // anybody plays.
 Result<std::string> record_place(const Document& document, const PlayCall& call) {
   if (call.listen.empty() && !call.record.empty())
-    return fail(Code::range, "--record: there is nothing to record", "--listen PORT takes in what controls say");
+    return fail(ErrorCode::range, "--record: there is nothing to record", "--listen PORT takes in what controls say");
   if (call.listen.empty() || (call.record.empty() && !document.scene().recording)) return std::string();
   const std::filesystem::path script = call.file;
   const std::string place =

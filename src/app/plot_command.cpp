@@ -115,23 +115,23 @@ std::vector<Curve> curves(const Program& program, const Target& target, const Fr
 
 int plot(const PlotCall& call) {
   if (!call.out.ends_with(".svg"))
-    return complain(fail(Code::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
+    return complain(fail(ErrorCode::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
   if (Status s = check_place(call.out, true); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   const Status drawn = plot_document(*document, call.targets, call.frames, call.out);
   if (drawn) return all_done;
-  const Code code = drawn.error().code;
-  return complain(drawn.error(), code == Code::name || code == Code::syntax ? wrong_input : wrong_call);
+  const ErrorCode code = drawn.error().code;
+  return complain(drawn.error(), code == ErrorCode::name || code == ErrorCode::syntax ? wrong_input : wrong_call);
 }
 
 }  // namespace
 
 Status plot_document(const Document& document, const std::vector<std::string>& words, const std::string& segment,
                      const std::string& out) {
-  if (!out.ends_with(".svg")) return fail(Code::range, fmt::format("a plot is a .svg, not \"{}\"", out));
+  if (!out.ends_with(".svg")) return fail(ErrorCode::range, fmt::format("a plot is a .svg, not \"{}\"", out));
   const Result<FrameList> frames = read_frames(segment, document);
-  if (!frames) return fail(Code::range, frames.error().message, frames.error().hint);
+  if (!frames) return fail(ErrorCode::range, frames.error().message, frames.error().hint);
 
   const Program program = Program::compile(document);
   const Time last = frames->time(frames->count - 1);
@@ -142,15 +142,15 @@ Status plot_document(const Document& document, const std::vector<std::string>& w
                {}};
   for (const std::string& word : words) {
     const Result<std::vector<Target>> targets = find_targets(word, document);
-    if (!targets) return fail(Code::name, targets.error().message, targets.error().hint);
+    if (!targets) return fail(ErrorCode::name, targets.error().message, targets.error().hint);
     if (targets->empty()) fmt::print(stderr, "betwixt: nothing matches \"{}\"\n", word);
     const std::size_t before = drawing.curves.size();
     for (const Target& t : *targets)
       for (Curve& c : curves(program, t, *frames, last)) drawing.curves.push_back(std::move(c));
     if (drawing.curves.size() == before && !targets->empty())
-      return fail(Code::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word));
+      return fail(ErrorCode::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word));
   }
-  if (drawing.curves.empty()) return fail(Code::name, "there is nothing to plot");
+  if (drawing.curves.empty()) return fail(ErrorCode::name, "there is nothing to plot");
   if (const int reason = put_file(out, to_svg(drawing))) return system_error(reason, "write", out);
   return Nothing{};
 }

@@ -44,7 +44,7 @@ class TerminalScreen final : public Screen {
     return Nothing{};
   }
   Status show(const Shown&) override {
-    if (!terminal_->write(std::exchange(text_, {}))) return fail(Code::machine, "the terminal has gone away");
+    if (!terminal_->write(std::exchange(text_, {}))) return fail(ErrorCode::machine, "the terminal has gone away");
     return Nothing{};
   }
 
@@ -102,7 +102,7 @@ Result<NewScreen> screen_of(const ServeCall& call, Rate rate) {
       return std::unique_ptr<Screen>(std::make_unique<WindowScreen>(*std::move(window), *std::move(renderer)));
     });
   }
-  return fail(Code::range, fmt::format("--to: frames cannot go to \"{}\"", call.to),
+  return fail(ErrorCode::range, fmt::format("--to: frames cannot go to \"{}\"", call.to),
               "nowhere, window, terminal, film:OUT.mp4 or ring:NAME");
 }
 
@@ -116,7 +116,7 @@ Result<Rate> rate_of(const std::string& text, Rate otherwise) {
                      used == static_cast<int>(text.size());
   if (!plain) den = ratio ? den : 0;
   if (num < 1 || den < 1 || num > 1000 * den)
-    return fail(Code::range, fmt::format("--rate: \"{}\" is no rate", text),
+    return fail(ErrorCode::range, fmt::format("--rate: \"{}\" is no rate", text),
                 "frames a second, such as 120 or 30000/1001");
   return Rate{num, den};
 }
@@ -128,7 +128,7 @@ Result<std::string> token_of(const ServeCall& call) {
   std::string token = text->value_or("");
   while (!token.empty() && (token.back() == '\n' || token.back() == '\r')) token.pop_back();
   if (token.size() < 16 || token.find('\n') != std::string::npos)
-    return fail(Code::file, fmt::format("--token-file: '{}' holds no token", call.token_file),
+    return fail(ErrorCode::file, fmt::format("--token-file: '{}' holds no token", call.token_file),
                 "one line of at least 16 characters that nobody can guess");
   return token;
 }
@@ -136,7 +136,7 @@ Result<std::string> token_of(const ServeCall& call) {
 Result<Listener> listen(const ServeCall& call) {
   if (!call.tcp.empty()) return Listener::tcp(call.tcp, call.anywhere);
   const std::string path = call.socket.empty() ? default_socket() : call.socket;
-  if (path.empty()) return fail(Code::range, "there is no folder for sockets", "--socket PATH or --tcp HOST:PORT");
+  if (path.empty()) return fail(ErrorCode::range, "there is no folder for sockets", "--socket PATH or --tcp HOST:PORT");
   return Listener::unix_socket(path);
 }
 

@@ -26,7 +26,7 @@ Status read_size(const std::string& text, RenderOptions& to) {
   if (text.size() <= 11 && std::sscanf(text.c_str(), "%5dx%5d%n", &to.width, &to.height, &used) == 2 &&
       used == static_cast<int>(text.size()) && fits(to.width) && fits(to.height))
     return Nothing{};
-  return fail(Code::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
+  return fail(ErrorCode::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ std::vector<Key> read_keys(std::string_view typed) {
 
 Result<std::unique_ptr<Terminal>> Terminal::open() {
   if (::isatty(STDOUT_FILENO) != 1)
-    return fail(Code::type, "play shows its pictures in a terminal, and standard output is none",
+    return fail(ErrorCode::type, "play shows its pictures in a terminal, and standard output is none",
                 "for a film: betwixt render FILE -o film.mp4");
   catch_deaths();
   const bool keys = make_raw();

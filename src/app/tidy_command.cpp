@@ -20,7 +20,7 @@ namespace {
 int replace(const std::string& file, const std::string& text) {
   const int reason = put_file(file, text, {.like_old = true});
   if (reason == 0) return all_done;
-  return complain(fail(reason == ENOSPC ? Code::machine : Code::file,
+  return complain(fail(reason == ENOSPC ? ErrorCode::machine : ErrorCode::file,
                        fmt::format("'{}' cannot be written: {}", file, std::strerror(reason))),
                   wrong_input);
 }
@@ -34,7 +34,7 @@ int tidy(const TidyCall& call) {
   std::error_code ignored;
   if (std::filesystem::exists(call.file, ignored) && !std::filesystem::is_directory(call.file, ignored) &&
       !std::filesystem::is_regular_file(call.file, ignored))  // read twice, a pipe would be empty
-    return complain(fail(Code::file, fmt::format("'{}': only a file can be tidied", call.file)), wrong_call);
+    return complain(fail(ErrorCode::file, fmt::format("'{}': only a file can be tidied", call.file)), wrong_call);
   if (!open_script(call.file)) return wrong_input;  // a script that cannot be read is left alone
   const Result<std::string> text = read_whole(call.file);
   if (!text) return complain(text.error(), wrong_input);

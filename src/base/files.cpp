@@ -24,10 +24,12 @@ Error cannot(const char* what, const std::string& path, int reason) {
   std::string words = std::generic_category().message(reason);
   if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
   const bool machine = reason == ENOSPC || reason == EDQUOT || reason == EIO || reason == EMFILE || reason == ENFILE;
-  return fail(machine ? Code::machine : Code::file, fmt::format("cannot {} {}: {}", what, path, words));
+  return fail(machine ? ErrorCode::machine : ErrorCode::file, fmt::format("cannot {} {}: {}", what, path, words));
 }
 
-Error a_folder(const std::string& path) { return fail(Code::file, fmt::format("{} is a folder, not a file", path)); }
+Error a_folder(const std::string& path) {
+  return fail(ErrorCode::file, fmt::format("{} is a folder, not a file", path));
+}
 
 std::string folder_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
@@ -167,11 +169,11 @@ Result<std::string> read_whole(const std::string& path) {
     case Hindrance::folder:
       return a_folder(path);
     case Hindrance::special:
-      return fail(Code::file, fmt::format("{} is not a plain file", path));
+      return fail(ErrorCode::file, fmt::format("{} is not a plain file", path));
     case Hindrance::too_large:
-      return fail(Code::file, fmt::format("{} is larger than 1 GiB", path));
+      return fail(ErrorCode::file, fmt::format("{} is larger than 1 GiB", path));
     case Hindrance::missing:
-      if (in.reason == ENOENT) return fail(Code::file, fmt::format("there is no file {}", path));
+      if (in.reason == ENOENT) return fail(ErrorCode::file, fmt::format("there is no file {}", path));
       break;
     case Hindrance::system:
       break;
@@ -190,7 +192,7 @@ Status write_whole(const std::string& path, std::string_view bytes, bool overwri
     if (reason == 0) reason = file.close();
   } else {
     reason = there && !overwrite ? EEXIST : put_file(path, bytes, {.overwrite = overwrite});
-    if (reason == EEXIST) return fail(Code::file, fmt::format("{} exists already", path));
+    if (reason == EEXIST) return fail(ErrorCode::file, fmt::format("{} exists already", path));
   }
   if (reason != 0) return cannot("write", path, reason);
   return Nothing{};
@@ -198,30 +200,31 @@ Status write_whole(const std::string& path, std::string_view bytes, bool overwri
 
 Error system_error(int number, const std::string& doing, const std::string& path) {
   if (number == ENOSPC || number == EDQUOT)
-    return fail(Code::machine, fmt::format("the disk is full: cannot {} {}", doing, path));
-  return fail(Code::machine, fmt::format("cannot {} {}: {}", doing, path, std::strerror(number)));
+    return fail(ErrorCode::machine, fmt::format("the disk is full: cannot {} {}", doing, path));
+  return fail(ErrorCode::machine, fmt::format("cannot {} {}: {}", doing, path, std::strerror(number)));
 }
 
 Status check_place(const std::string& path, bool overwrite) {
   const std::string folder = folder_of(path);
   struct stat what {};
-  if (path.empty() || path.back() == '/') return fail(Code::file, fmt::format("\"{}\" names no file", path));
+  if (path.empty() || path.back() == '/') return fail(ErrorCode::file, fmt::format("\"{}\" names no file", path));
   if (::stat(folder.c_str(), &what) != 0) {
-    if (errno == ENOENT) return fail(Code::file, "there is no folder " + folder, "make it first: mkdir -p " + folder);
+    if (errno == ENOENT)
+      return fail(ErrorCode::file, "there is no folder " + folder, "make it first: mkdir -p " + folder);
     return system_error(errno, "write into", folder);
   }
-  if (!S_ISDIR(what.st_mode)) return fail(Code::file, folder + " is no folder");
+  if (!S_ISDIR(what.st_mode)) return fail(ErrorCode::file, folder + " is no folder");
   if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(errno, "write into", folder);
   if (::stat(path.c_str(), &what) != 0) return Nothing{};
-  if (S_ISDIR(what.st_mode)) return fail(Code::file, path + " is a folder");
-  if (!overwrite) return fail(Code::file, path + " is there already");
+  if (S_ISDIR(what.st_mode)) return fail(ErrorCode::file, path + " is a folder");
+  if (!overwrite) return fail(ErrorCode::file, path + " is there already");
   return Nothing{};
 }
 
 Status put_in_place(const std::string& from, const std::string& to, bool overwrite) {
   const int reason = move_to(from, to, overwrite);
   if (reason == 0) return Nothing{};
-  if (reason == EEXIST && !overwrite) return fail(Code::file, to + " is there already");
+  if (reason == EEXIST && !overwrite) return fail(ErrorCode::file, to + " is there already");
   return system_error(reason, "write", to);
 }
 

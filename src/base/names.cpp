@@ -53,10 +53,10 @@ Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t
   if (dots != std::string_view::npos && whole_number(body.substr(0, dots), a) &&
       whole_number(body.substr(dots + 2), b)) {
     const auto count = static_cast<std::size_t>(std::labs(b / 2 - a / 2)) * 2;  // halved first: no overflow
-    if (count > most) return fail(Code::range, fmt::format("'{{{}}}' makes more than {} names", body, most));
+    if (count > most) return fail(ErrorCode::range, fmt::format("'{{{}}}' makes more than {} names", body, most));
     // {01..10} keeps its zeros, as the shell does.
     const auto width = body[0] == '0' && dots > 1 ? dots : 1;
-    if (width > 1000) return fail(Code::range, "the braces make names that are too long");
+    if (width > 1000) return fail(ErrorCode::range, "the braces make names that are too long");
     for (long i = a;; i += a <= b ? 1 : -1) {
       out.push_back(fmt::format("{:0{}}", i, width));
       if (i == b) break;
@@ -85,7 +85,7 @@ bool is_pattern(std::string_view s) {
 
 Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::size_t most) {
   if (const auto set = pattern.rfind('['); set != pattern.npos && pattern.find(']', set + 2) == pattern.npos)
-    return fail(Code::syntax, fmt::format("the bracket in '{}' is not closed", pattern.substr(0, 60)));
+    return fail(ErrorCode::syntax, fmt::format("the bracket in '{}' is not closed", pattern.substr(0, 60)));
   std::vector<std::string> done{std::string(pattern)};
   // The leftmost group of every string is replaced until none is left; each round keeps the order written.
   constexpr std::size_t most_characters = 64'000'000;
@@ -101,17 +101,17 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
       }
       const auto close = closing(s, open);
       if (close == std::string_view::npos)
-        return fail(Code::syntax, fmt::format("the brace in '{}' is not closed", s.substr(0, 60)));
-      if (round == 100) return fail(Code::range, "a name with more than 100 braces");
+        return fail(ErrorCode::syntax, fmt::format("the brace in '{}' is not closed", s.substr(0, 60)));
+      if (round == 100) return fail(ErrorCode::range, "a name with more than 100 braces");
       any = true;
       auto parts = alternatives(std::string_view(s).substr(open + 1, close - open - 1), most);
       if (!parts) return parts.error();
       if (next.size() + parts->size() > most)
-        return fail(Code::range, fmt::format("the braces make more than {} names", most));
+        return fail(ErrorCode::range, fmt::format("the braces make more than {} names", most));
       for (const auto& part : *parts) {
         next.push_back(s.substr(0, open) + part + s.substr(close + 1));
         characters += next.back().size();
-        if (characters > most_characters) return fail(Code::range, "the braces make names that are too long");
+        if (characters > most_characters) return fail(ErrorCode::range, "the braces make names that are too long");
       }
     }
     done = std::move(next);

@@ -11,49 +11,50 @@
 namespace betwixt {
 namespace {
 
-template <Hold hold>
+template <AttachmentKind kind>
 bool take_hold(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view word;
   std::vector<ObjectId> children;
   if (!objects(k, word, children)) return false;
-  constexpr std::string_view link = hold == Hold::hang ? "on" : "to";
-  if (!c.accept_word(link)) return c.fail_here(Code::syntax, fmt::format("'{}' is missing here", link));
-  Attachment to{hold, {}, false};
+  constexpr std::string_view link = kind == AttachmentKind::hang ? "on" : "to";
+  if (!c.accept_word(link)) return c.fail_here(ErrorCode::syntax, fmt::format("'{}' is missing here", link));
+  Attachment to{kind, {}, false};
   c.space();
   const char* start = c.at;
   if (!values(k).object(to.parent)) return false;
   if (const Object& parent = s.objects[to.parent.index]; parent.kind == Kind::environment)
-    return c.fail(Code::type, fmt::format("'{}' is an environment: nothing is held by it", parent.name), c.since(start),
+    return c.fail(ErrorCode::type, fmt::format("'{}' is an environment: nothing is held by it", parent.name),
+                  c.since(start),
                   fmt::format("it moves what is in it: set {}.environments ({})", word.substr(0, 40), parent.name));
   to.keep_world = c.accept_word("keep-world");
   if (!finish(c)) return false;
   return attachment(k, children, to, time, word);
 }
 
-template <Hold hold>
+template <AttachmentKind kind>
 bool let_loose(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view word;
   std::vector<ObjectId> children;
   if (!objects(k, word, children) || !finish(c)) return false;
-  if (hold == Hold::letgo && !time)
-    return c.fail(Code::syntax, "letting go needs a time", word,
+  if (kind == AttachmentKind::letgo && !time)
+    return c.fail(ErrorCode::syntax, "letting go needs a time", word,
                   fmt::format("as in at 60f letgo {}", word.substr(0, 40)));
-  return attachment(k, children, {hold, {}, false}, time, word);
+  return attachment(k, children, {kind, {}, false}, time, word);
 }
 
 constexpr Verb attachments_rows[] = {
     {"hang", "hang A on B [keep-world]", "Hangs an object on another: it is carried along, not turned.",
-     "at 20f hang ball on hand", Verb::timed, take_hold<Hold::hang>},
+     "at 20f hang ball on hand", Verb::timed, take_hold<AttachmentKind::hang>},
     {"attach", "attach A to B [keep-world]", "Attaches an object to another: it is carried and turned along.",
-     "at 20f attach ball to hand keep-world", Verb::timed, take_hold<Hold::attach>},
+     "at 20f attach ball to hand keep-world", Verb::timed, take_hold<AttachmentKind::attach>},
     {"couple", "couple A to B [keep-world]", "Couples an object to another: it takes part in all it does, scaling too.",
-     "couple ball to hand", Verb::timed, take_hold<Hold::couple>},
+     "couple ball to hand", Verb::timed, take_hold<AttachmentKind::couple>},
     {"detach", "detach A", "Nothing holds the object any more: its own tracks place it in the world.", "detach ball",
-     Verb::timed, let_loose<Hold::detach>},
+     Verb::timed, let_loose<AttachmentKind::detach>},
     {"letgo", "at TIME letgo A", "Lets an object go: it stays where it is, without a jump.",
-     "at 20f attach ball to hand\nat 60f letgo ball", Verb::timed, let_loose<Hold::letgo>},
+     "at 20f attach ball to hand\nat 60f letgo ball", Verb::timed, let_loose<AttachmentKind::letgo>},
 };
 
 }  // namespace
@@ -62,13 +63,13 @@ constexpr Verb attachments_rows[] = {
 bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachment& to, std::optional<Time> when,
                 std::string_view about) {
   auto& [s, c, time, layer, script] = k;
-  if (layer) return c.fail(Code::type, "attachments are on no layer", about);
+  if (layer) return c.fail(ErrorCode::type, "attachments are on no layer", about);
   const Scene before = s;
   for (ObjectId child : children) {
-    if (to.hold >= Hold::hang) {
+    if (to.kind >= AttachmentKind::hang) {
       if (!placed(s.objects[to.parent.index].kind) || !placed(s.objects[child.index].kind)) {
         s = before;
-        return c.fail(Code::type, "layers and environments are no objects that hang on anything", about);
+        return c.fail(ErrorCode::type, "layers and environments are no objects that hang on anything", about);
       }
       // Until the track says otherwise.
       Time until{INT64_MAX};
@@ -85,9 +86,9 @@ bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachm
         for (ObjectId at : path) way += s.objects[at.index].name + " → ";
         s = before;
         static constexpr std::string_view words[] = {"", "", "hung on", "attached to", "coupled to"};
-        return c.fail(Code::name,
+        return c.fail(ErrorCode::name,
                       child == to.parent
-                          ? fmt::format("'{}' cannot be {} itself", name, words[static_cast<std::size_t>(to.hold)])
+                          ? fmt::format("'{}' cannot be {} itself", name, words[static_cast<std::size_t>(to.kind)])
                           : fmt::format("this would go round in a circle: {}{}", way, name),
                       about);
       }

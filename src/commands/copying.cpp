@@ -73,7 +73,7 @@ bool shift(Command& k, Copying& how) {
   const char* at = c.at;
   if (!values(k).value(free, how.from.of.component, v)) return false;
   if (!add_scaled(v, v, 1))
-    return c.fail(Code::type, fmt::format("{} cannot be shifted", to_string(how.from.type())), c.since(at));
+    return c.fail(ErrorCode::type, fmt::format("{} cannot be shifted", to_string(how.from.type())), c.since(at));
   how.shift = std::move(v);
   return true;
 }
@@ -82,7 +82,7 @@ bool shift(Command& k, Copying& how) {
 bool arguments(Command& k, Copying& how) {
   Cursor& c = k.cursor;
   if (!on_segment(k, how.from)) return false;
-  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a time are missing here");
+  if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and a time are missing here");
   if (!c.time(how.start)) return false;
   how.into = how.from.of, how.onto = how.from.word;
   while (!c.at_line_end()) {
@@ -95,7 +95,7 @@ bool arguments(Command& k, Copying& how) {
     } else if (c.accept_word("shift")) {
       if (!shift(k, how)) return false;
     } else {
-      return c.fail_here(Code::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
+      return c.fail_here(ErrorCode::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
                          "copies take: on TARGET, shift VALUE, times N");
     }
   }
@@ -105,7 +105,7 @@ bool arguments(Command& k, Copying& how) {
 bool fits(Command& k, const Copying& how) {
   const Selected &from = how.from.of, &into = how.into;
   const auto cannot = [&](const auto& one, const auto& other) {
-    return k.cursor.fail(Code::type, fmt::format("{} cannot be copied onto {}", one, other), how.onto);
+    return k.cursor.fail(ErrorCode::type, fmt::format("{} cannot be copied onto {}", one, other), how.onto);
   };
   if (from.type() != into.type()) return cannot(to_string(from.type()), to_string(into.type()));
   if (from.targets.size() != into.targets.size() && from.targets.size() != 1)
@@ -120,7 +120,7 @@ bool affordable(Command& k, const Copying& how) {
     for (const Track* t : tracks_of(k.scene, how.source(i)))
       wanted += t->events.count(how.from.segment.from, how.from.segment.to) * static_cast<std::size_t>(how.times);
   if (wanted > most_copied)
-    return k.cursor.fail(Code::range, fmt::format("copying would make more than {} events", most_copied),
+    return k.cursor.fail(ErrorCode::range, fmt::format("copying would make more than {} events", most_copied),
                          how.from.word);
   k.script.copied = wanted;
   return true;

@@ -20,11 +20,12 @@ bool dial(Command& k) {
   Dial made;
   made.address = c.since(start);
   if (made.address.size() < 2 || made.address[0] != '/')
-    return c.fail(Code::syntax, "an address begins with '/'", c.since(start), "as in dial /fader/1 to ball.position.y");
+    return c.fail(ErrorCode::syntax, "an address begins with '/'", c.since(start),
+                  "as in dial /fader/1 to ball.position.y");
   const auto at = [&] {
     return std::find_if(s.dials->begin(), s.dials->end(), [&](const Dial& d) { return d.address == made.address; });
   };
-  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' is missing here");
+  if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' is missing here");
   if (c.accept_word("none")) {
     if (!finish(c)) return false;
     if (at() != s.dials->end()) {
@@ -37,20 +38,20 @@ bool dial(Command& k) {
   c.space();
   const std::string_view word = c.word();
   if (!targets(k, word, to)) return false;
-  if (to.velocity) return c.fail(Code::type, "a dial turns a value, not a velocity", word);
+  if (to.velocity) return c.fail(ErrorCode::type, "a dial turns a value, not a velocity", word);
   if (to.targets.size() != 1)
-    return c.fail(Code::name, "a dial turns one target", word, "a group or a function of your own can turn many");
+    return c.fail(ErrorCode::name, "a dial turns one target", word, "a group or a function of your own can turn many");
   made.target = to.targets[0];
   if (!row_of(to.type()).dials)
-    return c.fail(Code::type, fmt::format("no dial can turn {}", to_string(to.type())), word);
+    return c.fail(ErrorCode::type, fmt::format("no dial can turn {}", to_string(to.type())), word);
   if (c.accept_word("from")) {
     if (!c.number(made.low) || !c.number(made.high)) return false;
-    if (made.low == made.high) return c.fail_here(Code::range, "the dial's own range has no width");
-    if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and two values are missing here");
+    if (made.low == made.high) return c.fail_here(ErrorCode::range, "the dial's own range has no width");
+    if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and two values are missing here");
     const FunctionSpec free = unbounded(*to.spec);
     if (!values(k).value(free, to.component, made.from) || !values(k).value(free, to.component, made.to)) return false;
     if (!add_scaled(made.from, made.to, 1))
-      return c.fail(Code::type, fmt::format("{} has no range", to_string(to.type())), word);
+      return c.fail(ErrorCode::type, fmt::format("{} has no range", to_string(to.type())), word);
     made.mapped = true;
   }
   if (!finish(c)) return false;
@@ -67,7 +68,7 @@ bool record(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view w = c.word();
-  if (w != "on" && w != "off") return c.fail(Code::syntax, "recording is on or off", w);
+  if (w != "on" && w != "off") return c.fail(ErrorCode::syntax, "recording is on or off", w);
   if (!finish(c)) return false;
   s.recording = w == "on";
   return true;

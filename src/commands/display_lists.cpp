@@ -21,12 +21,13 @@ bool list_name(Command& k, std::string_view& word) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "the name of a display list is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of a display list is missing here");
   if (time ? list_at(s, word, *time) != nullptr : !versions(s, word).empty()) return true;
   if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
-    return c.fail(Code::name, fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)),
-                  word, "display lists are made by make NAME; objects are there without being started");
-  return c.fail(Code::name,
+    return c.fail(ErrorCode::name,
+                  fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)), word,
+                  "display lists are made by make NAME; objects are there without being started");
+  return c.fail(ErrorCode::name,
                 fmt::format("there is no display list '{}'{}", word.substr(0, 60),
                             versions(s, word).empty() ? "" : " at that time"),
                 word, did_you_mean(word, list_names(s)));
@@ -50,10 +51,10 @@ bool make(Command& k) {
   c.space();
   const std::string_view word = c.word();
   const std::string name(word);
-  if (word.empty()) return c.fail_here(Code::syntax, "the name of the new display list is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of the new display list is missing here");
   const bool known = !versions(s, name).empty();
   if (known && !time)
-    return c.fail(Code::name, fmt::format("there is a display list '{}' already", name), word,
+    return c.fail(ErrorCode::name, fmt::format("there is a display list '{}' already", name), word,
                   fmt::format("edit {} opens it again", name));
   if ((!known && !free_name(k, name, word)) || !finish(c)) return false;
   const Cow<DisplayLists> before = s.lists;
@@ -115,7 +116,7 @@ bool free_below(Command& k, const std::string& name, std::string_view about) {
   const std::string below = name + "/";
   for (std::size_t i = 0; i < s.objects.size(); ++i)
     if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
-      return c.fail(Code::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), about,
+      return c.fail(ErrorCode::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), about,
                     fmt::format("rename {} first", o.name));
   return true;
 }
@@ -166,7 +167,7 @@ bool rename_list(Command& k) {
   if (!list_name(k, old)) return false;
   c.space();
   const std::string_view word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "the new name is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the new name is missing here");
   const std::string from(old), to(word);
   if (!free_name(k, to, word) || !free_below(k, to, word) || !finish(c)) return false;
   rename_list(s, from, to);

@@ -22,7 +22,7 @@ bool whole_ticks(Command& k, std::int64_t& out) {
   c.ticks_read = true;
   out = s.ticks.whole(l);
   if (s.ticks.span(static_cast<double>(out)) == l) return true;
-  return c.fail(Code::range, "this is not a whole number of ticks", c.since(start),
+  return c.fail(ErrorCode::range, "this is not a whole number of ticks", c.since(start),
                 fmt::format("the nearest are {}t and {}t", out, out + 1));
 }
 
@@ -61,19 +61,19 @@ bool animate(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "the name of an environment is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an environment is missing here");
   const auto names = expand_braces(word);
   if (!names) return c.fail(names.error().code, names.error().message, word);
-  if (!c.accept_word("every")) return c.fail_here(Code::syntax, "'every' and a length of time are missing here");
+  if (!c.accept_word("every")) return c.fail_here(ErrorCode::syntax, "'every' and a length of time are missing here");
   EnvironmentEvent::Animate a;
   c.space();
   const char* start = c.at;
   if (!whole_ticks(k, a.timing.interval)) return false;
   if (a.timing.interval < 1)
-    return c.fail(Code::range, "an interval is at least one tick", c.since(start),
+    return c.fail(ErrorCode::range, "an interval is at least one tick", c.since(start),
                   "what moves faster takes larger steps");
   if (!c.accept_word("by"))
-    return c.fail_here(Code::syntax, "'by' and a transform are missing here", "as in by rotate(10deg, z)");
+    return c.fail_here(ErrorCode::syntax, "'by' and a transform are missing here", "as in by rotate(10deg, z)");
   if (!values(k).transform(a.motion)) return false;
   while (!c.at_line_end()) {
     start = c.at;
@@ -82,16 +82,17 @@ bool animate(Command& k) {
       std::int64_t by = 0;
       if (!whole_ticks(k, by)) return false;
       if (!c.accept_word("per"))
-        return c.fail_here(Code::syntax, "'per' and a length of time are missing here",
+        return c.fail_here(ErrorCode::syntax, "'per' and a length of time are missing here",
                            fmt::format("as in {} 1t per 1s", key));
       if (!whole_ticks(k, a.timing.period)) return false;
       if (by < 1 || a.timing.period < 1)
-        return c.fail(Code::range, "an interval changes by whole ticks, at least one", c.since(start));
-      if (a.timing.change != 0) return c.fail(Code::syntax, "an interval grows or shrinks, not both", c.since(start));
+        return c.fail(ErrorCode::range, "an interval changes by whole ticks, at least one", c.since(start));
+      if (a.timing.change != 0)
+        return c.fail(ErrorCode::syntax, "an interval grows or shrinks, not both", c.since(start));
       a.timing.change = key == "slower" ? by : -by;
     } else if (key == "limit") {
       if (!whole_ticks(k, a.timing.ceiling)) return false;
-      if (a.timing.ceiling < 1) return c.fail(Code::range, "a limit is at least one tick", c.since(start));
+      if (a.timing.ceiling < 1) return c.fail(ErrorCode::range, "a limit is at least one tick", c.since(start));
     } else if (key == "from" || key == "until") {
       std::int64_t after = 0;
       if (!whole_ticks(k, after)) return false;
@@ -100,7 +101,7 @@ bool animate(Command& k) {
       a.keep_phase = true;
     } else {
       const std::string near = did_you_mean(key, {"slower", "faster", "limit", "from", "until", "keep-phase"});
-      return c.fail(Code::syntax,
+      return c.fail(ErrorCode::syntax,
                     fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
                     key.empty() ? std::string_view(start, 1) : key,
                     near.empty() ? "slower or faster L per L, limit L, from L, until L, keep-phase" : near);
@@ -110,8 +111,9 @@ bool animate(Command& k) {
     const ObjectId id = s.names.find(name);
     if (id && s.objects[id.index].kind == Kind::environment) continue;
     if (id)
-      return c.fail(Code::name, fmt::format("'{}' is {}, not an environment", name, a_kind(s.objects[id.index].kind)),
-                    word, "objects are moved by environments: set OBJECT.environments (NAME)");
+      return c.fail(ErrorCode::name,
+                    fmt::format("'{}' is {}, not an environment", name, a_kind(s.objects[id.index].kind)), word,
+                    "objects are moved by environments: set OBJECT.environments (NAME)");
     if (!free_name(k, name, word)) return false;
   }
   return add_to(k, *names, a, word);
@@ -122,7 +124,7 @@ bool to_environments(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "the name of an environment is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an environment is missing here");
   std::vector<std::string> names;
   for (const ObjectId id : select(s, word))
     if (s.objects[id.index].kind == Kind::environment) names.push_back(s.objects[id.index].name);
@@ -134,7 +136,7 @@ bool to_environments(Command& k) {
     std::vector<std::string_view> known;
     for (std::size_t i = 0; i < s.objects.size(); ++i)
       if (!s.objects[i].removed && s.objects[i].kind == Kind::environment) known.push_back(s.objects[i].name);
-    return c.fail(Code::name,
+    return c.fail(ErrorCode::name,
                   s.names.find(word) ? fmt::format("'{}' is no environment", word)
                                      : fmt::format("there is no environment '{}'", word.substr(0, 60)),
                   word, did_you_mean(word, known));

@@ -39,16 +39,16 @@ bool mixes_aims(const Scene& s, const Target& t, const Value& v) {
 // tangent=V, tangent-in=V, tangent-out=V: where hermite comes from and goes, per second.
 bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
   auto& [s, c, time, layer, script] = k;
-  if (!c.accept('=')) return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", key));
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
   const Type type = to.type();
-  if (!row_of(type).tangents) return c.fail(Code::type, fmt::format("{} has no tangents", to_string(type)), key);
+  if (!row_of(type).tangents) return c.fail(ErrorCode::type, fmt::format("{} has no tangents", to_string(type)), key);
   const FunctionSpec free = unbounded(*to.spec);  // a speed may be of any size
   Value v;
   c.space();
   const char* start = c.at;
   if (!values(k).value(free, to.component, v)) return false;
   if (std::holds_alternative<Quat>(v))
-    return c.fail(Code::type, "tangents of orientations mean nothing", c.since(start));
+    return c.fail(ErrorCode::type, "tangents of orientations mean nothing", c.since(start));
   if (key != "tangent-out") e.detail.edit().tangent_in = v;
   if (key != "tangent-in") e.detail.edit().tangent_out = v;
   return true;
@@ -72,17 +72,19 @@ bool rate_of_change(Command& k, const Selected& to, Value& out) {
       const char* start = c.at;
       for (int i = 0; i < 3; ++i)
         if (!c.number(v[i])) return false;
-      if (v == Vec3{}) return c.fail(Code::range, "an axis needs a direction; 0 0 0 has none", c.since(start));
+      if (v == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; 0 0 0 has none", c.since(start));
     }
     if (!c.angle(angle) || !c.close()) return false;
     out = angle * normalize(v);
     return true;
   }
   if (c.peek_word() == "quat")
-    return c.fail_here(Code::type, "a turning speed is wanted here, not an orientation", "as in axis(0 1 0, 90deg)");
+    return c.fail_here(ErrorCode::type, "a turning speed is wanted here, not an orientation",
+                       "as in axis(0 1 0, 90deg)");
   const bool spin = c.accept_word("spin");  // about the fixed axes, as one vector
   if (!spin && c.peek() != '(' && !c.accept_word("euler"))
-    return c.fail_here(Code::type, "a turning speed is wanted here", "as in axis(0 1 0, 90deg) or euler(0 90deg 0)");
+    return c.fail_here(ErrorCode::type, "a turning speed is wanted here",
+                       "as in axis(0 1 0, 90deg) or euler(0 90deg 0)");
   if (!c.open()) return false;
   for (int i = 0; i < 3; ++i)
     if (!c.angle(v[i])) return false;
@@ -117,7 +119,7 @@ bool goes_with(Command& k, const Selected& to, const Target& t, const Event& eve
   const bool rotation = to.type() == Type::rotation && !event.keep && !computes;
   const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
   if (computes && whole && slot && !slot->components.empty())
-    return c.fail(Code::type, "its components have tracks of their own: a procedure for the whole finds no place",
+    return c.fail(ErrorCode::type, "its components have tracks of their own: a procedure for the whole finds no place",
                   about, "write one for each component");
   if (!rotation && whole) return true;
   const auto tracks = tracks_of(s, t);
@@ -126,8 +128,9 @@ bool goes_with(Command& k, const Selected& to, const Target& t, const Event& eve
   const bool turns = std::holds_alternative<Quat>(event.value);
   // Components of an orientation are nothing an animator would know.
   if ((!whole && slot->components.empty() && orientation) || (rotation && whole && !slot->components.empty() && turns))
-    return c.fail(Code::type, fmt::format("'{}' cannot hold both orientations and separate angles", target_name(s, t)),
-                  about, "write all of it as euler(x y z), or all as axis(…) or quat(…)");
+    return c.fail(ErrorCode::type,
+                  fmt::format("'{}' cannot hold both orientations and separate angles", target_name(s, t)), about,
+                  "write all of it as euler(x y z), or all as axis(…) or quat(…)");
   if (rotation && whole && !tracks[0]->events.empty() && orientation != turns && !script.sheet.warned) {
     script.note(Severity::warning,
                 "this track mixes angles and orientations: all are read as orientations, and whole turns are lost",
@@ -147,8 +150,9 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   withhold(k, to, event, about);
   for (const Target& t : to.targets) {
     if (to.spec->type == Type::aim && !event.keep && mixes_aims(s, t, event.value))
-      return c.fail(Code::type, fmt::format("'{}' cannot hold both objects and separate numbers", target_name(s, t)),
-                    about, "write all of it as points (x y z)");
+      return c.fail(ErrorCode::type,
+                    fmt::format("'{}' cannot hold both objects and separate numbers", target_name(s, t)), about,
+                    "write all of it as points (x y z)");
     if (to.velocity) break;
     if (!goes_with(k, to, t, event, about)) return false;
   }
@@ -177,33 +181,33 @@ bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>
   if (!found && mine != own.end()) {
     out = static_cast<Twerper>(first_own_twerper + (mine - own.begin()));
     std::string why;
-    return fits(out, to.type(), &why) || c.fail(Code::type, why, w);
+    return fits(out, to.type(), &why) || c.fail(ErrorCode::type, why, w);
   }
   if (!found) {
-    if (w.empty()) return c.fail_here(Code::name, "a twerper is missing here");
+    if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");
     const std::string near = did_you_mean(w, twerper_words(s));
-    return c.fail(Code::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
+    return c.fail(ErrorCode::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
                   near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
   }
   out = *found;
   std::string why;
   if (!fits(out, to.type(), &why))
-    return c.fail(Code::type, why, w,
+    return c.fail(ErrorCode::type, why, w,
                   to.type() == Type::text ? "letters turn into others by geometry: at 24f A.geometry shape(B) …" : "");
   c.space();
   const bool bracket = c.peek() == '(';
   if (out == Twerper::bezier) {
     const char* start = c.at;
     if (!bracket)
-      return c.fail(Code::syntax, "bezier needs its two control points", w, "as in bezier(0.25 0.1 0.25 1)");
+      return c.fail(ErrorCode::syntax, "bezier needs its two control points", w, "as in bezier(0.25 0.1 0.25 1)");
     if (!c.open()) return false;
     for (double& v : bezier)
       if (!c.number(v)) return false;
     if (!c.close()) return false;
     if (bezier[0] < 0 || bezier[0] > 1 || bezier[2] < 0 || bezier[2] > 1)
-      return c.fail(Code::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
+      return c.fail(ErrorCode::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
   } else if (bracket) {
-    return c.fail_here(Code::syntax, fmt::format("'{}' takes nothing in brackets", w));
+    return c.fail_here(ErrorCode::syntax, fmt::format("'{}' takes nothing in brackets", w));
   }
   return true;
 }
@@ -211,22 +215,22 @@ bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>
 // = "…": a value that code computes.
 bool computed(Command& k, const Selected& to, Value& out) {
   auto& [s, c, time, layer, script] = k;
-  if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing here");
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing here");
   c.space();
   const char* start = c.at;
   if (c.peek() != '"') {
     const auto line = static_cast<std::size_t>(line_end(start, c.end) - start);
     return c.fail_here(
-        Code::syntax, "behind '=' stands a procedure, in quotes",
+        ErrorCode::syntax, "behind '=' stands a procedure, in quotes",
         fmt::format("a plain value stands without '=': {}", std::string_view(start, std::min<std::size_t>(line, 60))));
   }
   std::string source;
   if (!c.text(source)) return false;
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
   if (!row_of(to.type()).computed)
-    return c.fail(Code::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
+    return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
   if (to.spec->name == "file" || !to.spec->words.empty() || to.spec->name == "texture" || to.spec->name == "font")
-    return c.fail(Code::type, fmt::format("{} cannot be computed", to.spec->name), about);
+    return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about);
   auto code = make_lua(Role::value, std::move(source));
   if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
   out = Procedure{*std::move(code)};
@@ -247,7 +251,7 @@ bool event(Command& k, const Selected& to, Time when) {
     e.value = 0.0;
     if (!finish(c)) return false;
   } else if (c.peek() == '=') {
-    if (to.velocity) return c.fail_here(Code::type, "a velocity cannot be computed; compute the value itself");
+    if (to.velocity) return c.fail_here(ErrorCode::type, "a velocity cannot be computed; compute the value itself");
     if (!computed(k, to, e.value)) return false;
   } else if (to.velocity && c.peek_word() != "keep") {
     if (!rate_of_change(k, to, e.value)) return false;
@@ -262,7 +266,7 @@ bool event(Command& k, const Selected& to, Time when) {
     e.value = 0.0;
   } else {
     if (c.peek_word() == "release" && has_velocity(to.type()))
-      return c.fail_here(Code::type, "release ends the reign of a velocity; this is no velocity",
+      return c.fail_here(ErrorCode::type, "release ends the reign of a velocity; this is no velocity",
                          fmt::format("as in at 20f {}.velocity release", to.text.substr(0, 60)));
     if (!values(k).value(*to.spec, to.component, e.value, to.targets.empty() ? 0xffff : to.targets[0].function))
       return false;
@@ -290,10 +294,11 @@ bool way(Command& k, const Selected& to, Event& e) {
     if (w == "ease-in" || w == "ease-out") {
       c.word();
       if (!c.accept('='))
-        return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", w), fmt::format("as in {}=4f", w));
+        return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", w),
+                           fmt::format("as in {}=4f", w));
       Time length;
       if (!c.length(length)) return false;
-      if (length < Time{}) return c.fail(Code::range, "an ease cannot be shorter than nothing", c.since(start));
+      if (length < Time{}) return c.fail(ErrorCode::range, "an ease cannot be shorter than nothing", c.since(start));
       (w == "ease-in" ? e.detail.edit().ease_in : e.detail.edit().ease_out) = length;
       continue;
     }
@@ -303,14 +308,14 @@ bool way(Command& k, const Selected& to, Event& e) {
       continue;
     }
     if (chosen)
-      return c.fail_here(Code::syntax,
+      return c.fail_here(ErrorCode::syntax,
                          fmt::format("'{}' is not expected here: this event has its twerper", w.substr(0, 40)));
     std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
     if (!twerper(k, to, e.twerper, bezier)) return false;
     if (e.twerper == Twerper::bezier) e.detail.edit().bezier = bezier;
     chosen = true;
   }
-  return !e.keep || chosen || c.fail_here(Code::syntax, "keep needs a twerper, as in keep linear");
+  return !e.keep || chosen || c.fail_here(ErrorCode::syntax, "keep needs a twerper, as in keep linear");
 }
 
 bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
@@ -320,20 +325,20 @@ bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
   if (!dots(c.at)) {
     const char* const behind = c.at;
     c.space();
-    if (dots(c.at)) return c.fail(Code::syntax, "no blank stands in a segment", {c.at, 2}, "as in 1f..24f");
+    if (dots(c.at)) return c.fail(ErrorCode::syntax, "no blank stands in a segment", {c.at, 2}, "as in 1f..24f");
     c.at = behind;
     return true;
   }
   c.at += 2;
   Time to;
   if (!c.time(to)) return false;
-  if (to < from) return c.fail(Code::range, "this segment ends before it begins", c.since(start));
+  if (to < from) return c.fail(ErrorCode::range, "this segment ends before it begins", c.since(start));
   until = to;
   return true;
 }
 
 bool one_time_only(Cursor& c, std::string_view segment) {
-  return c.fail(Code::syntax, "one time stands here: only motions have a segment", segment,
+  return c.fail(ErrorCode::syntax, "one time stands here: only motions have a segment", segment,
                 "as in wheel.motion and a row 1f..24f T(6 0)");
 }
 

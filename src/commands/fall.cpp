@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "commands/command.h"
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 namespace {
@@ -83,7 +83,7 @@ bool fall(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view word;
   std::vector<ObjectId> things;
-  if (!time) return c.fail_here(Code::syntax, "a fall needs a time", "as in at 24f fall ball");
+  if (!time) return c.fail_here(ErrorCode::syntax, "a fall needs a time", "as in at 24f fall ball");
   if (!objects(k, word, things)) return false;
   Laws laws;
   while (!c.at_line_end()) {
@@ -91,32 +91,33 @@ bool fall(Command& k) {
     const std::string_view key = c.word();
     if (key == "for") {
       if (!c.length(laws.length)) return false;
-      if (!(laws.length > Time{})) return c.fail(Code::range, "a fall takes some time", c.since(start));
+      if (!(laws.length > Time{})) return c.fail(ErrorCode::range, "a fall takes some time", c.since(start));
       continue;
     }
     if (key != "delay" && key != "gravity" && key != "ground" && key != "bounce")
-      return c.fail(Code::name, fmt::format("a fall has no '{}'", key.empty() ? std::string_view(start, 1) : key),
+      return c.fail(ErrorCode::name, fmt::format("a fall has no '{}'", key.empty() ? std::string_view(start, 1) : key),
                     c.since(start), "delay= gravity= ground= bounce= and for LENGTH");
-    if (!c.accept('=')) return c.fail_here(Code::syntax, fmt::format("'=' is missing behind {}", key));
+    if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
     if (key == "delay") {
       if (!c.length(laws.delay)) return false;
-      if (laws.delay < Time{}) return c.fail(Code::range, "a delay cannot be shorter than nothing", c.since(start));
+      if (laws.delay < Time{})
+        return c.fail(ErrorCode::range, "a delay cannot be shorter than nothing", c.since(start));
       continue;
     }
     double& number = key == "gravity" ? laws.gravity : key == "ground" ? laws.ground : laws.bounce;
     if (!values(k).scalar(number, key == "ground" ? Unit::metres : Unit::none)) return false;
     if (key == "gravity" && !(laws.gravity > 0))
-      return c.fail(Code::range, "gravity pulls down by more than 0", c.since(start));
+      return c.fail(ErrorCode::range, "gravity pulls down by more than 0", c.since(start));
     if (key == "bounce" && !(laws.bounce >= 0 && laws.bounce < 1))
-      return c.fail(Code::range, "bounce is at least 0 and less than 1", c.since(start));
+      return c.fail(ErrorCode::range, "bounce is at least 0 and less than 1", c.since(start));
   }
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
   for (const ObjectId id : things) {
     const Vec3 p = std::get<Vec3>(program.read(Target{id, fn::position}, *time));
-    const Bearing bearing = program.bearing(id, *time);
-    const std::optional<Mat4> inward = inverse(bearing.carries);
+    const Kinematics kinematics = program.kinematics(id, *time);
+    const std::optional<Mat4> inward = inverse(kinematics.to_world);
     if (!inward)
-      return c.fail(Code::range,
+      return c.fail(ErrorCode::range,
                     fmt::format("{} is flattened by what it hangs on; it cannot fall", s.objects[id.index].name), word);
     if (const Slot* slot = s.objects[id.index].find(fn::motion))
       if (const auto later = slot->track->events.between(*time, {INT64_MAX});
@@ -124,12 +125,12 @@ bool fall(Command& k) {
         script.note(Severity::notice,
                     fmt::format("{} falls while its motion goes on: the two are added", s.objects[id.index].name), word,
                     "let it fall when the motion has ended");
-    if (bearing.place.y < laws.ground)
+    if (kinematics.position.y < laws.ground)
       script.note(Severity::notice,
                   fmt::format("{} is below the ground, y = {}: it does not fall", s.objects[id.index].name,
                               write_number(laws.ground)),
                   word, "ground=Y says where the ground is");
-    const std::vector<Mark> marks = path(*time, bearing.place, bearing.speed, laws);
+    const std::vector<Mark> marks = path(*time, kinematics.position, kinematics.velocity, laws);
     const Time last = marks.back().time;
     end_reign(s, id, *time, last);
     for (int axis = 0; axis < 3; ++axis) {
@@ -138,7 +139,7 @@ bool fall(Command& k) {
       for (const Mark& m : marks) {
         Event e;
         e.time = m.time;
-        e.value = (p + transform_vector(*inward, m.place - bearing.place))[axis];
+        e.value = (p + transform_vector(*inward, m.place - kinematics.position))[axis];
         e.twerper = Twerper::hermite;
         e.detail.edit().tangent_in = transform_vector(*inward, m.in)[axis];
         e.detail.edit().tangent_out = transform_vector(*inward, m.out)[axis];

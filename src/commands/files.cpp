@@ -24,13 +24,13 @@ constexpr int most_included = 10'000;  // files that use files that use files: t
 Result<std::string> contents(const fs::path& path) {
   FileContents in = read_contents(path.string(), {.special = true});
   const auto failed = [&](const std::string& what) {
-    return fail(Code::file, fmt::format("'{}' {}", path.string(), what));
+    return fail(ErrorCode::file, fmt::format("'{}' {}", path.string(), what));
   };
   switch (in.hindrance) {
     case Hindrance::none:
       return std::move(in.text);
     case Hindrance::missing:
-      return fail(Code::file, fmt::format("there is no file '{}'", path.string()));
+      return fail(ErrorCode::file, fmt::format("there is no file '{}'", path.string()));
     case Hindrance::folder:
       return failed("is a folder, not a script");
     case Hindrance::too_large:
@@ -91,19 +91,19 @@ bool use(Command& k) {
     name = c.word();
   }
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
-  if (name.empty()) return c.fail(Code::syntax, "the name of a file is missing here", about);
+  if (name.empty()) return c.fail(ErrorCode::syntax, "the name of a file is missing here", about);
   if (!finish(c)) return false;
   const fs::path path = script.folder / name;
   if (!script.may_read(path))
-    return c.fail(Code::file, fmt::format("'{}' lies outside the script's folder", name), about,
+    return c.fail(ErrorCode::file, fmt::format("'{}' lies outside the script's folder", name), about,
                   "--read-anywhere allows it");
   std::error_code ignored;
   const fs::path real = real_path(path, ignored);
   if (std::find(script.open_files.begin(), script.open_files.end(), real) != script.open_files.end())
-    return c.fail(Code::file, fmt::format("'{}' comes to include itself", name), about);
-  if (script.open_files.size() >= 64) return c.fail(Code::file, "files are included more than 64 deep", about);
+    return c.fail(ErrorCode::file, fmt::format("'{}' comes to include itself", name), about);
+  if (script.open_files.size() >= 64) return c.fail(ErrorCode::file, "files are included more than 64 deep", about);
   if (script.included >= most_included)
-    return c.fail(Code::file, fmt::format("more than {} files are included", most_included), about);
+    return c.fail(ErrorCode::file, fmt::format("more than {} files are included", most_included), about);
   ++script.included;
   auto text = contents(path);
   if (!text) return c.fail(text.error().code, text.error().message, about);
@@ -129,7 +129,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   if ((f != fn::file && f != fn::texture) || path.empty()) return true;
   const fs::path where = script.folder / path;
   if (!script.may_read(where))
-    return c.fail(Code::file, fmt::format("'{}' lies outside the script's folder", path), about,
+    return c.fail(ErrorCode::file, fmt::format("'{}' lies outside the script's folder", path), about,
                   "--read-anywhere allows it");
   path = script.shown(where);
   const auto failed = [&](const Error& e) { return c.fail(e.code, e.message, about, e.hint); };

@@ -36,7 +36,7 @@ bool choose(Command& k, Chosen& out) {
   for (const NamedProcedure& p : *s.procedures)
     if (p.role == Role::filter) words.push_back(p.name);
   const std::string hint = did_you_mean(name, words);
-  return c.fail(Code::name,
+  return c.fail(ErrorCode::name,
                 name.empty() ? "the name of a filter is missing here"
                              : fmt::format("there is no filter '{}'", name.substr(0, 40)),
                 name.empty() ? std::string_view(c.at, 0) : name,
@@ -54,7 +54,7 @@ bool known_key(Cursor& c, const Chosen& filter, std::string_view key, const Filt
     std::string global(key);  // a slip would be a nil in its code
     std::replace(global.begin(), global.end(), '-', '_');
     return stands_in(filter.own->code->source, global) ||
-           c.fail(Code::name, fmt::format("'{}' makes no use of '{}'", filter.name, key.substr(0, 40)), key);
+           c.fail(ErrorCode::name, fmt::format("'{}' makes no use of '{}'", filter.name, key.substr(0, 40)), key);
   }
   if (!filter.spec) return true;
   std::vector<std::string_view> words;
@@ -62,7 +62,7 @@ bool known_key(Cursor& c, const Chosen& filter, std::string_view key, const Filt
     words.push_back(p.name);
     if (p.name == key) known = &p;
   }
-  return known || c.fail(Code::name, fmt::format("'{}' has no '{}'", filter.name, key.substr(0, 40)), key,
+  return known || c.fail(ErrorCode::name, fmt::format("'{}' has no '{}'", filter.name, key.substr(0, 40)), key,
                          did_you_mean(key, words));
 }
 
@@ -99,13 +99,13 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
     if (!number_or_length(c, known && known->time, d)) return false;
     out = d;
     if (known && !(d >= known->low && d <= known->high))
-      return c.fail(Code::range,
+      return c.fail(ErrorCode::range,
                     d < known->low ? fmt::format("{} is at least {}", key, write_number(known->low))
                                    : fmt::format("{} is at most {}", key, write_number(known->high)),
                     c.since(at));
   }
   if (known && !std::holds_alternative<double>(out) && !(key == "amount" && std::holds_alternative<Vec3>(out)))
-    return c.fail(Code::type, fmt::format("{} is a number", key), c.since(at));
+    return c.fail(ErrorCode::type, fmt::format("{} is a number", key), c.since(at));
   return true;
 }
 
@@ -122,7 +122,7 @@ bool filter_arguments(Command& k, const Chosen& chosen, Filter& made) {
     }
     const std::string_view key = c.word();
     if (key.empty() || !c.accept('='))
-      return c.fail(Code::syntax,
+      return c.fail(ErrorCode::syntax,
                     fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
                     c.since(start), "key=value, or a segment A..B");
     const FilterParameter* known = nullptr;
@@ -140,11 +140,11 @@ bool filter(Command& k) {
   c.space();
   const std::string_view word = c.word();
   if (!targets(k, word, on)) return false;
-  if (on.velocity) return c.fail(Code::type, "filters stand on values, not on velocities", word);
+  if (on.velocity) return c.fail(ErrorCode::type, "filters stand on values, not on velocities", word);
   if (!choose(k, chosen)) return false;
   const Type type = on.spec ? on.type() : Type::vector;
   if (!means_something(chosen, type) && !(chosen.spec && !on.spec))
-    return c.fail(Code::type, fmt::format("'{}' means nothing for {}", chosen.name, to_string(type)), word);
+    return c.fail(ErrorCode::type, fmt::format("'{}' means nothing for {}", chosen.name, to_string(type)), word);
   Filter made;
   made.name = chosen.name;
   if (chosen.own) made.code = chosen.own->code;

@@ -22,11 +22,11 @@ bool stagger(Command& k) {
   c.space();
   const std::string_view word = c.word();
   if (!targets(k, word, on)) return false;
-  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
+  if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
   if (c.accept_word("random") && !c.whole_number(0, 1'000'000'000, "the seed of random", seed)) return false;
   if (on.targets.size() > 1 && std::abs(by.seconds()) * static_cast<double>(on.targets.size()) > longest_seconds)
-    return c.fail(Code::range, "the events would end up more than 146 years away", word);
+    return c.fail(ErrorCode::range, "the events would end up more than 146 years away", word);
   std::vector<std::int64_t> turn(on.targets.size());
   for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = static_cast<std::int64_t>(i);
   if (seed >= 0) {  // Fisher and Yates, by a generator that is the same everywhere
@@ -56,13 +56,13 @@ bool spread(Command& k) {
   const std::string_view word = c.word();
   if (!targets(k, word, on)) return false;
   if (!on.spec) on.spec = &built_in_functions()[fn::position];
-  if (!c.accept_word("from")) return c.fail_here(Code::syntax, "'from' and a value are missing here");
+  if (!c.accept_word("from")) return c.fail_here(ErrorCode::syntax, "'from' and a value are missing here");
   if (!values(k).value(*on.spec, on.component, from)) return false;
-  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a value are missing here");
+  if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and a value are missing here");
   if (!values(k).value(*on.spec, on.component, to) || !finish(c)) return false;
   const auto way = add_scaled(to, from, -1);
   const bool turn = std::holds_alternative<Quat>(from) && std::holds_alternative<Quat>(to);
-  if (!way && !turn) return c.fail(Code::type, fmt::format("{} cannot be spread", to_string(on.type())), word);
+  if (!way && !turn) return c.fail(ErrorCode::type, fmt::format("{} cannot be spread", to_string(on.type())), word);
   const auto has_events = [&](const Target& t) {
     const auto tracks = tracks_of(s, t);
     return std::any_of(tracks.begin(), tracks.end(), [](const Track* track) { return !track->events.empty(); });

@@ -16,12 +16,12 @@ bool layer(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "a name is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
   if (!free_name(k, std::string(word), word)) return false;
   c.space();
   const std::string_view mode = c.word();
   if (mode != "add" && mode != "mix")
-    return c.fail(Code::syntax, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
+    return c.fail(ErrorCode::syntax, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
                   mode.empty() ? std::string_view(c.at, 0) : mode,
                   "add lays its values on top; mix goes over to them by its weight");
   Object object;
@@ -37,7 +37,7 @@ bool on_layer(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "the name of a layer is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of a layer is missing here");
   const ObjectId id = s.names.find(word);
   c.space();
   const std::string_view next = c.peek_word();
@@ -48,19 +48,20 @@ bool on_layer(Command& k) {
     for (std::size_t i = 0; i < s.objects.size(); ++i)
       if (s.objects[i].kind == Kind::layer && !s.objects[i].removed) layers.push_back(s.objects[i].name);
     const std::string near = did_you_mean(word, layers);
-    return c.fail(Code::name, fmt::format("there is no layer '{}'", word.substr(0, 40)), word,
+    return c.fail(ErrorCode::name, fmt::format("there is no layer '{}'", word.substr(0, 40)), word,
                   near.empty() ? fmt::format("layer {} add makes one", word.substr(0, 40)) : near);
   }
   if (s.objects[id.index].kind != Kind::layer)
-    return c.fail(Code::type, fmt::format("'{}' is no layer", word), word, fmt::format("layer NAME add makes one"));
-  if (layer) return c.fail(Code::syntax, "one layer is enough", word);
+    return c.fail(ErrorCode::type, fmt::format("'{}' is no layer", word), word,
+                  fmt::format("layer NAME add makes one"));
+  if (layer) return c.fail(ErrorCode::syntax, "one layer is enough", word);
   c.space();
   if (c.at_line_end())
-    return c.fail_here(Code::syntax, "a command is missing here", "as in on sway set ball.position (0 1 0)");
+    return c.fail_here(ErrorCode::syntax, "a command is missing here", "as in on sway set ball.position (0 1 0)");
   const std::string_view verb = c.peek_word();
   const Verb* known = find_verb(verb);
   if (verb.find('.') == std::string_view::npos && !(known && known->flags & Verb::layered))
-    return c.fail(Code::syntax, fmt::format("'{}' works on no layer", verb.substr(0, 40)), verb,
+    return c.fail(ErrorCode::syntax, fmt::format("'{}' works on no layer", verb.substr(0, 40)), verb,
                   "on a layer go events, set, filters and track operations");
   Command layered{s, c, time, id, script};
   if (time && verb.find('.') != std::string_view::npos) {  // at T on LAYER TARGET VALUE

@@ -33,7 +33,7 @@ bool points(Drawn& d) {
     list.push_back(p);
   }
   if (list.size() < least)
-    return c.fail_here(Code::syntax,
+    return c.fail_here(ErrorCode::syntax,
                        least == 1 ? "a point (x y) or (x y z) is missing here"
                                   : fmt::format("at least {} points are wanted here, not {}", least, list.size()));
   d.command.value = Points(std::move(list));
@@ -64,7 +64,7 @@ bool name(Drawn& d, const char* of_what) {
   c.space();
   const std::string_view word = c.word();
   if (!is_name(word))
-    return c.fail(Code::syntax,
+    return c.fail(ErrorCode::syntax,
                   word.empty() ? fmt::format("the name of {} is missing here", of_what)
                                : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                   word.empty() ? std::string_view(c.at, 0) : word);
@@ -80,19 +80,20 @@ bool more_than_zero(Drawn& d) {
   FunctionSpec spec = spec_of(d.k.scene, f);
   spec.name = d.about;
   if (!values(d.k).value(spec, -1, d.command.value, f)) return false;
-  return std::get<double>(d.command.value) > 0 || c.fail(Code::range, "this must be more than 0", c.since(start));
+  return std::get<double>(d.command.value) > 0 || c.fail(ErrorCode::range, "this must be more than 0", c.since(start));
 }
 
 bool view(Drawn& d) {
   Cursor& c = d.k.cursor;
   std::vector<Vec3> ends(2);
-  if (!c.accept_word("from")) return c.fail_here(Code::syntax, "'from' and a point are missing here");
+  if (!c.accept_word("from")) return c.fail_here(ErrorCode::syntax, "'from' and a point are missing here");
   if (!values(d.k).point(ends[0])) return false;
-  if (!c.accept_word("to")) return c.fail_here(Code::syntax, "'to' and a point are missing here");
+  if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and a point are missing here");
   c.space();
   const char* start = c.at;
   if (!values(d.k).point(ends[1])) return false;
-  if (ends[0] == ends[1]) return c.fail(Code::range, "a view from a point to itself has no direction", c.since(start));
+  if (ends[0] == ends[1])
+    return c.fail(ErrorCode::range, "a view from a point to itself has no direction", c.since(start));
   d.command.value = Points(std::move(ends));
   return true;
 }
@@ -107,13 +108,13 @@ bool callable(Command& k, const std::string& name) {
   for (const Sheet::Version& v : script.sheet.versions)
     if (!v.passed_over) into.push_back(v.from);
   if (const auto way = calls(s, name, self, into); !way.empty())
-    return c.fail(Code::name,
+    return c.fail(ErrorCode::name,
                   name == self ? fmt::format("'{}' cannot call itself", self)
                                : fmt::format("this would go round in a circle: {} → {}", self, path(way)),
                   about);
   if (!versions(s, name).empty()) return true;
   if (s.names.find(name))
-    return c.fail(Code::type, fmt::format("'{}' is an object of the film, not a display list", name), about);
+    return c.fail(ErrorCode::type, fmt::format("'{}' is an object of the film, not a display list", name), about);
   script.note(Severity::warning,
               fmt::format("there is no display list '{}' yet: until it is made this draws nothing", name), about,
               did_you_mean(name, list_names(s)));
@@ -201,13 +202,13 @@ bool tag(Command& k) {
   c.space();
   const std::string_view word = c.word();
   if (!is_name(word))
-    return c.fail(Code::syntax,
+    return c.fail(ErrorCode::syntax,
                   word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                   word.empty() ? std::string_view(c.at, 0) : word);
   Sheet& sheet = script.sheet;
   for (const Sheet::Version& v : sheet.versions)
     if (!v.passed_over && list_at(s, sheet.list, v.from)->tags.contains(word))
-      return c.fail(Code::name, fmt::format("there is a tag '{}' in '{}' already", word, sheet.list), word);
+      return c.fail(ErrorCode::name, fmt::format("there is a tag '{}' in '{}' already", word, sheet.list), word);
   if (!finish(c)) return false;
   for (const Sheet::Version& v : sheet.versions) {
     if (v.passed_over) continue;
@@ -237,7 +238,7 @@ bool replace(Command& k) {
     most = std::max(most, static_cast<long>(list.commands.size()) - static_cast<long>(v.next));
   }
   if (most < 0)
-    return c.fail(Code::name,
+    return c.fail(ErrorCode::name,
                   word.empty() ? "a tag is missing here"
                                : fmt::format("there is no tag '{}' in '{}'", word.substr(0, 60), sheet.list),
                   word.empty() ? std::string_view(c.at, 0) : word, did_you_mean(word, known));
@@ -284,7 +285,7 @@ bool no_row(Command& k, std::string_view word) {
   if (!versions(k.scene, word).empty()) hint = fmt::format("call {} draws that list", word.substr(0, 40));
   if (find_verb(word)) hint = "a command that follows a display list is not indented";
   Cursor& c = k.cursor;
-  return c.fail_here(Code::name,
+  return c.fail_here(ErrorCode::name,
                      word.empty() ? fmt::format("a row of a display list begins with a word, not with '{}'", c.peek())
                                   : fmt::format("display lists have no '{}'", word.substr(0, 40)),
                      hint);
@@ -313,7 +314,7 @@ bool list_row(Command& k) {
   const bool done = at->read                ? draw(k, static_cast<std::size_t>(at - rows), word)
                     : at->row.word == "tag" ? tag(k)
                                             : replace(k);
-  if (!done && c.error && c.error->hint.empty() && c.error->code == Code::syntax)
+  if (!done && c.error && c.error->hint.empty() && c.error->code == ErrorCode::syntax)
     c.error->hint = fmt::format("usage: {}", at->row.usage);
   return done;
 }

@@ -55,7 +55,7 @@ bool in_order(Command& k, const DisplayCommand& command, std::string_view about)
     }
     if (!v.nested) v.nested = nested(list);
     if (closes && (v.nested->empty() || v.nested->back() != opener))
-      return c.fail(Code::syntax, without_half(command), about,
+      return c.fail(ErrorCode::syntax, without_half(command), about,
                     v.nested->empty() ? ""
                                       : fmt::format("the one begun last is a '{}'",
                                                     drawing_names[static_cast<std::size_t>(v.nested->back())]));

@@ -6,7 +6,7 @@
 #include "commands/command.h"
 #include "commands/reader.h"
 #include "exchange/geometry.h"
-#include "program/code.h"
+#include "program/compiled.h"
 #include "scene/names.h"
 
 namespace betwixt {
@@ -42,8 +42,8 @@ void look_at_blends(const Scene& s, Diagnostics& out) {
       said = true;
       out.push_back(
           {Severity::warning,
-           fail(Code::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,
-                                        format_time(from->time, s.rate), format_time(e.time, s.rate), why)),
+           fail(ErrorCode::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,
+                                             format_time(from->time, s.rate), format_time(e.time, s.rate), why)),
            {},
            0});
     });
@@ -77,7 +77,7 @@ Result<Time> parse_time(std::string_view text, const Document& d) {
   Time t;
   if (c.time(t) && c.at_line_end() && c.at == c.end) return t;
   if (c.error) return *c.error;
-  return fail(Code::syntax, fmt::format("'{}' is not a time", text.substr(0, 60)),
+  return fail(ErrorCode::syntax, fmt::format("'{}' is not a time", text.substr(0, 60)),
               "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5");
 }
 
@@ -91,7 +91,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   Command asking{scene, c, {}, {}, script};
   const std::string_view word = c.word();
   if (c.at != c.end || word.empty())
-    return fail(Code::syntax, fmt::format("'{}' is not a target", pattern.substr(0, 60)),
+    return fail(ErrorCode::syntax, fmt::format("'{}' is not a target", pattern.substr(0, 60)),
                 "a target is an object and a function, as in ball.position");
   Selected found;
   std::vector<Target> out;
@@ -107,16 +107,16 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   if (word.find('.') == std::string_view::npos) {  // meant as an object, but there is none
     if (is_pattern(word) || scene.aliases->contains(std::string(word))) return out;
     const auto names = d.names();
-    return fail(Code::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
+    return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
                 did_you_mean(word, {names.begin(), names.end()}));
   }
-  if (!targets(asking, word, found, true)) return c.error.value_or(fail(Code::name, "this names nothing"));
+  if (!targets(asking, word, found, true)) return c.error.value_or(fail(ErrorCode::name, "this names nothing"));
   const Program program = found.component < 0 ? Program() : Program::compile(d);
   for (const Target& t : found.targets)
     if (t.component >= 0 && !t.velocity && !t.query() &&
         program.compiled().find(t.object.index, t.function).orientation &&
         program.compiled().find(t.object.index, t.function).live < 0)
-      return fail(Code::type,
+      return fail(ErrorCode::type,
                   fmt::format("'{}' holds orientations, which have no separate angles",
                               d.name(Target{t.object, t.function, -1})),
                   "ask for the whole of it");

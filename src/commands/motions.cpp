@@ -28,10 +28,11 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   auto& [s, c, time, layer, script] = k;
   c.space();
   const char* start = c.at;
-  if (to.velocity) return c.fail_here(Code::type, "a motion has no velocity");
+  if (to.velocity) return c.fail_here(ErrorCode::type, "a motion has no velocity");
   if (c.peek() == '=')
-    return c.fail_here(Code::type, "a motion cannot be computed", "procedures compute positions, rotations and scales");
-  if (until && *until == from) return c.fail_here(Code::range, "a motion takes time, and this segment has none");
+    return c.fail_here(ErrorCode::type, "a motion cannot be computed",
+                       "procedures compute positions, rotations and scales");
+  if (until && *until == from) return c.fail_here(ErrorCode::range, "a motion takes time, and this segment has none");
   Event e;
   e.time = from;
   Moves value;
@@ -42,7 +43,7 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   if (!way(k, to, e) || !finish(c)) return false;
   for (const Target& t : to.targets) {
     if (t.layer)
-      return c.fail(Code::type, "a motion is no layer's: it is added to what the tracks say anyway", to.text);
+      return c.fail(ErrorCode::type, "a motion is no layer's: it is added to what the tracks say anyway", to.text);
     const Slot* slot = s.objects[t.object.index].find(t.function);
     if (!slot) continue;
     const Event *busy = nullptr, *before = nullptr;
@@ -55,7 +56,7 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
     // Up to the next event: where it stood open, the new one ends it.
     if (before && end && *end > from) busy = before;
     if (busy)
-      return c.fail(Code::range,
+      return c.fail(ErrorCode::range,
                     fmt::format("'{}' is under way from {} with {}", target_name(s, t), format_time(busy->time, s.rate),
                                 to_string(*std::get<Moves>(busy->value)).substr(0, 80)),
                     about, "motions of one object follow one another; those at the same time make one string");

@@ -18,15 +18,15 @@ bool alias(Command& k) {
   c.space();
   const std::string_view name = c.word();
   if (!is_name(name))
-    return c.fail(Code::syntax,
+    return c.fail(ErrorCode::syntax,
                   name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", name.substr(0, 60)),
                   name.empty() ? std::string_view(c.at, 0) : name);
-  if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing here");
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing here");
   std::vector<std::string> elements;
   while (!c.at_line_end()) {
     const std::string_view e = c.word();
     if (e.empty() || (!is_pattern(e) && !is_name(e)))
-      return c.fail_here(Code::syntax, "names and patterns are wanted here");
+      return c.fail_here(ErrorCode::syntax, "names and patterns are wanted here");
     if (const auto braces = expand_braces(e); !braces) return c.fail(braces.error().code, braces.error().message, e);
     elements.emplace_back(e);
   }
@@ -40,21 +40,21 @@ bool define(Command& k) {
   const std::string_view name = c.word();
   if (!is_name(name) || name.find('/') != std::string_view::npos)
     return c.fail(
-        Code::syntax,
+        ErrorCode::syntax,
         name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a function's name", name.substr(0, 60)),
         name.empty() ? std::string_view(c.at, 0) : name);
   for (const KindRow& row : kinds())
     if (find_function(s, row.kind, name))
-      return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
+      return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
   if (name == "world" || name == "velocity")
-    return c.fail(Code::name, fmt::format("there is a function '{}' already", name), name);
+    return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
   c.space();
   const std::string_view type = c.word();
   const TypeRow* row = find_type(type);
   if (!row) {
     const std::vector<std::string_view> words = type_words();
     const std::string hint = did_you_mean(type, words);
-    return c.fail(Code::name,
+    return c.fail(ErrorCode::name,
                   type.empty() ? "a type is missing here" : fmt::format("there is no type '{}'", type.substr(0, 40)),
                   type.empty() ? std::string_view(c.at, 0) : type,
                   hint.empty() ? fmt::format("types are {}", fmt::join(words, " ")) : hint);
@@ -69,10 +69,10 @@ bool define(Command& k) {
     return false;
   }
   if (spec.type == Type::shape && std::holds_alternative<ObjectId>(spec.rest) && !(spec.rest == Value(ObjectId{})))
-    return c.fail(Code::type, "what every object has cannot begin as one object's shape", type,
+    return c.fail(ErrorCode::type, "what every object has cannot begin as one object's shape", type,
                   "leave it out, and set it");
   if (!finish(c)) return false;
-  if (s.defined->size() >= 10000) return c.fail(Code::range, "no more than 10000 functions can be defined", name);
+  if (s.defined->size() >= 10000) return c.fail(ErrorCode::range, "no more than 10000 functions can be defined", name);
   s.defined.edit().push_back(std::move(spec));
   return true;
 }

@@ -102,7 +102,7 @@ bool parent_by_name(Command& k, const std::string& name, std::string_view about,
   const std::string above = name.substr(0, slash);
   parent = s.names.find(above);
   return parent ? true
-                : c.fail(Code::name, fmt::format("there is no '{}' that '{}' could belong to", above, name), about,
+                : c.fail(ErrorCode::name, fmt::format("there is no '{}' that '{}' could belong to", above, name), about,
                          fmt::format("create {} first", above));
 }
 
@@ -110,7 +110,7 @@ bool create(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "a name is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
   auto names = expand_braces(word);
   if (!names) return c.fail(names.error().code, names.error().message, word);
   for (const auto& name : *names)
@@ -126,10 +126,10 @@ bool create(Command& k) {
   } else {
     const auto kind = find_kind(kind_word);
     if (kind == Kind::layer)
-      return c.fail(Code::name, "a layer is made by a command of its own", kind_word,
+      return c.fail(ErrorCode::name, "a layer is made by a command of its own", kind_word,
                     fmt::format("layer {} add", word.substr(0, 40)));
     if (kind == Kind::environment)
-      return c.fail(Code::name, "an environment is made by a command of its own", kind_word,
+      return c.fail(ErrorCode::name, "an environment is made by a command of its own", kind_word,
                     fmt::format("animate {} every 1t by rotate(6deg, z)", word.substr(0, 40)));
     if (!kind) {
       std::string hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
@@ -138,7 +138,7 @@ bool create(Command& k) {
         for (auto k : kind_names) hint += " " + std::string(k);
       }
       return c.fail(
-          Code::name,
+          ErrorCode::name,
           kind_word.empty() ? "a kind is missing here" : fmt::format("there is no kind '{}'", kind_word.substr(0, 40)),
           kind_word.empty() ? std::string_view(c.at, 0) : kind_word, hint);
     }
@@ -146,14 +146,14 @@ bool create(Command& k) {
   }
   if (!parameters(k, object)) return false;
   if (object.kind == Kind::mesh && !object.find(fn::file))
-    return c.fail(Code::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
+    return c.fail(ErrorCode::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
   std::vector<ObjectId> parents(names->size());
   std::vector<std::string> sorted = *names;
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    return c.fail(Code::name, fmt::format("'{}' would be made twice", *twice), word);
+    return c.fail(ErrorCode::name, fmt::format("'{}' would be made twice", *twice), word);
   if (s.objects.size() + names->size() > most_objects)
-    return c.fail(Code::range, fmt::format("a film has at most {} objects", most_objects), word);
+    return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), word);
   for (std::size_t i = 0; i < names->size(); ++i)
     if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
   for (std::size_t i = 0; i < names->size(); ++i) {
@@ -164,7 +164,7 @@ bool create(Command& k) {
       each.slot(fn::motion).track =
           Cow<Track>(centred(*each.find(fn::motion)->track, s.objects[original.index].name, each.name));
     if (parents[i]) {
-      each.slot(fn::attachment).set = Attachment{Hold::couple, parents[i], false};
+      each.slot(fn::attachment).set = Attachment{AttachmentKind::couple, parents[i], false};
       if (!s.objects[parents[i].index].leads) s.objects.edit(parents[i].index).leads = true;
     }
     add_object(s, std::move(each));
@@ -188,13 +188,14 @@ bool rename(Command& k) {
   c.space();
   if (!versions(s, c.peek_word()).empty()) return rename_list(k);
   if (is_pattern(c.peek_word()))
-    return c.fail_here(Code::syntax, "one object gets another name: a pattern is none", "as in rename ball planet");
+    return c.fail_here(ErrorCode::syntax, "one object gets another name: a pattern is none",
+                       "as in rename ball planet");
   const char* start = c.at;
   if (!values(k).object(id) || !own(k, id, c.since(start))) return false;
   c.space();
   const std::string_view word = c.word();
   const std::string name(word);
-  if (word.empty()) return c.fail_here(Code::syntax, "the new name is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the new name is missing here");
   if (!free_name(k, name, word) || !finish(c)) return false;
   const std::string old = s.objects[id.index].name;
   const auto among = [&](std::string_view element) {
@@ -236,24 +237,25 @@ constexpr Verb objects_rows[] = {
 bool free_name(Command& k, const std::string& name, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (!is_name(name))
-    return c.fail(Code::syntax, fmt::format("'{}' cannot be a name", name.substr(0, 60)), about,
+    return c.fail(ErrorCode::syntax, fmt::format("'{}' cannot be a name", name.substr(0, 60)), about,
                   "a name starts with a letter; letters, digits, '-', '_' and '/' follow");
-  if (name == "none") return c.fail(Code::name, "'none' means no object; it cannot be a name", about);
+  if (name == "none") return c.fail(ErrorCode::name, "'none' means no object; it cannot be a name", about);
   if (const ObjectId id = s.names.find(name)) {
     const Kind kind = s.objects[id.index].kind;
-    return placed(kind) ? c.fail(Code::name, fmt::format("there is a '{}' already", name), about)
-                        : c.fail(Code::name, fmt::format("there is {} '{}' already", a_kind(kind), name), about,
+    return placed(kind) ? c.fail(ErrorCode::name, fmt::format("there is a '{}' already", name), about)
+                        : c.fail(ErrorCode::name, fmt::format("there is {} '{}' already", a_kind(kind), name), about,
                                  "objects, environments and layers have names of their own");
   }
   if (s.aliases->contains(name))
-    return c.fail(Code::name, fmt::format("'{}' is an alias already", name), about, "an alias wins over an object");
+    return c.fail(ErrorCode::name, fmt::format("'{}' is an alias already", name), about,
+                  "an alias wins over an object");
   if (s.lists->empty() && s.later_lists->empty()) return true;
   if (!versions(s, name).empty())
-    return c.fail(Code::name, fmt::format("there is a display list '{}' already", name), about);
+    return c.fail(ErrorCode::name, fmt::format("there is a display list '{}' already", name), about);
   for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
     if (const std::string above = name.substr(0, slash); !versions(s, above).empty())
-      return c.fail(Code::name, fmt::format("names that begin with '{}/' are for what that display list draws", above),
-                    about);
+      return c.fail(ErrorCode::name,
+                    fmt::format("names that begin with '{}/' are for what that display list draws", above), about);
   return true;
 }
 
@@ -261,7 +263,7 @@ bool free_name(Command& k, const std::string& name, std::string_view about) {
 bool own(Command& k, ObjectId id, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (!s.objects[id.index].derived) return true;
-  return c.fail(Code::type, fmt::format("display lists say what '{}' is", s.objects[id.index].name), about,
+  return c.fail(ErrorCode::type, fmt::format("display lists say what '{}' is", s.objects[id.index].name), about,
                 fmt::format("edit {}, or what it calls", s.main));
 }
 
@@ -269,11 +271,11 @@ bool parameters(Command& k, Object& object) {
   auto& [s, c, time, layer, script] = k;
   while (!c.at_line_end()) {
     const std::string_view key = c.word();
-    if (key.empty()) return c.fail_here(Code::syntax, "key=value is wanted here");
+    if (key.empty()) return c.fail_here(ErrorCode::syntax, "key=value is wanted here");
     if (!c.accept('=')) {
       const auto colon = key.find(':');
       return c.fail(
-          Code::syntax, fmt::format("'{}' needs a value", key.substr(0, std::min<std::size_t>(colon, 40))), key,
+          ErrorCode::syntax, fmt::format("'{}' needs a value", key.substr(0, std::min<std::size_t>(colon, 40))), key,
           key == "at" ? "a place is said by position=(0 0 0)"
           : colon != std::string_view::npos
               ? fmt::format("write {}={}", key.substr(0, std::min<std::size_t>(colon, 40)), key.substr(colon + 1, 40))
@@ -283,29 +285,29 @@ bool parameters(Command& k, Object& object) {
     const std::string_view name = key.substr(0, dot);
     const auto f = find_function(s, object.kind, name);
     if (!f) {
-      return c.fail(Code::name, fmt::format("{} has no '{}'", a_kind(object.kind), name.substr(0, 40)), name,
+      return c.fail(ErrorCode::name, fmt::format("{} has no '{}'", a_kind(object.kind), name.substr(0, 40)), name,
                     did_you_mean(name, function_names(s, object.kind)));
     }
     const FunctionSpec& spec = spec_of(s, *f);
     const int component = dot == std::string_view::npos ? -1 : find_component(spec.type, key.substr(dot + 1));
     if (dot != std::string_view::npos && component < 0)
-      return c.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, key.substr(dot + 1, 40)),
+      return c.fail(ErrorCode::name, fmt::format("{} has no component '{}'", spec.name, key.substr(dot + 1, 40)),
                     key.substr(dot + 1));
     c.space();
     if (c.peek() == '"' && spec.type != Type::text && c.end - c.at > 1) {
       // A formula in quotes would be a procedure.
-      return c.fail_here(Code::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
+      return c.fail_here(ErrorCode::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
     }
     if (spec.type == Type::motion)
-      return c.fail(Code::type, "a motion is not set: it takes a segment of time", key,
+      return c.fail(ErrorCode::type, "a motion is not set: it takes a segment of time", key,
                     "as in at 1f..24f wheel.motion T(6 0)");
     if (spec.type == Type::attachment)
-      return c.fail(Code::type, "an attachment is not set", key, "couple A to B, attach A to B, hang A on B");
+      return c.fail(ErrorCode::type, "an attachment is not set", key, "couple A to B, attach A to B, hang A on B");
     Value v;
     if (!values(k).value(spec, component, v, *f)) return false;
     Slot& slot = object.slot(*f);
     if (component >= 0 && slot.set && std::holds_alternative<Quat>(*slot.set))
-      return c.fail(Code::type, "an orientation has no separate angles", key);
+      return c.fail(ErrorCode::type, "an orientation has no separate angles", key);
     slot.set = component < 0 ? v : with_component(slot.set.value_or(spec.rest), component, std::get<double>(v));
   }
   return true;
@@ -316,7 +318,7 @@ bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   word = c.word();
-  if (word.empty()) return c.fail_here(Code::syntax, "the name of an object is missing here");
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");
   out = select(s, word);
   const bool any = !out.empty();
   if (!is_pattern(word) && out.size() == 1 && !own(k, out[0], word)) return false;

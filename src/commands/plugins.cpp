@@ -62,16 +62,17 @@ Status use_plugin(const std::string& path) {
   if (!plugin) return plugin.error();
   Brought& all = brought();
   const std::lock_guard lock(all.mutex);
-  const auto refuse = [&](Code code, std::string why) { return fail(code, fmt::format("{}: {}", path, why)); };
+  const auto refuse = [&](ErrorCode code, std::string why) { return fail(code, fmt::format("{}: {}", path, why)); };
   std::vector<Word> words;
   const auto free = [&](const std::string& name, std::string_view taken) -> Status {
-    if (!is_name(name)) return refuse(Code::name, fmt::format("'{}' cannot be a name", name));
-    if (!taken.empty()) return refuse(Code::name, fmt::format("it registers '{}', which is {} already", name, taken));
+    if (!is_name(name)) return refuse(ErrorCode::name, fmt::format("'{}' cannot be a name", name));
+    if (!taken.empty())
+      return refuse(ErrorCode::name, fmt::format("it registers '{}', which is {} already", name, taken));
     for (const Word& w : words)
-      if (w.name == name) return refuse(Code::name, fmt::format("it registers '{}' twice", name));
+      if (w.name == name) return refuse(ErrorCode::name, fmt::format("it registers '{}' twice", name));
     for (const Word& w : all.words)
       if (w.name == name && w.path != path)
-        return refuse(Code::name, fmt::format("it registers '{}', which {} has brought already", name, w.path));
+        return refuse(ErrorCode::name, fmt::format("it registers '{}', which {} has brought already", name, w.path));
     return Nothing{};
   };
   std::vector<FunctionSpec> functions;
@@ -83,7 +84,7 @@ Status use_plugin(const std::string& path) {
     if (const Status s = free(f.name, is_function(f.name) ? "a function" : ""); !s) return s;
     const TypeRow* row = type_of_numbers(f.type);
     if (!row)
-      return refuse(Code::type, fmt::format("the function '{}' has no type that is known: '{}'", f.name, f.type));
+      return refuse(ErrorCode::type, fmt::format("the function '{}' has no type that is known: '{}'", f.name, f.type));
     words.push_back({f.name, {}, path});
     double n[4] = {};
     std::copy_n(f.numbers.begin(), std::min<std::size_t>(f.numbers.size(), 4), n);
@@ -93,7 +94,7 @@ Status use_plugin(const std::string& path) {
   const auto others = static_cast<std::size_t>(
       std::count_if(all.words.begin(), all.words.end(), [&](const Word& w) { return w.path != path; }));
   if (others + words.size() > most_words)
-    return refuse(Code::range, fmt::format("plug-ins have no more than {} words", most_words));
+    return refuse(ErrorCode::range, fmt::format("plug-ins have no more than {} words", most_words));
   // The same file once more: its words are new again.
   std::erase_if(all.procedures, [&](const NamedProcedure& p) { return p.code->source == path; });
   std::erase_if(all.functions, [&](const FunctionSpec& f) {

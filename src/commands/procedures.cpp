@@ -25,14 +25,14 @@ bool procedure(Command& k) {
   const std::string_view name = c.word();
   if (!is_name(name) || name.find('/') != std::string_view::npos || name.find('.') != std::string_view::npos)
     return c.fail(
-        Code::syntax,
+        ErrorCode::syntax,
         name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a procedure's name", name.substr(0, 60)),
         name.empty() ? std::string_view(c.at, 0) : name);
   Role role = Role::value;
   for (const Role r : {Role::value, Role::twerper, Role::filter, Role::command})
     if (c.accept_word(role_names[static_cast<std::size_t>(r)])) role = r;
   if (!c.accept_word("lua"))
-    return c.fail_here(Code::syntax, "'lua' is missing here", "as in procedure snap twerper lua \"u*u\"");
+    return c.fail_here(ErrorCode::syntax, "'lua' is missing here", "as in procedure snap twerper lua \"u*u\"");
   c.space();
   const char* start = c.at;
   std::string source;
@@ -40,20 +40,20 @@ bool procedure(Command& k) {
   const std::string_view about = c.since(start);
   if (!finish(c)) return false;
   if (const std::string_view what = taken_by(name, role); !what.empty())
-    return c.fail(Code::name, fmt::format("'{}' is {} already", name, what), name);
+    return c.fail(ErrorCode::name, fmt::format("'{}' is {} already", name, what), name);
   auto code = make_lua(role, std::move(source));
   if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
   NamedProcedure made{std::string(name), role, *std::move(code)};
   const auto& all = *s.procedures;
   const auto at = std::find_if(all.begin(), all.end(), [&](const NamedProcedure& p) { return p.name == name; });
   if (at == all.end()) {
-    if (all.size() >= 200) return c.fail(Code::range, "no more than 200 procedures can have names", name);
+    if (all.size() >= 200) return c.fail(ErrorCode::range, "no more than 200 procedures can have names", name);
     s.procedures.edit().push_back(std::move(made));
     return true;
   }
   if (at->role != role)
-    return c.fail(Code::name, fmt::format("'{}' is a {} already", name, role_names[static_cast<std::size_t>(at->role)]),
-                  name);
+    return c.fail(ErrorCode::name,
+                  fmt::format("'{}' is a {} already", name, role_names[static_cast<std::size_t>(at->role)]), name);
   s.procedures.edit()[static_cast<std::size_t>(at - all.begin())] = std::move(made);
   // Filters hold their code; they go on with the new one.
   if (role == Role::filter)
@@ -85,7 +85,7 @@ struct Hosting : Host {
     return Nothing{};
   }
   Result<Value> value(std::string_view target, double seconds) override {
-    if (!(std::abs(seconds) <= longest_seconds)) return fail(Code::range, "there is no such time");
+    if (!(std::abs(seconds) <= longest_seconds)) return fail(ErrorCode::range, "there is no such time");
     const auto t = find_target(k.scene, target);
     if (!t) return t.error();
     return Program::compile(Document(std::make_shared<const Scene>(k.scene))).read(*t, from_seconds(seconds));
@@ -139,7 +139,7 @@ bool own_command(Command& k, const NamedProcedure& p) {
   std::vector<std::string> words;
   if (!arguments(c, words)) return false;
   if (script.depth >= deepest_command)
-    return c.fail(Code::range, fmt::format("commands run each other more than {} deep", deepest_command),
+    return c.fail(ErrorCode::range, fmt::format("commands run each other more than {} deep", deepest_command),
                   {start - p.name.size(), p.name.size()});
   Rollback all(s);
   const NamedProcedure own = p;  // its lines may make another of this name

@@ -20,7 +20,7 @@ bool open_sheet(Command& k, std::string_view word) {
   Selected on;
   if (!targets(k, word, on)) return false;
   if (!c.at_line_end())
-    return c.fail_here(Code::syntax, "nothing follows the target that opens a sheet",
+    return c.fail_here(ErrorCode::syntax, "nothing follows the target that opens a sheet",
                        fmt::format("its rows go below, indented; a single event is written: at TIME {} VALUE", word));
   Sheet& sheet = script.sheet;
   sheet = {};
@@ -33,35 +33,37 @@ bool open_sheet(Command& k, std::string_view word) {
 // Why there is no such command, and what may have been meant.
 bool no_command(Command& k, std::string_view w, const char* start) {
   auto& [s, c, time, layer, script] = k;
-  const auto fail = [&](Code code, std::string message, std::string hint = {}) {
+  const auto fail = [&](ErrorCode code, std::string message, std::string hint = {}) {
     return c.fail(code, std::move(message), w, std::move(hint));
   };
   const std::string said(w.substr(0, 40));
   if (starts_like_time(w[0]))
-    return c.fail(Code::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
+    return c.fail(ErrorCode::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
                   "rows are indented under a line that is only a target, as in ball.position");
   if (const auto why = not_of_a_script(w); !why.empty())
-    return fail(Code::name, fmt::format("'{}' {}", w, why),
+    return fail(ErrorCode::name, fmt::format("'{}' {}", w, why),
                 w == "load" ? "who shows the film loads it: betwixt play --load PLUGIN FILE" : "");
   if (c.at_line_end() && !time) script.sheet.open = script.sheet.broken = true;  // meant as a target, it seems
   if (s.names.find(w))
-    return fail(Code::name, fmt::format("'{}' is an object, not a command", said),
+    return fail(ErrorCode::name, fmt::format("'{}' is an object, not a command", said),
                 fmt::format("a sheet opens with a target, as in {}.position", said));
   for (const ListRow& row : list_rows())
     if (row.word == w && !time)
-      return fail(Code::name, fmt::format("'{}' is a row of a display list, not a command", w),
+      return fail(ErrorCode::name, fmt::format("'{}' is a row of a display list, not a command", w),
                   "rows are indented, below make NAME or edit NAME");
-  if (w.starts_with("//") || w.starts_with(";")) return fail(Code::syntax, "a comment starts with '#' and a space");
+  if (w.starts_with("//") || w.starts_with(";"))
+    return fail(ErrorCode::syntax, "a comment starts with '#' and a space");
   const std::string message = fmt::format("there is no command '{}'", said);
   if (w == "mirror")
-    return fail(Code::name, message, "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)");
+    return fail(ErrorCode::name, message,
+                "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)");
   c.space();
   if (c.peek() == '=')
-    return fail(Code::name, message, fmt::format("names for many objects are made by: alias {} = …", said));
+    return fail(ErrorCode::name, message, fmt::format("names for many objects are made by: alias {} = …", said));
   std::vector<std::string_view> words = verb_words();
   for (const NamedProcedure& p : *s.procedures)
     if (p.role == Role::command) words.push_back(p.name);
-  return fail(Code::name, message, did_you_mean(w, words));
+  return fail(ErrorCode::name, message, did_you_mean(w, words));
 }
 
 bool row(Command& k) {
@@ -71,7 +73,7 @@ bool row(Command& k) {
   if (!sheet.on.spec) return pass_over(k, c.at);
   Time from;
   if (!starts_like_time(c.peek()))
-    return c.fail_here(Code::syntax,
+    return c.fail_here(ErrorCode::syntax,
                        fmt::format("a row begins with a time, not with '{}'",
                                    c.peek_word().empty() ? std::string_view(c.at, 1) : c.peek_word()),
                        "a command that follows a sheet is not indented");
@@ -100,15 +102,15 @@ bool line(Command& k, const char* line_start) {
 
 // What went wrong in the line that began there; reading goes on behind it.
 void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
-  Error e = c.error.value_or(fail(Code::syntax, "this cannot be carried out"));
+  Error e = c.error.value_or(fail(ErrorCode::syntax, "this cannot be carried out"));
   const LogicalLine one = logical_line({line_start, c.end});
   const char* next = one.next(c.end);
   // Where a bracket is never closed, what the lines below seem to lack is not the trouble.
   if (one.depth > 0 && c.depth > 0 && c.where.data() >= next) {
-    e = fail(Code::syntax, "this bracket is never closed");
+    e = fail(ErrorCode::syntax, "this bracket is never closed");
     c.where = {c.brackets[std::min(static_cast<std::size_t>(c.depth), c.brackets.size()) - 1], 1};
   }
-  const bool ignored = e.code == Code::type && s.policy == Policy::ignore;
+  const bool ignored = e.code == ErrorCode::type && s.policy == Policy::ignore;
   if (ignored) e.message = "ignored: " + e.message;
   script.report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
   c.at = next;
@@ -145,8 +147,8 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
 bool finish(Cursor& c) {
   if (c.at_line_end()) return true;
   const std::string_view w = c.peek_word();
-  return c.fail_here(Code::syntax, w.empty() ? "nothing more is expected here"
-                                             : fmt::format("'{}' is not expected here", w.substr(0, 40)));
+  return c.fail_here(ErrorCode::syntax, w.empty() ? "nothing more is expected here"
+                                                  : fmt::format("'{}' is not expected here", w.substr(0, 40)));
 }
 
 bool pass_over(Command& k, const char* from) {
@@ -166,7 +168,8 @@ bool carry_out(Command& k) {
   c.space();
   const char* start = c.at;
   const std::string_view w = c.word();
-  if (w.empty()) return c.fail_here(Code::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
+  if (w.empty())
+    return c.fail_here(ErrorCode::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
   script.verb = start;
   if (const Verb* v = find_verb(w)) {
     if ((v->flags & Verb::stamped) && !time && script.options.now) {
@@ -175,15 +178,15 @@ bool carry_out(Command& k) {
     }
     if (v->run(k) && finish(c)) return true;
     if (v->flags & Verb::opens_sheet) script.sheet.breaks();
-    if (c.error && c.error->hint.empty() && c.error->code == Code::syntax)
+    if (c.error && c.error->hint.empty() && c.error->code == ErrorCode::syntax)
       c.error->hint = fmt::format("usage: {}", v->usage);
     return false;
   }
   for (const NamedProcedure& p : *s.procedures)
     if (p.role == Role::command && p.name == w) return own_command(k, p);
-  if (w[0] == '#') return c.fail(Code::syntax, "a comment starts with '#' and a space", w);
+  if (w[0] == '#') return c.fail(ErrorCode::syntax, "a comment starts with '#' and a space", w);
   if (first_dot(w) == std::string_view::npos || starts_like_time(w[0])) return no_command(k, w, start);
-  if (time) return c.fail(Code::syntax, "a verb is missing here", w);
+  if (time) return c.fail(ErrorCode::syntax, "a verb is missing here", w);
   if (open_sheet(k, w)) return true;
   script.sheet.breaks();
   return false;

@@ -47,10 +47,11 @@ std::string Script::stamped() const {
 void Script::report(Severity severity, Error error, std::string_view about) {
   if (severity == Severity::error && ++errors > most_errors) {
     if (!given_up)
-      diagnostics.push_back({Severity::error,
-                             fail(Code::syntax, fmt::format("more than {} errors; the rest is not said", most_errors)),
-                             {},
-                             0});
+      diagnostics.push_back(
+          {Severity::error,
+           fail(ErrorCode::syntax, fmt::format("more than {} errors; the rest is not said", most_errors)),
+           {},
+           0});
     given_up = true;
     return;
   }
@@ -58,12 +59,12 @@ void Script::report(Severity severity, Error error, std::string_view about) {
 }
 
 void Script::note(Severity severity, std::string message, std::string_view about, std::string hint) {
-  report(severity, fail(Code::syntax, std::move(message), std::move(hint)), about);
+  report(severity, fail(ErrorCode::syntax, std::move(message), std::move(hint)), about);
 }
 
 std::optional<Diagnostic> Script::withheld(Severity severity, std::string message, std::string_view about) {
   if (given_up) return std::nullopt;
-  return source.diagnose(severity, fail(Code::syntax, std::move(message)), about);
+  return source.diagnose(severity, fail(ErrorCode::syntax, std::move(message)), about);
 }
 
 }  // namespace betwixt

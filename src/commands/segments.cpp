@@ -65,7 +65,7 @@ bool factors(Command& k, const Stretch& on, Value& out) {
     return true;
   }
   if (std::holds_alternative<double>(row_of(on.type()).example()))
-    return c.fail_here(Code::type, fmt::format("one number is wanted here: this is {}", to_string(on.type())));
+    return c.fail_here(ErrorCode::type, fmt::format("one number is wanted here: this is {}", to_string(on.type())));
   Vec3 v;
   if (!values(k).vector(component_count(on.type()) == 2 ? 2 : 3, v)) return false;
   out = v;
@@ -77,7 +77,7 @@ bool move(Command& k) {
   Stretch on;
   Time by;
   if (!on_segment(k, on)) return false;
-  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a length of time are missing here");
+  if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
   const Scene before = k.scene;
   if (!operate(k, on, [&](Track& t, int, bool) { return move_segment(t, on.segment, by); })) return false;
@@ -90,12 +90,12 @@ bool stretch(Command& k) {
   Stretch on;
   double factor = 1;
   if (!on_segment(k, on)) return false;
-  if (!c.accept_word("by")) return c.fail_here(Code::syntax, "'by' and a factor are missing here");
+  if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a factor are missing here");
   c.space();
   const char* at = c.at;
   if (!c.number(factor)) return false;
   if (!(factor > 0))
-    return c.fail(Code::range,
+    return c.fail(ErrorCode::range,
                   on.of.spec && on.type() == Type::motion
                       ? "time is stretched by more than 0"
                       : "time is stretched by more than 0; 'reverse' turns it round",
@@ -113,10 +113,11 @@ bool reverse(Command& k) {
   if (!on_segment(k, on)) return false;
   return operate(k, on, [&](Track& t, int, bool velocity) -> Result<Changed> {
     if (velocity)
-      return fail(Code::type, "a track with velocities cannot be reversed",
+      return fail(ErrorCode::type, "a track with velocities cannot be reversed",
                   "clear them first, or reverse the velocity alone");
     if (on.type() == Type::motion)
-      return fail(Code::type, "a motion cannot be reversed", "write what undoes it: betwixt algebra --inverse tells");
+      return fail(ErrorCode::type, "a motion cannot be reversed",
+                  "write what undoes it: betwixt algebra --inverse tells");
     return reverse_segment(t, on.segment);
   });
 }
@@ -147,14 +148,16 @@ bool rotate(Command& k) {
   if (c.accept('@') && !values(k).vector(3, centre, Unit::metres)) return false;
   const Type type = on.of.spec ? on.type() : Type::vector;
   if (!row_of(type).rotates)
-    return c.fail(Code::type, fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)),
-                  on.word);
+    return c.fail(ErrorCode::type,
+                  fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)), on.word);
   return operate(k, on, [&](Track& t, int component, bool velocity) -> Result<Changed> {
     if (component >= 0)
-      return fail(Code::type, "the components of this track have tracks of their own: it cannot be rotated as a whole");
+      return fail(ErrorCode::type,
+                  "the components of this track have tracks of their own: it cannot be rotated as a whole");
     auto done = rotate_segment(t, on.segment, axis_angle(axis, angle), velocity ? Vec3{} : centre);
     if (!done && type == Type::rotation)
-      return fail(Code::type, "angles cannot be rotated, orientations can", "write the track with axis(…) or quat(…)");
+      return fail(ErrorCode::type, "angles cannot be rotated, orientations can",
+                  "write the track with axis(…) or quat(…)");
     return done;
   });
 }
@@ -170,7 +173,7 @@ bool clear(Command& k) {
     const char* at = c.at;
     c.at += 2;
     if (!c.time(on.segment.to)) return false;
-    if (on.segment.to < on.segment.from) return c.fail(Code::range, "this segment ends before it begins", {at, 2});
+    if (on.segment.to < on.segment.from) return c.fail(ErrorCode::range, "this segment ends before it begins", {at, 2});
   }
   const auto erase = [&](Track& t, int, bool) -> Result<Changed> {
     return Changed{t.events.erase(on.segment.from, on.segment.to), 0};

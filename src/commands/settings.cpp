@@ -42,7 +42,7 @@ bool range(Command& k) {
   if (!c.time(from)) return false;
   if (c.peek() == '.' && c.end - c.at > 1 && c.at[1] == '.') c.at += 2;  // range 1f..72f is a segment too
   if (!c.time(to)) return false;
-  if (to < from) return c.fail(Code::range, "the range ends before it begins", c.since(start));
+  if (to < from) return c.fail(ErrorCode::range, "the range ends before it begins", c.since(start));
   if (!finish(c)) return false;
   s.range = {from, to};
   return true;
@@ -67,7 +67,8 @@ bool policy(Command& k) {
   const std::string_view w = c.word();
   const auto at = std::find(policy_names.begin(), policy_names.end(), w);
   if (at == policy_names.end())
-    return c.fail(Code::syntax, "the policy is translate, ignore or ask", w.empty() ? std::string_view(c.at, 0) : w,
+    return c.fail(ErrorCode::syntax, "the policy is translate, ignore or ask",
+                  w.empty() ? std::string_view(c.at, 0) : w,
                   did_you_mean(w, {policy_names.begin(), policy_names.end()}));
   if (!finish(c)) return false;
   s.policy = static_cast<Policy>(at - policy_names.begin());

@@ -13,7 +13,7 @@ namespace {
 
 bool note_command(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  if (!time) return c.fail_here(Code::syntax, "a note needs a time", "as in at 24f note \"…\"");
+  if (!time) return c.fail_here(ErrorCode::syntax, "a note needs a time", "as in at 24f note \"…\"");
   std::string text;
   if (!c.text(text) || !finish(c)) return false;
   auto& notes = s.notes.edit();
@@ -27,7 +27,7 @@ bool notes(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const std::string_view w = c.word();
-  if (w != "on" && w != "off") return c.fail(Code::syntax, "notes are on or off", w);
+  if (w != "on" && w != "off") return c.fail(ErrorCode::syntax, "notes are on or off", w);
   if (!finish(c)) return false;
   s.notes_shown = w == "on";
   return true;
@@ -35,13 +35,14 @@ bool notes(Command& k) {
 
 bool look(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  if (!c.accept_word("through")) return c.fail_here(Code::syntax, "'through' is missing here");
+  if (!c.accept_word("through")) return c.fail_here(ErrorCode::syntax, "'through' is missing here");
   ObjectId id;
   c.space();
   const std::string_view w = c.peek_word();
   if (!values(k).object(id)) return false;
   const Kind kind = s.objects[id.index].kind;
-  if (kind != Kind::camera) return c.fail(Code::type, fmt::format("'{}' is a {}, not a camera", w, name_of(kind)), w);
+  if (kind != Kind::camera)
+    return c.fail(ErrorCode::type, fmt::format("'{}' is a {}, not a camera", w, name_of(kind)), w);
   if (!finish(c)) return false;
   s.cuts.edit()[time.value_or(Time{INT64_MIN})] = id;
   return true;

@@ -54,11 +54,11 @@ struct Search {
     t.layer = k.layer;
     return t;
   }
-  bool fail(Code code, std::string message, std::string_view about, std::string hint = {}) const {
+  bool fail(ErrorCode code, std::string message, std::string_view about, std::string hint = {}) const {
     return k.cursor.fail(code, std::move(message), about, std::move(hint));
   }
   bool still(const FunctionSpec& spec) const {
-    return fail(Code::type, fmt::format("{} has no velocity: it is {}", spec.name, to_string(spec.type)),
+    return fail(ErrorCode::type, fmt::format("{} has no velocity: it is {}", spec.name, to_string(spec.type)),
                 words.function);
   }
   bool names_nothing(std::string_view what) const {
@@ -78,14 +78,14 @@ bool no_object(const Search& q) {
   for (std::size_t i = 0; i < s.objects.size() && i < 10000; ++i)
     if (!s.objects[i].removed) names.push_back(s.objects[i].name);
   for (const auto& a : *s.aliases) names.push_back(a.first);
-  return q.fail(Code::name, fmt::format("there is no object '{}'", object.substr(0, 60)), object,
+  return q.fail(ErrorCode::name, fmt::format("there is no object '{}'", object.substr(0, 60)), object,
                 did_you_mean(object, names));
 }
 
 // What can be asked for only: the world matrix and the like, or where an object is: world.x
 bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query asked) {
   const auto& [whole, object, function, component, velocity] = q.words;
-  if (!q.asking) return q.fail(Code::type, fmt::format("'{}' can be asked for, not set", function), function);
+  if (!q.asking) return q.fail(ErrorCode::type, fmt::format("'{}' can be asked for, not set", function), function);
   const auto words =
       component.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(component, 100);
   for (const ObjectId id : objects) {
@@ -97,7 +97,7 @@ bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query aske
   }
   if (component.empty() || !q.out.targets.empty()) return true;
   const std::string_view without = whole.substr(0, whole.size() - component.size() - 1);
-  return q.fail(Code::name, fmt::format("'{}' has no part '{}'", without, component.substr(0, 40)), component,
+  return q.fail(ErrorCode::name, fmt::format("'{}' has no part '{}'", without, component.substr(0, 40)), component,
                 asked == Query::world    ? fmt::format("{}.x, .y and .z say where it is", without)
                 : asked == Query::motion ? fmt::format("{} is a matrix, row by row", without)
                                          : fmt::format("ask for {}", without));
@@ -109,8 +109,8 @@ bool parts_of(const Search& q, const FunctionSpec& spec, std::vector<int>& parts
   if (component.empty()) return parts.push_back(-1), true;
   const std::string near = has_velocity(spec.type) ? did_you_mean(component, {"velocity"}) : std::string();
   if (component_count(spec.type) == 0)
-    return q.fail(Code::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)), component,
-                  near);
+    return q.fail(ErrorCode::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
+                  component, near);
   const auto words = expand_braces(component, 100);
   if (!words) return q.fail(words.error().code, words.error().message, component);
   std::string known;
@@ -127,7 +127,7 @@ bool parts_of(const Search& q, const FunctionSpec& spec, std::vector<int>& parts
       if (matches(w, component_name(spec.type, i)) && std::find(parts.begin(), parts.end(), i) == parts.end())
         parts.push_back(i);
   return !parts.empty() ||
-         q.fail(Code::name, fmt::format("{} has no component '{}'", spec.name, component.substr(0, 40)), component,
+         q.fail(ErrorCode::name, fmt::format("{} has no component '{}'", spec.name, component.substr(0, 40)), component,
                 near.empty() ? known : near);
 }
 
@@ -152,7 +152,7 @@ bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
   if (!out.spec) out.spec = &spec, out.component = parts[0];
   if (!q.asking && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {
     if (!many) return true;
-    return q.fail(Code::type,
+    return q.fail(ErrorCode::type,
                   spec.type == out.spec->type
                       ? fmt::format("{} and {} are measured in different units", out.spec->name, spec.name)
                       : fmt::format("these functions have values of different types: {} is {}, {} is {}",
@@ -167,7 +167,7 @@ bool no_function(const Search& q, ObjectId id) {
   const Object& o = q.scene().objects[id.index];
   auto names = function_names(q.scene(), o.kind);
   names.push_back("world");
-  return q.fail(Code::name,
+  return q.fail(ErrorCode::name,
                 fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), q.words.function.substr(0, 40)),
                 q.words.function, did_you_mean(q.words.function, names));
 }
@@ -207,7 +207,7 @@ bool targets(Command& k, std::string_view word, Selected& out, bool asking) {
   out.text = word;
   if (first_dot(word) == std::string_view::npos)
     return k.cursor.fail(
-        Code::syntax,
+        ErrorCode::syntax,
         word.empty() ? "a target is missing here" : fmt::format("'{}' is not a target", word.substr(0, 60)), word,
         "a target is an object and a function, as in ball.position");
   const Search q{k, words_of(word), asking, out};

@@ -15,7 +15,7 @@ namespace {
 
 bool at(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  if (time) return c.fail_here(Code::syntax, "one 'at' is enough");
+  if (time) return c.fail_here(ErrorCode::syntax, "one 'at' is enough");
   std::optional<Time> until;
   c.space();
   const char* const times = c.at;
@@ -26,7 +26,7 @@ bool at(Command& k) {
   c.space();
   const char* start = c.at;
   const std::string_view w = c.word();
-  if (w.empty()) return c.fail_here(Code::syntax, "a target or a command is missing here");
+  if (w.empty()) return c.fail_here(ErrorCode::syntax, "a target or a command is missing here");
   if (w.find('.') != std::string_view::npos) {
     Selected to;
     if (!targets(timed, w, to)) return false;
@@ -38,14 +38,15 @@ bool at(Command& k) {
   if (until) return one_time_only(c, segment);
   c.at = start;
   if (w == "set")
-    return c.fail(Code::syntax, "'set' has no time; with 'at', write the target and its value", w,
+    return c.fail(ErrorCode::syntax, "'set' has no time; with 'at', write the target and its value", w,
                   "as in at 24f ball.color red");
   const Verb* verb = find_verb(w);
   if (verb && verb->flags & Verb::timed) return carry_out(timed);
-  if (verb) return c.fail(Code::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
-  if (const auto why = not_of_a_script(w); !why.empty()) return c.fail(Code::name, fmt::format("'{}' {}", w, why), w);
+  if (verb) return c.fail(ErrorCode::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
+  if (const auto why = not_of_a_script(w); !why.empty())
+    return c.fail(ErrorCode::name, fmt::format("'{}' {}", w, why), w);
   const std::string near = did_you_mean(w, verb_words(Verb::timed));
-  return c.fail(Code::syntax, fmt::format("a target or a command is wanted here, not '{}'", w.substr(0, 40)), w,
+  return c.fail(ErrorCode::syntax, fmt::format("a target or a command is wanted here, not '{}'", w.substr(0, 40)), w,
                 near.empty() ? "as in at 24f ball.position (1 2 3)" : near);
 }
 
@@ -65,27 +66,29 @@ bool set(Command& k) {
     return event(k, to, *script.options.now);
   }
   if (to.velocity)
-    return c.fail(Code::type, "a velocity holds from a time on", w, fmt::format("as in at 1f {} …", w.substr(0, 60)));
+    return c.fail(ErrorCode::type, "a velocity holds from a time on", w,
+                  fmt::format("as in at 1f {} …", w.substr(0, 60)));
   if (c.peek() == '=') {
     if (to.component >= 0)
-      return c.fail_here(Code::type, "the whole value is set, not one component of it, when code computes it",
+      return c.fail_here(ErrorCode::type, "the whole value is set, not one component of it, when code computes it",
                          fmt::format("at 1f {} = \"…\" computes one component", w.substr(0, 60)));
     if (!computed(k, to, v) || !finish(c)) return false;
     for (const Target& t : to.targets) set_value(s, t, v);
     return true;
   }
   if (to.type() == Type::motion)
-    return c.fail(Code::type, "a motion is not set: it takes a segment of time", w,
+    return c.fail(ErrorCode::type, "a motion is not set: it takes a segment of time", w,
                   fmt::format("as in at 1f..24f {} T(6 0)", w.substr(0, 60)));
   if (to.type() == Type::attachment)
-    return c.fail(Code::type, "an attachment is not set", w, "couple A to B, attach A to B, hang A on B, detach A");
+    return c.fail(ErrorCode::type, "an attachment is not set", w,
+                  "couple A to B, attach A to B, hang A on B, detach A");
   if (!values(k).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
   for (const Target& t : to.targets) {
     const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
     if (t.component >= 0 && slot && slot->set && std::holds_alternative<Procedure>(*slot->set))
-      return c.fail(Code::type, "code computes the whole of it; it has no separate components", w);
+      return c.fail(ErrorCode::type, "code computes the whole of it; it has no separate components", w);
     if (t.component >= 0 && slot && slot->set && std::holds_alternative<Quat>(*slot->set))
-      return c.fail(Code::type, "an orientation has no separate angles", w,
+      return c.fail(ErrorCode::type, "an orientation has no separate angles", w,
                     "set the whole of it as euler(x y z) first");
   }
   for (const Target& t : to.targets) set_value(s, t, v);
@@ -107,13 +110,13 @@ bool global_twerper(Command& k) {
     const std::string_view key = c.peek_word();
     if (key != "in") return finish(c);
     c.word();
-    if (!c.accept('=')) return c.fail_here(Code::syntax, "'=' is missing behind in");
+    if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing behind in");
     c.space();
     const std::string_view how = c.word();
-    if (how != "light" && how != "srgb") return c.fail(Code::syntax, "colours blend in=light or in=srgb", how);
+    if (how != "light" && how != "srgb") return c.fail(ErrorCode::syntax, "colours blend in=light or in=srgb", how);
     if (!row_of(to.type()).light)
-      return c.fail(Code::type, fmt::format("only colours blend in light or srgb; this is {}", to_string(to.type())),
-                    key);
+      return c.fail(ErrorCode::type,
+                    fmt::format("only colours blend in light or srgb; this is {}", to_string(to.type())), key);
     srgb = how == "srgb";
   }
   if (!finish(c)) return false;
@@ -136,7 +139,7 @@ bool extend(Command& k) {
   const std::string_view how = c.word();
   const auto at = std::find(extrapolation_names.begin(), extrapolation_names.end(), how);
   if (at == extrapolation_names.end())
-    return c.fail(Code::syntax,
+    return c.fail(ErrorCode::syntax,
                   how.empty() ? "hold, linear, cycle or bounce is missing here"
                               : fmt::format("'{}' is no way to extend a track", how.substr(0, 40)),
                   how, did_you_mean(how, {extrapolation_names.begin(), extrapolation_names.end()}));

@@ -48,7 +48,7 @@ Result<Value> mapped(const Dial& dial, double number) {
   // from + k (to - from), in an order that gives both ends exactly.
   const std::optional<Value> rest = add_scaled(dial.from, dial.from, -k);
   const std::optional<Value> v = rest ? add_scaled(*rest, dial.to, k) : std::nullopt;
-  if (!v) return fail(Code::type, dial.address + ": its two values have nothing between them");
+  if (!v) return fail(ErrorCode::type, dial.address + ": its two values have nothing between them");
   return *v;
 }
 
@@ -59,13 +59,14 @@ bool writable(const std::string& text) {
 
 Result<Value> text_value(const FunctionSpec& spec, const Dial& dial, const std::string& text) {
   if (spec.name == "file" || spec.name == "texture" || spec.name == "font")
-    return fail(Code::type, fmt::format("{}: {} names a file, and live input opens none", dial.address, spec.name));
+    return fail(ErrorCode::type,
+                fmt::format("{}: {} names a file, and live input opens none", dial.address, spec.name));
   if (!writable(text))
-    return fail(Code::type, dial.address + ": this is not a text: it is not UTF-8, or has control characters");
+    return fail(ErrorCode::type, dial.address + ": this is not a text: it is not UTF-8, or has control characters");
   const std::string choice = "|" + spec.words + "|";
   if (!spec.words.empty() &&
       (text.find('|') != std::string::npos || choice.find("|" + text + "|") == std::string::npos))
-    return fail(Code::type, fmt::format("{}: {} is one of {}", dial.address, spec.name, spec.words));
+    return fail(ErrorCode::type, fmt::format("{}: {} is one of {}", dial.address, spec.name, spec.words));
   return Value(Text(text));
 }
 
@@ -74,15 +75,15 @@ Result<Value> value_of(const FunctionSpec& spec, const Dial& dial, std::span<con
   const bool whole = dial.target.component < 0;
   const Type type = whole ? spec.type : component_type(spec.type);
   if (type == Type::text) {
-    if (!text) return fail(Code::type, fmt::format("{}: {} takes a text", dial.address, spec.name));
+    if (!text) return fail(ErrorCode::type, fmt::format("{}: {} takes a text", dial.address, spec.name));
     return text_value(spec, dial, *text);
   }
   const std::size_t wanted = dial.mapped ? 1 : row_of(type).dials ? static_cast<std::size_t>(number_count(type)) : 0;
-  if (wanted == 0) return fail(Code::type, fmt::format("no dial can turn {}", to_string(type)));
+  if (wanted == 0) return fail(ErrorCode::type, fmt::format("no dial can turn {}", to_string(type)));
   if (text || numbers.size() != wanted)
-    return fail(Code::type, fmt::format("{}: {} wants {}, not {}", dial.address, spec.name, in_words(wanted),
-                                        text ? "a text" : in_words(numbers.size())));
-  if (!finite(numbers)) return fail(Code::range, dial.address + ": this is no number");
+    return fail(ErrorCode::type, fmt::format("{}: {} wants {}, not {}", dial.address, spec.name, in_words(wanted),
+                                             text ? "a text" : in_words(numbers.size())));
+  if (!finite(numbers)) return fail(ErrorCode::range, dial.address + ": this is no number");
   Result<Value> v = dial.mapped ? mapped(dial, numbers[0]) : made_of(type, numbers);
   if (!v) return v;
   FunctionSpec limits = spec;
@@ -119,7 +120,7 @@ Status turn_one(Scene& s, const Dial& dial, const Value& v, Time now) {
   const Target& t = dial.target;
   const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
   if (t.component >= 0 && slot && indivisible(*slot))
-    return fail(Code::type,
+    return fail(ErrorCode::type,
                 fmt::format("{}: {} is given as a whole here; it has no separate components", dial.address, spec.name));
   if (!s.recording) {
     give_way(s.objects.edit(t.object.index).slot(t.function, t.layer), t.component, spec.type);
@@ -137,7 +138,7 @@ Status turn_one(Scene& s, const Dial& dial, const Value& v, Time now) {
 Error unknown(const Scene& s, std::string_view address) {
   std::vector<std::string_view> known;
   for (const Dial& d : *s.dials) known.push_back(d.address);
-  return fail(Code::name, fmt::format("no dial has the address {}", shown(address)), did_you_mean(address, known));
+  return fail(ErrorCode::name, fmt::format("no dial has the address {}", shown(address)), did_you_mean(address, known));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ std::string written(const Value& v, const Target& t, const Document& d) {
 
 Error no_object(const Document& d, const std::string& word) {
   const auto names = d.names();
-  return fail(Code::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
+  return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
               did_you_mean(word, {names.begin(), names.end()}));
 }
 
@@ -53,7 +53,7 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
   for (const AttachmentSpan& a : attachments(o)) {
     if (!a.to.parent) continue;
     static constexpr std::string_view how[] = {"", "", "hangs on", "is attached to", "is coupled to"};
-    said += fmt::format("  {} {}", how[static_cast<std::size_t>(a.to.hold)], d.name(a.to.parent));
+    said += fmt::format("  {} {}", how[static_cast<std::size_t>(a.to.kind)], d.name(a.to.parent));
     if (a.from != from_the_beginning) said += fmt::format(" from {}", format_time(a.from, d));
     said += "\n";
   }
@@ -149,7 +149,7 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
 }
 
 Result<std::string> describe(const Document& d, const std::string& word) {
-  if (word.empty()) return fail(Code::name, "what shall be described?", "usage: describe NAME");
+  if (word.empty()) return fail(ErrorCode::name, "what shall be described?", "usage: describe NAME");
   if (const auto all = versions(d.scene(), word); !all.empty()) return list_lines(d, word, all);
   const auto ids = select(d.scene(), word);
   if (ids.empty()) {
@@ -188,7 +188,8 @@ Result<std::string> look_up(const Document& d, const std::string& word) {
     return fmt::format("{} is an object of this film: describe {}\n", word, word);
   std::vector<std::string_view> known;
   for (const HelpEntry& e : help_entries()) known.push_back(e.word);
-  return fail(Code::name, fmt::format("there is no help about '{}'", word.substr(0, 60)), did_you_mean(word, known));
+  return fail(ErrorCode::name, fmt::format("there is no help about '{}'", word.substr(0, 60)),
+              did_you_mean(word, known));
 }
 
 }  // namespace betwixt

@@ -60,8 +60,8 @@ Status Editor::take(Point after, Step step) {
 }
 
 Status Editor::undo() {
-  if (standing_ == 0) return fail(Code::range, "there is nothing to undo");
-  if (before_.empty()) return fail(Code::range, fmt::format("no more than {} commands can be undone", depth_));
+  if (standing_ == 0) return fail(ErrorCode::range, "there is nothing to undo");
+  if (before_.empty()) return fail(ErrorCode::range, fmt::format("no more than {} commands can be undone", depth_));
   if (Status s = tell(Did::undo, steps_[standing_ - 1], standing_ - 1); !s) return s;
   --standing_;
   undone_.push_back(std::exchange(now_, std::move(before_.back())));
@@ -70,7 +70,7 @@ Status Editor::undo() {
 }
 
 Status Editor::redo() {
-  if (undone_.empty()) return fail(Code::range, "there is nothing to redo");
+  if (undone_.empty()) return fail(ErrorCode::range, "there is nothing to redo");
   if (Status s = tell(Did::redo, steps_[standing_], standing_); !s) return s;
   ++standing_;
   before_.push_back(std::exchange(now_, std::move(undone_.back())));

@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view opens = "# bundle", closes = "# end";  // around a step of several lines, in the script
 
 Error not_kept(const std::string& why) {
-  return fail(Code::machine, "nothing is done, as the history cannot be kept: " + why);
+  return fail(ErrorCode::machine, "nothing is done, as the history cannot be kept: " + why);
 }
 
 std::size_t bytes_of(const Step& step) {
@@ -79,19 +79,19 @@ Status History::keep_in(const std::string& path, bool overwrite, const std::stri
   const auto there = read_script(path);
   if (!there) return there.error();
   if (*there && !(*there)->empty() && !overwrite)
-    return fail(Code::file, fmt::format("--save: '{}' is there already", path),
+    return fail(ErrorCode::file, fmt::format("--save: '{}' is there already", path),
                 fmt::format("--overwrite lets it go; to go on with it: betwixt serve {} --save {}", path, path));
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) return fail(Code::machine, fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+  if (file < 0) return fail(ErrorCode::machine, fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
   if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
     ::close(file);
-    return fail(Code::file, fmt::format("another server keeps its history in '{}'", path));
+    return fail(ErrorCode::file, fmt::format("another server keeps its history in '{}'", path));
   }
   if (!*there || **there != base) {
     const int why = write_all(file, base, 0);
     if (why || ::ftruncate(file, static_cast<off_t>(base.size())) != 0) {
       ::close(file);
-      return fail(Code::machine, fmt::format("cannot write '{}': {}", path, std::strerror(why ? why : errno)));
+      return fail(ErrorCode::machine, fmt::format("cannot write '{}': {}", path, std::strerror(why ? why : errno)));
     }
   }
   file_ = file, end_ = static_cast<off_t>(base.size()), dirty_ = true;
@@ -105,7 +105,7 @@ Status History::note(Did what, const Step& step, std::span<const Step> standing)
 Status History::append(const Step& step, std::span<const Step> standing) {
   const std::size_t more = bytes_of(step);
   if (bytes_ + more > longest_)
-    return fail(Code::range, fmt::format("the history would be longer than {} bytes", longest_),
+    return fail(ErrorCode::range, fmt::format("the history would be longer than {} bytes", longest_),
                 "undo takes commands back; betwixt serve --history N lets it grow");
   const off_t begins = end_;
   if (file_ >= 0) {
@@ -132,7 +132,7 @@ Status History::take_back(const Step& step) {
 Status History::sync() {
   if (!dirty_) return Nothing{};
   if (file_ >= 0 && ::fdatasync(file_) != 0)
-    return fail(Code::machine, fmt::format("the history cannot be kept: {}", std::strerror(errno)));
+    return fail(ErrorCode::machine, fmt::format("the history cannot be kept: {}", std::strerror(errno)));
   dirty_ = false;
   return Nothing{};
 }

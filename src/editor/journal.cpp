@@ -26,7 +26,7 @@ std::uint64_t fnv(std::string_view bytes, std::uint64_t h = fnv_basis) {
 }
 
 Error machine(const std::string& path, const char* what, int reason = errno) {
-  return fail(Code::machine, fmt::format("'{}' cannot be {}: {}", path, what, std::strerror(reason)));
+  return fail(ErrorCode::machine, fmt::format("'{}' cannot be {}: {}", path, what, std::strerror(reason)));
 }
 
 Result<std::string> text_of(int file, const std::string& path) {
@@ -66,13 +66,13 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
     if (file < 0) return machine(path, "made");
     std::unique_ptr<Journal> journal(new Journal(path, file));
     if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
-      if (errno == EWOULDBLOCK) return fail(Code::name, "another shell has it open");
+      if (errno == EWOULDBLOCK) return fail(ErrorCode::name, "another shell has it open");
       return machine(path, "locked");
     }
     struct stat held {};
     struct stat named {};
     if (::fstat(file, &held) != 0) return machine(path, "read");
-    if (!S_ISREG(held.st_mode)) return fail(Code::machine, fmt::format("'{}' is no file", path));
+    if (!S_ISREG(held.st_mode)) return fail(ErrorCode::machine, fmt::format("'{}' is no file", path));
     // Its last holder may have removed it between the two calls above.
     if (::stat(path.c_str(), &named) != 0 || named.st_ino != held.st_ino || named.st_dev != held.st_dev) continue;
     journal->read();
@@ -172,7 +172,7 @@ Result<std::string> Journal::keep_aside() const {
     if (reason != 0) return machine(name, "written", reason);
     return name;
   }
-  return fail(Code::file, fmt::format("there are too many journals beside '{}'", path_));
+  return fail(ErrorCode::file, fmt::format("there are too many journals beside '{}'", path_));
 }
 
 void Journal::remove() { ::unlink(path_.c_str()); }
@@ -181,14 +181,15 @@ Result<std::optional<std::string>> read_script(const std::string& path) {
   FileContents in = read_contents(path, {.largest = UINT64_MAX});
   if (in.hindrance == Hindrance::none) return std::optional<std::string>(std::move(in.text));
   if (in.hindrance == Hindrance::missing && in.reason == ENOENT) return std::optional<std::string>();
-  if (in.reason != 0) return fail(Code::file, fmt::format("'{}' cannot be read: {}", path, std::strerror(in.reason)));
-  return fail(Code::file, fmt::format("'{}' is no script: only a file can be opened and saved", path));
+  if (in.reason != 0)
+    return fail(ErrorCode::file, fmt::format("'{}' cannot be read: {}", path, std::strerror(in.reason)));
+  return fail(ErrorCode::file, fmt::format("'{}' is no script: only a file can be opened and saved", path));
 }
 
 Status write_script(const std::string& path, std::string_view text) {
   struct stat old {};
   if (::stat(path.c_str(), &old) == 0 && !S_ISREG(old.st_mode))
-    return fail(Code::file, fmt::format("'{}' is no file", path));
+    return fail(ErrorCode::file, fmt::format("'{}' is no file", path));
   if (const int reason = put_file(path, text, {.like_old = true, .on_disk = true}))
     return machine(path, "written", reason);
   return Nothing{};

@@ -24,7 +24,7 @@ bool meant_a_sheet(const std::vector<std::string>& words) {
 }  // namespace
 
 Session::Answer Session::State::refused(const std::string& message, const std::string& hint) {
-  return {false, false, true, to_string(Diagnostic{Severity::error, fail(Code::name, message, hint), {}, 0})};
+  return {false, false, true, to_string(Diagnostic{Severity::error, fail(ErrorCode::name, message, hint), {}, 0})};
 }
 
 std::string_view trimmed(std::string_view s, bool both) {

@@ -41,8 +41,8 @@ void Session::State::keep_journal() {
 // The journal of a file that this session goes over to, and that has none of its own that anybody needs.
 Result<std::unique_ptr<Journal>> Session::State::journal_beside(const std::string& name, std::string& said) const {
   auto opened = Journal::open(journal_path(name));
-  if (!opened && opened.error().code == Code::name)
-    return fail(Code::name, fmt::format("'{}' is open in another shell", name));
+  if (!opened && opened.error().code == ErrorCode::name)
+    return fail(ErrorCode::name, fmt::format("'{}' is open in another shell", name));
   if (!opened) {
     said += fmt::format("no journal can be kept here: {}\n", opened.error().message);
     return std::unique_ptr<Journal>();

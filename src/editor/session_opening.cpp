@@ -42,7 +42,7 @@ Session::Answer Session::State::open(const std::string& name, Earlier earlier) {
     return found;
   }
   start(o, o.text);
-  looks_only = opened.error().code == Code::name;
+  looks_only = opened.error().code == ErrorCode::name;
   if (looks_only)
     o.said += fmt::format("another shell has {} open: this one may only look\n", called());
   else

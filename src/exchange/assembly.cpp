@@ -86,7 +86,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 }  // namespace
 
 Error Assembly::error(const std::string& what) const {
-  return fail(Code::file, fmt::format("{} cannot be read as a mesh: {}", path_, what));
+  return fail(ErrorCode::file, fmt::format("{} cannot be read as a mesh: {}", path_, what));
 }
 
 Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look) {
@@ -153,7 +153,7 @@ Result<std::shared_ptr<const Mesh>> Assembly::finish() && {
 }
 
 Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
-  if (!may_read(path)) return fail(Code::file, fmt::format("{} may not be read", path));
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
   const std::string kind = ending(path);
   if (kind == "gltf" || kind == "glb") return load_gltf(path, may_read);
   if (kind == "ply") return load_ply(path);
@@ -162,7 +162,7 @@ Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const May
     if (kind == known) return load_by_assimp(path, may_read);
   const auto bytes = read_whole(path);  // a missing file is told before an odd ending
   if (!bytes) return bytes.error();
-  return fail(Code::file, fmt::format("{} is not a kind of mesh that can be read", path),
+  return fail(ErrorCode::file, fmt::format("{} is not a kind of mesh that can be read", path),
               "glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds can be");
 }
 

@@ -243,7 +243,7 @@ Status find_font(const std::string& family) {
   const std::lock_guard lock(m.mutex);
   if (has_family(m, family)) return Nothing{};
   const std::string near = near_family(m, family);
-  return fail(Code::name, fmt::format("this machine has no font called \"{}\"", family),
+  return fail(ErrorCode::name, fmt::format("this machine has no font called \"{}\"", family),
               near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
 }
 

@@ -227,7 +227,7 @@ bool has_proper_indices(std::string_view text) {
 Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, const MayRead& may_read) {
   const auto text = read_whole(path);  // for a message in our words where there is no such file
   if (!text) return text.error();
-  if (text->empty()) return fail(Code::file, fmt::format("{} is empty", path));
+  if (text->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   if (ending(path) == "dae" && !has_proper_indices(*text))
     return Assembly(path).error("it is cut off, or its lists of indices hold something else than numbers");
   try {

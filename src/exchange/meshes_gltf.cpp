@@ -293,7 +293,7 @@ class Reader {
       auto picture =
           decode_picture(image->image, image->uri.empty() ? fmt::format("picture {} in {}", texture->source, path_)
                                                           : fmt::format("{} of {}", image->uri, path_));
-      if (!picture) return fail(Code::file, picture.error().message, picture.error().hint);
+      if (!picture) return fail(ErrorCode::file, picture.error().message, picture.error().hint);
       known = *picture;
     }
     look.texture = known;
@@ -320,7 +320,7 @@ std::string first_line(std::string text) {
 Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, const MayRead& may_read) {
   const auto bytes = read_whole(path);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return fail(Code::file, fmt::format("{} is empty", path));
+  if (bytes->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   gltf::TinyGLTF parser;
   parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, const_cast<MayRead*>(&may_read)});
   parser.SetImageLoader(keep_encoded, nullptr);

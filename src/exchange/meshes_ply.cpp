@@ -219,7 +219,7 @@ class Ply {
 Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path) {
   const auto bytes = read_whole(path);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return fail(Code::file, fmt::format("{} is empty", path));
+  if (bytes->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   return Ply(*bytes, path).read();
 }
 

@@ -27,13 +27,13 @@ using Png = std::unique_ptr<spng_ctx, Free>;
 using Decoded = Result<std::shared_ptr<const Picture>>;
 
 Error broken(const std::string& name, const char* why) {
-  return fail(Code::file, fmt::format("{} is broken or not a picture: {}", name, why));
+  return fail(ErrorCode::file, fmt::format("{} is broken or not a picture: {}", name, why));
 }
 
 Status check_size(const std::string& name, std::uint64_t width, std::uint64_t height) {
   if (width >= 1 && height >= 1 && width <= most_pixels_a_side && height <= most_pixels_a_side) return Nothing{};
-  return fail(Code::range, fmt::format("{} has {} by {} pixels; 1 to {} a side can be read", name, width, height,
-                                       most_pixels_a_side));
+  return fail(ErrorCode::range, fmt::format("{} has {} by {} pixels; 1 to {} a side can be read", name, width, height,
+                                            most_pixels_a_side));
 }
 
 std::size_t size_of(const Picture& p) {
@@ -42,7 +42,7 @@ std::size_t size_of(const Picture& p) {
 
 Decoded decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   const Png png(spng_ctx_new(0));
-  if (!png) return fail(Code::machine, "out of memory");
+  if (!png) return fail(ErrorCode::machine, "out of memory");
   spng_ihdr head{};
   int error = spng_set_png_buffer(png.get(), bytes.data(), bytes.size());
   if (error == 0) error = spng_get_ihdr(png.get(), &head);
@@ -80,10 +80,11 @@ bool begins(std::span<const std::uint8_t> bytes, std::string_view with) {
 }  // namespace
 
 Decoded decode_picture(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (bytes.empty()) return fail(Code::file, fmt::format("{} is empty", name));
+  if (bytes.empty()) return fail(ErrorCode::file, fmt::format("{} is empty", name));
   if (begins(bytes, "\x89PNG")) return decode_png(bytes, name);
   if (begins(bytes, "\xff\xd8") || begins(bytes, "BM") || ending(name) == "tga") return decode_other(bytes, name);
-  return fail(Code::file, fmt::format("{} is not a picture that can be read", name), "PNG, JPEG, TGA and BMP can be");
+  return fail(ErrorCode::file, fmt::format("{} is not a picture that can be read", name),
+              "PNG, JPEG, TGA and BMP can be");
 }
 
 Decoded read_picture(const std::string& path) {
@@ -94,10 +95,10 @@ Decoded read_picture(const std::string& path) {
 
 Status write_png(const std::string& path, const Picture& picture, bool overwrite) {
   if (picture.width < 1 || picture.height < 1 || picture.rgba.size() != size_of(picture))
-    return fail(Code::range,
+    return fail(ErrorCode::range,
                 fmt::format("a picture of {} by {} pixels cannot be written", picture.width, picture.height));
   const Png png(spng_ctx_new(SPNG_CTX_ENCODER));
-  if (!png) return fail(Code::machine, "out of memory");
+  if (!png) return fail(ErrorCode::machine, "out of memory");
   spng_ihdr head{};
   head.width = static_cast<std::uint32_t>(picture.width), head.height = static_cast<std::uint32_t>(picture.height);
   head.bit_depth = 8, head.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
@@ -107,11 +108,11 @@ Status write_png(const std::string& path, const Picture& picture, bool overwrite
   spng_set_srgb(png.get(), 0);
   const int error =
       spng_encode_image(png.get(), picture.rgba.data(), picture.rgba.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-  if (error != 0) return fail(Code::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(error)));
+  if (error != 0) return fail(ErrorCode::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(error)));
   int result = 0;
   std::size_t length = 0;
   const std::unique_ptr<void, Free> bytes(spng_get_png_buffer(png.get(), &length, &result));
-  if (!bytes) return fail(Code::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(result)));
+  if (!bytes) return fail(ErrorCode::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(result)));
   return write_whole(path, {static_cast<const char*>(bytes.get()), length}, overwrite);
 }
 

@@ -66,7 +66,7 @@ std::string last_words(std::string text) {
 
 }  // namespace
 
-Error stopped() { return fail(Code::machine, "the film was stopped"); }
+Error stopped() { return fail(ErrorCode::machine, "the film was stopped"); }
 
 Result<std::unique_ptr<Encoder>> Encoder::start(const std::vector<std::string>& arguments) {
   // A socket rather than a pipe: writing to one whose reader has died is an answer, not a signal to the whole process.
@@ -74,8 +74,8 @@ Result<std::unique_ptr<Encoder>> Encoder::start(const std::vector<std::string>& 
   const auto give_up = [&](int why) {
     for (int* fd : {&in[0], &in[1], &err[0], &err[1]}) shut(*fd);
     if (why == ENOENT)
-      return fail(Code::machine, arguments[0] + " is not installed", "sudo apt-get install " + arguments[0]);
-    return fail(Code::machine, fmt::format("cannot start {}: {}", arguments[0], std::strerror(why)));
+      return fail(ErrorCode::machine, arguments[0] + " is not installed", "sudo apt-get install " + arguments[0]);
+    return fail(ErrorCode::machine, fmt::format("cannot start {}: {}", arguments[0], std::strerror(why)));
   };
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in.data()) != 0) return give_up(errno);
   if (::pipe2(err.data(), O_CLOEXEC) != 0) return give_up(errno);
@@ -120,7 +120,7 @@ Status Encoder::write(const std::vector<std::uint8_t>& bytes, const KeepGoing& k
     if (errno == EINTR) continue;
     if (errno != EAGAIN) {  // it has closed its ear: let it say why
       Status how = end(keep_going);
-      return how ? Status(fail(Code::machine, "ffmpeg stopped before the end of the film")) : how;
+      return how ? Status(fail(ErrorCode::machine, "ffmpeg stopped before the end of the film")) : how;
     }
     std::array<pollfd, 2> both{pollfd{in_, POLLOUT, 0}, pollfd{err_, POLLIN, 0}};
     ::poll(both.data(), both.size(), beat);
@@ -152,13 +152,13 @@ Status Encoder::end(const KeepGoing& keep_going) {
 Error Encoder::complaint(int status) const {
   const std::string words = last_words(said_);
   if (words.find(std::strerror(ENOSPC)) != std::string::npos)
-    return fail(Code::machine, "the disk is full (ffmpeg said: " + words + ")");
+    return fail(ErrorCode::machine, "the disk is full (ffmpeg said: " + words + ")");
   if (WIFSIGNALED(status))
     return fail(
-        Code::machine,
+        ErrorCode::machine,
         fmt::format("ffmpeg was ended from outside by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))),
         words);
-  return fail(Code::machine, fmt::format("ffmpeg failed: {}", words.empty() ? "it did not say why" : words));
+  return fail(ErrorCode::machine, fmt::format("ffmpeg failed: {}", words.empty() ? "it did not say why" : words));
 }
 
 }  // namespace betwixt

@@ -24,12 +24,12 @@ constexpr int largest_side = 8192, most_jobs = 256;
 constexpr std::chrono::milliseconds wait_beat{50};
 
 Status check(const FilmOptions& o) {
-  if (o.frames < 1) return fail(Code::range, "a film needs at least one frame");
+  if (o.frames < 1) return fail(ErrorCode::range, "a film needs at least one frame");
   if (o.width < 1 || o.height < 1 || o.width > largest_side || o.height > largest_side)
-    return fail(Code::range, fmt::format("a picture of {}x{} is not possible: 1 to {} pixels a side", o.width, o.height,
-                                         largest_side));
-  if (o.rate.num < 1 || o.rate.den < 1) return fail(Code::range, "a film needs a rate above 0");
-  if (o.jobs < 0 || o.jobs > most_jobs) return fail(Code::range, fmt::format("jobs are 1 to {}", most_jobs));
+    return fail(ErrorCode::range, fmt::format("a picture of {}x{} is not possible: 1 to {} pixels a side", o.width,
+                                              o.height, largest_side));
+  if (o.rate.num < 1 || o.rate.den < 1) return fail(ErrorCode::range, "a film needs a rate above 0");
+  if (o.jobs < 0 || o.jobs > most_jobs) return fail(ErrorCode::range, fmt::format("jobs are 1 to {}", most_jobs));
   return Nothing{};
 }
 
@@ -46,8 +46,8 @@ Status check(const Picture& p, const FilmOptions& o) {
   if (p.width == o.width && p.height == o.height &&
       p.rgba.size() == 4 * static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height))
     return Nothing{};
-  return fail(Code::range, fmt::format("a painter made a picture of {}x{} for a film of {}x{}", p.width, p.height,
-                                       o.width, o.height));
+  return fail(ErrorCode::range, fmt::format("a painter made a picture of {}x{} for a film of {}x{}", p.width, p.height,
+                                            o.width, o.height));
 }
 
 // Painters at work. Picture k goes through slot k mod the number of slots, so that no more than these are ever held,
@@ -59,7 +59,8 @@ class Crew {
     try {
       for (int j = 0; j < jobs; ++j) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error& e) {  // fewer than asked for will do
-      if (threads_.empty()) failed_early_ = fail(Code::machine, fmt::format("cannot start a thread: {}", e.what()));
+      if (threads_.empty())
+        failed_early_ = fail(ErrorCode::machine, fmt::format("cannot start a thread: {}", e.what()));
     }
   }
   ~Crew() {
@@ -99,7 +100,7 @@ class Crew {
   Slot& slot(int k) { return slots_[static_cast<std::size_t>(k) % slots_.size()]; }
 
   void work() {
-    Result<Painter> painter = fail(Code::machine, "no painter");
+    Result<Painter> painter = fail(ErrorCode::machine, "no painter");
     {
       // One at a time, while those that are ready paint.
       const std::lock_guard lock(making_);

@@ -16,7 +16,7 @@ namespace {
 // Reads the one %d or %0Nd of a picture's name.
 Result<Output> read_number(Output out) {
   const Error wrong =
-      fail(Code::range, fmt::format("a film as pictures needs one number in its name, not \"{}\"", out.name),
+      fail(ErrorCode::range, fmt::format("a film as pictures needs one number in its name, not \"{}\"", out.name),
            "such as frame-%04d.png");
   const std::size_t at = out.name.find('%');
   if (at == std::string::npos) return wrong;
@@ -58,10 +58,10 @@ Result<Output> read_output(const std::string& path) {
   if (out.format && dot > 0) return out;
   const std::string known_endings = film_endings() + ", or numbered pictures: frame-%04d.png";
   if (dot == std::string::npos || dot == 0)
-    return fail(Code::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
+    return fail(ErrorCode::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
   std::vector<std::string_view> names;
   for (const Format& f : formats()) names.push_back(f.ending);
-  return fail(Code::range, fmt::format("a film cannot end in \"{}\"; known endings: {}", ending, known_endings),
+  return fail(ErrorCode::range, fmt::format("a film cannot end in \"{}\"; known endings: {}", ending, known_endings),
               did_you_mean(ending, names));
 }
 

@@ -91,7 +91,7 @@ class Pictures final : public Sink {
     Error e = written.error();  // in words that name the picture, not where it waits
     const std::size_t at = e.message.find(hidden);
     if (at != std::string::npos) e.message.replace(at, hidden.size(), place_.path(number(k)));
-    e.code = Code::machine;  // the folder could be written to a moment ago
+    e.code = ErrorCode::machine;  // the folder could be written to a moment ago
     return e;
   }
   Status take(const Parcel&, const KeepGoing&) override { return Nothing{}; }

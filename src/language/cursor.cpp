@@ -26,14 +26,14 @@ std::string quoted(std::string_view s) {
 
 }  // namespace
 
-bool Cursor::fail(Code code, std::string message, std::string_view about, std::string hint) {
+bool Cursor::fail(ErrorCode code, std::string message, std::string_view about, std::string hint) {
   if (error) return false;
   error = betwixt::fail(code, std::move(message), std::move(hint));
   where = about;
   return false;
 }
 
-bool Cursor::fail_here(Code code, std::string message, std::string hint) {
+bool Cursor::fail_here(ErrorCode code, std::string message, std::string hint) {
   while (at < end && (*at == ' ' || *at == '\t')) ++at;
   const char* start = at;
   const std::string_view w = peek_word();
@@ -93,7 +93,7 @@ bool Cursor::accept(char c) {
 }
 
 bool Cursor::open() {
-  if (!accept('(')) return fail_here(Code::syntax, "an opening bracket '(' is missing here");
+  if (!accept('(')) return fail_here(ErrorCode::syntax, "an opening bracket '(' is missing here");
   if (static_cast<std::size_t>(depth) < brackets.size()) brackets[static_cast<std::size_t>(depth)] = at - 1;
   ++depth;
   return true;
@@ -101,10 +101,11 @@ bool Cursor::open() {
 
 bool Cursor::close() {
   space();
-  if (at == end) return fail(Code::syntax, "a bracket is not closed before the text ends", {end, 0});
+  if (at == end) return fail(ErrorCode::syntax, "a bracket is not closed before the text ends", {end, 0});
   if (*at != ')')
-    return fail_here(Code::syntax, fmt::format("a closing bracket ')' is missing before {}",
-                                               quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
+    return fail_here(ErrorCode::syntax,
+                     fmt::format("a closing bracket ')' is missing before {}",
+                                 quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
   ++at;
   --depth;
   return true;
@@ -117,7 +118,7 @@ bool Cursor::number(double& out) {
   const bool plus = p < end && *p == '+';
   if (p < end && (*p == '-' || *p == '+')) ++p;
   if (!(p < end && (digit(*p) || (*p == '.' && p + 1 < end && digit(p[1])))))
-    return fail_here(Code::syntax,
+    return fail_here(ErrorCode::syntax,
                      at_line_end() ? "a number is missing here"
                                    : fmt::format("{} is not a number",
                                                  quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
@@ -126,9 +127,9 @@ bool Cursor::number(double& out) {
   // "1..24": the second dot is not the number's, nor is the first.
   if (at < end && at[-1] == '.' && *at == '.') --at;
   if (r.ec != std::errc{} && r.ec != std::errc::result_out_of_range)
-    return fail_here(Code::syntax, "this is not a number");
+    return fail_here(ErrorCode::syntax, "this is not a number");
   if (!std::isfinite(out))
-    return fail(Code::range, fmt::format("{} is too large for a number", quoted(since(start))), since(start));
+    return fail(ErrorCode::range, fmt::format("{} is too large for a number", quoted(since(start))), since(start));
   return true;
 }
 
@@ -138,7 +139,7 @@ bool Cursor::whole_number(long low, long high, const char* what, long& out) {
   double d = 0;
   if (!number(d)) return false;
   if (d != std::floor(d) || d < static_cast<double>(low) || d > static_cast<double>(high))
-    return fail(Code::range, fmt::format("{} is a whole number from {} to {}", what, low, high), since(start));
+    return fail(ErrorCode::range, fmt::format("{} is a whole number from {} to {}", what, low, high), since(start));
   out = static_cast<long>(d);
   return true;
 }
@@ -152,12 +153,13 @@ std::string_view Cursor::unit() {
 bool Cursor::text(std::string& out) {
   space();
   const char* start = at;
-  if (peek() != '"') return fail_here(Code::syntax, "a text in double quotes is missing here");
+  if (peek() != '"') return fail_here(ErrorCode::syntax, "a text in double quotes is missing here");
   out.clear();
   if (end - at >= 3 && at[1] == '"' && at[2] == '"') {
     const std::string_view rest(at + 3, static_cast<std::size_t>(end - at - 3));
     const auto close = rest.find("\"\"\"");
-    if (close == std::string_view::npos) return fail(Code::syntax, "this text is never closed by \"\"\"", {start, 3});
+    if (close == std::string_view::npos)
+      return fail(ErrorCode::syntax, "this text is never closed by \"\"\"", {start, 3});
     out = rest.substr(0, close);
     for (std::size_t cr; (cr = out.find("\r\n")) != std::string::npos;)
       out.erase(cr, 1);  // a line ends alike everywhere
@@ -188,17 +190,17 @@ bool Cursor::text(std::string& out) {
         out += '\\';
         break;
       default:
-        return fail(Code::syntax, fmt::format("'\\{}' means nothing in a text", *at), {at - 1, 2},
+        return fail(ErrorCode::syntax, fmt::format("'\\{}' means nothing in a text", *at), {at - 1, 2},
                     "known: \\n \\t \\\" \\\\");
     }
   }
-  return fail(Code::syntax, "this text is not closed on its line", {start, 1},
+  return fail(ErrorCode::syntax, "this text is not closed on its line", {start, 1},
               "end it with \", or begin and end it with \"\"\" if it has several lines");
 }
 
 bool Cursor::store(Time& out, long double seconds, const char* start) {
   if (!(std::abs(seconds) <= static_cast<long double>(longest_seconds)))
-    return fail(Code::range, "times reach 146 years (4.6e9 s) and no further", since(start));
+    return fail(ErrorCode::range, "times reach 146 years (4.6e9 s) and no further", since(start));
   out = {static_cast<std::int64_t>(std::llroundl(seconds * flicks_per_second))};
   return true;
 }
@@ -212,7 +214,7 @@ bool Cursor::clock(Time& out, const char* start, bool negative) {
     seconds = seconds * 60 + static_cast<long double>(d);
     if (peek() != ':') break;
     if (part == 2 || d != std::floor(d))
-      return fail(Code::syntax, "a clock time is hours:minutes:seconds", since(start));
+      return fail(ErrorCode::syntax, "a clock time is hours:minutes:seconds", since(start));
     ++at;
   }
   return store(out, negative ? -seconds : seconds, start);
@@ -243,16 +245,16 @@ bool Cursor::time_or_length(Time& out, bool length) {
   }
   double n = 0;
   if (!number(n)) {
-    if (error->code == Code::syntax)
+    if (error->code == ErrorCode::syntax)
       error->message = at_line_end() ? "a time is missing here"
                                      : fmt::format("{} is not a time",
                                                    quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word()));
-    error->hint = error->code == Code::syntax ? "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5" : "";
+    error->hint = error->code == ErrorCode::syntax ? "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5" : "";
     return false;
   }
   const std::string_view u = unit();
   if (!over(at))
-    return fail(Code::syntax,
+    return fail(ErrorCode::syntax,
                 fmt::format("{} is not a time",
                             quoted(std::string_view(start, static_cast<std::size_t>(at - start) + peek_word().size()))),
                 since(start));
@@ -273,9 +275,9 @@ bool Cursor::time_or_length(Time& out, bool length) {
   }
   if (u.empty())
     return fail(
-        Code::syntax, fmt::format("a {} needs a unit", length ? "length of time" : "time"), since(start),
+        ErrorCode::syntax, fmt::format("a {} needs a unit", length ? "length of time" : "time"), since(start),
         fmt::format("write {0}f for {1}, or {0}s for seconds", since(start), length ? "frames" : "a frame number"));
-  return fail(Code::syntax, fmt::format("'{}' is not a unit of time", u), u,
+  return fail(ErrorCode::syntax, fmt::format("'{}' is not a unit of time", u), u,
               "units are f (frames), s, ms and t (ticks)");
 }
 
@@ -284,11 +286,11 @@ bool Cursor::segment(Time& from, Time& to) {
   const char* start = at;
   if (!time(from)) return false;
   if (end - at < 2 || at[0] != '.' || at[1] != '.')
-    return fail(Code::syntax, "a segment needs its end", since(start),
+    return fail(ErrorCode::syntax, "a segment needs its end", since(start),
                 fmt::format("write {}..END, as in 1f..24f", since(start)));
   at += 2;
   if (!time(to)) return false;
-  if (to < from) return fail(Code::range, "this segment ends before it begins", since(start));
+  if (to < from) return fail(ErrorCode::range, "this segment ends before it begins", since(start));
   return true;
 }
 
@@ -305,11 +307,11 @@ bool Cursor::angle(double& radians) {
   else if (u == "rad" || (u.empty() && n == 0))
     radians = n;
   else if (u.empty())
-    return fail(Code::type, "an angle needs a unit", since(start),
+    return fail(ErrorCode::type, "an angle needs a unit", since(start),
                 fmt::format("write {}deg; units are deg, rad and turn", since(start)));
   else
-    return fail(Code::type, fmt::format("'{}' is not a unit of angles", u), u, "units are deg, rad and turn");
-  if (!std::isfinite(radians)) return fail(Code::range, "this angle is too large", since(start));
+    return fail(ErrorCode::type, fmt::format("'{}' is not a unit of angles", u), u, "units are deg, rad and turn");
+  if (!std::isfinite(radians)) return fail(ErrorCode::range, "this angle is too large", since(start));
   return true;
 }
 
@@ -326,7 +328,7 @@ bool Cursor::per_second(Rate& out, const char* what) {
   while ((num != std::floor(num) || den != std::floor(den)) && den < 1e6) num *= 10, den *= 10;
   if (!(num >= 1 && den >= 1 && num <= 1e9 && den <= 1e7 && num / den <= 1e5 && num / den >= 1e-4) ||
       num != std::floor(num) || den != std::floor(den))
-    return fail(Code::range, fmt::format("{} per second are from 0.0001 to 100000", what), since(start));
+    return fail(ErrorCode::range, fmt::format("{} per second are from 0.0001 to 100000", what), since(start));
   const auto n = static_cast<std::int64_t>(num), d = static_cast<std::int64_t>(den);
   const auto common = std::gcd(n, d);
   out = {n / common, d / common};

@@ -34,8 +34,8 @@ class Cursor {
   // The first failure since the last clear; `where` is the text it is about.
   std::optional<Error> error;
   std::string_view where;
-  bool fail(Code code, std::string message, std::string_view about, std::string hint = {});
-  bool fail_here(Code code, std::string message, std::string hint = {});
+  bool fail(ErrorCode code, std::string message, std::string_view about, std::string hint = {});
+  bool fail_here(ErrorCode code, std::string message, std::string hint = {});
 
   void space();        // blanks, commas, comments; inside brackets new lines too
   bool at_line_end();  // after space(): the logical line is over

@@ -87,7 +87,7 @@ std::optional<Unsound> unsound(std::string_view text) {
   const auto* p = reinterpret_cast<const unsigned char*>(text.data());
   const std::size_t n = text.size();
   const auto bad = [&](std::size_t i, const char* what) {
-    return Unsound{i, fail(Code::file, fmt::format("this is not a text: {} (byte 0x{:02x})", what, p[i]))};
+    return Unsound{i, fail(ErrorCode::file, fmt::format("this is not a text: {} (byte 0x{:02x})", what, p[i]))};
   };
   // Eight plain characters at once: none above 0x7f, and none below 0x20 (a subtraction borrows into its top bit).
   const auto plain = [&](std::size_t i) {

@@ -57,7 +57,7 @@ bool ValueReader::motion(Moves& out) {
   } else {
     text = factors_from(start, c.end);
     if (text.empty())
-      return c.fail_here(Code::syntax, "a motion is wanted here",
+      return c.fail_here(ErrorCode::syntax, "a motion is wanted here",
                          "a string of T(…), R(…) and S(…), as in T(6.28 0) R(-1turn @ 0 1)");
     c.at = text.data() + text.size();
   }
@@ -85,11 +85,11 @@ bool ValueReader::motion(Moves& out) {
     ObjectId id;
     ValueReader reader{name, scene, {}, {}};
     if (scene.aliases->contains(f.about))
-      return c.fail(Code::name, fmt::format("'{}' is an alias: a centre is one object, by its own name", f.about),
+      return c.fail(ErrorCode::name, fmt::format("'{}' is an alias: a centre is one object, by its own name", f.about),
                     about);
     if (!reader.object(id)) return c.fail(name.error->code, name.error->message, about, name.error->hint);
     if (!placed(scene.objects[id.index].kind))
-      return c.fail(Code::type, fmt::format("'{}' is nowhere: it cannot be a centre", f.about), about);
+      return c.fail(ErrorCode::type, fmt::format("'{}' is nowhere: it cannot be a centre", f.about), about);
   }
   out = Moves(*std::move(read));
   return true;

@@ -38,7 +38,7 @@ struct FactorReader {
     for (int i = 0; i < count; ++i) {
       c.space();
       if (c.peek() == ')')
-        return c.fail_here(Code::syntax, fmt::format("{} numbers are wanted here, not {}", count, i));
+        return c.fail_here(ErrorCode::syntax, fmt::format("{} numbers are wanted here, not {}", count, i));
       if (!values.scalar(n[i], unit)) return false;
     }
     return true;
@@ -80,7 +80,7 @@ struct FactorReader {
     if (!numbers(16, n, Unit::none)) return false;
     for (int i = 0; i < 16; ++i) matrix(i / 4, i % 4) = n[i];
     return (n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1) ||
-           c.fail(Code::range, "the last row of a matrix is 0 0 0 1", c.since(start),
+           c.fail(ErrorCode::range, "the last row of a matrix is 0 0 0 1", c.since(start),
                   "16 numbers row by row; a translation stands in the last column");
   }
 
@@ -97,7 +97,7 @@ struct FactorReader {
     Cursor& c = values.c;
     c.space();
     if (c.peek() != '(')
-      return c.fail_here(Code::syntax, fmt::format("an opening bracket '(' is missing here, behind '{}'", word),
+      return c.fail_here(ErrorCode::syntax, fmt::format("an opening bracket '(' is missing here, behind '{}'", word),
                          fmt::format("as in {}", example(word)));
     if (!c.open()) return false;
     const bool done = word == "translate" ? translate()
@@ -112,7 +112,7 @@ struct FactorReader {
     centred = inside || c.accept('@');
     if (centred && !inside && !values.vector(3, centre, Unit::metres)) return false;
     return !(centred && word == "matrix") ||
-           c.fail(Code::syntax, "a matrix has its centre in it", word, "rotate and scale take @ (x y z)");
+           c.fail(ErrorCode::syntax, "a matrix has its centre in it", word, "rotate and scale take @ (x y z)");
   }
 };
 
@@ -133,11 +133,11 @@ bool ValueReader::transform(Mat4& out) {
   }
   if (count == 0) {
     const std::string hint = did_you_mean(c.peek_word(), {std::begin(factors), std::end(factors)});
-    return c.fail_here(Code::syntax, "a transform is wanted here",
+    return c.fail_here(ErrorCode::syntax, "a transform is wanted here",
                        hint.empty() ? "translate(x y z), rotate(90deg, z) @ (x y z), scale(x y z) or matrix(…)" : hint);
   }
   for (const double n : product.m)
-    if (!std::isfinite(n)) return c.fail_here(Code::range, "this transform grows beyond all numbers");
+    if (!std::isfinite(n)) return c.fail_here(ErrorCode::range, "this transform grows beyond all numbers");
   out = product;
   return true;
 }
@@ -151,12 +151,12 @@ bool ValueReader::names(Names& out) {
   for (c.space(); brackets ? c.peek() != ')' && c.at < c.end : list.empty(); c.space()) {
     const std::string_view word = c.word();
     if (!is_name(word))
-      return c.fail(Code::syntax,
+      return c.fail(ErrorCode::syntax,
                     word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                     word.empty() ? std::string_view(c.at, c.at < c.end ? 1 : 0) : word,
                     "as in (drift spin), or none; the first is the outermost");
     list.emplace_back(word);
-    if (list.size() > 1000) return c.fail(Code::range, "no more than 1000 names", word);
+    if (list.size() > 1000) return c.fail(ErrorCode::range, "no more than 1000 names", word);
   }
   if (brackets && !c.close()) return false;
   out = Names(std::move(list));

@@ -56,7 +56,7 @@ struct TypedReader {
     const char* name = (c.space(), c.at);
     if (!values.object(id)) return false;
     if (const Kind kind = values.scene.objects[id.index].kind; !drawable(kind))
-      return c.fail(Code::type, fmt::format("{} has no geometry", a_kind(kind)), c.since(name));
+      return c.fail(ErrorCode::type, fmt::format("{} has no geometry", a_kind(kind)), c.since(name));
     out = id;
     return c.close();
   }
@@ -65,7 +65,8 @@ struct TypedReader {
     ObjectId id;
     if (c.peek() == '(') return values.vector(3, v, spec.unit) && (out = v, true);
     if (c.accept_word("none")) return out = id, true;
-    if (c.at_line_end()) return c.fail_here(Code::syntax, "a point (x y z) or the name of an object is missing here");
+    if (c.at_line_end())
+      return c.fail_here(ErrorCode::syntax, "a point (x y z) or the name of an object is missing here");
     return values.object(id) && (out = id, true);
   }
   bool text(Value& out) {
@@ -85,10 +86,10 @@ struct TypedReader {
     const std::string_view w = c.word();
     const auto at = std::find(std::begin(words), std::end(words), w);
     if (at == std::end(words)) return wanted(w, "couple to NAME, attach to NAME, hang on NAME, detach or letgo");
-    Attachment a{static_cast<Hold>(at - std::begin(words)), {}, false};
-    if (a.hold >= Hold::hang) {
-      const std::string_view link = a.hold == Hold::hang ? "on" : "to";
-      if (!c.accept_word(link)) return c.fail_here(Code::syntax, fmt::format("'{}' is missing here", link));
+    Attachment a{static_cast<AttachmentKind>(at - std::begin(words)), {}, false};
+    if (a.kind >= AttachmentKind::hang) {
+      const std::string_view link = a.kind == AttachmentKind::hang ? "on" : "to";
+      if (!c.accept_word(link)) return c.fail_here(ErrorCode::syntax, fmt::format("'{}' is missing here", link));
       c.space();
       if (!values.object(a.parent)) return false;
       a.keep_world = c.accept_word("keep-world");
@@ -108,13 +109,13 @@ struct TypedReader {
   }
 
   bool wanted(std::string_view instead, std::string_view hint = {}) {
-    return c.fail(Code::type, fmt::format("{} is wanted here", to_string(type)),
+    return c.fail(ErrorCode::type, fmt::format("{} is wanted here", to_string(type)),
                   instead.empty() ? std::string_view(start, 0) : instead, std::string(hint));
   }
   bool in_range(double d) {
     if (d >= spec.low && d <= spec.high) return true;
     const double limit = d < spec.low ? spec.low : spec.high;
-    return c.fail(Code::range,
+    return c.fail(ErrorCode::range,
                   fmt::format("{} is at {} {}", spec.name, d < spec.low ? "least" : "most",
                               row_of(type).angles ? fmt::format("{:.4g}deg", limit * 180 / pi) : write_number(limit)),
                   c.since(start), function == fn::fov ? "a camera sees less than 180deg" : "");
@@ -129,7 +130,7 @@ struct TypedReader {
     if (std::find(words.begin(), words.end(), s) != words.end()) return true;
     std::string all;
     for (auto w : words) all += (all.empty() ? "" : w == words.back() ? " or " : ", ") + std::string(w);
-    return c.fail(Code::type, fmt::format("{} is {}", spec.name, all),
+    return c.fail(ErrorCode::type, fmt::format("{} is {}", spec.name, all),
                   s.empty() ? std::string_view(start, 0) : c.since(start), did_you_mean(s, words));
   }
 };

@@ -42,19 +42,19 @@ bool ValueReader::scalar(double& out, Unit unit) {
     out = length(v);
     return true;
   }
-  if (c.peek() == '(') return c.fail(Code::type, "a number is wanted here, not a vector", {c.at, 1});
+  if (c.peek() == '(') return c.fail(ErrorCode::type, "a number is wanted here, not a vector", {c.at, 1});
   if (c.peek() == '"')
-    return c.fail_here(Code::type, "a number is wanted here, not a text",
+    return c.fail_here(ErrorCode::type, "a number is wanted here, not a text",
                        "without quotes; behind '=' quotes hold a procedure");
   if (!c.number(out)) return false;
   if (c.peek() == '%' && c.at > start)
-    return c.fail(Code::type, "a part of 1 is wanted here, not a percentage", since(start, c),
+    return c.fail(ErrorCode::type, "a part of 1 is wanted here, not a percentage", since(start, c),
                   fmt::format("write {}", write_number(out / 100)));
   const std::string_view u = c.unit();
   if (u.empty()) return true;
   const double metres = u == "m" ? 1 : u == "cm" ? 0.01 : u == "mm" ? 0.001 : 0;
   if (unit == Unit::none || metres == 0)
-    return c.fail(Code::type,
+    return c.fail(ErrorCode::type,
                   unit == Unit::none ? fmt::format("a plain number is wanted here, without '{}'", u)
                                      : fmt::format("'{}' is not a unit of length", u),
                   since(start, c), unit == Unit::none ? "" : "units are m, cm and mm");
@@ -69,13 +69,13 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   const char* start = c.at;
   if (c.peek() != '(') {
     if (c.at_line_end())
-      return c.fail_here(Code::syntax,
+      return c.fail_here(ErrorCode::syntax,
                          numbers == 3 ? "a vector (x y z) is missing here" : "a pair (x y) is missing here");
     double d = 0;
     const std::string_view w = c.peek_word();
     const bool plain = !w.empty() && (w[0] == '-' || w[0] == '+' || w[0] == '.' || (w[0] >= '0' && w[0] <= '9'));
     if (!plain)
-      return c.fail_here(Code::type, fmt::format("a vector (x y{}) is wanted here", numbers == 3 ? " z" : ""));
+      return c.fail_here(ErrorCode::type, fmt::format("a vector (x y{}) is wanted here", numbers == 3 ? " z" : ""));
     if (!scalar(d, unit)) return false;
     if (scene.policy != Policy::translate) {
       // Three numbers without brackets, or one for all.
@@ -87,7 +87,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
       c.error.reset();
       c.where = {};
       c.at = end;
-      return c.fail(Code::type, "a vector is wanted here, not one number", about,
+      return c.fail(ErrorCode::type, "a vector is wanted here, not one number", about,
                     fmt::format("write {}", write_vector(n == numbers ? all : Vec3{d, d, d}, numbers)));
     }
     out = {d, d, numbers == 3 ? d : 0};
@@ -97,21 +97,21 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   for (int i = 0; i < numbers; ++i) {
     c.space();
     if (c.peek() == ')')
-      return c.fail(Code::syntax, fmt::format("{} numbers are wanted here, not {}", numbers, i),
+      return c.fail(ErrorCode::syntax, fmt::format("{} numbers are wanted here, not {}", numbers, i),
                     {start, static_cast<std::size_t>(c.at + 1 - start)});
     double d = 0;
     if (!c.number(d)) return false;
     const std::string_view u = c.unit();
     if (!u.empty()) {
       if (unit != Unit::metres || (u != "m" && u != "cm" && u != "mm"))
-        return c.fail(Code::type, fmt::format("'{}' is not a unit that fits here", u), u);
+        return c.fail(ErrorCode::type, fmt::format("'{}' is not a unit that fits here", u), u);
       d = u == "mm" ? d / 1000 : u == "cm" ? d / 100 : d;
     }
     out[i] = d;
   }
   c.space();
   if (c.at < c.end && c.peek() != ')')
-    return c.fail_here(Code::syntax, fmt::format("only {} numbers are wanted here", numbers));
+    return c.fail_here(ErrorCode::syntax, fmt::format("only {} numbers are wanted here", numbers));
   return c.close();
 }
 
@@ -125,7 +125,7 @@ bool ValueReader::color(Color& out) {
     for (; c.at < c.end && hex(*c.at) >= 0 && n < 9; ++c.at, ++n) v = v * 16 + static_cast<std::uint32_t>(hex(*c.at));
     if (n == 3) v = (v >> 8 & 15) * 0x110000 + (v >> 4 & 15) * 0x1100 + (v & 15) * 0x11;
     if ((n != 3 && n != 6) || !c.peek_word().empty())
-      return c.fail(Code::syntax, "a colour in hexadecimal has 3 or 6 digits, as in #ffcc00", since(start, c),
+      return c.fail(ErrorCode::syntax, "a colour in hexadecimal has 3 or 6 digits, as in #ffcc00", since(start, c),
                     "a comment starts with # and a space");
     out = from_bytes(v);
     return true;
@@ -169,9 +169,9 @@ bool ValueReader::color(Color& out) {
     return true;
   }
   if (w.empty())
-    return c.fail_here(Code::syntax, c.at_line_end() ? "a colour is missing here" : "this is not a colour");
+    return c.fail_here(ErrorCode::syntax, c.at_line_end() ? "a colour is missing here" : "this is not a colour");
   std::string hint = did_you_mean(w, color_names());
-  return c.fail(Code::name, fmt::format("there is no colour '{}'", w), w,
+  return c.fail(ErrorCode::name, fmt::format("there is no colour '{}'", w), w,
                 hint.empty() ? "colours look like gold, #ffcc00, rgb(1 0.8 0) or hsv(48deg 1 1)" : hint);
 }
 
@@ -180,14 +180,14 @@ bool ValueReader::axis(Vec3& out) {
   const char* start = c.at;
   if (c.peek() == '(') {
     if (!vector(3, out)) return false;
-    if (out == Vec3{}) return c.fail(Code::range, "an axis needs a direction; (0 0 0) has none", since(start, c));
+    if (out == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; (0 0 0) has none", since(start, c));
     return true;
   }
   const std::string_view w = c.word();
   if (w == "x") return out = {1, 0, 0}, true;
   if (w == "y") return out = {0, 1, 0}, true;
   if (w == "z") return out = {0, 0, 1}, true;
-  return c.fail(Code::syntax, "an axis is missing here", w.empty() ? std::string_view(start, 0) : w,
+  return c.fail(ErrorCode::syntax, "an axis is missing here", w.empty() ? std::string_view(start, 0) : w,
                 "axes are x, y, z or a direction (x y z)");
 }
 
@@ -197,7 +197,7 @@ bool ValueReader::orientation(Value& out, bool angles) {
   const std::string_view w = c.peek() == '(' ? std::string_view("euler") : c.word();
   if (w == "euler" || w == "axis" || w == "quat") {
     c.space();
-    if (c.peek() != '(') return c.fail(Code::syntax, fmt::format("'{}' needs its numbers in brackets", w), w);
+    if (c.peek() != '(') return c.fail(ErrorCode::syntax, fmt::format("'{}' needs its numbers in brackets", w), w);
   }
   if (w == "euler") {
     Vec3 a;
@@ -222,7 +222,7 @@ bool ValueReader::orientation(Value& out, bool angles) {
     } else {
       for (int i = 0; i < 3; ++i)
         if (!c.number(a[i])) return false;
-      if (a == Vec3{}) return c.fail(Code::range, "an axis needs a direction; 0 0 0 has none", since(axis_at, c));
+      if (a == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; 0 0 0 has none", since(axis_at, c));
     }
     if (!c.angle(turn) || !c.close()) return false;
     if (std::abs(turn) > pi * (1 + 1e-9) && warn)
@@ -236,12 +236,12 @@ bool ValueReader::orientation(Value& out, bool angles) {
     if (!c.open() || !c.number(q.w) || !c.number(q.x) || !c.number(q.y) || !c.number(q.z) || !c.close()) return false;
     const double l = std::sqrt(dot(q, q));
     if (!(l > 1e-9) || !std::isfinite(l))
-      return c.fail(Code::range, "this quaternion has no direction", since(start, c));
+      return c.fail(ErrorCode::range, "this quaternion has no direction", since(start, c));
     // A unit quaternion stays as written: reading back what was printed must change nothing.
     out = std::abs(l - 1) < 1e-12 ? q : Quat{q.w / l, q.x / l, q.y / l, q.z / l};
     return true;
   }
-  return c.fail(Code::syntax, w.empty() ? "a rotation is missing here" : fmt::format("'{}' is not a rotation", w),
+  return c.fail(ErrorCode::syntax, w.empty() ? "a rotation is missing here" : fmt::format("'{}' is not a rotation", w),
                 w.empty() ? std::string_view(start, 0) : w,
                 "rotations look like euler(0 90deg 0), axis(0 1 0, 90deg) or quat(1 0 0 0)");
 }
@@ -250,13 +250,15 @@ bool ValueReader::point(Vec3& out) {
   c.space();
   const char* start = c.at;
   if (c.peek() != '(')
-    return c.fail_here(Code::syntax, "a point (x y) or (x y z) is wanted here", "points look like ((0 0) (1 0) (1 1))");
+    return c.fail_here(ErrorCode::syntax, "a point (x y) or (x y z) is wanted here",
+                       "points look like ((0 0) (1 0) (1 1))");
   Vec3 p;
   if (!c.open() || !c.number(p.x) || !c.number(p.y)) return false;
   c.space();
   if (c.peek() != ')' && !c.number(p.z)) return false;
   c.space();
-  if (c.at < c.end && c.peek() != ')') return c.fail(Code::syntax, "a point has two or three numbers", since(start, c));
+  if (c.at < c.end && c.peek() != ')')
+    return c.fail(ErrorCode::syntax, "a point has two or three numbers", since(start, c));
   if (!c.close()) return false;
   out = p;
   return true;
@@ -281,13 +283,13 @@ bool ValueReader::points(Points& out) {
 bool ValueReader::object(ObjectId& out) {
   c.space();
   const std::string_view w = c.word();
-  if (w.empty()) return c.fail_here(Code::syntax, "the name of an object is missing here");
+  if (w.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");
   out = scene.names.find(w);
   if (out) return true;
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < scene.objects.size() && i < 10000; ++i)
     if (!scene.objects[i].removed) names.push_back(scene.objects[i].name);
-  return c.fail(Code::name, fmt::format("there is no object '{}'", w), w, did_you_mean(w, names));
+  return c.fail(ErrorCode::name, fmt::format("there is no object '{}'", w), w, did_you_mean(w, names));
 }
 
 }  // namespace betwixt

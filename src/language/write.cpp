@@ -257,7 +257,7 @@ struct Writer {
   void late(std::uint32_t i, const Slot& slot) {
     const FunctionSpec& spec = spec_of(s, slot.function);
     if (const auto* a = std::get_if<Attachment>(&*slot.set)) {
-      if (a->hold < Hold::hang || !find_object(s, a->parent)) return;
+      if (a->kind < AttachmentKind::hang || !find_object(s, a->parent)) return;
       const std::string what = value(*slot.set, spec, -1);  // "couple to hand"
       const auto space = what.find(' ');
       out += what.substr(0, space) + " " + s.objects[i].name + what.substr(space) + "\n";

@@ -168,8 +168,8 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
   }
   if (const auto* a = std::get_if<Attachment>(&v)) {
     static constexpr std::string_view words[] = {"detach", "letgo", "hang on ", "attach to ", "couple to "};
-    std::string out(words[static_cast<std::size_t>(a->hold)]);
-    if (a->hold >= Hold::hang) out += name_of(a->parent) + (a->keep_world ? " keep-world" : "");
+    std::string out(words[static_cast<std::size_t>(a->kind)]);
+    if (a->kind >= AttachmentKind::hang) out += name_of(a->parent) + (a->keep_world ? " keep-world" : "");
     return out;
   }
   if (const auto* m = std::get_if<Matrix>(&v)) return write_matrix(**m);

@@ -109,7 +109,7 @@ class Lua final : public Routine {
           auto v = lua::to_value(l, -1);
           if (!v) return v.error();
           if (const double* d = std::get_if<double>(&*v)) return *d;
-          return fail(Code::type, "a twerper gives a number, this gave " + lua::written(l, -1));
+          return fail(ErrorCode::type, "a twerper gives a number, this gave " + lua::written(l, -1));
         });
   }
 
@@ -169,10 +169,10 @@ class Lua final : public Routine {
   }
 
   Error said(lua_State* l, int status) const {
-    if (status == LUA_ERRMEM) return fail(Code::range, lua::too_much_memory);
-    if (lua_type(l, -1) != LUA_TSTRING) return fail(Code::type, "it ended with an error that is no text");
+    if (status == LUA_ERRMEM) return fail(ErrorCode::range, lua::too_much_memory);
+    if (lua_type(l, -1) != LUA_TSTRING) return fail(ErrorCode::type, "it ended with an error that is no text");
     const std::string_view why = lua_tostring(l, -1);
-    return fail(Code::type, plain(why, has_lines(source) && !why.ends_with(Nested::error().message)));
+    return fail(ErrorCode::type, plain(why, has_lines(source) && !why.ends_with(Nested::error().message)));
   }
 };
 
@@ -184,7 +184,7 @@ int keep(lua_State*, const void* piece, std::size_t size, void* to) {
 // Compiles; what Lua says otherwise.
 Result<std::string> compile(lua_State* l, const std::string& source) {
   if (luaL_loadbufferx(l, source.data(), source.size(), "=procedure", "t") != LUA_OK)
-    return fail(Code::syntax, plain(lua_tostring(l, -1), has_lines(source)));
+    return fail(ErrorCode::syntax, plain(lua_tostring(l, -1), has_lines(source)));
   std::string out;
   lua_dump(l, keep, &out, 0);
   return out;
@@ -203,9 +203,9 @@ bool is_chunk(std::string_view source) {
 }  // namespace
 
 Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
-  if (source.find_first_not_of(" \t\r\n") == std::string::npos) return fail(Code::syntax, "there is no code");
+  if (source.find_first_not_of(" \t\r\n") == std::string::npos) return fail(ErrorCode::syntax, "there is no code");
   lua_State* l = luaL_newstate();
-  if (!l) return fail(Code::machine, "there is no memory for Lua");
+  if (!l) return fail(ErrorCode::machine, "there is no memory for Lua");
   auto compiled = compile(l, "return " + source);
   if (!compiled) {
     auto chunk = compile(l, source);

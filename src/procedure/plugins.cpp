@@ -39,16 +39,16 @@ bool write(const Value& v, betwixt_value& out) {
 }
 
 Result<Value> read(const betwixt_value& v) {
-  if (v.kind < BETWIXT_NUMBER || v.kind > BETWIXT_TEXT) return fail(Code::type, "it gave no value");
+  if (v.kind < BETWIXT_NUMBER || v.kind > BETWIXT_TEXT) return fail(ErrorCode::type, "it gave no value");
   if (v.kind == BETWIXT_TEXT) return Value(Text(std::string(v.text ? v.text : "")));
   const std::size_t count = numbers(example_of_kind(v.kind)).size();
-  if (!finite({v.numbers, count})) return fail(Code::range, "it gave a number that is not finite");
+  if (!finite({v.numbers, count})) return fail(ErrorCode::range, "it gave a number that is not finite");
   Value made = with_numbers(example_of_kind(v.kind), v.numbers);
   if (auto* q = std::get_if<Quat>(&made)) *q = normalize(*q);
   return made;
 }
 
-Error refused(const char* why) { return fail(Code::type, why ? why : "it failed and does not say why"); }
+Error refused(const char* why) { return fail(ErrorCode::type, why ? why : "it failed and does not say why"); }
 
 // --- what the functions may ask; the answers' texts live as long as these ---
 
@@ -60,10 +60,10 @@ struct Asking {
 int ask(void* state, const char* target, double seconds, betwixt_value* out) {
   Asking& a = *static_cast<Asking*>(state);
   if (!target || !std::isfinite(seconds))
-    a.last = fail(Code::range, "a name and a finite time are needed");
+    a.last = fail(ErrorCode::range, "a name and a finite time are needed");
   else
     a.last = a.questions.value(target, seconds, a.cost);
-  if (a.last && !write(*a.last, *out)) a.last = fail(Code::type, "it has a value that plug-ins cannot hold");
+  if (a.last && !write(*a.last, *out)) a.last = fail(ErrorCode::type, "it has a value that plug-ins cannot hold");
   if (!a.last) out->text = a.last.error().message.c_str();
   return a.last ? 0 : 1;
 }
@@ -102,7 +102,7 @@ Result<R> caught(auto&& call) {
   try {
     return call();
   } catch (...) {
-    return fail(Code::type, "the plug-in threw an exception");
+    return fail(ErrorCode::type, "the plug-in threw an exception");
   }
 }
 
@@ -116,7 +116,7 @@ struct NativeTwerper final : Native<betwixt_twerper> {
   Result<double> blend(double u) const override {
     return caught<double>([&]() -> Result<double> {
       const double d = function(u, user);
-      if (!std::isfinite(d)) return fail(Code::range, "it gave a number that is not finite");
+      if (!std::isfinite(d)) return fail(ErrorCode::range, "it gave a number that is not finite");
       return d;
     });
   }
@@ -223,7 +223,7 @@ int add_function(const betwixt_host* host, const char* name, const char* type, c
 
 // Opens and registers. What it says begins with what is wrong, "not a plug-in".
 Result<Plugin> open(const std::string& path) {
-  const auto wrong = [](std::string what) { return fail(Code::file, std::move(what)); };
+  const auto wrong = [](std::string what) { return fail(ErrorCode::file, std::move(what)); };
   // With a slash, or the system looks in its own places.
   const auto full = std::filesystem::absolute(path).string();
   void* library = dlopen(full.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -256,7 +256,7 @@ Result<Plugin> open(const std::string& path) {
 // Whether a child process survives loading it; what it registers is checked by who loads it in earnest.
 Status survives(const std::string& path) {
   const pid_t child = fork();
-  if (child < 0) return fail(Code::machine, "there is no process to try it in");
+  if (child < 0) return fail(ErrorCode::machine, "there is no process to try it in");
   if (child == 0) {
     for (int s : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGALRM}) std::signal(s, SIG_DFL);
     alarm(5);
@@ -265,10 +265,10 @@ Status survives(const std::string& path) {
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return fail(Code::machine, "the process that tries it got lost");
+    if (errno != EINTR) return fail(ErrorCode::machine, "the process that tries it got lost");
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Nothing{};
   const bool slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
-  return fail(Code::file, slow ? "it takes more than 5 seconds to load" : "it crashes when loaded");
+  return fail(ErrorCode::file, slow ? "it takes more than 5 seconds to load" : "it crashes when loaded");
 }
 
 }  // namespace
@@ -276,8 +276,9 @@ Status survives(const std::string& path) {
 Result<Plugin> load_plugin(const std::string& path) {
   const auto named = [&](const Error& e) { return fail(e.code, path + ": " + e.message, e.hint); };
   std::error_code none;
-  if (!std::filesystem::exists(path, none)) return named(fail(Code::file, "no such file"));
-  if (!std::filesystem::is_regular_file(path, none)) return named(fail(Code::file, "not a plug-in: it is no file"));
+  if (!std::filesystem::exists(path, none)) return named(fail(ErrorCode::file, "no such file"));
+  if (!std::filesystem::is_regular_file(path, none))
+    return named(fail(ErrorCode::file, "not a plug-in: it is no file"));
   if (const auto s = survives(path); !s) return named(s.error());
   auto plugin = open(path);
   if (!plugin) return named(plugin.error());

@@ -92,7 +92,7 @@ bool push_list(lua_State* l, std::size_t count, auto&& one) {
   return true;
 }
 
-Error no_value(std::string what) { return fail(Code::type, std::move(what)); }
+Error no_value(std::string what) { return fail(ErrorCode::type, std::move(what)); }
 
 // A list of vectors or of texts.
 Result<Value> list_value(lua_State* l, int index) {
@@ -179,7 +179,7 @@ Result<Value> to_value(lua_State* l, int index) {
       return Value(lua_toboolean(l, index) != 0);
     case LUA_TNUMBER: {
       const double d = lua_tonumber(l, index);
-      if (!std::isfinite(d)) return fail(Code::range, "it gave a number that is not finite");
+      if (!std::isfinite(d)) return fail(ErrorCode::range, "it gave a number that is not finite");
       return Value(d);
     }
     case LUA_TSTRING: {
@@ -196,7 +196,7 @@ Result<Value> to_value(lua_State* l, int index) {
   if (kind == Kind::none) return list_value(l, lua_absindex(l, index));
   if (kind == Kind::matrix) return no_value("a matrix is no value; its .x .y .z are");
   if (!finite({n, static_cast<std::size_t>(shape(kind).count)}))
-    return fail(Code::range, std::string("it gave ") + shape(kind).article + " with a number that is not finite");
+    return fail(ErrorCode::range, std::string("it gave ") + shape(kind).article + " with a number that is not finite");
   Value v = with_numbers(shape(kind).example(), n);
   if (auto* q = std::get_if<Quat>(&v)) *q = normalize(*q);
   return v;

@@ -23,22 +23,22 @@ bool all_numeric(const Track& t) {
   return all;
 }
 
-void bind_all(Program::Compiled& code) {
-  const Scene& scene = code.document.scene();
+void bind_all(Program::Compiled& compiled) {
+  const Scene& scene = compiled.document.scene();
   const auto functions = static_cast<FunctionId>(built_in_functions().size() + scene.defined->size());
   std::vector<FunctionId> computed;  // functions of the author's whose value at rest is code
   for (FunctionId f = 0; f < functions; ++f) {
     const FunctionSpec& spec = spec_of(scene, f);
     if (scripted(spec.rest)) computed.push_back(f);
-    code.defaults.push_back(
-        bind_constant(code, f, scripted(spec.rest) ? row_of(spec.type).example() : spec.rest, spec.type));
+    compiled.defaults.push_back(
+        bind_constant(compiled, f, scripted(spec.rest) ? row_of(spec.type).example() : spec.rest, spec.type));
     if (!spec.shape) continue;
     for (const KindRow& row : kinds())
-      if (spec.kinds & bit(row.kind)) code.shaping[row.kind].push_back(f);
+      if (spec.kinds & bit(row.kind)) compiled.shaping[row.kind].push_back(f);
   }
-  code.first_binding.reserve(scene.objects.size() + 1);
+  compiled.first_binding.reserve(scene.objects.size() + 1);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    code.first_binding.push_back(static_cast<std::uint32_t>(code.bindings.size()));
+    compiled.first_binding.push_back(static_cast<std::uint32_t>(compiled.bindings.size()));
     const Object& o = scene.objects[i];
     std::vector<FunctionId> own;
     for (const Slot& slot : o.slots)
@@ -52,10 +52,11 @@ void bind_all(Program::Compiled& code) {
       const Slot* slot = o.find(f);
       bool live = slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest);
       for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));
-      code.bindings.push_back(live ? bind_live(code, static_cast<std::uint32_t>(i), f) : bind_track(code, *slot));
+      compiled.bindings.push_back(live ? bind_live(compiled, static_cast<std::uint32_t>(i), f)
+                                       : bind_track(compiled, *slot));
     }
   }
-  code.first_binding.push_back(static_cast<std::uint32_t>(code.bindings.size()));
+  compiled.first_binding.push_back(static_cast<std::uint32_t>(compiled.bindings.size()));
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ bool has_events(const Strand& s) {
   return any;
 }
 
-Binding bind_constant(Program::Compiled& code, FunctionId f, const Value& v, Type type) {
+Binding bind_constant(Program::Compiled& compiled, FunctionId f, const Value& v, Type type) {
   Binding b;
   b.function = f;
   b.constant = v;
@@ -89,23 +90,23 @@ Binding bind_constant(Program::Compiled& code, FunctionId f, const Value& v, Typ
   const int count = held_numbers(v, false, n);
   b.channels = static_cast<std::uint8_t>(std::min(count, row_of(type).channels));
   b.orientation = std::holds_alternative<Quat>(v);
-  b.offset = static_cast<std::uint32_t>(code.rest.size());
-  code.rest.insert(code.rest.end(), n, n + 4);  // always four: a rotation's curve may want them
+  b.offset = static_cast<std::uint32_t>(compiled.rest.size());
+  compiled.rest.insert(compiled.rest.end(), n, n + 4);  // always four: a rotation's curve may want them
   return b;
 }
 
-Binding bind_track(Program::Compiled& code, const Slot& slot) {
-  const FunctionSpec& spec = spec_of(code.document.scene(), slot.function);
-  Binding b = bind_constant(code, slot.function, slot.set.value_or(spec.rest), spec.type);
-  b.first_curve = static_cast<std::uint32_t>(code.curves.size());
+Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
+  const FunctionSpec& spec = spec_of(compiled.document.scene(), slot.function);
+  Binding b = bind_constant(compiled, slot.function, slot.set.value_or(spec.rest), spec.type);
+  b.first_curve = static_cast<std::uint32_t>(compiled.curves.size());
   const auto add = [&](const Track& track, Type type, std::uint32_t offset, bool component = false) {
-    code.curves.push_back(
-        {code.set.add(track, type, component), offset, spec.low > -1e300 || spec.high < 1e300, spec.low, spec.high});
+    compiled.curves.push_back({compiled.set.add(track, type, component), offset, spec.low > -1e300 || spec.high < 1e300,
+                               spec.low, spec.high});
     ++b.curves;
   };
   const auto point = [&] {
-    b = bind_constant(code, slot.function, Vec3{}, spec.type);
-    b.first_curve = static_cast<std::uint32_t>(code.curves.size());
+    b = bind_constant(compiled, slot.function, Vec3{}, spec.type);
+    b.first_curve = static_cast<std::uint32_t>(compiled.curves.size());
   };
   for (std::size_t i = 0; i < slot.components.size(); ++i) {
     const Track& t = *slot.components[i];
@@ -114,16 +115,16 @@ Binding bind_track(Program::Compiled& code, const Slot& slot) {
   }
   if (!has_values(*slot.track)) return b;
   if (!all_numeric(*slot.track) || (b.channels == 0 && row_of(spec.type).channels == 0)) {
-    b.steps = static_cast<std::int32_t>(code.steps.size());
+    b.steps = static_cast<std::int32_t>(compiled.steps.size());
     b.channels = 0;
-    code.steps.emplace_back(*slot.track, spec.type);
+    compiled.steps.emplace_back(*slot.track, spec.type);
     return b;
   }
   if (b.channels == 0) point();
   // Events that are all points of the world are a vector's; the same twerpers suit them.
   add(*slot.track, spec.type == Type::aim ? Type::vector : spec.type, b.offset);
-  b.channels = code.curves.back().curve.channels;
-  b.orientation = code.curves.back().curve.orientation;
+  b.channels = compiled.curves.back().curve.channels;
+  b.orientation = compiled.curves.back().curve.orientation;
   return b;
 }
 
@@ -134,13 +135,13 @@ const Binding& Program::Compiled::find(std::uint32_t object, FunctionId f) const
 }
 
 Program Program::compile(const Document& document) {
-  auto code = std::make_shared<Compiled>(document);
+  auto compiled = std::make_shared<Compiled>(document);
   for (const NamedProcedure& p : *document.scene().procedures)
-    code->set.own.push_back(p.role == Role::twerper ? p.code : nullptr);
-  bind_all(*code);
-  compile_nodes(*code);
+    compiled->set.own.push_back(p.role == Role::twerper ? p.code : nullptr);
+  bind_all(*compiled);
+  compile_nodes(*compiled);
   Program p;
-  p.code_ = std::move(code);
+  p.code_ = std::move(compiled);
   return p;
 }
 

@@ -5,7 +5,7 @@
 // (compile_lives.cpp), and what is where (compile_nodes.cpp).
 #pragma once
 
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 

@@ -44,7 +44,7 @@ Track plain_rates(const Track& reign) {
 
 // The pieces of time of one track with a velocity track beside it (R-T5).
 struct Cutter {
-  Compiled& code;
+  Compiled& compiled;
   std::uint32_t object;
   FunctionId function;
   const LivePart& part;
@@ -78,16 +78,16 @@ struct Cutter {
     Piece p;
     p.from = from;
     p.scripted = is_scripted;
-    if (!is_scripted && has_values(track)) p.primary = code.set.add(track, part.type, part.component >= 0);
+    if (!is_scripted && has_values(track)) p.primary = compiled.set.add(track, part.type, part.component >= 0);
     out.push_back(std::move(p));
   }
 
   void add_reign(const Track& reign) {
     Piece p;
     p.from = reign.events.front().time;
-    p.reign = static_cast<std::int32_t>(code.reigns.size());
+    p.reign = static_cast<std::int32_t>(compiled.reigns.size());
     const Type type = part.component >= 0 ? Type::scalar : row_of(part.type).rate.value_or(part.type);
-    code.reigns.emplace_back(code.set, code.set.add(plain_rates(reign), type), part.orientation);
+    compiled.reigns.emplace_back(compiled.set, compiled.set.add(plain_rates(reign), type), part.orientation);
     out.push_back(std::move(p));
   }
 
@@ -134,10 +134,10 @@ struct Cutter {
     LiveStrand strand;
     strand.parts.push_back(std::move(so_far));
     probe.strands.push_back(std::move(strand));
-    code.lives.push_back(std::move(probe));
+    compiled.lives.push_back(std::move(probe));
     Asking asking;
-    Value v = code.live_value(static_cast<std::int32_t>(code.lives.size()) - 1, t, asking);
-    code.lives.pop_back();
+    Value v = compiled.live_value(static_cast<std::int32_t>(compiled.lives.size()) - 1, t, asking);
+    compiled.lives.pop_back();
     return v;
   }
 };
@@ -149,8 +149,8 @@ Value nothing_like(const Value& v) {
   return *add_scaled(v, v, -1);
 }
 
-LiveStrand strand(Compiled& code, std::uint32_t object, const Slot& slot) {
-  const Scene& scene = code.document.scene();
+LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& slot) {
+  const Scene& scene = compiled.document.scene();
   const FunctionSpec& spec = spec_of(scene, slot.function);
   LiveStrand out;
   out.layer = slot.layer;
@@ -167,8 +167,8 @@ LiveStrand strand(Compiled& code, std::uint32_t object, const Slot& slot) {
   if (plain) {
     Slot alone = slot;
     alone.set = out.set;
-    out.plain = static_cast<std::int32_t>(code.plains.size());
-    code.plains.push_back(bind_track(code, alone));
+    out.plain = static_cast<std::int32_t>(compiled.plains.size());
+    compiled.plains.push_back(bind_track(compiled, alone));
     return out;
   }
   const bool orientation = turns(slot, spec.type);
@@ -180,7 +180,8 @@ LiveStrand strand(Compiled& code, std::uint32_t object, const Slot& slot) {
     part.orientation = orientation && component < 0;
     part.track = primary;
     part.rest = component < 0 || scripted(out.set) ? out.set : Value(component_of(out.set, component));
-    if (!velocity.events.empty()) part.pieces = Cutter{code, object, slot.function, part, primary, velocity}.pieces();
+    if (!velocity.events.empty())
+      part.pieces = Cutter{compiled, object, slot.function, part, primary, velocity}.pieces();
     if (part.pieces.empty() && !scripted(primary) && !has_values(primary) && component >= 0) return;
     out.parts.push_back(std::move(part));
   };
@@ -197,8 +198,8 @@ LiveStrand strand(Compiled& code, std::uint32_t object, const Slot& slot) {
 
 }  // namespace
 
-Binding bind_live(Compiled& code, std::uint32_t object, FunctionId f) {
-  const Scene& scene = code.document.scene();
+Binding bind_live(Compiled& compiled, std::uint32_t object, FunctionId f) {
+  const Scene& scene = compiled.document.scene();
   const Object& o = scene.objects[object];
   const FunctionSpec& spec = spec_of(scene, f);
   static const Slot nothing;
@@ -206,19 +207,19 @@ Binding bind_live(Compiled& code, std::uint32_t object, FunctionId f) {
   const Slot* own = o.find(f);
   Slot base = own ? *own : nothing;
   base.function = f;
-  live.strands.push_back(strand(code, object, base));
+  live.strands.push_back(strand(compiled, object, base));
   for (const Slot& slot : o.slots)
     if (slot.function == f && slot.layer && find_object(scene, slot.layer))
-      live.strands.push_back(strand(code, object, slot));
+      live.strands.push_back(strand(compiled, object, slot));
   const Value& rest = base.set.value_or(spec.rest);
   Value example = scripted(rest) ? spec.rest : rest;
   if (scripted(example)) example = row_of(spec.type).example();
   if (spec.type == Type::aim) example = ObjectId{};  // may be either, at any time
-  Binding b = bind_constant(code, f, example, spec.type);
+  Binding b = bind_constant(compiled, f, example, spec.type);
   b.orientation = row_of(spec.type).changes == Changes::by_turning;
   if (b.orientation) b.channels = 4;
-  b.live = static_cast<std::int32_t>(code.lives.size());
-  code.lives.push_back(std::move(live));
+  b.live = static_cast<std::int32_t>(compiled.lives.size());
+  compiled.lives.push_back(std::move(live));
   return b;
 }
 

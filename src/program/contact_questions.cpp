@@ -5,7 +5,7 @@
 // is worked out, so a colour may ask what touches: only what moves things cannot, and is cut like any circle.
 #include <algorithm>
 
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 namespace {
@@ -21,8 +21,8 @@ std::vector<std::uint32_t> Program::Compiled::bodies(Time t) const {
   constexpr std::uint32_t unknown = 0xffffffff;
   std::vector<std::uint32_t> body(nodes.size(), unknown), chain;
   const auto holder = [&](std::uint32_t i) -> std::uint32_t {  // itself: nothing that it is one with holds it
-    const Hand* h = hand(nodes[i], t);
-    if (!h || h->hold < Hold::hang) return i;
+    const CompiledSpan* h = span(nodes[i], t);
+    if (!h || h->kind < AttachmentKind::hang) return i;
     const auto parent = static_cast<std::uint32_t>(h->parent);
     const auto name = [&](std::uint32_t node) -> const std::string& {
       return document.scene().objects[nodes[node].object].name;
@@ -49,7 +49,7 @@ Frame Program::Compiled::solids(Time t, Asking& asking) const {
   Frame f;
   f.time = t;
   for (const Node& n : nodes)  // while attachments are still being worked out
-    if (const Hand* h = hand(n, t); h && h->frozen >= 0) thaw(h->frozen, asking);
+    if (const CompiledSpan* h = span(n, t); h && h->frozen >= 0) thaw(h->frozen, asking);
   const auto numbers = at(t, asking, true);
   const auto w = worlds(t, numbers.data(), asking);
   add_solids(f, numbers.data(), w, asking);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "program/code.h"
+#include "program/compiled.h"
 #include "scene/extent.h"
 
 namespace betwixt {

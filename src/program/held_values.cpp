@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 
@@ -38,13 +38,13 @@ Result<Value> fit(const Value& v, Type type, const Scene& scene) {
   if (text && std::holds_alternative<ObjectId>(row_of(type).example())) {
     if (**text == "none") return Value(ObjectId{});
     if (const ObjectId id = scene.names.find(**text)) return Value(id);
-    return fail(Code::name, fmt::format("there is no object '{}'", **text));
+    return fail(ErrorCode::name, fmt::format("there is no object '{}'", **text));
   }
   const char* is = std::holds_alternative<double>(v) ? "a number"
                    : std::holds_alternative<Vec3>(v) ? "a vector"
                    : text                            ? "a text"
                                                      : "something else";
-  return fail(Code::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
+  return fail(ErrorCode::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
 }
 
 }  // namespace betwixt

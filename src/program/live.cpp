@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/code.h"
+#include "program/compiled.h"
 #include "track/operations.h"
 
 namespace betwixt {
@@ -69,7 +69,7 @@ struct Worker {
     }
     Result<Value> value(std::string_view text, double seconds, std::uint64_t& cost) override {
       if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
-        return fail(Code::range, fmt::format("value('{}', {}): there is no such time", text, seconds));
+        return fail(ErrorCode::range, fmt::format("value('{}', {}): there is no such time", text, seconds));
       const auto target = find_target(w.scene, text, {w.live.object});
       if (!target) return target.error();
       auto& trace = w.asking.read;

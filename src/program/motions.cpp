@@ -5,34 +5,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 namespace {
 
 // A centre that is an object: where that is as the motion begins, seen from where the positions of the moved one are.
-void place_centres(Program::Compiled& code, const Node& node, Motion& motion, Time t) {
+void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion, Time t) {
   Asking asking;
   for (Factor& f : motion.factors) {
     if (f.about.empty()) continue;
-    const ObjectId id = code.document.find(f.about);
-    if (!id || code.node_of[id.index] == ObjectId::nothing)
-      code.notices.push_back("'" + code.document.name(ObjectId{node.object}) + "' moves about '" + f.about +
-                             "', which is not there: about the origin instead");
+    const ObjectId id = compiled.document.find(f.about);
+    if (!id || compiled.node_of[id.index] == ObjectId::nothing)
+      compiled.notices.push_back("'" + compiled.document.name(ObjectId{node.object}) + "' moves about '" + f.about +
+                                 "', which is not there: about the origin instead");
     f.about.clear();
-    if (!id || code.node_of[id.index] == ObjectId::nothing) continue;
-    const Vec3 place = translation_of(code.placement(code.node_of[id.index], t, asking).in_world());
-    const Sited own = code.placement(code.node_of[node.object], t, asking);
+    if (!id || compiled.node_of[id.index] == ObjectId::nothing) continue;
+    const Vec3 place = translation_of(compiled.placement(compiled.node_of[id.index], t, asking).in_world());
+    const Sited own = compiled.placement(compiled.node_of[node.object], t, asking);
     // in the world: around (above (p + attach)), p behind what was kept
     Mat4 above = own.around, kept;
-    const Hand* hand = code.hand(node, t);
-    const Frozen* frozen = hand && hand->frozen >= 0 ? &code.frozen[static_cast<std::size_t>(hand->frozen)] : nullptr;
+    const CompiledSpan* span = compiled.span(node, t);
+    const Frozen* frozen =
+        span && span->frozen >= 0 ? &compiled.frozen[static_cast<std::size_t>(span->frozen)] : nullptr;
     Vec3 attach;
-    if (hand && hand->hold >= Hold::hang) {
+    if (span && span->kind >= AttachmentKind::hang) {
       double n[4] = {};
-      code.evaluate(code.find(node.object, fn::attach_position), t, asking, n);
+      compiled.evaluate(compiled.find(node.object, fn::attach_position), t, asking, n);
       attach = vec3(n);
-      above = above * code.placement(static_cast<std::uint32_t>(hand->parent), t, asking).world;
+      above = above * compiled.placement(static_cast<std::uint32_t>(span->parent), t, asking).world;
     } else if (frozen && frozen->held) {
       above = above * frozen->parent, attach = frozen->attach;
     }
@@ -41,9 +42,9 @@ void place_centres(Program::Compiled& code, const Node& node, Motion& motion, Ti
     if (back && out)
       f.centre = transform_point(*out, transform_point(*back, place) - attach);
     else
-      code.notices.push_back("'" + code.document.name(ObjectId{node.object}) +
-                             "' is flattened by what it hangs on: its motion about '" + code.document.name(id) +
-                             "' is about the origin instead");
+      compiled.notices.push_back("'" + compiled.document.name(ObjectId{node.object}) +
+                                 "' is flattened by what it hangs on: its motion about '" + compiled.document.name(id) +
+                                 "' is about the origin instead");
   }
 }
 
@@ -82,23 +83,23 @@ Moving moving(CurveSet& set, const Track& track) {
 
 }  // namespace
 
-void compile_motions(Program::Compiled& code, const std::vector<std::int32_t>& frozen) {
+void compile_motions(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen) {
   struct Start {
     Time time;
     std::uint32_t node;
     std::size_t piece;
   };
   std::vector<Start> starts;
-  const Scene& scene = code.document.scene();
-  for (std::uint32_t i = 0; i < code.nodes.size(); ++i) {
-    Node& n = code.nodes[i];
+  const Scene& scene = compiled.document.scene();
+  for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
+    Node& n = compiled.nodes[i];
     const Slot* slot = scene.objects[n.object].find(fn::motion);
     if (!slot || slot->track->events.empty()) continue;
-    Moving made = moving(code.set, *slot->track);
+    Moving made = moving(compiled.set, *slot->track);
     if (made.pieces.empty()) continue;
     for (std::size_t k = 0; k < made.pieces.size(); ++k) starts.push_back({made.pieces[k].from, i, k});
-    n.moving = static_cast<std::int32_t>(code.movings.size());
-    code.movings.push_back(std::move(made));
+    n.moving = static_cast<std::int32_t>(compiled.movings.size());
+    compiled.movings.push_back(std::move(made));
   }
   std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
   // In the order of time: where things are when a motion begins takes the motions before it and what was let go; of the
@@ -106,14 +107,14 @@ void compile_motions(Program::Compiled& code, const std::vector<std::int32_t>& f
   auto next = frozen.begin();
   const auto thaw = [&](Time until) {
     for (; next != frozen.end(); ++next) {
-      const Frozen& f = code.frozen[static_cast<std::size_t>(*next)];
-      if (code.hands[code.nodes[f.node].first_hand + static_cast<std::uint32_t>(f.hand)].from > until) return;
+      const Frozen& f = compiled.frozen[static_cast<std::size_t>(*next)];
+      if (compiled.spans[compiled.nodes[f.node].first_span + static_cast<std::uint32_t>(f.span)].from > until) return;
       Asking asking;
-      code.thaw(*next, asking);
+      compiled.thaw(*next, asking);
     }
   };
   const auto moving_of = [&](const Start& s) -> Moving& {
-    return code.movings[static_cast<std::size_t>(code.nodes[s.node].moving)];
+    return compiled.movings[static_cast<std::size_t>(compiled.nodes[s.node].moving)];
   };
   for (std::size_t i = 0; i < starts.size();) {
     std::size_t end = i;
@@ -124,7 +125,7 @@ void compile_motions(Program::Compiled& code, const std::vector<std::int32_t>& f
     }
     thaw(starts[i].time);
     for (std::size_t k = i; k < end; ++k)
-      place_centres(code, code.nodes[starts[k].node], moving_of(starts[k]).pieces[starts[k].piece].motion,
+      place_centres(compiled, compiled.nodes[starts[k].node], moving_of(starts[k]).pieces[starts[k].piece].motion,
                     starts[k].time);
     for (; i < end; ++i) ++moving_of(starts[i]).placed;
   }

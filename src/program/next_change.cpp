@@ -5,7 +5,7 @@
 // 3.3.1: an empty slot)
 #include <algorithm>
 
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 namespace {
@@ -21,18 +21,18 @@ struct Next {
 }  // namespace
 
 std::optional<Time> Program::next_change(Time t) const {
-  const Compiled& code = *code_;
-  const Scene& scene = code.document.scene();
-  if (!code.lives.empty()) return t;  // who knows what code looks at
+  const Compiled& compiled = *code_;
+  const Scene& scene = compiled.document.scene();
+  if (!compiled.lives.empty()) return t;  // who knows what code looks at
   Next next{t, std::nullopt};
-  for (const CurveUse& use : code.curves) {
-    const auto [first, last] = code.set.span(use.curve);
+  for (const CurveUse& use : compiled.curves) {
+    const auto [first, last] = compiled.set.span(use.curve);
     const Extrapolation out = t < first ? use.curve.before : use.curve.after;
     if (first <= t && t < last) return t;
     if (out != Extrapolation::hold && first < last) return t;
     next.may(first);
   }
-  for (const Moving& m : code.movings) {
+  for (const Moving& m : compiled.movings) {
     if ((t < m.first ? m.extend_before : t >= m.last ? m.extend_after : Extrapolation::hold) != Extrapolation::hold)
       return t;
     for (const Moving::Piece& p : m.pieces) {
@@ -40,22 +40,22 @@ std::optional<Time> Program::next_change(Time t) const {
       if (!p.open) next.may(p.from);
     }
   }
-  for (const StepTrack& steps : code.steps)
+  for (const StepTrack& steps : compiled.steps)
     if (const auto change = steps.next_change(t)) {
       if (*change == t) return t;
       next.may(*change);
     }
-  if (!code.environments.empty()) {
+  if (!compiled.environments.empty()) {
     const std::int64_t tick = scene.ticks.whole(t);
-    for (const auto& e : code.environments)
+    for (const auto& e : compiled.environments)
       if (const auto due = e->next_due(tick)) {
         if (scene.smooth_ticks) return t;
         next.may(scene.ticks.span(static_cast<double>(*due)));
       }
   }
-  for (const Siting& siting : code.sitings)
+  for (const Siting& siting : compiled.sitings)
     for (const Siting::Change& change : siting.changes) next.may(change.from);
-  for (const Hand& hand : code.hands) next.may(hand.from);
+  for (const CompiledSpan& span : compiled.spans) next.may(span.from);
   for (const auto* cameras : {&*scene.cuts, &*scene.views})
     if (const auto cut = cameras->upper_bound(t); cut != cameras->end()) next.may(cut->first);
   for (const auto& note : *scene.notes) next.may(note.first);

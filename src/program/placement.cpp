@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 namespace {
@@ -44,25 +44,28 @@ Mat4 linear_part(Mat4 m) {
   return m;
 }
 
-Mat4 held_turn(Hold hold, const Placed& parent) {
-  return hold == Hold::couple ? linear_part(parent.world) : hold == Hold::attach ? rotation(parent.turn) : Mat4{};
+Mat4 held_turn(AttachmentKind kind, const Placed& parent) {
+  return kind == AttachmentKind::couple   ? linear_part(parent.world)
+         : kind == AttachmentKind::attach ? rotation(parent.turn)
+                                          : Mat4{};
 }
 
 // R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.
-Placed hang(const Said& said, const Hand* hand, const Frozen* frozen, const Placed* parent) {
+Placed hang(const Said& said, const CompiledSpan* span, const Frozen* frozen, const Placed* parent) {
   Mat4 m = local(said);
   Quat turn = said.own ? said.turn * turn_of(*said.own) : said.turn;
   if (said.motion) turn = turn_of(*said.motion) * turn;
-  if (!hand || hand->hold == Hold::detach || (hand->hold == Hold::letgo && !frozen->held)) return {m, turn};
+  if (!span || span->kind == AttachmentKind::detach || (span->kind == AttachmentKind::letgo && !frozen->held))
+    return {m, turn};
   Vec3 attach = said.attach;
   if (frozen) m = frozen->before * m, turn = frozen->before_turn * turn;
   Mat4 turn3, above;
   Quat above_turn;
-  if (hand->hold == Hold::letgo) {
+  if (span->kind == AttachmentKind::letgo) {
     turn3 = frozen->turn3, above = frozen->parent, above_turn = frozen->parent_turn, attach = frozen->attach;
   } else {
-    turn3 = held_turn(hand->hold, *parent), above = parent->world;
-    if (hand->hold != Hold::hang) above_turn = parent->turn;
+    turn3 = held_turn(span->kind, *parent), above = parent->world;
+    if (span->kind != AttachmentKind::hang) above_turn = parent->turn;
   }
   const Vec3 place = transform_point(above, translation_of(m) + attach);
   Mat4 world = turn3 * linear_part(m);
@@ -82,10 +85,10 @@ Said said_by(const Node& n, const double* numbers) {
 }
 
 // The same of one node alone.
-Said said_at(const Program::Compiled& code, const Node& n, Time t, Asking& asking) {
+Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& asking) {
   double x[4] = {};
   const auto numbers = [&](FunctionId f) {
-    code.evaluate(code.find(n.object, f), t, asking, x);
+    compiled.evaluate(compiled.find(n.object, f), t, asking, x);
     return vec3(x);
   };
   Said said;
@@ -93,15 +96,16 @@ Said said_at(const Program::Compiled& code, const Node& n, Time t, Asking& askin
   said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
   said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
   said.attach = numbers(fn::attach_position);
-  said.own = code.driven(n, t, asking), said.motion = code.moved(n, t);
+  said.own = compiled.driven(n, t, asking), said.motion = compiled.moved(n, t);
   return said;
 }
 
 }  // namespace
 
-const Hand* Program::Compiled::hand(const Node& n, Time t) const {
-  const Hand *first = hands.data() + n.first_hand, *last = first + n.hands;
-  const Hand* next = std::upper_bound(first, last, t, [](Time time, const Hand& h) { return time < h.from; });
+const CompiledSpan* Program::Compiled::span(const Node& n, Time t) const {
+  const CompiledSpan *first = spans.data() + n.first_span, *last = first + n.spans;
+  const CompiledSpan* next =
+      std::upper_bound(first, last, t, [](Time time, const CompiledSpan& h) { return time < h.from; });
   return next == first ? nullptr : next - 1;
 }
 
@@ -111,26 +115,26 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   if (f.state != Frozen::asleep) return;
   f.state = Frozen::busy;
   const Node& n = nodes[f.node];
-  const Hand& now = hands[n.first_hand + static_cast<std::uint32_t>(f.hand)];
-  const Hand* before = f.hand > 0 ? &now - 1 : nullptr;
+  const CompiledSpan& now = spans[n.first_span + static_cast<std::uint32_t>(f.span)];
+  const CompiledSpan* before = f.span > 0 ? &now - 1 : nullptr;
   const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
   const Said said = said_at(*this, n, t, asking);
   const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
   if (kept) thaw(before->frozen, asking);
   Sited old_parent;
-  if (before && before->hold >= Hold::hang)
+  if (before && before->kind >= AttachmentKind::hang)
     old_parent = placement(static_cast<std::uint32_t>(before->parent), t, asking);
-  if (now.hold == Hold::letgo) {
-    if (before && before->hold == Hold::letgo) {  // nobody holds it: what was kept stays
-      const auto hand = f.hand;
+  if (now.kind == AttachmentKind::letgo) {
+    if (before && before->kind == AttachmentKind::letgo) {  // nobody holds it: what was kept stays
+      const auto span = f.span;
       f = *kept;
-      f.hand = hand;
-    } else if (before && before->hold >= Hold::hang) {
+      f.span = span;
+    } else if (before && before->kind >= AttachmentKind::hang) {
       f.held = true;
       if (kept) f.before = kept->before, f.before_turn = kept->before_turn;
-      f.turn3 = held_turn(before->hold, old_parent);
+      f.turn3 = held_turn(before->kind, old_parent);
       f.parent = old_parent.world, f.around = old_parent.around;
-      if (before->hold != Hold::hang) f.parent_turn = old_parent.turn;
+      if (before->kind != AttachmentKind::hang) f.parent_turn = old_parent.turn;
       f.attach = said.attach;
     }
   } else {
@@ -140,14 +144,14 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
       const Mat4 own = product(n.around, t), old = kept && kept->held ? kept->around : old_parent.around;
       if (const auto out = inverse(parent.around * own)) was.world = *out * old * own * was.world;
     }
-    const auto turned = inverse(held_turn(now.hold, parent)), above = inverse(parent.world);
+    const auto turned = inverse(held_turn(now.kind, parent)), above = inverse(parent.world);
     const auto own = inverse(local(said));
     if (turned && above && own) {
       Mat4 wanted = *turned * linear_part(was.world);
       const Vec3 place = transform_point(*above, translation_of(was.world)) - said.attach;
       wanted(0, 3) = place.x, wanted(1, 3) = place.y, wanted(2, 3) = place.z;
       f.before = wanted * *own;
-      const Quat above_turn = now.hold == Hold::hang ? Quat{} : parent.turn;
+      const Quat above_turn = now.kind == AttachmentKind::hang ? Quat{} : parent.turn;
       f.before_turn = normalize(conjugate(above_turn) * was.turn * conjugate(said.turn));
     }
   }
@@ -203,7 +207,7 @@ std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers,
   around.clear();
   if (sited) around.resize(nodes.size());
   const auto put = [&](std::uint32_t i) {
-    const Hand* h = hand(nodes[i], t);
+    const CompiledSpan* h = span(nodes[i], t);
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     Said said = said_by(nodes[i], numbers);
     said.own = driven(nodes[i], t, asking), said.motion = moved(nodes[i], t);
@@ -219,9 +223,9 @@ std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers,
   for (std::uint32_t start = 0; start < nodes.size(); ++start) {
     for (std::int32_t i = static_cast<std::int32_t>(start); i >= 0 && above[static_cast<std::size_t>(i)] == unknown;) {
       const auto at = static_cast<std::uint32_t>(i);
-      const Hand* h = hand(nodes[at], t);
+      const CompiledSpan* h = span(nodes[at], t);
       chain.push_back(at);
-      i = above[at] = h && h->hold >= Hold::hang ? h->parent : -1;
+      i = above[at] = h && h->kind >= AttachmentKind::hang ? h->parent : -1;
     }
     for (; !chain.empty(); chain.pop_back()) {
       put(chain.back());
@@ -271,17 +275,17 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
       if (sited) found.around = around[node];
       return found;
     }
-    const Hand* h = hand(n, t);
-    i = h && h->hold >= Hold::hang ? h->parent : -1;
+    const CompiledSpan* h = span(n, t);
+    i = h && h->kind >= AttachmentKind::hang ? h->parent : -1;
   }
   Sited placed;
   for (; !chain.empty(); chain.pop_back()) {
     const Node& n = nodes[chain.back()];
-    const Hand* h = hand(n, t);
+    const CompiledSpan* h = span(n, t);
     if (h && h->frozen >= 0) thaw(h->frozen, asking);
     const Said said = said_at(*this, n, t, asking);
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
-    const bool held = h && h->hold >= Hold::hang;
+    const bool held = h && h->kind >= AttachmentKind::hang;
     if (!held) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(said, h, f, &placed);
     if (n.around >= 0) placed.around = placed.around * product(n.around, t);
@@ -289,33 +293,33 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
   return placed;
 }
 
-Bearing Program::bearing(ObjectId object, Time t) const {
+Kinematics Program::kinematics(ObjectId object, Time t) const {
   Asking asking;
-  const Compiled& code = *code_;
-  const std::uint32_t node = code.node_of[object.index];
-  const Node& n = code.nodes[node];
-  const auto place = [&](Time when) { return translation_of(code.placement(node, when, asking).in_world()); };
-  Bearing b;
-  b.place = place(t);
-  const Hand* h = code.hand(n, t);
-  const bool held = h && h->hold >= Hold::hang;
-  if (held) b.carries = linear_part(code.placement(static_cast<std::uint32_t>(h->parent), t, asking).world);
-  const Mat4 around = linear_part(code.placement(node, t, asking).around);
+  const Compiled& compiled = *code_;
+  const std::uint32_t node = compiled.node_of[object.index];
+  const Node& n = compiled.nodes[node];
+  const auto place = [&](Time when) { return translation_of(compiled.placement(node, when, asking).in_world()); };
+  Kinematics b;
+  b.position = place(t);
+  const CompiledSpan* h = compiled.span(n, t);
+  const bool held = h && h->kind >= AttachmentKind::hang;
+  if (held) b.to_world = linear_part(compiled.placement(static_cast<std::uint32_t>(h->parent), t, asking).world);
+  const Mat4 around = linear_part(compiled.placement(node, t, asking).around);
   if (h && h->frozen >= 0) {
-    const Frozen& f = code.frozen[static_cast<std::size_t>(h->frozen)];
-    if (!held) b.carries = linear_part(f.parent);
-    b.carries = b.carries * linear_part(f.before);
+    const Frozen& f = compiled.frozen[static_cast<std::size_t>(h->frozen)];
+    if (!held) b.to_world = linear_part(f.parent);
+    b.to_world = b.to_world * linear_part(f.before);
   }
-  b.carries = around * b.carries;
-  if (const auto motion = code.moved(n, t)) b.carries = b.carries * linear_part(*motion);
+  b.to_world = around * b.to_world;
+  if (const auto motion = compiled.moved(n, t)) b.to_world = b.to_world * linear_part(*motion);
   // Its track says how fast it goes; what carries it, or carried it up to now, is looked at as it goes by.
   if (held || (h && h->from == t) || n.moving >= 0) {
     constexpr Time look{flicks_per_second / 2000};
-    b.speed = 1000 * (3.0 * b.place - 4.0 * place(t - look) + place(t - look - look));
+    b.velocity = 1000 * (3.0 * b.position - 4.0 * place(t - look) + place(t - look - look));
   } else {
     Target rate{object, fn::position};
     rate.velocity = true;
-    b.speed = transform_vector(b.carries, std::get<Vec3>(read(rate, t)));
+    b.velocity = transform_vector(b.to_world, std::get<Vec3>(read(rate, t)));
   }
   return b;
 }

@@ -1,25 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 #include "betwixt/pose.h"
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 namespace {
 
 // world(node): the matrix of a node, which is asked of the object and of what it hangs on.
 template <class World>
-Pose pose_of(const Program::Compiled& code, std::uint32_t object, Time t, World&& world) {
+Pose pose_of(const Program::Compiled& compiled, std::uint32_t object, Time t, World&& world) {
   Pose pose;
-  if (object >= code.node_of.size() || code.node_of[object] == ObjectId::nothing) return pose;
-  const Node& n = code.nodes[code.node_of[object]];
+  if (object >= compiled.node_of.size() || compiled.node_of[object] == ObjectId::nothing) return pose;
+  const Node& n = compiled.nodes[compiled.node_of[object]];
   if (!placed(n.kind)) return pose;
-  pose.world = world(code.node_of[object]);
+  pose.world = world(compiled.node_of[object]);
   pose.local = pose.world;
-  const Hand* hand = code.hand(n, t);
-  if (hand) pose.hold = hand->hold;
-  if (!hand || hand->parent < 0) return pose;
-  const auto parent = static_cast<std::uint32_t>(hand->parent);
-  pose.parent = {code.nodes[parent].object};
+  const CompiledSpan* span = compiled.span(n, t);
+  if (span) pose.attachment = span->kind;
+  if (!span || span->parent < 0) return pose;
+  const auto parent = static_cast<std::uint32_t>(span->parent);
+  pose.parent = {compiled.nodes[parent].object};
   pose.local = inverse(world(parent));
   if (pose.local) pose.local = *pose.local * pose.world;
   return pose;
@@ -28,19 +28,20 @@ Pose pose_of(const Program::Compiled& code, std::uint32_t object, Time t, World&
 }  // namespace
 
 Pose pose(const Program& program, ObjectId id, Time t) {
-  const Program::Compiled& code = program.compiled();
+  const Program::Compiled& compiled = program.compiled();
   Asking asking;
-  return pose_of(code, id.index, t, [&](std::uint32_t node) { return code.placement(node, t, asking).in_world(); });
+  return pose_of(compiled, id.index, t,
+                 [&](std::uint32_t node) { return compiled.placement(node, t, asking).in_world(); });
 }
 
 std::vector<Pose> poses(const Program& program, Time t) {
-  const Program::Compiled& code = program.compiled();
+  const Program::Compiled& compiled = program.compiled();
   Asking asking;
-  const std::vector<Mat4> worlds = code.worlds(t, code.at(t, asking).data(), asking);
+  const std::vector<Mat4> worlds = compiled.worlds(t, compiled.at(t, asking).data(), asking);
   std::vector<Pose> out;
-  out.reserve(code.node_of.size());
-  for (std::uint32_t i = 0; i < code.node_of.size(); ++i)
-    out.push_back(pose_of(code, i, t, [&](std::uint32_t node) { return worlds[node]; }));
+  out.reserve(compiled.node_of.size());
+  for (std::uint32_t i = 0; i < compiled.node_of.size(); ++i)
+    out.push_back(pose_of(compiled, i, t, [&](std::uint32_t node) { return worlds[node]; }));
   return out;
 }
 

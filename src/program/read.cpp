@@ -4,7 +4,7 @@
 // Values read back, one or many at a time.
 #include <algorithm>
 
-#include "program/code.h"
+#include "program/compiled.h"
 
 namespace betwixt {
 namespace {

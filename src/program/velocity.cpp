@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/code.h"
+#include "program/compiled.h"
 #include "track/operations.h"
 
 namespace betwixt {

@@ -10,7 +10,7 @@ namespace {
 const char* const packages = "on Debian: apt install libegl1 libgl1-mesa-dri";
 
 Error no_graphics(const char* why) {
-  return fail(Code::machine, fmt::format("no graphics to be had: {}", why), packages);
+  return fail(ErrorCode::machine, fmt::format("no graphics to be had: {}", why), packages);
 }
 
 // All contexts of the process share one display. It is never shut down: other threads, or the host program, may be
@@ -38,7 +38,7 @@ Result<GLuint> compile(GLenum stage, std::string_view source, std::string_view d
   char log[1024] = "";
   glGetShaderInfoLog(shader, sizeof log, nullptr, log);
   glDeleteShader(shader);
-  return fail(Code::machine, fmt::format("the graphics driver cannot compile a shader: {}", log), packages);
+  return fail(ErrorCode::machine, fmt::format("the graphics driver cannot compile a shader: {}", log), packages);
 }
 
 bool framebuffer_good() {
@@ -46,7 +46,7 @@ bool framebuffer_good() {
 }
 
 Error cannot_draw(int width, int height) {
-  return fail(Code::machine, fmt::format("the graphics driver cannot draw {}x{} pixels", width, height),
+  return fail(ErrorCode::machine, fmt::format("the graphics driver cannot draw {}x{} pixels", width, height),
               "try a smaller size or fewer samples");
 }
 
@@ -184,7 +184,7 @@ Result<Program> new_program(std::string_view vertex, std::string_view fragment, 
   if (good) return program;
   char log[1024] = "";
   glGetProgramInfoLog(program.id(), sizeof log, nullptr, log);
-  return fail(Code::machine, fmt::format("the graphics driver cannot link a shader: {}", log), packages);
+  return fail(ErrorCode::machine, fmt::format("the graphics driver cannot link a shader: {}", log), packages);
 }
 
 const std::string_view fill_vertex = R"(

@@ -61,7 +61,7 @@ Error no_such_style(const std::string& name) {
     all += (all.empty() ? "" : ", ") + std::string(e.style.name);
     if (distance(name.substr(0, 64), e.style.name) <= 3) near = &e;
   }
-  return fail(Code::name, fmt::format("no style is called '{}'", name.substr(0, 64)),
+  return fail(ErrorCode::name, fmt::format("no style is called '{}'", name.substr(0, 64)),
               near != nullptr ? std::string(near->style.name) : "the styles are " + all);
 }
 
@@ -79,11 +79,12 @@ const std::vector<Style>& styles() {
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
   const auto fits = [](int n) { return n >= 1 && n <= 8192; };
   if (!fits(options.width) || !fits(options.height))
-    return fail(Code::range, fmt::format("a picture of {}x{} pixels cannot be drawn", options.width, options.height),
+    return fail(ErrorCode::range,
+                fmt::format("a picture of {}x{} pixels cannot be drawn", options.width, options.height),
                 "each side may have 1 to 8192 pixels");
   constexpr std::array samples{1, 4, 9, 16};
   if (std::find(samples.begin(), samples.end(), options.samples) == samples.end())
-    return fail(Code::range, fmt::format("{} samples a pixel cannot be drawn", options.samples), "1, 4, 9 or 16");
+    return fail(ErrorCode::range, fmt::format("{} samples a pixel cannot be drawn", options.samples), "1, 4, 9 or 16");
   const auto* entry =
       std::find_if(std::begin(table), std::end(table), [&](const Entry& e) { return e.style.name == options.style; });
   if (entry == std::end(table)) return no_such_style(options.style);

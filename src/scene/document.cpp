@@ -182,7 +182,7 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
   for (std::size_t i = 0; i < steps.size() && steps.size() < enough; ++i) {
     for (const AttachmentSpan& a : attachments(s.objects[steps[i].at.index])) {
       const Time begin = std::max(a.from, steps[i].from), end = std::min(a.until, steps[i].until);
-      if (a.to.hold < Hold::hang || !find_object(s, a.to.parent) || begin >= end) continue;
+      if (a.to.kind < AttachmentKind::hang || !find_object(s, a.to.parent) || begin >= end) continue;
       steps.push_back({a.to.parent, begin, end, i});
       if (a.to.parent != child) continue;
       std::vector<ObjectId> path{child};
@@ -198,7 +198,7 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
 
 Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self) {
   const auto no = [&](const std::string& why, std::string hint = {}) {
-    return fail(Code::name, "value('" + std::string(text.substr(0, 60)) + "'): " + why, std::move(hint));
+    return fail(ErrorCode::name, "value('" + std::string(text.substr(0, 60)) + "'): " + why, std::move(hint));
   };
   const auto dot = text.find('.');
   if (dot == std::string_view::npos) return no("a target has a dot, as in 'ball.position'");

@@ -44,21 +44,21 @@ std::optional<std::int64_t> due_of(const Environment::Span& s, std::int64_t tick
 
 Status check_times(const Animate& a) {
   const std::int64_t from = a.from.value_or(0);
-  if (from < 0) return fail(Code::range, "an environment cannot start before its animate");
+  if (from < 0) return fail(ErrorCode::range, "an environment cannot start before its animate");
   if (a.until && *a.until <= from)
-    return fail(Code::range,
+    return fail(ErrorCode::range,
                 a.from ? "an environment has to halt after it starts: until " + std::to_string(*a.until) +
                              "t is not after from " + std::to_string(from) + "t"
                        : "an environment has to halt after its animate, not after " + std::to_string(*a.until) + "t");
   if (std::max(from, a.until.value_or(0)) > Environment::furthest)
-    return fail(Code::range, "a start or a stop so far in the future cannot be counted in ticks");
+    return fail(ErrorCode::range, "a start or a stop so far in the future cannot be counted in ticks");
   return Nothing{};
 }
 
 Status check_motion(const Animate& a) {
   for (double e : a.motion.m)
     if (!std::isfinite(e))
-      return fail(Code::range, "the matrix of a motion is made of numbers, and this has an element that is none");
+      return fail(ErrorCode::range, "the matrix of a motion is made of numbers, and this has an element that is none");
   if (const Result<Pace> pace = Pace::make(a.timing); !pace) return pace.error();
   return check_times(a);
 }
@@ -109,14 +109,14 @@ Status Environment::add(const EnvironmentEvent& event) {
 
 Status Environment::check(const EnvironmentEvent& event) const {
   if (event.tick > furthest || event.tick < -furthest)
-    return fail(Code::range, "a time so far away cannot be counted in ticks");
+    return fail(ErrorCode::range, "a time so far away cannot be counted in ticks");
   if (const auto* a = std::get_if<Animate>(&event.what)) return check_motion(*a);
   if (alive()) return Nothing{};
   const std::string verb = std::holds_alternative<Halt>(event.what)   ? "halt"
                            : std::holds_alternative<Kill>(event.what) ? "kill"
                                                                       : "cancel";
-  return fail(Code::name, "there is nothing to " + verb + ": it has not been animated" +
-                              (births_.empty() ? " before this" : " since it was killed"));
+  return fail(ErrorCode::name, "there is nothing to " + verb + ": it has not been animated" +
+                                   (births_.empty() ? " before this" : " since it was killed"));
 }
 
 void Environment::apply(const EnvironmentEvent& event) {
@@ -150,7 +150,7 @@ void Environment::animate(Key key, const Animate& a, Output& out) {
   if (now.motion->power.snapped())
     out.problems.push_back(
         {key.number, Severity::notice,
-         fail(Code::range, "this motion turns and moves but for small errors, and is taken as if it had none")});
+         fail(ErrorCode::range, "this motion turns and moves but for small errors, and is taken as if it had none")});
   if (!alive()) {
     births_.push({key, spans_.size() + out.spans.size()});
     now_ = {.span = {}, .started = false, .warned = now_.warned};
@@ -199,7 +199,7 @@ void Environment::start(Now& now, const Scheduled& s, Output& out) {
     now.warned = true;
     out.problems.push_back(
         {s.key.number, Severity::warning,
-         fail(Code::range,
+         fail(ErrorCode::range,
               "this animate comes before the first update of the one before it: repeated like this, nothing moves",
               "keep-phase keeps the update that was due")});
   }

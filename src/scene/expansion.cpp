@@ -137,7 +137,8 @@ void put(Scene& s, std::vector<ExpandedPart> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Object& made = parts[i].object;
     if (parts[i].parent >= 0)
-      made.slot(fn::attachment).set = Attachment{Hold::couple, now[static_cast<std::size_t>(parts[i].parent)], false};
+      made.slot(fn::attachment).set =
+          Attachment{AttachmentKind::couple, now[static_cast<std::size_t>(parts[i].parent)], false};
     if (now[i]) {
       const Object& there = s.objects[now[i].index];
       if (there.kind == made.kind && same_slots(there.slots, made.slots)) continue;
@@ -156,7 +157,7 @@ void put(Scene& s, std::vector<ExpandedPart> parts) {
 }
 
 Error too_many(const Scene& s) {
-  return fail(Code::range, "'" + s.main + "' would become more than " + std::to_string(most_derived) + " objects",
+  return fail(ErrorCode::range, "'" + s.main + "' would become more than " + std::to_string(most_derived) + " objects",
               "a film has objects for all that its main list draws");
 }
 
@@ -169,12 +170,13 @@ Result<Versions> versions_of_main(const Scene& s) {
     const ExpansionSize size = expansion_size(lists, s.main);
     scanned += size.objects;
     if (size.depth > deepest_derived)
-      return fail(Code::range, "'" + s.main + "' would hold instances and environments more than " +
-                                   std::to_string(deepest_derived) + " deep in one another");
+      return fail(ErrorCode::range, "'" + s.main + "' would hold instances and environments more than " +
+                                        std::to_string(deepest_derived) + " deep in one another");
     if (size.objects > most_derived) return too_many(s);
     if (scanned > most_scanned)
-      return fail(Code::range, "'" + s.main + "' changes too often for its size: all that it draws from edit to edit " +
-                                   "would be more than " + std::to_string(most_scanned) + " objects");
+      return fail(ErrorCode::range, "'" + s.main +
+                                        "' changes too often for its size: all that it draws from edit to edit " +
+                                        "would be more than " + std::to_string(most_scanned) + " objects");
     Expanded made = expanded(s, lists, s.main);
     called = std::move(made.called);
     versions.add(from, std::move(made.parts));

@@ -13,14 +13,14 @@ namespace {
 std::string ticks(std::int64_t n) { return std::to_string(n) + (n == 1 ? " tick" : " ticks"); }
 
 Status check(const Timing& t) {
-  if (t.interval < 1) return fail(Code::range, "an interval is at least 1 tick, and this is " + ticks(t.interval));
+  if (t.interval < 1) return fail(ErrorCode::range, "an interval is at least 1 tick, and this is " + ticks(t.interval));
   if (t.change == 0) return Nothing{};
   if (t.period < 1)
-    return fail(Code::range, "an interval is changed every 1 tick or more, and this is every " + ticks(t.period));
-  if (t.ceiling < 1) return fail(Code::range, "a limit is at least 1 tick, and this is " + ticks(t.ceiling));
+    return fail(ErrorCode::range, "an interval is changed every 1 tick or more, and this is every " + ticks(t.period));
+  if (t.ceiling < 1) return fail(ErrorCode::range, "a limit is at least 1 tick, and this is " + ticks(t.ceiling));
   for (std::int64_t n : {t.interval, t.change, t.period, t.ceiling})
     if (n > Pace::largest || n < -Pace::largest)
-      return fail(Code::range,
+      return fail(ErrorCode::range,
                   "an interval that changes is made of at most " + ticks(Pace::largest) + ", not " + ticks(n));
   return Nothing{};
 }
@@ -61,7 +61,7 @@ Result<Pace> Pace::make(const Timing& t, std::optional<std::int64_t> first) {
   }
   while (true) {
     if (rows.size() == most_rows)
-      return fail(Code::range, "this interval changes more than " + std::to_string(most_rows) + " times",
+      return fail(ErrorCode::range, "this interval changes more than " + std::to_string(most_rows) + " times",
                   "let it change by more ticks each time");
     rows.push_back(row);
     if (row.ended || t.change == 0 || (t.change < 0 && row.interval == 1)) break;

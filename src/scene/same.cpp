@@ -33,7 +33,7 @@ struct Compare {
   bool values(const Value& x, const Value& y) const {
     const auto *p = std::get_if<ObjectId>(&x), *q = std::get_if<ObjectId>(&y);
     const auto *a1 = std::get_if<Attachment>(&x), *a2 = std::get_if<Attachment>(&y);
-    if (a1 && a2) return a1->hold == a2->hold && ra(a1->parent) == rb(a2->parent) && a1->keep_world == a2->keep_world;
+    if (a1 && a2) return a1->kind == a2->kind && ra(a1->parent) == rb(a2->parent) && a1->keep_world == a2->keep_world;
     return p && q ? ra(*p) == rb(*q) : x == y;
   }
   bool maybe(const std::optional<Value>& x, const std::optional<Value>& y) const {

@@ -18,7 +18,7 @@ namespace betwixt {
 inline std::string said(const std::string& text) { return text.empty() ? "" : ",\"said\":" + json_text(text); }
 
 inline Error one_word_too_many(const std::string& word, std::string_view usage) {
-  return fail(Code::syntax, fmt::format("'{}' is one word too many", word.substr(0, 60)),
+  return fail(ErrorCode::syntax, fmt::format("'{}' is one word too many", word.substr(0, 60)),
               fmt::format("usage: {}", usage));
 }
 

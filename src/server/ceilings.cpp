@@ -37,7 +37,7 @@ bool too_many_environments(std::size_t most, const Scene& before, const Scene& a
 }
 
 Error too_many(const char* what, std::size_t most, const std::string& hint) {
-  return fail(Code::range, fmt::format("there would be more than {} {}", most, what), hint);
+  return fail(ErrorCode::range, fmt::format("there would be more than {} {}", most, what), hint);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ class Film final : public Screen {
       if (s) s = sink_->pack(0, standing);
     }
     until(end_);
-    if (s && next == 0) s = fail(Code::range, "no frame was shown, so there is no film");
+    if (s && next == 0) s = fail(ErrorCode::range, "no frame was shown, so there is no film");
     if (s) s = sink_->finish([] { return true; });
     if (s) return;
     const std::lock_guard lock(mutex_);
@@ -105,7 +105,7 @@ NewScreen film_screen(const std::string& path, const RenderOptions& picture, Rat
     o.width = picture.width, o.height = picture.height;
     const Result<Output> place = read_output(path);
     if (!place) return place.error();
-    if (!place->format) return fail(Code::range, "a server makes no single pictures", "a film: " + film_endings());
+    if (!place->format) return fail(ErrorCode::range, "a server makes no single pictures", "a film: " + film_endings());
     auto renderer = make_renderer(picture);
     if (!renderer) return renderer.error();
     auto sink = make_sink(o);
@@ -113,7 +113,7 @@ NewScreen film_screen(const std::string& path, const RenderOptions& picture, Rat
     try {
       return std::unique_ptr<Screen>(std::make_unique<Film>(*std::move(renderer), *std::move(sink), rate, trouble));
     } catch (const std::system_error& e) {
-      return fail(Code::machine, fmt::format("no thread can be had for the film: {}", e.what()));
+      return fail(ErrorCode::machine, fmt::format("no thread can be had for the film: {}", e.what()));
     }
   };
 }

@@ -62,7 +62,7 @@ FrameClock::FrameClock(Options options)
 Result<std::unique_ptr<FrameClock>> FrameClock::start(Options options) {
   std::unique_ptr<FrameClock> clock(new FrameClock(std::move(options)));
   if (clock->wake_ < 0 || clock->told_ < 0)
-    return fail(Code::machine, fmt::format("no clock can be had: {}", std::strerror(errno)));
+    return fail(ErrorCode::machine, fmt::format("no clock can be had: {}", std::strerror(errno)));
   std::promise<Status> ready;
   auto began = ready.get_future();
   try {
@@ -78,7 +78,7 @@ Result<std::unique_ptr<FrameClock>> FrameClock::start(Options options) {
       c->screen_.reset();
     });
   } catch (const std::system_error& e) {
-    return fail(Code::machine, fmt::format("no thread can be had for the clock: {}", e.what()));
+    return fail(ErrorCode::machine, fmt::format("no thread can be had for the clock: {}", e.what()));
   }
   if (const Status s = began.get(); !s) return s.error();
   return clock;

@@ -70,11 +70,11 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   if (!from.empty()) {
     const auto there = read_script(from);
     if (!there) return there.error();
-    if (!*there && !goes_on) return fail(Code::file, fmt::format("there is no file '{}'", from));
+    if (!*there && !goes_on) return fail(ErrorCode::file, fmt::format("there is no file '{}'", from));
     text = there->value_or("");
   }
   if (!save.empty() && !from.empty() && real(from).parent_path() != real(save).parent_path())
-    return fail(Code::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
+    return fail(ErrorCode::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
                 "the paths of files in a script count from its folder, so its history must be there too");
   name_ = save.empty() ? from : save, save_ = save;
   last_host_ = last_host_named(text);
@@ -83,11 +83,12 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   event_count_ = count_events({}, 0, document().scene());
   if (has_errors(all)) return all;
   if (!cut.empty())
-    all.push_back({Severity::warning,
-                   fail(Code::file, fmt::format("what stands at the end of '{}' was never finished and is left out: {}",
-                                                from, cut.substr(0, 200))),
-                   {},
-                   0});
+    all.push_back(
+        {Severity::warning,
+         fail(ErrorCode::file, fmt::format("what stands at the end of '{}' was never finished and is left out: {}",
+                                           from, cut.substr(0, 200))),
+         {},
+         0});
   if (!save.empty())
     if (Status s = history_.keep_in(save, overwrite || goes_on, editor_.base()); !s) return s.error();
   transport_ = {!options_.wait, now, Time{}};
@@ -133,7 +134,7 @@ Imaging::Reply Imaging::enter_too_long(Host host, Nanos now) {
   Visitor& h = hosts_.at(host);
   ++h.line, ++lines_;
   h.open.clear(), h.open_lines = 0;
-  const Error e = fail(Code::range, fmt::format("a line is at most {} bytes long", longest_line));
+  const Error e = fail(ErrorCode::range, fmt::format("a line is at most {} bytes long", longest_line));
   if (!h.bundling) return no(h, now, e);
   if (!h.bundle_broken) h.bundle_broken = fail(e.code, fmt::format("line {}: {}", h.line, e.message));
   return {};
@@ -151,7 +152,8 @@ Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   const SaidLine said = look_at(line);
   const int lines = std::exchange(h.open_lines, 0);
   if (line.size() > longest_line || (said.open && lines >= most_open_lines))
-    return no(h, now, fail(Code::range, "this command goes on for too long", "a bracket or a \"\"\" is never closed"));
+    return no(h, now,
+              fail(ErrorCode::range, "this command goes on for too long", "a bracket or a \"\"\" is never closed"));
   if (!said.open) return enter_whole(h, said, now);
   h.open = line, h.open_lines = lines + 1;
   return yes(h, now, ",\"more\":true");

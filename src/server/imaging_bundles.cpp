@@ -32,10 +32,10 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
   const bool lone = said.alone() && !said.indented && !goes_on;
   if (lone && said.verb == "end") return end_bundle(h, now);
   if (lone && said.verb == "bundle" && !h.bundle_broken)
-    h.bundle_broken = fail(Code::syntax, fmt::format("line {}: a bundle is open already", h.line));
+    h.bundle_broken = fail(ErrorCode::syntax, fmt::format("line {}: a bundle is open already", h.line));
   h.bundle_size += line.size() + 64;
   if (h.bundle_size > largest_bundle && !h.bundle_broken)
-    h.bundle_broken = fail(Code::range, fmt::format("a bundle is at most {} bytes long", largest_bundle));
+    h.bundle_broken = fail(ErrorCode::range, fmt::format("a bundle is at most {} bytes long", largest_bundle));
   if (h.bundle_broken) {
     h.bundle.clear();
     return {};
@@ -58,7 +58,7 @@ std::optional<Error> Imaging::carry_out(const Bundled& line, Together& all, std:
   const bool row = indented(line.text) && sheet;
   if (!row && (verb == "quit" || (line.alone && find_word(verb)))) {
     sheet.reset();
-    return fail(Code::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
+    return fail(ErrorCode::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
                 "a bundle holds commands of the language");
   }
   if (line_words(line.text).empty()) return {};

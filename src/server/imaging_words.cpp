@@ -29,7 +29,7 @@ Result<unsigned> topics_of(const std::vector<std::string>& w) {
   for (std::size_t i = 1; i < w.size(); ++i) {
     const auto found = std::find(std::begin(names), std::end(names), w[i]);
     if (found == std::end(names))
-      return fail(Code::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
+      return fail(ErrorCode::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
                   "changes, contacts, frames or notes");
     topics |= 1u << (found - std::begin(names));
   }
@@ -86,11 +86,13 @@ const Imaging::Word* Imaging::find_word(std::string_view word) {
 }
 
 Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w[0] == "open") return fail(Code::name, "'open' is not for hosts: a server has one document");
+  if (w[0] == "open") return fail(ErrorCode::name, "'open' is not for hosts: a server has one document");
   if (w[0] == "load")
-    return fail(Code::name, "'load' is not for hosts: plug-ins are programs", "betwixt serve --load PLUGIN loads one");
-  if (w[0] == "plot") return fail(Code::name, "'plot' is not for hosts: they write no files here", "eval gives values");
-  return fail(Code::name, fmt::format("'{}' is not for hosts: a server always plays", w[0]),
+    return fail(ErrorCode::name, "'load' is not for hosts: plug-ins are programs",
+                "betwixt serve --load PLUGIN loads one");
+  if (w[0] == "plot")
+    return fail(ErrorCode::name, "'plot' is not for hosts: they write no files here", "eval gives values");
+  return fail(ErrorCode::name, fmt::format("'{}' is not for hosts: a server always plays", w[0]),
               "see start, pause, go, seek");
 }
 
@@ -105,8 +107,9 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
     t = *asked, end -= 2;
   }
   if (end > 2 && w.back() == "at")
-    return fail(Code::syntax, "a time is missing behind 'at'", fmt::format("as in eval {} at 24f", w[1].substr(0, 60)));
-  if (end < 2) return fail(Code::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
+    return fail(ErrorCode::syntax, "a time is missing behind 'at'",
+                fmt::format("as in eval {} at 24f", w[1].substr(0, 60)));
+  if (end < 2) return fail(ErrorCode::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
   std::vector<Target> targets;
   for (std::size_t i = 1; i < end; ++i) {
     const auto found = find_targets(w[i], document());
@@ -183,7 +186,7 @@ Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>&, Nan
 Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
-  if (*topics == 0) return fail(Code::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes");
+  if (*topics == 0) return fail(ErrorCode::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes");
   if (*topics & contacts && !(h.topics & contacts)) watch_.reset();  // all begins anew, for whoever knows nothing yet
   h.topics |= *topics;
   return std::string();
@@ -236,7 +239,7 @@ Result<std::string> Imaging::go(Visitor&, const std::vector<std::string>&, Nanos
 }
 
 Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() != 2) return fail(Code::syntax, "to which time?", "usage: seek TIME, as in seek 2.5s");
+  if (w.size() != 2) return fail(ErrorCode::syntax, "to which time?", "usage: seek TIME, as in seek 2.5s");
   const auto to = parse_time(w[1], document());
   if (!to) return to.error();
   transport_.since = now, transport_.at = *to;
@@ -246,8 +249,8 @@ Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, N
 }
 
 Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w.size() > 1) return fail(Code::name, "a host cannot choose the file", "betwixt serve --save FILE does");
-  if (save_.empty()) return fail(Code::name, "this server keeps no history", "betwixt serve --save FILE does");
+  if (w.size() > 1) return fail(ErrorCode::name, "a host cannot choose the file", "betwixt serve --save FILE does");
+  if (save_.empty()) return fail(ErrorCode::name, "this server keeps no history", "betwixt serve --save FILE does");
   return said(fmt::format("kept in '{}'", save_));
 }
 
@@ -262,7 +265,7 @@ Result<std::string> Imaging::quit(Visitor& h, const std::vector<std::string>&, N
 }
 
 Result<std::string> Imaging::end(Visitor&, const std::vector<std::string>&, Nanos) {
-  return fail(Code::syntax, "no bundle is open", "the end of an environment in a display list is indented");
+  return fail(ErrorCode::syntax, "no bundle is open", "the end of an environment in a display list is indented");
 }
 
 }  // namespace betwixt

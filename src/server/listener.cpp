@@ -39,7 +39,7 @@ class File {
   int file_;
 };
 
-Error system_said(Code code, const std::string& what, int why) {
+Error system_said(ErrorCode code, const std::string& what, int why) {
   return fail(code, fmt::format("{}: {}", what, std::strerror(why)));
 }
 
@@ -47,14 +47,15 @@ Error system_said(Code code, const std::string& what, int why) {
 Status make_room(const std::string& path, const sockaddr_un& address) {
   struct stat there {};
   if (::lstat(path.c_str(), &there) != 0) return Nothing{};
-  if (!S_ISSOCK(there.st_mode)) return fail(Code::file, fmt::format("'{}' is there already, and no socket", path));
+  if (!S_ISSOCK(there.st_mode)) return fail(ErrorCode::file, fmt::format("'{}' is there already, and no socket", path));
   const File probe(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int answer = ::connect(probe.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   if (answer == 0 || errno == EAGAIN || errno == EINPROGRESS)
-    return fail(Code::file, fmt::format("another server listens at '{}'", path), "--socket PATH names another place");
-  if (errno != ECONNREFUSED) return system_said(Code::file, fmt::format("'{}' cannot be used", path), errno);
+    return fail(ErrorCode::file, fmt::format("another server listens at '{}'", path),
+                "--socket PATH names another place");
+  if (errno != ECONNREFUSED) return system_said(ErrorCode::file, fmt::format("'{}' cannot be used", path), errno);
   if (::unlink(path.c_str()) != 0)
-    return system_said(Code::file, fmt::format("the socket '{}' cannot be removed", path), errno);
+    return system_said(ErrorCode::file, fmt::format("the socket '{}' cannot be removed", path), errno);
   return Nothing{};
 }
 
@@ -82,21 +83,21 @@ Result<Listener> Listener::unix_socket(const std::string& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.empty() || path.size() >= sizeof address.sun_path)
-    return fail(Code::range, fmt::format("--socket: a path has 1 to {} bytes", sizeof address.sun_path - 1));
+    return fail(ErrorCode::range, fmt::format("--socket: a path has 1 to {} bytes", sizeof address.sun_path - 1));
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   if (Status s = make_room(path, address); !s) return s.error();
   File file(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (file.get() < 0) return system_said(Code::machine, "no socket can be had", errno);
+  if (file.get() < 0) return system_said(ErrorCode::machine, "no socket can be had", errno);
   const mode_t before = ::umask(0177);  // it is never there with other rights than these
   const int bound = ::bind(file.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   const int why = errno;
   ::umask(before);
-  if (bound != 0) return system_said(Code::file, fmt::format("cannot listen at '{}'", path), why);
+  if (bound != 0) return system_said(ErrorCode::file, fmt::format("cannot listen at '{}'", path), why);
   Listener out(file.release(), path, false);
   struct stat mine {};
   if (::lstat(path.c_str(), &mine) == 0) out.device_ = mine.st_dev, out.inode_ = mine.st_ino;
   if (::listen(out.file_, backlog) != 0)
-    return system_said(Code::file, fmt::format("cannot listen at '{}'", path), errno);
+    return system_said(ErrorCode::file, fmt::format("cannot listen at '{}'", path), errno);
   return out;
 }
 
@@ -105,22 +106,22 @@ Result<Listener> Listener::tcp(const std::string& where, bool anywhere) {
   std::string host = colon == std::string::npos ? "" : where.substr(0, colon);
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
   if (host.empty() || colon + 1 == where.size())
-    return fail(Code::range, fmt::format("--tcp: \"{}\" is no address", where), "such as 127.0.0.1:9100");
+    return fail(ErrorCode::range, fmt::format("--tcp: \"{}\" is no address", where), "such as 127.0.0.1:9100");
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_socktype = SOCK_STREAM;
   wanted.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
   if (::getaddrinfo(host.c_str(), where.c_str() + colon + 1, &wanted, &found) != 0)
-    return fail(Code::range, fmt::format("--tcp: there is no address {}", where));
+    return fail(ErrorCode::range, fmt::format("--tcp: there is no address {}", where));
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, ::freeaddrinfo);
   if (!loopback(found->ai_addr) && !anywhere)
-    return fail(Code::range, fmt::format("--tcp: other machines can reach {}", where),
+    return fail(ErrorCode::range, fmt::format("--tcp: other machines can reach {}", where),
                 "--anywhere says that they may; what goes over the wire is not encrypted");
   File file(::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int on = 1;
   if (file.get() >= 0) ::setsockopt(file.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   if (file.get() < 0 || ::bind(file.get(), found->ai_addr, found->ai_addrlen) != 0 ||
       ::listen(file.get(), backlog) != 0)
-    return system_said(Code::file, fmt::format("--tcp: cannot listen at {}", where), errno);
+    return system_said(ErrorCode::file, fmt::format("--tcp: cannot listen at {}", where), errno);
   const std::string name = address_name(file.get());
   return Listener(file.release(), name, true);
 }
@@ -155,7 +156,7 @@ std::string default_socket() {
 Result<std::string> new_token() {
   std::array<unsigned char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return system_said(Code::machine, "no token can be made", errno);
+    return system_said(ErrorCode::machine, "no token can be made", errno);
   return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 

@@ -62,7 +62,7 @@ class Server {
   Server& operator=(const Server&) = delete;
 
   Status run() {
-    if (epoll_ < 0) return fail(Code::machine, fmt::format("no server can be had: {}", std::strerror(errno)));
+    if (epoll_ < 0) return fail(ErrorCode::machine, fmt::format("no server can be had: {}", std::strerror(errno)));
     for (const Listener& l : listeners_) watch(l.file(), EPOLLIN, EPOLL_CTL_ADD);
     if (options_.stop >= 0) watch(options_.stop, EPOLLIN, EPOLL_CTL_ADD);
     watch(clock_.shown_file(), EPOLLIN, EPOLL_CTL_ADD);

@@ -37,8 +37,8 @@ Result<Changed> change_values(Track& track, Segment s, bool tangents, const char
     if (r && finite(*r))
       v = std::move(*r);
     else if (!error)
-      error = r ? fail(Code::range, std::string("a value grows beyond all numbers when it is ") + what)
-                : fail(Code::type, std::string("this cannot be ") + what);
+      error = r ? fail(ErrorCode::range, std::string("a value grows beyond all numbers when it is ") + what)
+                : fail(ErrorCode::type, std::string("this cannot be ") + what);
   };
   Changed done;
   done.events = changed.events.edit_between(s.from, s.to, [&](Event& e) {
@@ -65,7 +65,7 @@ Result<Changed> put_back(Track& track, Segment s, std::vector<Event> events) {
 }
 
 bool in_reach(Time t) { return std::abs(t.seconds()) <= longest_seconds; }
-Error out_of_reach() { return fail(Code::range, "the events would end up more than 146 years away"); }
+Error out_of_reach() { return fail(ErrorCode::range, "the events would end up more than 146 years away"); }
 
 }  // namespace
 
@@ -95,7 +95,7 @@ Result<Changed> copy_segment(const Track& from_track, Segment s, Track& into, Ti
         for (Value* v : {&e.value, e.detail && e.detail->before ? &*e.detail.edit().before : nullptr}) {
           if (!v || e.keep || e.release) continue;
           auto moved = add_scaled(*v, *shift, k);
-          if (!moved || !finite(*moved)) return fail(Code::type, "the copies cannot be shifted by that");
+          if (!moved || !finite(*moved)) return fail(ErrorCode::type, "the copies cannot be shifted by that");
           *v = std::move(*moved);
         }
       }
@@ -127,7 +127,7 @@ Result<Changed> stretch_segment(Track& track, Segment s, double factor) {
     for (auto* tangent : {&d.tangent_in, &d.tangent_out})
       if (*tangent) {
         *tangent = combine(**tangent, Value(factor), [](double x, double y) { return x / y; });
-        if (*tangent && !finite(**tangent)) return fail(Code::range, "a tangent grows beyond all numbers");
+        if (*tangent && !finite(**tangent)) return fail(ErrorCode::range, "a tangent grows beyond all numbers");
       }
   }
   return put_back(track, s, std::move(events));

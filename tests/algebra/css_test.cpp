@@ -94,7 +94,7 @@ TEST(CssRead, WhatCannotBeReadIsToldWithItsPlace) {
   struct Bad {
     std::string list;
     int column, length;
-    Code code;
+    ErrorCode code;
     const char* message;
     const char* hint;
   };
@@ -102,56 +102,56 @@ TEST(CssRead, WhatCannotBeReadIsToldWithItsPlace) {
   const char* px = "px: what others come to depends on the page";
   const char* units = "units are deg, grad, rad, turn";
   const Bad all[] = {
-      {"rotate(1turn) matrix(1, 0, 0, 1, 0, 0)", 15, 6, Code::type, "matrix() is no translation, rotation or scaling",
-       what},
-      {"Matrix3D(1)", 1, 8, Code::type, "matrix3d() is no translation, rotation or scaling", what},
-      {"skew(1deg)", 1, 4, Code::type, "skew() is no translation, rotation or scaling", what},
-      {"skewx(1deg)", 1, 5, Code::type, "skewX() is no translation, rotation or scaling", what},
-      {"skewY(1deg)", 1, 5, Code::type, "skewY() is no translation, rotation or scaling", what},
-      {"perspective(1px)", 1, 11, Code::type, "perspective() is no translation, rotation or scaling", what},
-      {"spin(1deg)", 1, 4, Code::name, "'spin' is no CSS transform", what},
-      {"/* ä */ größe(2)", 9, 5, Code::name, "'größe' is no CSS transform", what},
-      {"none rotate(1deg)", 1, 4, Code::syntax, "'none' stands alone or not at all", ""},
-      {"rotate(1deg) none", 14, 4, Code::syntax, "'none' stands alone or not at all", ""},
-      {"rotate(1deg), scale(2)", 13, 1, Code::syntax, "a CSS transform is wanted here",
+      {"rotate(1turn) matrix(1, 0, 0, 1, 0, 0)", 15, 6, ErrorCode::type,
+       "matrix() is no translation, rotation or scaling", what},
+      {"Matrix3D(1)", 1, 8, ErrorCode::type, "matrix3d() is no translation, rotation or scaling", what},
+      {"skew(1deg)", 1, 4, ErrorCode::type, "skew() is no translation, rotation or scaling", what},
+      {"skewx(1deg)", 1, 5, ErrorCode::type, "skewX() is no translation, rotation or scaling", what},
+      {"skewY(1deg)", 1, 5, ErrorCode::type, "skewY() is no translation, rotation or scaling", what},
+      {"perspective(1px)", 1, 11, ErrorCode::type, "perspective() is no translation, rotation or scaling", what},
+      {"spin(1deg)", 1, 4, ErrorCode::name, "'spin' is no CSS transform", what},
+      {"/* ä */ größe(2)", 9, 5, ErrorCode::name, "'größe' is no CSS transform", what},
+      {"none rotate(1deg)", 1, 4, ErrorCode::syntax, "'none' stands alone or not at all", ""},
+      {"rotate(1deg) none", 14, 4, ErrorCode::syntax, "'none' stands alone or not at all", ""},
+      {"rotate(1deg), scale(2)", 13, 1, ErrorCode::syntax, "a CSS transform is wanted here",
        "as in translate(10px, 20px) rotate(90deg)"},
-      {"rotate(1deg);", 13, 1, Code::syntax, "a CSS transform is wanted here",
+      {"rotate(1deg);", 13, 1, ErrorCode::syntax, "a CSS transform is wanted here",
        "as in translate(10px, 20px) rotate(90deg)"},
-      {"rotate (1deg)", 7, 1, Code::syntax, "'(' is missing right behind rotate", ""},
-      {"rotate", 7, 1, Code::syntax, "'(' is missing right behind rotate", ""},
-      {"rotate(1deg", 12, 1, Code::syntax, "')' is missing", ""},
-      {"scale(2 3)", 9, 1, Code::syntax, "',' or ')' is wanted here", ""},
-      {"scale(,2)", 7, 1, Code::syntax, "a number is wanted here", ""},
-      {"scale(2,)", 9, 1, Code::syntax, "a number is wanted here", ""},
-      {"scale(two)", 7, 3, Code::syntax, "a number is wanted here", ""},
-      {"scale(inf)", 7, 3, Code::syntax, "a number is wanted here", ""},
-      {"scale(-)", 7, 1, Code::syntax, "a number is wanted here", ""},
-      {"scale(+ 2)", 7, 1, Code::syntax, "a number is wanted here", ""},
-      {"scale(2.)", 8, 1, Code::syntax, "',' or ')' is wanted here", ""},
-      {"scale(calc(1 + 1))", 7, 4, Code::type, "calc() is not worked out here", "write the number"},
-      {"scale(1e999)", 7, 5, Code::range, "'1e999' is too large or too small a number", ""},
-      {"scale(1e-999)", 7, 6, Code::range, "'1e-999' is too large or too small a number", ""},
-      {"rotate(1e308turn)", 8, 9, Code::range, "'1e308turn' is too large or too small a number", ""},
-      {"scale(50%)", 9, 1, Code::type, "a number without a unit is wanted here, not '%'", "50% is 0.5"},
-      {"scale(2px)", 8, 2, Code::type, "a number without a unit is wanted here, not 'px'", ""},
-      {"translate(10px, 50%)", 19, 1, Code::type, "'%' is not a unit of length here", px},
-      {"translate(1em)", 12, 2, Code::type, "'em' is not a unit of length here", px},
-      {"translateY(20)", 12, 2, Code::type, "a length needs its unit: 20", "px"},
-      {"rotate(35)", 8, 2, Code::type, "an angle needs its unit: 35", units},
-      {"rotate(35px)", 10, 2, Code::type, "'px' is not a unit of angle", units},
-      {"rotate3d(0, 1px, 0, 1deg)", 14, 2, Code::type, "a number without a unit is wanted here, not 'px'", ""},
-      {"rotate3d(0, 1, 0, 1)", 19, 1, Code::type, "an angle needs its unit: 1", units},
-      {"scale(2) rotate3d(0, 0, 0, 1deg)", 10, 23, Code::range, "this axis has no direction", ""},
-      {"rotate3d(1e308, 1e308, 1e308, 1deg)", 1, 35, Code::range, "this axis has no direction", ""},
-      {"translate()", 1, 11, Code::syntax, "translate() takes one or two lengths", ""},
-      {"translate(1px, 2px, 3px)", 1, 21, Code::syntax, "translate() takes one or two lengths", ""},
-      {"translateX(1px, 2px)", 1, 17, Code::syntax, "translateX() takes one length", ""},
-      {"translate3d(1px, 2px)", 1, 21, Code::syntax, "translate3d() takes three lengths", ""},
-      {"rotate()", 1, 8, Code::syntax, "rotate() takes one angle", ""},
-      {"rotate3d(1, 2, 3)", 1, 17, Code::syntax, "rotate3d() takes three numbers and an angle", ""},
-      {"scale(1, 2, 3)", 1, 13, Code::syntax, "scale() takes one or two numbers", ""},
-      {"scaleZ()", 1, 8, Code::syntax, "scaleZ() takes one number", ""},
-      {"scale3d(1)", 1, 10, Code::syntax, "scale3d() takes three numbers", ""},
+      {"rotate (1deg)", 7, 1, ErrorCode::syntax, "'(' is missing right behind rotate", ""},
+      {"rotate", 7, 1, ErrorCode::syntax, "'(' is missing right behind rotate", ""},
+      {"rotate(1deg", 12, 1, ErrorCode::syntax, "')' is missing", ""},
+      {"scale(2 3)", 9, 1, ErrorCode::syntax, "',' or ')' is wanted here", ""},
+      {"scale(,2)", 7, 1, ErrorCode::syntax, "a number is wanted here", ""},
+      {"scale(2,)", 9, 1, ErrorCode::syntax, "a number is wanted here", ""},
+      {"scale(two)", 7, 3, ErrorCode::syntax, "a number is wanted here", ""},
+      {"scale(inf)", 7, 3, ErrorCode::syntax, "a number is wanted here", ""},
+      {"scale(-)", 7, 1, ErrorCode::syntax, "a number is wanted here", ""},
+      {"scale(+ 2)", 7, 1, ErrorCode::syntax, "a number is wanted here", ""},
+      {"scale(2.)", 8, 1, ErrorCode::syntax, "',' or ')' is wanted here", ""},
+      {"scale(calc(1 + 1))", 7, 4, ErrorCode::type, "calc() is not worked out here", "write the number"},
+      {"scale(1e999)", 7, 5, ErrorCode::range, "'1e999' is too large or too small a number", ""},
+      {"scale(1e-999)", 7, 6, ErrorCode::range, "'1e-999' is too large or too small a number", ""},
+      {"rotate(1e308turn)", 8, 9, ErrorCode::range, "'1e308turn' is too large or too small a number", ""},
+      {"scale(50%)", 9, 1, ErrorCode::type, "a number without a unit is wanted here, not '%'", "50% is 0.5"},
+      {"scale(2px)", 8, 2, ErrorCode::type, "a number without a unit is wanted here, not 'px'", ""},
+      {"translate(10px, 50%)", 19, 1, ErrorCode::type, "'%' is not a unit of length here", px},
+      {"translate(1em)", 12, 2, ErrorCode::type, "'em' is not a unit of length here", px},
+      {"translateY(20)", 12, 2, ErrorCode::type, "a length needs its unit: 20", "px"},
+      {"rotate(35)", 8, 2, ErrorCode::type, "an angle needs its unit: 35", units},
+      {"rotate(35px)", 10, 2, ErrorCode::type, "'px' is not a unit of angle", units},
+      {"rotate3d(0, 1px, 0, 1deg)", 14, 2, ErrorCode::type, "a number without a unit is wanted here, not 'px'", ""},
+      {"rotate3d(0, 1, 0, 1)", 19, 1, ErrorCode::type, "an angle needs its unit: 1", units},
+      {"scale(2) rotate3d(0, 0, 0, 1deg)", 10, 23, ErrorCode::range, "this axis has no direction", ""},
+      {"rotate3d(1e308, 1e308, 1e308, 1deg)", 1, 35, ErrorCode::range, "this axis has no direction", ""},
+      {"translate()", 1, 11, ErrorCode::syntax, "translate() takes one or two lengths", ""},
+      {"translate(1px, 2px, 3px)", 1, 21, ErrorCode::syntax, "translate() takes one or two lengths", ""},
+      {"translateX(1px, 2px)", 1, 17, ErrorCode::syntax, "translateX() takes one length", ""},
+      {"translate3d(1px, 2px)", 1, 21, ErrorCode::syntax, "translate3d() takes three lengths", ""},
+      {"rotate()", 1, 8, ErrorCode::syntax, "rotate() takes one angle", ""},
+      {"rotate3d(1, 2, 3)", 1, 17, ErrorCode::syntax, "rotate3d() takes three numbers and an angle", ""},
+      {"scale(1, 2, 3)", 1, 13, ErrorCode::syntax, "scale() takes one or two numbers", ""},
+      {"scaleZ()", 1, 8, ErrorCode::syntax, "scaleZ() takes one number", ""},
+      {"scale3d(1)", 1, 10, ErrorCode::syntax, "scale3d() takes three numbers", ""},
   };
   for (const Bad& bad : all) {
     const auto motion = from_css(bad.list);
@@ -261,7 +261,7 @@ TEST(Css, WhatABrowserWouldDecomposeIsRefused) {
     ASSERT_FALSE(m) << message;
     EXPECT_EQ(m.error().message, message);
     EXPECT_EQ(m.error().hint, hint);
-    EXPECT_EQ(m.error().code, Code::type);
+    EXPECT_EQ(m.error().code, ErrorCode::type);
   };
   const char* same = "from here on a browser mixes matrices, and turns are lost: let the same functions stand there";
   refused(read("translateX(1px) rotate(1deg)"), read("translateX(1px) scale(2)"),
@@ -321,15 +321,16 @@ TEST(CssWrite, SaysWhatItWasGiven) {
 }
 
 TEST(CssWrite, WhatHasNoCssIsRefused) {
-  const auto refused = [](const Motion& motion, const char* message, Code code) {
+  const auto refused = [](const Motion& motion, const char* message, ErrorCode code) {
     const auto lists = to_css(motion);
     ASSERT_FALSE(lists) << message;
     EXPECT_EQ(lists.error().message, message);
     EXPECT_EQ(lists.error().code, code);
   };
-  refused(parsed("T(1 2) S(2)"), "factor 2: it grows by the exponential law, and CSS by the linear one", Code::type);
-  refused(parsed("R(1turn @ hub)"), "factor 1: its centre is 'hub', and CSS knows no objects", Code::type);
-  refused({{rotate_by(NAN)}}, "factor 1, R: its angle is no finite number", Code::range);
+  refused(parsed("T(1 2) S(2)"), "factor 2: it grows by the exponential law, and CSS by the linear one",
+          ErrorCode::type);
+  refused(parsed("R(1turn @ hub)"), "factor 1: its centre is 'hub', and CSS knows no objects", ErrorCode::type);
+  refused({{rotate_by(NAN)}}, "factor 1, R: its angle is no finite number", ErrorCode::range);
 }
 
 // What is written reads back as the same numbers, and moves as the motion does.

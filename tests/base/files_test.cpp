@@ -68,7 +68,7 @@ TEST(Files, AreNeverHalfWritten) {
             "cannot write " + (folder / "no/a") + ": no such file or directory");
   const Status full = write_whole("/dev/full", "words", true);
   EXPECT_EQ(message(full), "cannot write /dev/full: no space left on device");
-  EXPECT_EQ(full.error().code, Code::machine);
+  EXPECT_EQ(full.error().code, ErrorCode::machine);
   EXPECT_EQ(folder.names(), Names{"a"});
 }
 

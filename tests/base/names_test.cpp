@@ -51,7 +51,7 @@ TEST(Braces, ThatCannotBeWrittenOutAreErrors) {
   EXPECT_EQ(expanded("{1..2000}{1..2000}"), std::vector<std::string>{"error: the braces make more than 1000000 names"});
   const auto few = expand_braces("{1..11}", 10);
   ASSERT_FALSE(few);
-  EXPECT_EQ(few.error().code, Code::range);
+  EXPECT_EQ(few.error().code, ErrorCode::range);
   // Neither long names a million times, nor a million zeros in front, fill the memory.
   EXPECT_EQ(expanded("{1..900000}" + std::string(10'000, 'x')),
             std::vector<std::string>{"error: the braces make names that are too long"});

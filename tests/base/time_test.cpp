@@ -49,7 +49,7 @@ TEST(Time, SecondsAreNearestFlicks) {
 TEST(Diagnostics, ShowThePlace) {
   Diagnostic d;
   d.severity = Severity::error;
-  d.what = {Code::name, "nothing is called 'bal'", "did you mean 'ball'?", {"a.bx", 3, 6, 3}};
+  d.what = {ErrorCode::name, "nothing is called 'bal'", "did you mean 'ball'?", {"a.bx", 3, 6, 3}};
   d.line = "\tset bal.color";
   d.caret = 5;
   EXPECT_EQ(to_string(d),

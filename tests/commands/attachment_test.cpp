@@ -369,7 +369,8 @@ TEST(Attachment, BeforeTheFirstEventIsWhatHoldsFromTheBeginning) {
   const Program p = Program::compile(d);
   const Target t{d.find("b"), fn::attachment};
   EXPECT_EQ(std::get<Attachment>(p.read(t, d.rate().frame(12))), Attachment{});
-  EXPECT_EQ(std::get<Attachment>(p.read(t, d.rate().frame(20))), (Attachment{Hold::couple, d.find("h"), false}));
+  EXPECT_EQ(std::get<Attachment>(p.read(t, d.rate().frame(20))),
+            (Attachment{AttachmentKind::couple, d.find("h"), false}));
 }
 
 }  // namespace

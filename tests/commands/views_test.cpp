@@ -39,13 +39,13 @@ struct Lister {
       for (const Vec3& p : **all) three(p);
     if (const auto* names = std::get_if<Names>(&v))
       for (const auto& n : **names) o << '<' << n << '>';
-    if (const auto* a = std::get_if<Attachment>(&v)) o << hold(a->hold) << ' ' << d.name(a->parent);
+    if (const auto* a = std::get_if<Attachment>(&v)) o << attachment(a->kind) << ' ' << d.name(a->parent);
     if (const auto* p = std::get_if<Procedure>(&v)) o << procedure(*p).language << ' ' << procedure(*p).source;
     if (const auto* m = std::get_if<Matrix>(&v)) three(translation_of(**m));
     if (const auto* m = std::get_if<Moves>(&v)) o << ((*m)->factors.empty() ? "still" : to_string(**m));
     return o.str();
   }
-  static std::string_view hold(Hold h) {
+  static std::string_view attachment(AttachmentKind h) {
     static constexpr std::string_view words[] = {"detach", "letgo", "hang", "attach", "couple"};
     return words[static_cast<std::size_t>(h)];
   }
@@ -387,9 +387,11 @@ TEST(Views, PosesAreThoseOfTheWorld) {
       ASSERT_TRUE(one.local) << where;
       expect_near((one.parent ? all[one.parent.index].world : Mat4{}) * *one.local, one.world, where);
     }
-    const Hold hold = frame < 24 ? Hold::couple : frame < 48 ? Hold::letgo : Hold::attach;
-    EXPECT_EQ(all[ball.index].hold, hold);
-    EXPECT_EQ(all[ball.index].parent, hold == Hold::letgo ? ObjectId{} : hand);
+    const AttachmentKind how = frame < 24   ? AttachmentKind::couple
+                               : frame < 48 ? AttachmentKind::letgo
+                                            : AttachmentKind::attach;
+    EXPECT_EQ(all[ball.index].attachment, how);
+    EXPECT_EQ(all[ball.index].parent, how == AttachmentKind::letgo ? ObjectId{} : hand);
     EXPECT_EQ(d.name(camera(p, t)), frame < 30 ? "near" : "far");
   }
 }

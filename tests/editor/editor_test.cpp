@@ -40,7 +40,7 @@ TEST(Editor, NothingIsDoneThatItsSinkCannotKeep) {
   bool full = false;
   std::string told;
   editor.keep([&](Did what, const Step& step, std::span<const Step> standing) -> Status {
-    if (full) return fail(Code::machine, "the disk is full");
+    if (full) return fail(ErrorCode::machine, "the disk is full");
     told += static_cast<char>(what) + step.lines[0] + std::to_string(standing.size()) + " ";
     return Nothing{};
   });

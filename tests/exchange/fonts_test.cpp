@@ -16,7 +16,7 @@ TEST(Fonts, MissingOnesHaveANearMiss) {
   EXPECT_TRUE(find_font("dejavu sans"));
   const auto missing = find_font("DejaVu Sons");
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().code, Code::name);
+  EXPECT_EQ(missing.error().code, ErrorCode::name);
   EXPECT_EQ(missing.error().message, "this machine has no font called \"DejaVu Sons\"");
   EXPECT_EQ(missing.error().hint, "did you mean \"DejaVu Sans\"?");
   EXPECT_FALSE(text_outline("x", "No Such Font At All").contours.empty()) << "another one stands in";

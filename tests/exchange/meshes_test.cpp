@@ -25,7 +25,7 @@ const std::string examples = SOURCE_DIR "/examples/meshes/", data = SOURCE_DIR "
 void expect_error(const std::string& path, const std::string& message) {
   const auto mesh = load(path);
   ASSERT_FALSE(mesh) << path;
-  EXPECT_EQ(mesh.error().code, Code::file);
+  EXPECT_EQ(mesh.error().code, ErrorCode::file);
   EXPECT_EQ(mesh.error().message, message);
 }
 
@@ -100,7 +100,7 @@ TEST_F(Files, EveryBrokenFileHasItsMessage) {
   for (const char* kind : {"obj", "ply", "stl", "dae", "fbx", "3ds", "gltf", "glb"}) {
     const auto mesh = load(put(std::string("garbage.") + kind, garbage));
     ASSERT_FALSE(mesh) << kind;
-    EXPECT_EQ(mesh.error().code, Code::file);
+    EXPECT_EQ(mesh.error().code, ErrorCode::file);
     EXPECT_EQ(mesh.error().message.find(at(std::string("garbage.") + kind) + " cannot be read as a mesh: "), 0U)
         << mesh.error().message;
   }

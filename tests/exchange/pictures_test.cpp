@@ -50,7 +50,7 @@ TEST_F(Files, PicturesAreNeverHalfWritten) {
   EXPECT_EQ(message(write_png(at("d.png"), gradient())), at("d.png") + " is a folder, not a file");
   const auto full = write_png("/dev/full", gradient());
   EXPECT_EQ(message(full), "cannot write /dev/full: no space left on device");
-  EXPECT_EQ(full.error().code, Code::machine);
+  EXPECT_EQ(full.error().code, ErrorCode::machine);
   EXPECT_EQ(message(write_png(at("x.png"), Picture{2, 2, {1}})), "a picture of 2 by 2 pixels cannot be written");
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"d.png", "new.png", "p.png"}));
 }

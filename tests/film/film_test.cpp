@@ -259,13 +259,13 @@ TEST_F(Film, AnOldFilmStaysWhenTheNewOneFails) {
   FilmOptions o = options("film.mp4");
   std::ofstream(o.path) << "old";
   const auto broken = painting([](int k, Picture& out) -> Status {
-    if (k == 4) return fail(Code::name, "no such color", "did you mean gold?");
+    if (k == 4) return fail(ErrorCode::name, "no such color", "did you mean gold?");
     out = plain(64, 48, {0, 0, 0});
     return Nothing{};
   });
   const auto made = make_film(o, broken);
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().code, Code::name);
+  EXPECT_EQ(made.error().code, ErrorCode::name);
   EXPECT_EQ(made.error().message, "no such color");
   EXPECT_EQ(made.error().hint, "did you mean gold?");
   std::string word;
@@ -279,7 +279,7 @@ TEST_F(Film, OfSeveralFailuresTheFirstInTheFilmIsTold) {
   o.jobs = 4;
   const auto made = make_film(o, painting([](int k, Picture& out) -> Status {
                                 if (k < 5) std::this_thread::sleep_for(std::chrono::milliseconds(3));
-                                if (k >= 4) return fail(Code::range, "frame " + std::to_string(k));
+                                if (k >= 4) return fail(ErrorCode::range, "frame " + std::to_string(k));
                                 out = plain(64, 48, {0, 0, 0});
                                 return Nothing{};
                               }));
@@ -289,7 +289,7 @@ TEST_F(Film, OfSeveralFailuresTheFirstInTheFilmIsTold) {
 
 TEST_F(Film, APainterThatCannotBeMadeIsTold) {
   const auto made =
-      make_film(options("film.mp4"), []() -> Result<Painter> { return fail(Code::machine, "no graphics"); });
+      make_film(options("film.mp4"), []() -> Result<Painter> { return fail(ErrorCode::machine, "no graphics"); });
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message, "no graphics");
   EXPECT_TRUE(files().empty());
@@ -343,7 +343,7 @@ TEST_F(Film, EndingsNobodyKnows) {
     EXPECT_FALSE(made) << path;
     return made ? Error{} : made.error();
   };
-  EXPECT_EQ(failure("a.mp5").code, Code::range);
+  EXPECT_EQ(failure("a.mp5").code, ErrorCode::range);
   EXPECT_EQ(failure("a.mp5").message, "a film cannot end in \".mp5\"; known endings: " + known);
   EXPECT_EQ(failure("a.mp5").hint, "did you mean '.mp4'?");
   EXPECT_EQ(failure("none").message, "\"none\" has no ending that says what to make");
@@ -395,7 +395,7 @@ TEST_F(Film, PlacesThatAreNone) {
   EXPECT_EQ(failure(at + "/old.mp4", false).message, at + "/old.mp4 is there already");
   std::ofstream(folder_ / "p3.png");
   EXPECT_EQ(failure(at + "/p%d.png", false).message, at + "/p3.png is there already");
-  EXPECT_EQ(failure("/proc/film.mp4").code, Code::machine);
+  EXPECT_EQ(failure("/proc/film.mp4").code, ErrorCode::machine);
   if (::geteuid() != 0) {
     ::chmod((folder_ / "taken.mp4").c_str(), 0500);
     EXPECT_EQ(failure(at + "/taken.mp4/film.mp4").message, "cannot write into " + at + "/taken.mp4: Permission denied");
@@ -407,7 +407,7 @@ TEST_F(Film, WithoutFfmpeg) {
   ::setenv("PATH", folder_.c_str(), 1);
   const auto made = make_film(options("film.mp4"), gray_steps());
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().code, Code::machine);
+  EXPECT_EQ(made.error().code, ErrorCode::machine);
   EXPECT_EQ(made.error().message, "ffmpeg is not installed");
   EXPECT_EQ(made.error().hint, "sudo apt-get install ffmpeg");
   EXPECT_TRUE(files().empty());
@@ -429,7 +429,7 @@ TEST_F(Film, FfmpegDiesHalfWay) {
     fake_ffmpeg(c.script);
     const auto made = make_film(options("film.mp4", 2000), gray_steps());
     ASSERT_FALSE(made) << c.script;
-    EXPECT_EQ(made.error().code, Code::machine);
+    EXPECT_EQ(made.error().code, ErrorCode::machine);
     EXPECT_EQ(made.error().message, c.message);
     EXPECT_EQ(files(), std::vector<std::string>{"bin"});
   }
@@ -449,7 +449,7 @@ TEST_F(Film, AFullDisk) {
     const auto made = make_film(options("disk/" + name, 200), noise);
     EXPECT_FALSE(made) << name;
     if (made) continue;
-    EXPECT_EQ(made.error().code, Code::machine) << name;
+    EXPECT_EQ(made.error().code, ErrorCode::machine) << name;
     EXPECT_TRUE(made.error().message.find("the disk is full") != std::string::npos ||
                 made.error().message.find("no space left") != std::string::npos)
         << name << ": " << made.error().message;

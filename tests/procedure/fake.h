@@ -28,7 +28,7 @@ struct FakeQuestions : Questions {
       if (!v) return v.error();
       return v;
     }
-    if (target == "nowhere") return fail(Code::name, "there is no 'nowhere'");
+    if (target == "nowhere") return fail(ErrorCode::name, "there is no 'nowhere'");
     return Value(seconds * seconds);
   }
   const Routine* procedure(std::string_view name) override {
@@ -44,7 +44,7 @@ struct FakeInput : Input {
 struct FakeHost : Host {
   std::vector<std::string> lines;
   Status run(std::string_view line) override {
-    if (line.starts_with("bad")) return fail(Code::syntax, "there is no command 'bad'");
+    if (line.starts_with("bad")) return fail(ErrorCode::syntax, "there is no command 'bad'");
     lines.emplace_back(line);
     return Nothing{};
   }

@@ -5,7 +5,7 @@
 #include <random>
 #include <thread>
 
-#include "program/code.h"
+#include "program/compiled.h"
 #include "program/programs.h"
 
 namespace betwixt {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "program/code.h"
+#include "program/compiled.h"
 #include "program/programs.h"
 
 namespace betwixt {

@@ -15,7 +15,7 @@ TEST(RenderOptions, SizesOutOfBounds) {
   const std::pair<int, int> sizes[] = {{0, 10}, {10, 0}, {-5, 10}, {8193, 10}, {10, 100000}};
   for (const auto& [w, h] : sizes) {
     const Error e = refused({w, h, 4, "shaded"});
-    EXPECT_EQ(e.code, Code::range);
+    EXPECT_EQ(e.code, ErrorCode::range);
     EXPECT_EQ(e.message, "a picture of " + std::to_string(w) + "x" + std::to_string(h) + " pixels cannot be drawn");
     EXPECT_EQ(e.hint, "each side may have 1 to 8192 pixels");
   }
@@ -24,7 +24,7 @@ TEST(RenderOptions, SizesOutOfBounds) {
 TEST(RenderOptions, SamplesThatDoNotExist) {
   for (const int n : {0, -1, 2, 8, 25}) {
     const Error e = refused({10, 10, n, "shaded"});
-    EXPECT_EQ(e.code, Code::range);
+    EXPECT_EQ(e.code, ErrorCode::range);
     EXPECT_EQ(e.message, std::to_string(n) + " samples a pixel cannot be drawn");
     EXPECT_EQ(e.hint, "1, 4, 9 or 16");
   }
@@ -33,7 +33,7 @@ TEST(RenderOptions, SamplesThatDoNotExist) {
 // shows: G13
 TEST(RenderOptions, UnknownStyleWithTheNearestOne) {
   const Error near = refused({10, 10, 4, "wirefame"});
-  EXPECT_EQ(near.code, Code::name);
+  EXPECT_EQ(near.code, ErrorCode::name);
   EXPECT_EQ(near.message, "no style is called 'wirefame'");
   EXPECT_EQ(near.hint, "wireframe");
   EXPECT_EQ(refused({10, 10, 4, "cubist"}).hint, "the styles are shaded, wireframe, hidden-line");

@@ -146,7 +146,7 @@ TEST(FrameClock, TakesEditionsAsTheyCome) {
 
 TEST(FrameClock, SaysWhatAScreenCannot) {
   FrameClock::Options o;
-  o.screen = []() -> Result<std::unique_ptr<Screen>> { return fail(Code::machine, "no stage"); };
+  o.screen = []() -> Result<std::unique_ptr<Screen>> { return fail(ErrorCode::machine, "no stage"); };
   const auto clock = FrameClock::start(std::move(o));
   ASSERT_FALSE(clock);
   EXPECT_EQ(clock.error().message, "no stage");

@@ -17,7 +17,7 @@ inline ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere,
   Object o;
   o.name = name;
   o.kind = kind;
-  if (parent) o.slot(fn::attachment).set = Attachment{Hold::couple, parent, false};
+  if (parent) o.slot(fn::attachment).set = Attachment{AttachmentKind::couple, parent, false};
   return add_object(s, std::move(o));
 }
 

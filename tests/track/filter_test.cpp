@@ -32,7 +32,7 @@ Value jump(double t) { return t < 1 ? 0.0 : 1.0; }
 
 struct Doubler : Routine {
   Result<Value> filter(Input& input, double seconds, const Parameters& p) const override {
-    if (p.empty()) return fail(Code::type, "it wants to know how much");
+    if (p.empty()) return fail(ErrorCode::type, "it wants to know how much");
     return Value(std::get<double>(p[0].second) * std::get<double>(input.at(seconds)));
   }
 };

@@ -112,15 +112,15 @@ struct Sited : Placed {
 };
 
 // An attachment in force from a time on.
-struct Hand {
+struct CompiledSpan {
   Time from;
-  Hold hold = Hold::detach;
+  AttachmentKind kind = AttachmentKind::detach;
   std::int32_t parent = -1;  // a node
   std::int32_t frozen = -1;  // what a letgo or keep-world keeps
 };
 struct Frozen {
   std::uint32_t node = 0;
-  std::int32_t hand = 0;  // which of the node's
+  std::int32_t span = 0;  // which of the node's
   enum { asleep, busy, done } state = asleep;
   Mat4 before;  // applied to what the tracks say, before the parent
   Quat before_turn;
@@ -148,7 +148,7 @@ struct Moving {
 
 struct Node {
   std::uint32_t object = 0;
-  std::uint32_t first_hand = 0, hands = 0;
+  std::uint32_t first_span = 0, spans = 0;
   Kind kind = Kind::group;
   bool orientation = false;
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0, attach = 0, display = 0, color = 0;  // offsets
@@ -189,7 +189,7 @@ struct Program::Compiled {
   std::vector<Live> lives;
   std::vector<Reign> reigns;
   std::vector<Node> nodes;
-  std::vector<Hand> hands;             // by node, then time
+  std::vector<CompiledSpan> spans;   // by node, then time
   mutable std::vector<Frozen> frozen;  // all done when compiling ends
   std::vector<std::shared_ptr<const Environment>> environments;
   std::vector<Siting> sitings;
@@ -217,7 +217,7 @@ struct Program::Compiled {
   // Each twerper that failed, named once among the problems.
   void say(const TwerperFailures&, Asking&) const;
 
-  const Hand* hand(const Node& n, Time t) const;  // null: it never hangs on anything
+  const CompiledSpan* span(const Node& n, Time t) const;  // null: it never hangs on anything
   // `around`: the environments of each; stays empty where nothing is in any.
   std::vector<Placed> placements(Time t, const double* numbers, Asking&, std::vector<Mat4>& around) const;
   Mat4 product(std::int32_t siting, Time t) const;  // of its environments
