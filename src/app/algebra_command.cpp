@@ -6,7 +6,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "app/command.h"
@@ -346,42 +345,27 @@ std::vector<Parameter> algebra_parameters(AlgebraCall& call) {
        .sentence = "matrix, geometric, differences or best; without it each frame is worked out by itself",
        .into = ReadValue([&call](const std::string& name) { return known_method(name, call.method); }),
        .words = {"matrix", "geometric", "differences", "best"}},
-      {.name = "--count",
-       .sentence = "operations per step, as the source prints them and as they are",
-       .into = &call.count},
-      {.name = "--css",
-       .sentence = "MOTION is a list of CSS transforms, in pixels: \"translate(10px, 0) rotate(90deg)\"",
-       .into = &call.css},
+      flag("--count", "operations per step, as the source prints them and as they are", call.count),
+      flag("--css", "MOTION is a list of CSS transforms, in pixels: \"translate(10px, 0) rotate(90deg)\"", call.css),
       {.name = "--origin",
        .value = "X,Y",
        .sentence = "of --css: what transform-origin is, in pixels (0,0)",
        .into = &call.origin,
        .needs = "--css"},
-      {.name = "--to-css",
-       .sentence = "the motion as two lists of CSS transforms, to animate from one to the other",
-       .into = &call.to_css},
-      {.name = "--inverse", .sentence = "the motion that undoes this one", .into = &call.inverse},
-      {.name = "--json", .sentence = "one JSON object", .into = &call.json},
-      {.name = "--lesson",
-       .value = "OUT.html",
-       .sentence = "writes a page that teaches the string",
-       .into = &call.lesson,
-       .offer = Offer::files,
-       .excludes = "--json"}};
+      flag("--to-css", "the motion as two lists of CSS transforms, to animate from one to the other", call.to_css),
+      flag("--inverse", "the motion that undoes this one", call.inverse),
+      flag("--json", "one JSON object", call.json),
+      file_option("--lesson", "OUT.html", "writes a page that teaches the string", &call.lesson, "--json")};
 }
 
-Subcommand algebra_subcommand() {
-  const auto call = std::make_shared<AlgebraCall>();
+const Enlisted enlisted_algebra(algebra, [](AlgebraCall& call) -> Subcommand {
   return {.rank = 80,
           .name = "algebra",
           .sentence = "the frames of a string of T(…), R(…) and S(…), and what they cost",
-          .takes = algebra_parameters(*call),
+          .takes = algebra_parameters(call),
           .example = "betwixt algebra \"T(6.28 0) R(-1turn @ 0 1)\" --steps 12 --points \"0,0 0,2\" --count",
-          .manual = "The string is one of translations, rotations and scalings, the leftmost applied last.",
-          .run = [call] { return algebra(*call); }};
-}
-
-const Enlisted enlisted_algebra(algebra_subcommand);
+          .manual = "The string is one of translations, rotations and scalings, the leftmost applied last."};
+});
 
 }  // namespace
 }  // namespace betwixt

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <memory>
 
 #include "app/command.h"
 #include "app/subcommand.h"
@@ -90,18 +89,14 @@ int check(const std::string& file) {
   return errors ? wrong_input : all_done;
 }
 
-Subcommand check_subcommand() {
-  const auto file = std::make_shared<std::string>();
+const Enlisted enlisted_check(check, [](std::string& file) -> Subcommand {
   return {.rank = 60,
           .name = "check",
           .sentence = "says all errors and warnings of a script, and what goes wrong in its frames",
-          .takes = {script_parameter(*file)},
+          .takes = {script_parameter(file)},
           .example = "betwixt check examples/bounce.bx",
-          .manual = "Up to 60 of its frames are looked at. The exit code is 1 if there is an error.",
-          .run = [file] { return check(*file); }};
-}
-
-const Enlisted enlisted_check(check_subcommand);
+          .manual = "Up to 60 of its frames are looked at. The exit code is 1 if there is an error."};
+});
 
 }  // namespace
 }  // namespace betwixt

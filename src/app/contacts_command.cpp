@@ -40,21 +40,16 @@ int contacts(const ContactsCall& call) {
   return all_done;
 }
 
-Subcommand contacts_subcommand() {
-  const auto call = std::make_shared<ContactsCall>();
+const Enlisted enlisted_contacts(contacts, [](ContactsCall& call) -> Subcommand {
   return {.rank = 90,
           .name = "contacts",
           .sentence = "prints what touches and what leaves the view, tick by tick",
-          .takes = {script_parameter(call->file),
-                    frames_parameter(call->frames),
-                    {.name = "--swept", .sentence = "what touches between two ticks too", .into = &call->sweep},
-                    {.name = "--related", .sentence = "the parts of one body too", .into = &call->options.related}},
+          .takes = {script_parameter(call.file), frames_parameter(call.frames),
+                    flag("--swept", "what touches between two ticks too", call.sweep),
+                    flag("--related", "the parts of one body too", call.options.related)},
           .example = "betwixt contacts examples/bounce.bx --frames 1f..24f",
-          .manual = "A line of JSON for each.",
-          .run = [call] { return contacts(*call); }};
-}
-
-const Enlisted enlisted_contacts(contacts_subcommand);
+          .manual = "A line of JSON for each."};
+});
 
 }  // namespace
 }  // namespace betwixt

@@ -110,28 +110,22 @@ int eval(const EvalCall& call) {
   return all_done;
 }
 
-Subcommand eval_subcommand() {
-  const auto call = std::make_shared<EvalCall>();
+const Enlisted enlisted_eval(eval, [](EvalCall& call) -> Subcommand {
   return {.rank = 40,
           .name = "eval",
           .sentence = "prints values at times",
-          .takes = {script_parameter(call->file),
-                    {.name = "TARGET",
-                     .sentence = "ball.position, wheel*.color, ball; all if none is named",
-                     .into = &call->targets},
+          .takes = {script_parameter(call.file),
+                    targets_parameter(call.targets, "ball.position, wheel*.color, ball; all if none is named"),
                     {.name = "--at",
                      .value = "T[,T…]",
                      .sentence = "the times: 24f, 2.5s, …",
-                     .into = &call->times,
+                     .into = &call.times,
                      .required = true,
                      .separated = true},
-                    {.name = "--json", .sentence = "one JSON object", .into = &call->json}},
+                    flag("--json", "one JSON object", call.json)},
           .example = "betwixt eval examples/bounce.bx --at 12f,24f ball.position --json",
-          .manual = "In JSON numbers are the shortest that read back the same; a world is 16 numbers, row by row.",
-          .run = [call] { return eval(*call); }};
-}
-
-const Enlisted enlisted_eval(eval_subcommand);
+          .manual = "In JSON numbers are the shortest that read back the same; a world is 16 numbers, row by row."};
+});
 
 }  // namespace
 }  // namespace betwixt

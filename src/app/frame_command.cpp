@@ -37,32 +37,21 @@ int frame(const FrameCall& call) {
   return all_done;
 }
 
-Subcommand frame_subcommand() {
-  const auto call = std::make_shared<FrameCall>();
-  Subcommand s{.rank = 20,
-               .name = "frame",
-               .sentence = "makes one picture, a PNG",
-               .takes = {script_parameter(call->file),
-                         {.name = "--at",
-                          .value = "TIME",
-                          .sentence = "when: 24f, 2.5s, 00:01:02.5",
-                          .into = &call->at,
-                          .required = true},
-                         {.name = "-o,--output",
-                          .value = "PICTURE",
-                          .sentence = "the picture",
-                          .into = &call->out,
-                          .required = true,
-                          .offer = Offer::files}},
-               .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png",
-               .run = [call] { return frame(*call); }};
-  append_picture_parameters(s.takes, call->picture);
-  s.takes.push_back(
-      {.name = "--no-overwrite", .sentence = "leave a picture alone that is there already", .into = &call->keep_old});
-  return s;
-}
-
-const Enlisted enlisted_frame(frame_subcommand);
+const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
+  return {.rank = 20,
+          .name = "frame",
+          .sentence = "makes one picture, a PNG",
+          .takes = joined({{script_parameter(call.file),
+                            {.name = "--at",
+                             .value = "TIME",
+                             .sentence = "when: 24f, 2.5s, 00:01:02.5",
+                             .into = &call.at,
+                             .required = true},
+                            output_parameter(call.out, "PICTURE", "the picture")},
+                           picture_parameters(call.picture),
+                           {flag("--no-overwrite", "leave a picture alone that is there already", call.keep_old)}}),
+          .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
+});
 
 }  // namespace
 }  // namespace betwixt

@@ -4,8 +4,6 @@
 // betwixt help: a subcommand's help, or a word's of the language. Also prints what is installed beside the program.
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "app/command.h"
 #include "app/command_line.h"
 #include "app/completion.h"
@@ -59,24 +57,20 @@ int help(const HelpCall& call) {
       wrong_call);
 }
 
-Subcommand help_subcommand() {
-  const auto call = std::make_shared<HelpCall>();
+const Enlisted enlisted_help(help, [](HelpCall& call) -> Subcommand {
   return {.rank = 120,
           .name = "help",
           .sentence = "explains a command, or a word of the language",
-          .takes = {{.name = "WORD", .sentence = "what is asked about; all commands if none is", .into = &call->word},
+          .takes = {{.name = "WORD", .sentence = "what is asked about; all commands if none is", .into = &call.word},
                     {.name = "--print",
                      .value = "WHAT",
                      .sentence = "a completion or the manual page",
-                     .into = &call->print,
+                     .into = &call.print,
                      .hidden = true,
                      .words_only = true,
                      .words = {"bash", "zsh", "fish", "manual"}}},
-          .example = "betwixt help copy",
-          .run = [call] { return help(*call); }};
-}
-
-const Enlisted enlisted_help(help_subcommand);
+          .example = "betwixt help copy"};
+});
 
 }  // namespace
 }  // namespace betwixt

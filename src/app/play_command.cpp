@@ -318,39 +318,33 @@ Status play_document(const Document& document, const std::string& frames) {
 
 namespace {
 
-Subcommand play_subcommand() {
-  const auto call = std::make_shared<PlayCall>();
-  Subcommand s{.rank = 30,
-               .name = "play",
-               .sentence = "plays in the terminal, in real time",
-               .takes = {script_parameter(call->file),
-                         {.name = "--terminal",
-                          .sentence = "in the terminal; in this version that is always so",
-                          .into = &call->terminal},
-                         frames_parameter(call->frames)},
-               .note =
-                   "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and "
-                   "end, q quits.",
-               .example = "betwixt play examples/bounce.bx --terminal --loop",
-               .manual = "Frames are dropped rather than slowed down.",
-               .run = [call] { return play(*call); }};
-  append_picture_parameters(s.takes, call->picture);
-  s.takes.push_back({.name = "--loop", .sentence = "again and again", .into = &call->loop});
-  s.takes.push_back({.name = "--listen",
-                     .value = "[HOST:]PORT",
-                     .sentence = "what the script's dials turn is moved by OSC sent to this port, and by MIDI; "
-                                 "from this machine only, unless an address of its own is named",
-                     .into = &call->listen});
-  s.takes.push_back({.name = "--record",
-                     .value = "OUT.bx",
-                     .sentence = "what came in is written as a script at the end",
-                     .into = &call->record,
-                     .offer = Offer::files});
-  s.takes.push_back({.name = "--overwrite", .sentence = "--record may replace a file", .into = &call->overwrite});
-  return s;
+// What comes in while it plays.
+std::vector<Parameter> live_parameters(PlayCall& call) {
+  return {{.name = "--listen",
+           .value = "[HOST:]PORT",
+           .sentence = "what the script's dials turn is moved by OSC sent to this port, and by MIDI; "
+                       "from this machine only, unless an address of its own is named",
+           .into = &call.listen},
+          file_option("--record", "OUT.bx", "what came in is written as a script at the end", &call.record),
+          flag("--overwrite", "--record may replace a file", call.overwrite)};
 }
 
-const Enlisted enlisted_play(play_subcommand);
+const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
+  return {.rank = 30,
+          .name = "play",
+          .sentence = "plays in the terminal, in real time",
+          .takes = joined({{script_parameter(call.file),
+                            flag("--terminal", "in the terminal; in this version that is always so", call.terminal),
+                            frames_parameter(call.frames)},
+                           picture_parameters(call.picture),
+                           {flag("--loop", "again and again", call.loop)},
+                           live_parameters(call)}),
+          .note =
+              "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, q "
+              "quits.",
+          .example = "betwixt play examples/bounce.bx --terminal --loop",
+          .manual = "Frames are dropped rather than slowed down."};
+});
 
 }  // namespace
 }  // namespace betwixt

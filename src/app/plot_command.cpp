@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "app/command.h"
 #include "app/plot_svg.h"
@@ -157,28 +156,15 @@ Status plot_document(const Document& document, const std::vector<std::string>& w
 
 namespace {
 
-Subcommand plot_subcommand() {
-  const auto call = std::make_shared<PlotCall>();
+const Enlisted enlisted_plot(plot, [](PlotCall& call) -> Subcommand {
   return {.rank = 50,
           .name = "plot",
           .sentence = "draws values against time, an SVG",
-          .takes = {script_parameter(call->file),
-                    {.name = "TARGET",
-                     .sentence = "what to draw: ball.position.y, 'wheel*.rotation'",
-                     .into = &call->targets,
-                     .required = true},
-                    {.name = "-o,--output",
-                     .value = "PLOT.svg",
-                     .sentence = "the drawing",
-                     .into = &call->out,
-                     .required = true,
-                     .offer = Offer::files},
-                    frames_parameter(call->frames)},
-          .example = "betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg",
-          .run = [call] { return plot(*call); }};
-}
-
-const Enlisted enlisted_plot(plot_subcommand);
+          .takes = {script_parameter(call.file),
+                    targets_parameter(call.targets, "what to draw: ball.position.y, 'wheel*.rotation'", true),
+                    output_parameter(call.out, "PLOT.svg", "the drawing"), frames_parameter(call.frames)},
+          .example = "betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg"};
+});
 
 }  // namespace
 }  // namespace betwixt

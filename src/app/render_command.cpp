@@ -118,38 +118,28 @@ int render(const RenderCall& call) {
   return all_done;
 }
 
-Subcommand render_subcommand() {
-  const auto call = std::make_shared<RenderCall>();
-  Subcommand s{.rank = 10,
-               .name = "render",
-               .sentence = "makes a film: " + film_endings() + " or numbered pictures",
-               .takes = {script_parameter(call->file),
-                         {.name = "-o,--output",
-                          .value = "OUT",
-                          .sentence = "the film; its ending says what is made, frame-%04d.png: numbered pictures",
-                          .into = &call->out,
-                          .required = true,
-                          .offer = Offer::files},
-                         frames_parameter(call->frames, "1f..24f, 1..24, 0.5s..2s")},
-               .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
-               .manual =
-                   "All but pictures need the program ffmpeg. A progress bar with frames per second and the time "
-                   "left is shown on a terminal. A film that is stopped or fails leaves nothing under its final "
-                   "name.",
-               .run = [call] { return render(*call); }};
-  append_picture_parameters(s.takes, call->picture);
-  s.takes.push_back({.name = "--jobs",
-                     .value = "N",
-                     .sentence = "pictures made at once; if not said, what suits this machine",
-                     .into = &call->jobs,
-                     .range = {{1, 256}}});
-  s.takes.push_back(
-      {.name = "--no-overwrite", .sentence = "leave a film alone that is there already", .into = &call->keep_old});
-  s.takes.push_back({.name = "--stats", .sentence = "say how long painting and encoding took", .into = &call->stats});
-  return s;
-}
-
-const Enlisted enlisted_render(render_subcommand);
+const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
+  return {
+      .rank = 10,
+      .name = "render",
+      .sentence = "makes a film: " + film_endings() + " or numbered pictures",
+      .takes = joined({{script_parameter(call.file),
+                        output_parameter(call.out, "OUT",
+                                         "the film; its ending says what is made, frame-%04d.png: numbered pictures"),
+                        frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
+                       picture_parameters(call.picture),
+                       {{.name = "--jobs",
+                         .value = "N",
+                         .sentence = "pictures made at once; if not said, what suits this machine",
+                         .into = &call.jobs,
+                         .range = {{1, 256}}},
+                        flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
+                        flag("--stats", "say how long painting and encoding took", call.stats)}}),
+      .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
+      .manual =
+          "All but pictures need the program ffmpeg. A progress bar with frames per second and the time left is "
+          "shown on a terminal. A film that is stopped or fails leaves nothing under its final name."};
+});
 
 }  // namespace
 }  // namespace betwixt

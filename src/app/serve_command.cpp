@@ -200,37 +200,28 @@ int serve(ServeCall& call) {
 }
 
 // What hosts may ask for at most.
-void append_ceilings(std::vector<Parameter>& all, Ceilings& most) {
-  const auto add = [&](const char* name, const std::string& sentence, std::size_t& to) {
-    all.push_back(
-        {.name = name, .value = "N", .sentence = fmt::format("{}; {} if not said", sentence, to), .into = &to});
+std::vector<Parameter> ceiling_parameters(Ceilings& most) {
+  const auto ceiling = [](const char* name, const std::string& sentence, std::size_t& to) {
+    return Parameter{
+        .name = name, .value = "N", .sentence = fmt::format("{}; {} if not said", sentence, to), .into = &to};
   };
-  add("--ceiling", "environments", most.environments);
-  add("--objects", "environments and removed ones included", most.objects);
-  add("--events", "on tracks", most.events);
-  add("--history", "bytes of accepted commands", most.history);
+  return {ceiling("--ceiling", "environments", most.environments),
+          ceiling("--objects", "environments and removed ones included", most.objects),
+          ceiling("--events", "on tracks", most.events),
+          ceiling("--history", "bytes of accepted commands", most.history)};
 }
 
 // Where hosts come in.
 std::vector<Parameter> door_parameters(ServeCall& call) {
-  return {{.name = "--socket",
-           .value = "PATH",
-           .sentence = "hosts come in there; $XDG_RUNTIME_DIR/betwixt.sock if not said",
-           .into = &call.socket,
-           .offer = Offer::files},
-          {.name = "--tcp",
-           .value = "HOST:PORT",
-           .sentence = "hosts come in there, with a token",
-           .into = &call.tcp,
-           .excludes = "--socket"},
-          {.name = "--anywhere",
-           .sentence = "--tcp may be an address that other machines can reach",
-           .into = &call.anywhere},
-          {.name = "--token-file",
-           .value = "FILE",
-           .sentence = "holds the token; if not said, one is made and printed",
-           .into = &call.token_file,
-           .offer = Offer::files}};
+  return {
+      file_option("--socket", "PATH", "hosts come in there; $XDG_RUNTIME_DIR/betwixt.sock if not said", &call.socket),
+      {.name = "--tcp",
+       .value = "HOST:PORT",
+       .sentence = "hosts come in there, with a token",
+       .into = &call.tcp,
+       .excludes = "--socket"},
+      flag("--anywhere", "--tcp may be an address that other machines can reach", call.anywhere),
+      file_option("--token-file", "FILE", "holds the token; if not said, one is made and printed", &call.token_file)};
 }
 
 std::vector<Parameter> clock_parameters(ServeCall& call) {
@@ -240,19 +231,15 @@ std::vector<Parameter> clock_parameters(ServeCall& call) {
            .into = &call.priority,
            .words_only = true,
            .words = {"fifo", "nice", "ordinary"}},
-          {.name = "--sweep", .sentence = "contacts are noticed even between two frames", .into = &call.imaging.sweep},
-          {.name = "--wait", .sentence = "time stands at 0 until a host says start", .into = &call.imaging.wait},
+          flag("--sweep", "contacts are noticed even between two frames", call.imaging.sweep),
+          flag("--wait", "time stands at 0 until a host says start", call.imaging.wait),
           {.name = "--latency",
            .value = "N",
            .sentence = "ticks from a command to its effect; 1 if not said",
            .into = &call.imaging.latency,
            .range = {{0, 1'000'000}}},
-          {.name = "--save",
-           .value = "FILE",
-           .sentence = "keeps the history there: every command, before it is answered",
-           .into = &call.save,
-           .offer = Offer::files},
-          {.name = "--overwrite", .sentence = "--save may replace a file", .into = &call.overwrite},
+          file_option("--save", "FILE", "keeps the history there: every command, before it is answered", &call.save),
+          flag("--overwrite", "--save may replace a file", call.overwrite),
           {.name = "--hosts",
            .value = "N",
            .sentence = "at once; 1000 if not said",
@@ -260,36 +247,32 @@ std::vector<Parameter> clock_parameters(ServeCall& call) {
            .range = {{1, 100'000}}}};
 }
 
-Subcommand serve_subcommand() {
-  const auto call = std::make_shared<ServeCall>();
-  Subcommand s{.rank = 110,
-               .name = "serve",
-               .sentence = "shows a document that other programs change while it runs",
-               .takes = {{.name = "FILE",
-                          .sentence = "the script it begins with",
-                          .into = &call->file,
-                          .offer = Offer::scripts}},
-               .example = "betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal",
-               .manual = "They say what moves how, in the language, over a socket, and are answered in JSON.",
-               .run = [call] { return serve(*call); }};
-  const auto append = [&](std::vector<Parameter> more) {
-    for (Parameter& p : more) s.takes.push_back(std::move(p));
-  };
-  append(door_parameters(*call));
-  append(
-      {{.name = "--to",
-        .value = "PLACE",
-        .sentence = "where frames go: nowhere, window, terminal, film:OUT.mp4, ring:NAME",
-        .into = &call->to,
-        .words = {"nowhere", "window", "terminal", "film:", "ring:"}},
-       {.name = "--rate", .value = "N", .sentence = "frames a second; the script's if not said", .into = &call->rate}});
-  append_picture_parameters(s.takes, call->picture);
-  append(clock_parameters(*call));
-  append_ceilings(s.takes, call->imaging.ceilings);
-  return s;
+// Where frames go, and how many.
+std::vector<Parameter> place_parameters(ServeCall& call) {
+  return {
+      {.name = "--to",
+       .value = "PLACE",
+       .sentence = "where frames go: nowhere, window, terminal, film:OUT.mp4, ring:NAME",
+       .into = &call.to,
+       .words = {"nowhere", "window", "terminal", "film:", "ring:"}},
+      {.name = "--rate", .value = "N", .sentence = "frames a second; the script's if not said", .into = &call.rate}};
 }
 
-const Enlisted enlisted_serve(serve_subcommand);
+const Enlisted enlisted_serve(serve, [](ServeCall& call) -> Subcommand {
+  const Parameter file{
+      .name = "FILE", .sentence = "the script it begins with", .into = &call.file, .offer = Offer::scripts};
+  return {.rank = 110,
+          .name = "serve",
+          .sentence = "shows a document that other programs change while it runs",
+          .takes = joined({{file},
+                           door_parameters(call),
+                           place_parameters(call),
+                           picture_parameters(call.picture),
+                           clock_parameters(call),
+                           ceiling_parameters(call.imaging.ceilings)}),
+          .example = "betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal",
+          .manual = "They say what moves how, in the language, over a socket, and are answered in JSON."};
+});
 
 }  // namespace
 }  // namespace betwixt

@@ -295,32 +295,26 @@ int shell(const ShellCall& call) {
   return wrong && !person ? wrong_input : all_done;
 }
 
-Subcommand shell_subcommand() {
-  const auto call = std::make_shared<ShellCall>();
+const Enlisted enlisted_shell(shell, [](ShellCall& call) -> Subcommand {
   return {.rank = 100,
           .name = "shell",
           .sentence = "makes a film line by line, with help, undo and a journal",
           .takes = {{.name = "FILE",
                      .sentence = "the script; a new one if it is not there yet",
-                     .into = &call->file,
+                     .into = &call.file,
                      .offer = Offer::scripts},
-                    {.name = "--recover",
-                     .sentence = "do again what an earlier session did and did not save",
-                     .into = &call->recover},
+                    flag("--recover", "do again what an earlier session did and did not save", call.recover),
                     {.name = "--discard",
                      .sentence = "throw away what an earlier session did not save",
-                     .into = &call->discard,
+                     .into = &call.discard,
                      .excludes = "--recover"}},
           .example = "betwixt shell examples/bounce.bx",
           .manual =
               "At a terminal, or from standard input. In it, help lists all words, undo takes back without "
               "limit, save keeps the author's text and writes below it what was done. Every command is in a "
               "journal beside the script (.FILE.journal) before it is answered; after a crash the next start "
-              "offers to recover it.",
-          .run = [call] { return shell(*call); }};
-}
-
-const Enlisted enlisted_shell(shell_subcommand);
+              "offers to recover it."};
+});
 
 }  // namespace
 }  // namespace betwixt

@@ -14,8 +14,8 @@ namespace betwixt {
 namespace {
 
 // Who is enlisted while the program starts, in any order.
-std::vector<Subcommand (*)()>& enlisted() {
-  static std::vector<Subcommand (*)()> all;
+std::vector<std::function<Subcommand()>>& enlisted() {
+  static std::vector<std::function<Subcommand()>> all;
   return all;
 }
 
@@ -31,7 +31,7 @@ Status read_size(const std::string& text, RenderOptions& to) {
 
 }  // namespace
 
-Enlisted::Enlisted(Subcommand (*make)()) { enlisted().push_back(make); }
+Enlisted::Enlisted(std::function<Subcommand()> make) { enlisted().push_back(std::move(make)); }
 
 const std::vector<Subcommand>& subcommands() {
   static const std::vector<Subcommand> all = [] {
@@ -60,29 +60,62 @@ Parameter script_parameter(std::string& file) {
   return {.name = "FILE", .sentence = "the script", .into = &file, .required = true, .offer = Offer::scripts};
 }
 
+Parameter targets_parameter(std::vector<std::string>& targets, const std::string& sentence, bool required) {
+  return {.name = "TARGET", .sentence = sentence, .into = &targets, .required = required};
+}
+
+Parameter output_parameter(std::string& out, const std::string& value, const std::string& sentence) {
+  return {.name = "-o,--output",
+          .value = value,
+          .sentence = sentence,
+          .into = &out,
+          .required = true,
+          .offer = Offer::files};
+}
+
 Parameter frames_parameter(std::string& frames, const std::string& examples) {
   return {.name = "--frames", .value = "A..B", .sentence = "these only, ends included: " + examples, .into = &frames};
 }
 
-void append_picture_parameters(std::vector<Parameter>& all, RenderOptions& to) {
+Parameter file_option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
+                      const std::string& excludes) {
+  return {.name = name,
+          .value = value,
+          .sentence = sentence,
+          .into = std::move(into),
+          .offer = Offer::files,
+          .excludes = excludes};
+}
+
+Parameter flag(const std::string& name, const std::string& sentence, bool& given) {
+  return {.name = name, .sentence = sentence, .into = &given};
+}
+
+std::vector<Parameter> picture_parameters(RenderOptions& to) {
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);
-  all.push_back({.name = "--size",
-                 .value = "WxH",
-                 .sentence = fmt::format("pixels; {}x{} if not said", to.width, to.height),
-                 .into = ReadValue([&to](const std::string& text) { return read_size(text, to); }),
-                 .words = {"320x180", "640x360", "960x540", "1280x720", "1920x1080", "3840x2160"}});
-  all.push_back({.name = "--style",
-                 .value = "STYLE",
-                 .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.style),
-                 .into = &to.style,
-                 .words = names});
-  all.push_back({.name = "--samples",
-                 .value = "N",
-                 .sentence = fmt::format("samples a pixel: 1, 4, 9 or 16; {} if not said", to.samples),
-                 .into = &to.samples,
-                 .words_only = true,
-                 .words = {"1", "4", "9", "16"}});
+  return {{.name = "--size",
+           .value = "WxH",
+           .sentence = fmt::format("pixels; {}x{} if not said", to.width, to.height),
+           .into = ReadValue([&to](const std::string& text) { return read_size(text, to); }),
+           .words = {"320x180", "640x360", "960x540", "1280x720", "1920x1080", "3840x2160"}},
+          {.name = "--style",
+           .value = "STYLE",
+           .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.style),
+           .into = &to.style,
+           .words = names},
+          {.name = "--samples",
+           .value = "N",
+           .sentence = fmt::format("samples a pixel: 1, 4, 9 or 16; {} if not said", to.samples),
+           .into = &to.samples,
+           .words_only = true,
+           .words = {"1", "4", "9", "16"}}};
+}
+
+std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>> parts) {
+  std::vector<Parameter> all;
+  for (const std::vector<Parameter>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace betwixt

@@ -6,8 +6,11 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,7 +55,7 @@ struct Subcommand {
   std::string note = {};          // for the end of its help
   std::string example = {};       // the same
   std::string manual = {};        // what the manual says beyond the sentence
-  std::function<int()> run = {};  // gives the exit code
+  std::function<int()> run = {};  // gives the exit code; filled in by Enlisted
 };
 
 // All that are enlisted, by rank. What they take is kept in them, so they are made once.
@@ -60,14 +63,33 @@ const std::vector<Subcommand>& subcommands();
 // What every one of them takes besides.
 const std::vector<Parameter>& common_parameters();
 
-// A subcommand's file says `const Enlisted enlisted_render(render_subcommand);`.
-struct Enlisted {
-  explicit Enlisted(Subcommand (*make)());
+// What a subcommand's file says: `const Enlisted enlisted_tidy(tidy, [](TidyCall& call) -> Subcommand { … });`. The
+// first carries a call out and gives the exit code; the other says what the subcommand is, its parameters going into
+// the call.
+class Enlisted {
+ public:
+  template <class Call, class Describe>
+  Enlisted(int (*carry_out)(Call&), Describe describe)
+      : Enlisted([=] {
+          const auto call = std::make_shared<std::remove_const_t<Call>>();
+          Subcommand made = describe(*call);
+          made.run = [carry_out, call] { return carry_out(*call); };
+          return made;
+        }) {}
+
+ private:
+  explicit Enlisted(std::function<Subcommand()> make);
 };
 
-// Rows that several have.
+// Parameters that several have.
 Parameter script_parameter(std::string& file);
+Parameter targets_parameter(std::vector<std::string>& targets, const std::string& sentence, bool required = false);
+Parameter output_parameter(std::string& out, const std::string& value, const std::string& sentence);
 Parameter frames_parameter(std::string& frames, const std::string& examples = "1f..24f");
-void append_picture_parameters(std::vector<Parameter>&, RenderOptions&);  // --size, --style, --samples
+Parameter file_option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
+                      const std::string& excludes = {});
+Parameter flag(const std::string& name, const std::string& sentence, bool& given);
+std::vector<Parameter> picture_parameters(RenderOptions&);  // --size, --style, --samples
+std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>>);
 
 }  // namespace betwixt

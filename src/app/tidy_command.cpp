@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 
 #include "app/command.h"
 #include "app/subcommand.h"
@@ -46,21 +45,15 @@ int tidy(const TidyCall& call) {
   return all_done;
 }
 
-Subcommand tidy_subcommand() {
-  const auto call = std::make_shared<TidyCall>();
+const Enlisted enlisted_tidy(tidy, [](TidyCall& call) -> Subcommand {
   return {.rank = 70,
           .name = "tidy",
           .sentence = "prints a script in its canonical form",
-          .takes = {script_parameter(call->file),
-                    {.name = "--write",
-                     .sentence = "put it in place of the script instead of printing it",
-                     .into = &call->write}},
+          .takes = {script_parameter(call.file),
+                    flag("--write", "put it in place of the script instead of printing it", call.write)},
           .example = "betwixt tidy examples/bounce.bx --write",
-          .manual = "Comments and commands stay, and the film is the same.",
-          .run = [call] { return tidy(*call); }};
-}
-
-const Enlisted enlisted_tidy(tidy_subcommand);
+          .manual = "Comments and commands stay, and the film is the same."};
+});
 
 }  // namespace
 }  // namespace betwixt
