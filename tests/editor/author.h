@@ -22,6 +22,14 @@ inline Session::Doors answering(std::vector<std::string> answers, std::string* a
   return doors;
 }
 
+// A session on film.bx of the folder; that holds the text, where one is given.
+inline Session opened(const Folder& folder, const char* text = nullptr, Session::Doors doors = {}) {
+  if (text) folder.put("film.bx", text);
+  Session s(std::move(doors));
+  s.open(folder / "film.bx");
+  return s;
+}
+
 inline void expect_done(Session& s, const std::string& line) {
   const auto answer = s.enter(line);
   EXPECT_TRUE(answer.done) << line << "\n" << answer.said;

@@ -11,9 +11,7 @@ namespace {
 
 TEST(Session, CompletesWhatIsBegun) {
   const Folder folder;
-  folder.put("film.bx", small_film);
-  Session s;
-  s.open(folder / "film.bx");
+  Session s = opened(folder, small_film);
   const auto one = [&](const char* line) {
     const auto all = s.complete(line);
     return all.size() == 1 ? all[0] : fmt::format("{} of them", all.size());
@@ -30,9 +28,7 @@ TEST(Session, CompletesWhatIsBegun) {
 // shows: G22
 TEST(Session, CompletesFiltersAndTwerpersWhereTheyStand) {
   const Folder folder;
-  folder.put("film.bx", small_film);
-  Session s;
-  s.open(folder / "film.bx");
+  Session s = opened(folder, small_film);
   expect_done(s, "procedure wobbly filter lua \"input()\"");
   expect_done(s, "procedure springy twerper lua \"u\"");
   using Words = std::vector<std::string>;

@@ -25,8 +25,7 @@ TEST(Help, EveryWordIsExplained) {
     EXPECT_TRUE(std::any_of(help_entries().begin(), help_entries().end(), [&](const auto& e) { return e.word == w; }))
         << w;
   const Folder folder;
-  Session s;
-  s.open(folder / "film.bx");
+  Session s = opened(folder);
   for (const HelpEntry& e : help_entries()) {
     const auto answer = s.enter(fmt::format("help {}", e.word));
     EXPECT_TRUE(answer.done) << e.word;

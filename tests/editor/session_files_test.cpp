@@ -12,9 +12,7 @@ namespace {
 // shows: G22
 TEST(Session, SavingKeepsTheAuthorsText) {
   const Folder folder;
-  folder.put("film.bx", author);
-  Session s;
-  s.open(folder / "film.bx");
+  Session s = opened(folder, author);
   expect_done(s, "set ball.radius 2");
   expect_done(s, "undo");
   expect_done(s, "set ball.radius 3  # larger");
@@ -34,8 +32,7 @@ TEST(Session, OverwritingIsAsked) {
   const Folder folder;
   folder.put("other.bx", "# precious\n");
   std::string asked;
-  Session s(answering({"maybe", "no", "yes"}, &asked));
-  s.open(folder / "film.bx");
+  Session s = opened(folder, nullptr, answering({"maybe", "no", "yes"}, &asked));
   expect_done(s, "rate 25");
   EXPECT_FALSE(s.enter("save " + folder / "other.bx").done);
   EXPECT_NE(asked.find("exists: overwrite? (yes/no)"), std::string::npos) << asked;
@@ -48,8 +45,7 @@ TEST(Session, OverwritingIsAsked) {
 TEST(Session, QuittingIsGuarded) {
   const Folder folder;
   std::string asked;
-  Session s(answering({"stay", "save"}, &asked));
-  s.open(folder / "film.bx");
+  Session s = opened(folder, nullptr, answering({"stay", "save"}, &asked));
   expect_done(s, "rate 25");
   EXPECT_FALSE(s.enter("quit").quit);
   EXPECT_NE(asked.find("1 command is not saved: save, discard or stay?"), std::string::npos);
@@ -75,8 +71,8 @@ TEST(Session, TheSecondMayOnlyLook) {
 TEST(Session, CtrlCAtAQuestionStays) {
   const Folder folder;
   folder.put("other.bx", "rate 30\n");
-  Session s(answering({std::string(Session::called_off), std::string(Session::called_off), "discard"}));
-  s.open(folder / "film.bx");
+  Session s = opened(folder, nullptr,
+                     answering({std::string(Session::called_off), std::string(Session::called_off), "discard"}));
   expect_done(s, "rate 25");
   EXPECT_FALSE(s.enter("quit").quit);
   EXPECT_EQ(s.enter("save " + folder / "other.bx").said, "not saved\n");

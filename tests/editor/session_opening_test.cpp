@@ -17,8 +17,7 @@ namespace {
 TEST(Session, NobodyAnsweringLosesNothing) {
   const Folder folder;
   {
-    Session s;
-    s.open(folder / "film.bx");
+    Session s = opened(folder);
     expect_done(s, "rate 25");
     EXPECT_TRUE(s.enter("quit").quit);
   }
@@ -32,8 +31,7 @@ TEST(Session, AJournalOfAnotherTextIsKeptAside) {
   const Folder folder;
   folder.put("film.bx", author);
   {
-    Session s;
-    s.open(folder / "film.bx");
+    Session s = opened(folder);
     expect_done(s, "rate 25");
   }
   folder.put("film.bx", "# all new\n");
@@ -81,8 +79,7 @@ TEST(Session, SavingAndRecoveringGiveTheSameDocument) {
     std::string text;
     std::size_t unsaved = 0;
     {
-      Session s;
-      s.open(folder / "film.bx");
+      Session s = opened(folder);
       for (auto k = random() % 40; k > 0; --k) {
         s.enter(random_line(random));
         if (random() % 12 == 0) s.enter("save");

@@ -17,8 +17,7 @@ namespace {
 // shows: G22 G60
 TEST(Session, UndoAndRedoWalkThroughAllDocuments) {
   const Folder folder;
-  Session s;
-  s.open(folder / "film.bx");
+  Session s = opened(folder);
   std::vector<Document> all{s.document()};
   for (const char* line :
        {"create ball sphere", "ball.position", "  1f (0 0 0)", "  9f (1 0 0) linear", "remove ball"}) {
@@ -40,8 +39,7 @@ TEST(Session, UndoAndRedoWalkThroughAllDocuments) {
 // shows: G22
 TEST(Session, AWrongLineChangesNothingAndIsNoStep) {
   const Folder folder;
-  Session s;
-  s.open(folder / "film.bx");
+  Session s = opened(folder);
   expect_done(s, "create ball sphere");
   const Document before = s.document();
   const auto answer = s.enter("set bal.radius 2");
@@ -59,8 +57,7 @@ TEST(Session, AWrongLineChangesNothingAndIsNoStep) {
 // shows: G59
 TEST(Session, NoCommandSwitchesAContext) {
   const Folder folder;
-  Session s;
-  s.open(folder / "film.bx");
+  Session s = opened(folder);
   // Names say what is meant: other commands and words of the shell may stand between any two lines.
   for (const char* line : {"create a sphere", "create b box", "set a.radius 2", "list", "set b.size (1 2 3)",
                            "help set", "at 5f a.position (1 0 0)", "describe b", "at 5f b.position (0 1 0)"})
@@ -94,9 +91,7 @@ TEST(Session, WhatIsShownIsTheFilmAsItIsByThen) {
     shown = d, asked = target;
     return Status(Nothing{});
   };
-  Session s(std::move(doors));
-  folder.put("film.bx", author);
-  s.open(folder / "film.bx");
+  Session s = opened(folder, author, std::move(doors));
   for (const char* line : {"hide ball", "show ball", "undo", "undo", "redo", "ball.position", "  9f (1 2 3)"}) {
     expect_done(s, line);
     for (const auto& [look, words] : {std::pair("play 1f..9f", "1f..9f"), {"plot ball.position", "ball.position"}}) {
@@ -112,11 +107,10 @@ TEST(Session, WhatIsShownIsTheFilmAsItIsByThen) {
 // shows: G22 G104
 TEST(Session, LayersAreListedWithWhatIsOnThem) {
   const Folder folder;
-  folder.put("film.bx",
+  Session s =
+      opened(folder,
              "create ball sphere\nlayer sway add weight=0.5\non sway ball.position\n  1f (0 0 0)\n  9f (1 0 0)\n"
              "at 1f sway.weight 0.25\n");
-  Session s;
-  s.open(folder / "film.bx");
   EXPECT_EQ(s.enter("list").said, "ball  sphere    0 events\nsway  layer     3 events\n");
   EXPECT_NE(s.enter("describe sway").said.find("  on ball.position 2 events\n"), std::string::npos);
   EXPECT_EQ(s.enter("describe ball.radius").said, "ball.radius  1\n");
@@ -146,8 +140,7 @@ TEST(Session, LinesThatGoOn) {
 TEST(Session, AnyLinesDoNotCrash) {
   EXPECT_TRUE(rc::check([] {
     const Folder folder;
-    Session s;
-    s.open(folder / "film.bx");
+    Session s = opened(folder);
     for (const auto& line : *rc::gen::arbitrary<std::vector<std::string>>()) {
       s.enter(line);
       s.complete(line);

@@ -7,10 +7,14 @@
 namespace betwixt {
 namespace {
 
-TEST(Imaging, HasACeilingOfObjects) {
+Imaging::Options at_most(std::size_t Ceilings::*of_what, std::size_t most) {
   Imaging::Options options;
-  options.ceilings.objects = 3;
-  Stage s(options);
+  options.ceilings.*of_what = most;
+  return options;
+}
+
+TEST(Imaging, HasACeilingOfObjects) {
+  Stage s(at_most(&Ceilings::objects, 3));
   const auto host = s.imaging.arrive();
   s.done(host, "create a{1..3} sphere");
   const Document before = s.imaging.document();
@@ -31,15 +35,11 @@ TEST(Imaging, HasACeilingOfObjects) {
 
 // A row under a pattern is an event for each; so are those of components, velocities and environments.
 TEST(Imaging, HasACeilingOfEvents) {
-  Imaging::Options options;
-  options.ceilings.events = 6;
-  Stage s(options);
+  Stage s(at_most(&Ceilings::events, 6));
   const auto host = s.imaging.arrive();
-  s.done(host, "create a{1..2} sphere");
-  s.done(host, "at 1f a{1..2}.radius 2");
-  s.done(host, "at 1f a1.position.x 2");
-  s.done(host, "at 1f a1.rotation.velocity (0deg 90deg 0deg)");
-  s.done(host, "animate e every 1t by rotate(1deg, y)");
+  for (const char* line : {"create a{1..2} sphere", "at 1f a{1..2}.radius 2", "at 1f a1.position.x 2",
+                           "at 1f a1.rotation.velocity (0deg 90deg 0deg)", "animate e every 1t by rotate(1deg, y)"})
+    s.done(host, line);
   EXPECT_TRUE(holds(s.say(host, "stats"), "\"objects\":3,\"events\":5,"));
   s.refused(host, "at 2f a{1..2}.radius 3", "there would be more than 6 events");
   s.done(host, "at 1f a{1..2}.radius 3");  // in their place
@@ -64,9 +64,7 @@ TEST(Imaging, WhatWasThereMayBeMoreThanTheCeilings) {
 
 TEST(Imaging, HasACeilingOfItsHistory) {
   const Folder folder;
-  Imaging::Options options;
-  options.ceilings.history = 60;  // bytes
-  Stage s(options, "", folder / "live.bx");
+  Stage s(at_most(&Ceilings::history, 60), "", folder / "live.bx");  // bytes
   const auto host = s.imaging.arrive(), other = s.imaging.arrive();
   s.done(host, "create a sphere");  // 16, and for every step its sheet's line: 1
   s.done(host, "set a.radius 2");   // 15 + 1
@@ -86,9 +84,7 @@ TEST(Imaging, HasACeilingOfItsHistory) {
 // More environments than allowed are refused; those that are there stay as they are. (C120, R-E8)
 // shows: C120 R-E8
 TEST(Imaging, HasACeiling) {
-  Imaging::Options options;
-  options.ceilings.environments = 3;
-  Stage s(options);
+  Stage s(at_most(&Ceilings::environments, 3));
   const auto host = s.imaging.arrive();
   s.done(host, "animate e{1..3} every 1t by rotate(1deg, y)");
   const Document before = s.imaging.document();

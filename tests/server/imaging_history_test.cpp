@@ -35,12 +35,7 @@ TEST(Imaging, KeepsItsHistory) {
   {
     Stage s({}, folder / "show.bx", folder / "live.bx");
     const auto host = s.imaging.arrive();
-    s.done(host, "ball.radius");
-    s.done(host, "  1f 2");
-    s.done(host, "  9f 3");
-    s.done(host, "create box box");
-    s.done(host, "undo");
-    s.done(host, "save");
+    for (const char* line : {"ball.radius", "  1f 2", "  9f 3", "create box box", "undo", "save"}) s.done(host, line);
     for (const char* line : {"bundle", "set ball.color red", "halt nobody*"}) s.say(host, line, tick(4));
     s.done(host, "end", tick(4));
     EXPECT_TRUE(s.imaging.sync());

@@ -73,16 +73,17 @@ TEST(Imaging, SaysNoInWords) {
 TEST(Imaging, TwoHostsSheetsDoNotMix) {
   Stage s;
   const auto a = s.imaging.arrive(), b = s.imaging.arrive();
-  s.done(a, "create {left,right} sphere");
-  s.done(a, "left.position");
-  s.done(b, "right.position");
-  s.done(a, "  1f (1 0 0)");
-  s.done(b, "  1f (0 1 0)");
-  s.done(a, "  11f (2 0 0)");
-  s.done(a, "  21f (3 0 0)");
-  s.done(b, "  11f (0 2 0)");
-  s.done(b, "  21f (0");
-  s.done(b, "3 0)");
+  for (const auto& [host, line] : {std::pair{a, "create {left,right} sphere"},
+                                   {a, "left.position"},
+                                   {b, "right.position"},
+                                   {a, "  1f (1 0 0)"},
+                                   {b, "  1f (0 1 0)"},
+                                   {a, "  11f (2 0 0)"},
+                                   {a, "  21f (3 0 0)"},
+                                   {b, "  11f (0 2 0)"},
+                                   {b, "  21f (0"},
+                                   {b, "3 0)"}})
+    s.done(host, line);
   EXPECT_TRUE(holds(s.say(a, "eval left.position right.position at 11f"),
                     "\"left.position\":[2,0,0],\"right.position\":[0,2,0]"));
   EXPECT_EQ(
@@ -102,12 +103,9 @@ TEST(Imaging, DisplayListsAreMadeRowByRow) {
   s.done(b, "  begin spin");
   s.done(a, "  tag corner");
   s.done(a, "  polygon (0 2 0) (-0.5 0 0) (0.5 0 0)");
-  s.done(b, "  call star");
-  s.done(b, "  end");
-  s.done(b, "edit star");
-  s.done(b, "  replace corner");
-  s.done(b, "  polygon (0 3 0) (-0.5 0 0) (0.5 0 0)");
-  s.done(b, "  color blue");
+  for (const char* line : {"  call star", "  end", "edit star", "  replace corner",
+                           "  polygon (0 3 0) (-0.5 0 0) (0.5 0 0)", "  color blue"})
+    s.done(b, line);
   s.done(b, "start scene", tick(50));
   EXPECT_TRUE(holds(s.say(b, "time", tick(53)), "\"tick\":3,"));
   for (const char* line : {"bundle", "make other", "  begin spin", "  end", "animate spin every 1t by rotate(1deg, y)"})
