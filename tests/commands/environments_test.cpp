@@ -1,23 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <numbers>
 
 #include "support/loaded_film.h"
 
 namespace betwixt {
 namespace {
 
-Vec3 place(const LoadedFilm& s, std::string_view object, std::string_view time) {
-  return translation_of(*std::get<Matrix>(s.read(std::string(object) + ".world", time)));
-}
-void expect_place(const LoadedFilm& s, std::string_view object, std::string_view time, Vec3 wanted,
-                  double within = 1e-9) {
-  const Vec3 is = place(s, object, time);
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(is[i], wanted[i], within) << object << " at " << time << ", " << i;
-}
 Vec3 round(double degrees, double radius) {
   const double a = degrees * pi / 180;
   return {radius * std::cos(a), radius * std::sin(a), 0};
@@ -37,9 +26,7 @@ TEST(Environments, AreMToThePowerOfNPlusOne) {
   const LoadedFilm later(
       "create ball sphere position=(2 0 0)\nat 30t animate spin every 1t by translate(0 1 0)\n"
       "set ball.environments (spin)\n");
-  expect_place(later, "ball", "29t", {2, 0, 0});
-  expect_place(later, "ball", "30t", {2, 1, 0});
-  expect_place(later, "ball", "31t", {2, 2, 0});
+  expect_places(later, "ball", {{"29t", {2, 0, 0}}, {"30t", {2, 1, 0}}, {"31t", {2, 2, 0}}});
 }
 
 // shows: C47 C48 C49 C50
@@ -47,15 +34,11 @@ TEST(Environments, RollAndSpiralByTheOrderOfFactors) {
   // The leftmost is applied last: turned, then moved on, and the next in the axes of the one before.
   const LoadedFilm s(
       "create a sphere\nanimate roll every 1t by translate(1 0 0) rotate(90deg, z)\nset a.environments roll\n");
-  expect_place(s, "a", "0t", {1, 0, 0});
-  expect_place(s, "a", "1t", {1, 1, 0});
-  expect_place(s, "a", "2t", {0, 1, 0});
-  expect_place(s, "a", "3t", {0, 0, 0});
+  expect_places(s, "a", {{"0t", {1, 0, 0}}, {"1t", {1, 1, 0}}, {"2t", {0, 1, 0}}, {"3t", {0, 0, 0}}});
   const LoadedFilm grow(
       "create a sphere position=(1 0 0)\nanimate grow every 1t by scale(2 @ 3 0 0)\n"
       "set a.environments grow\n");
-  expect_place(grow, "a", "0t", {-1, 0, 0});
-  expect_place(grow, "a", "1t", {-5, 0, 0});
+  expect_places(grow, "a", {{"0t", {-1, 0, 0}}, {"1t", {-5, 0, 0}}});
   EXPECT_NEAR((*std::get<Matrix>(grow.read("a.world", "1t")))(0, 0), 4, 1e-12);
 }
 
@@ -77,8 +60,7 @@ TEST(Environments, NestTheFirstIsTheOutermost) {
   const LoadedFilm t(
       "create ball sphere position=(2 0 0)\nanimate drift every 1t by translate(0.5 0 0)\n"
       "animate spin every 1t by rotate(90deg, z)\nset ball.environments (spin drift)\n");
-  expect_place(t, "ball", "0t", {0, 2.5, 0});
-  expect_place(t, "ball", "1t", {-3, 0, 0});
+  expect_places(t, "ball", {{"0t", {0, 2.5, 0}}, {"1t", {-3, 0, 0}}});
 }
 
 // shows: C34 C64
@@ -88,14 +70,12 @@ TEST(Environments, ThatDriveMoveAThingInItsOwnSpace) {
       "create spoke box position=(1 0 0)\ncouple spoke to wheel\n"
       "animate roll every 1t by translate(1 0 0)\nanimate spin every 1t by rotate(90deg, z)\n"
       "set axle.drive roll\nset wheel.drive spin\n");
+  expect_places(s, "spoke", {{"0t", {6, 2, 0}}, {"1t", {6, 1, 0}}});
   expect_place(s, "wheel", "0t", {6, 1, 0});
-  expect_place(s, "spoke", "0t", {6, 2, 0});
-  expect_place(s, "spoke", "1t", {6, 1, 0});
   const LoadedFilm t(
       "create a box position=(1 0 0)\nset a.transform translate(0 2 0) rotate(90deg, z) scale(2)\n"
       "create b box position=(1 0 0)\ncouple b to a\n");
-  expect_place(t, "a", "1f", {1, 2, 0});
-  expect_place(t, "b", "1f", {1, 4, 0});
+  for (const auto& [name, y] : {std::pair{"a", 2.0}, {"b", 4.0}}) expect_place(t, name, "1f", {1, y, 0});
 }
 
 // shows: C86 C87 C90 C91 C92 C94 C95 C96 C88
@@ -106,16 +86,19 @@ TEST(Environments, HaltGoOnAndAreKilled) {
       "at 10t halt go\nat 20t animate go every 5t by translate(0 1 0)\n"
       "at 31t kill go\nat 40t animate go every 1t by translate(0 0 1)\n"
       "set a.environments go\nat 35t b.environments (go)\n");
-  expect_place(s, "a", "9t", {5, 0, 0});
-  expect_place(s, "a", "10t", {6, 0, 0});  // the update due at its tick is made
-  expect_place(s, "a", "19t", {6, 0, 0});
+  expect_places(s, "a",
+                {{"9t", {5, 0, 0}},
+                 {"10t", {6, 0, 0}},  // the update due at its tick is made
+                 {"19t", {6, 0, 0}}});
   EXPECT_EQ(s.numbers("go.every", "15t")[0], 2);
-  expect_place(s, "a", "24t", {6, 0, 0});  // in force five ticks on
-  expect_place(s, "a", "25t", {6, 1, 0});
-  expect_place(s, "a", "31t", {6, 2, 0});
-  expect_place(s, "a", "90t", {6, 2, 0});  // killed: it stays
-  expect_place(s, "b", "39t", {0, 0, 0});  // bound to the next of that name
-  expect_place(s, "b", "41t", {0, 0, 2});
+  expect_places(s, "a",
+                {{"24t", {6, 0, 0}},  // in force five ticks on
+                 {"25t", {6, 1, 0}},
+                 {"31t", {6, 2, 0}},
+                 {"90t", {6, 2, 0}}});  // killed: it stays
+  expect_places(s, "b",
+                {{"39t", {0, 0, 0}},  // bound to the next of that name
+                 {"41t", {0, 0, 2}}});
 }
 
 // shows: C135 C136 C137 C138 C140 C143 C144 C139 C146 C147
@@ -131,10 +114,7 @@ TEST(Environments, SlowDownSpeedUpAndAreScheduled) {
     expect_place(s, "a", std::to_string(tick) + "t", {n + 1.0, 0, 0});
   for (const auto& [tick, n] : std::vector<std::pair<int, int>>{{30, 6}, {62, 14}, {92, 24}, {120, 38}, {220, 138}})
     expect_place(s, "b", std::to_string(tick) + "t", {n + 1.0, 0, 0});
-  expect_place(s, "c", "29t", {0, 0, 0});
-  expect_place(s, "c", "30t", {1, 0, 0});
-  expect_place(s, "c", "35t", {6, 0, 0});
-  expect_place(s, "c", "99t", {6, 0, 0});
+  expect_places(s, "c", {{"29t", {0, 0, 0}}, {"30t", {1, 0, 0}}, {"35t", {6, 0, 0}}, {"99t", {6, 0, 0}}});
 }
 
 // shows: C89

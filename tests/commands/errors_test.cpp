@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Every error: its place, its words, its caret, its suggestion; and that the command it is about has changed nothing.
-#include <chrono>
-
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -301,113 +299,12 @@ TEST(Errors, HintsForWhatOtherToolsTaught) {
             (std::vector<std::string>{"4:22: 'loud' makes no use of 'my-gian'"}));
 }
 
-TEST(Errors, CirclesOfCouples) {
-  const Loaded l = read("create a group\ncreate a/b group\ncreate c group\ncouple c to a/b\ncouple a to c\n");
-  EXPECT_EQ(errors(l), (std::vector<std::string>{"5:8: this would go round in a circle: a → a/b → c → a"}));
-}
-
-TEST(Errors, LineAndCaret) {
-  const Loaded l = read("create ball sphere\nset ball.rádius 1\n");
-  EXPECT_EQ(said(l.diagnostics),
-            "test.bx:2:10: error: 'ball', a sphere, has no function 'rádius'\n"
-            "  set ball.rádius 1\n"
-            "           ^~~~~~\n"
-            "  did you mean 'radius'?\n");
-  EXPECT_EQ(said(read("create é sphere").diagnostics).substr(0, 42), "test.bx:1:8: error: 'é' cannot be a name\n");
-  // Columns count characters, tabs are kept above the caret.
-  EXPECT_EQ(said(read("create t text text=\"ä\"\tcolour=red").diagnostics),
-            "test.bx:1:24: error: a text has no 'colour'\n"
-            "  create t text text=\"ä\"\tcolour=red\n"
-            "                        \t^~~~~~\n"
-            "  did you mean 'color'?\n");
-}
-
-TEST(Errors, AllOfAFileInItsOrder) {
-  const Loaded l = read(
-      "rat 24\ncreate ball sphere\n\nball.postion\n  1f (0 0 0)\n  what is this\n\n  9f junk\nball.position\n  1f (0 "
-      "0)\n"
-      "  2f (1 1 1) liner\n  3 (1 1 1)\n  x (1 1 1)\n  4f (4 4 4)\nset ball.radius\ncreate ball box\nballs\n  1f 2\n  "
-      "2f 3\n");
-  EXPECT_EQ(errors(l), (std::vector<std::string>{
-                           "1:1: there is no command 'rat'",
-                           "4:6: 'ball', a sphere, has no function 'postion'",
-                           "10:6: 3 numbers are wanted here, not 2",
-                           "11:14: there is no twerper 'liner'",
-                           "12:3: a time needs a unit",
-                           "13:3: a row begins with a time, not with 'x'",
-                           "15:16: a number is missing here",
-                           "16:8: there is a 'ball' already",
-                           "17:1: there is no command 'balls'",
-                       }))
-      << said(l.diagnostics);
-  EXPECT_EQ(l.document, read("create ball sphere\nball.position\n  4f (4 4 4)\n").document);
-}
-
-TEST(Errors, ABracketThatIsNotClosedSpoilsOnlyItsLine) {
-  const Loaded l =
-      read("create ball sphere\nball.position\n  1f (0 0 0\n  2f (1 1 1)\n  3f (2 2 2)\nset ball.radius 4\n");
-  EXPECT_EQ(errors(l), (std::vector<std::string>{"3:6: this bracket is never closed"})) << said(l.diagnostics);
-  EXPECT_EQ(l.document,
-            read("create ball sphere\nball.position\n  2f (1 1 1)\n  3f (2 2 2)\nset ball.radius 4\n").document);
-  const Loaded text = read("create a text text=\"\"\"open\ncreate b sphere\n");
-  EXPECT_EQ(errors(text), (std::vector<std::string>{"1:20: this text is never closed by \"\"\""}));
-  EXPECT_EQ(text.document.names(), (std::vector<std::string>{"b"}));
-}
-
-TEST(Errors, NotAText) {
-  using namespace std::literals;
-  for (const auto& [text, wanted] : std::vector<std::pair<std::string, std::string>>{
-           {"rate 24\n\0"s, "2:1: this is not a text: it holds a control character (byte 0x00)"},
-           {"rate\x80"s, "1:5: this is not a text: it is not UTF-8 (byte 0x80)"},
-           {"# \xC3\x28"s, "1:3: this is not a text: it is not UTF-8 (byte 0xc3)"},
-           {"# \xE2\x82"s, "1:3: this is not a text: it is not UTF-8 (byte 0xe2)"},
-           {"# \xC0\xAF"s, "1:3: this is not a text: it is not UTF-8 (byte 0xc0)"},
-           {"# \xED\xA0\x80"s, "1:3: this is not a text: it is not UTF-8 (byte 0xed)"},
-           {"# \xF4\x90\x80\x80"s, "1:3: this is not a text: it is not UTF-8 (byte 0xf4)"},
-           {"\x7F"
-            "ELF\x02\x01"s,
-            "1:5: this is not a text: it holds a control character (byte 0x02)"}}) {
-    EXPECT_EQ(errors(read(text)), std::vector<std::string>{wanted});
-    EXPECT_EQ(read(text).document, Document());
-  }
-  EXPECT_EQ(read("# \xF0\x9F\x8E\xAC é €\n# \xC3\xA9").diagnostics.size(), 0u);
-}
-
-TEST(Errors, AbsurdTextsAreRefusedSoon) {
-  const auto begun = std::chrono::steady_clock::now();
-  const std::string open(100'000, '('), deep = open + std::string(100'000, ')');
-  for (const std::string& text :
-       {"set ball.position " + deep, "create p polygon points=" + deep, open, deep, "create b sphere radius=" + open,
-        "create " + std::string(100'000, '{') + " sphere", "alias a = " + std::string(100'000, '{'),
-        "create a" + std::string(1'000'000, 'a') + " sphere", "at " + std::string(1'000'000, '9') + "f note \"\"",
-        "set a." + std::string(1'000'000, '*') + " 1", std::string(1'000'000, '"')}) {
-    const Loaded l = read(text + "\ncreate ball sphere\n");
-    EXPECT_EQ(errors(l).size(), 1u) << text.substr(0, 60);
-    EXPECT_LT(said(l.diagnostics).size(), 1000u);
-    EXPECT_EQ(l.document.names().size(), 1u) << text.substr(0, 60);
-  }
-  std::string garbage;
-  for (int i = 0; i < 100'000; ++i) garbage += fmt::format("what is this line {} (((\n", i);
-  const Loaded l = read(garbage);
-  ASSERT_EQ(l.diagnostics.size(), 1001u);
-  EXPECT_EQ(l.diagnostics.back().what.message, "more than 1000 errors; the rest is not said");
-  EXPECT_EQ(l.diagnostics[999].what.place.line, 1000);
-  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::minutes(1)) << "not a measure, only a bound";
-}
-
 TEST(Errors, WhatWouldFillTheMachineIsRefused) {
   const std::string head_of_all = "create b{1..100} sphere\nb1.radius\n  1f 1\n  2f 2\n";
   EXPECT_EQ(errors(read(head_of_all + "copy b1.radius 1f..2f to 2f on b*.radius times 100000\n")),
             (std::vector<std::string>{"5:6: copying would make more than 10000000 events"}));
   EXPECT_EQ(errors(read("create a{1..1000000} sphere\ncreate b sphere\n")),
             (std::vector<std::string>{"2:8: a film has at most 1000000 objects"}));
-}
-
-TEST(Errors, NothingIsFine) {
-  for (const char* text :
-       {"", "\n", "\n\n  \n", "# only a comment", "#", "#!/usr/bin/betwixt play\nrate 24", "\xEF\xBB\xBF"}) {
-    EXPECT_EQ(read(text).diagnostics.size(), 0u) << text;
-  }
 }
 
 }  // namespace

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Scripts that read other files: from where, how deep, and what is said when one is missing.
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
 
+#include "support/folder.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -16,26 +14,18 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() /
-             fmt::format("betwixt-{}-{}", getpid(), testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder / "film/parts");
-  }
-  void TearDown() override { fs::remove_all(folder); }
-  std::string put(const std::string& name, std::string_view text) const {
-    std::ofstream(folder / name, std::ios::binary) << text;
-    return (folder / name).string();
-  }
-  Loaded load(const LoadOptions& options = {}) const { return load_file((folder / "film/main.bx").string(), options); }
+  Files() { fs::create_directories(folder / "film/parts"); }
+  void put(const std::string& name, std::string_view text) const { folder.put(name, text); }
+  Loaded load(const LoadOptions& options = {}) const { return load_file(folder / "film/main.bx", options); }
   // With the folder taken out.
   std::vector<std::string> messages(const Loaded& l) const {
     auto all = errors(l);
+    const std::string here = folder / "";
     for (auto& m : all)
-      for (auto at = m.find(folder.string()); at != std::string::npos; at = m.find(folder.string()))
-        m.erase(at, folder.string().size() + 1);
+      for (auto at = m.find(here); at != std::string::npos; at = m.find(here)) m.erase(at, here.size());
     return all;
   }
-  fs::path folder;
+  const Folder folder;
 };
 
 using Lines = std::vector<std::string>;
@@ -80,7 +70,7 @@ TEST_F(Files, ACircleIsAnErrorAtTheUse) {
 TEST_F(Files, OnlyBelowTheFolderOfTheScript) {
   put("other.bx", "create other sphere\n");
   put("film/main.bx",
-      "use \"../other.bx\"\nuse \"" + (folder / "other.bx").string() + "\"\nuse link.bx\nuse parts/../../other.bx\n");
+      "use \"../other.bx\"\nuse \"" + folder / "other.bx" + "\"\nuse link.bx\nuse parts/../../other.bx\n");
   fs::create_symlink(folder / "other.bx", folder / "film/link.bx");
   const Loaded l = load();
   ASSERT_EQ(l.diagnostics.size(), 4u) << said(l.diagnostics);
@@ -92,7 +82,6 @@ TEST_F(Files, OnlyBelowTheFolderOfTheScript) {
   put("film/main.bx", "use link.bx\n");
   EXPECT_EQ(load({true, {}}).document.names(), (Lines{"other"}));
   // A folder whose name only begins the same is another folder.
-  fs::create_directories(folder / "film2");
   put("film2/x.bx", "create x sphere\n");
   put("film/main.bx", "use \"../film2/x.bx\"\n");
   EXPECT_EQ(messages(load()), (Lines{"1:5: '../film2/x.bx' lies outside the script's folder"}));
@@ -114,8 +103,8 @@ TEST_F(Files, WhatCannotBeRead) {
   EXPECT_EQ(messages(load()),
             (Lines{"1:5: 'film/parts' is a folder, not a script", "2:5: there is no file 'film/none.bx'",
                    "3:5: the name of a file is missing here", "4:4: the name of a file is missing here"}));
-  EXPECT_EQ(messages(load_file((folder / "film").string())), (Lines{"0:0: 'film' is a folder, not a script"}));
-  EXPECT_EQ(messages(load_file((folder / "none.bx").string())), (Lines{"0:0: there is no file 'none.bx'"}));
+  EXPECT_EQ(messages(load_file(folder / "film")), (Lines{"0:0: 'film' is a folder, not a script"}));
+  EXPECT_EQ(messages(load_file(folder / "none.bx")), (Lines{"0:0: there is no file 'none.bx'"}));
   put("film/main.bx",
       "create a mesh file=\"none.obj\"\ncreate b mesh file=\"bad.obj\"\ncreate c mesh file=\"bad.glb\"\n"
       "create d sphere texture=\"bad.png\"\ncreate e mesh file=\"../x.obj\"\nset e.file \"x\"\n");

@@ -57,13 +57,5 @@ TEST(Plugins, ScriptsDoNotLoadThem) {
             "where it is a plug-in's: --load PLUGIN");
 }
 
-// shows: G15
-TEST(Procedures, DoNotTakeNamesThatLuaHas) {
-  for (const char* name : {"value", "mix", "sin", "t", "end", "vec", "math"})
-    EXPECT_EQ(errors(read(fmt::format("procedure {} lua \"1\"\n", name))),
-              std::vector<std::string>{fmt::format("1:11: '{}' is a word of Lua already", name)});
-  EXPECT_EQ(errors(read("procedure sine lua \"1\"\nprocedure exp twerper lua \"u\"\n")), std::vector<std::string>{});
-}
-
 }  // namespace
 }  // namespace betwixt

@@ -10,14 +10,15 @@
 #include <random>
 #include <thread>
 
+#include "commands/dice.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
 namespace {
 
-class Film {
+class Film : Dice {
  public:
-  explicit Film(std::uint64_t seed) : random_(seed) {}
+  using Dice::Dice;
   std::string script() {
     std::string s =
         "rate 24\nrange 1f 72f\ndefine heat number = \"value('.position.y') + math.sin(t)\"\n"
@@ -38,7 +39,6 @@ class Film {
   }
 
  private:
-  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
   std::string number() { return fmt::format("{}", (below(1000) - 500) / 128.0); }
   std::string vector() { return "(" + number() + " " + number() + " " + number() + ")"; }
   std::string turn() { return fmt::format("axis({} 1 {}, {}deg)", number(), number(), below(170)); }
@@ -94,7 +94,6 @@ class Film {
         return fmt::format("at {}f o{}.color.r.velocity 0.25\n", frame(), i);
     }
   }
-  std::mt19937_64 random_;
 };
 
 // All that a frame says and all that is read, as bits.

@@ -11,15 +11,16 @@
 #include <set>
 #include <sstream>
 
+#include "commands/dice.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
 namespace {
 
 // A script without errors, of every kind of value; the seed decides.
-class Author {
+class Author : Dice {
  public:
-  explicit Author(std::uint64_t seed) : random_(seed) {}
+  using Dice::Dice;
 
   std::string script() {
     if (chance(3)) say(fmt::format("rate {}", pick({"24", "25", "30000/1001", "12.5"})));
@@ -46,8 +47,6 @@ class Author {
   }
 
  private:
-  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
-  bool chance(int n) { return below(n) == 0; }
   std::string pick(std::vector<const char*> words) {
     return words[static_cast<std::size_t>(below(static_cast<int>(words.size())))];
   }
@@ -133,32 +132,26 @@ class Author {
   }
   void command() {
     const std::string o = object();
+    const auto vectors = [this] { return vector(); };
+    const auto numbers = [this] { return number(); };
+    const auto colors = [this] { return color(); };
+    const auto turns = [this] { return euler(); };
+    const auto switches = [this] { return pick({"on", "off"}); };
     switch (below(16)) {
       case 0:
-        return sheet(
-            o + ".position", [this] { return vector(); }, true);
+        return sheet(o + ".position", vectors, true);
       case 1:
-        return sheet(
-            o + ".color", [this] { return color(); }, true);
+        return sheet(o + ".color", colors, true);
       case 2:
-        return sheet(
-            o + ".scale." + pick({"x", "y", "z"}), [this] { return number(); }, true);
+        return sheet(o + ".scale." + pick({"x", "y", "z"}), numbers, true);
       case 3:
-        return sheet(
-            o + ".pivot.{x,z}", [this] { return number(); }, true);
+        return sheet(o + ".pivot.{x,z}", numbers, true);
       case 4:
-        return sheet(
-            o + ".rotation", [this] { return euler(); }, true);
+        return sheet(o + ".rotation", turns, true);
       case 5:
-        return sheet(
-            o + ".display",
-            [this] {
-              return pick({"on", "off"});
-            },
-            false);
+        return sheet(o + ".display", switches, false);
       case 6:
-        return sheet(
-            "some.wind", [this] { return vector(); }, true);
+        return sheet("some.wind", vectors, true);
       case 7:
         return say(fmt::format("at {} note \"{}\"", time(), pick({"a", "é\\n\\\"x\\\"", "# no comment"})));
       case 8:
@@ -203,7 +196,6 @@ class Author {
   }
 
   std::set<std::string> moved_;
-  std::mt19937_64 random_;
   std::string out_;
 };
 
@@ -311,46 +303,6 @@ TEST(AnyText, MutatedScriptsDoNotCrash) {
     }
     try_text(text);
   }));
-}
-
-TEST(Tidy, SortsRowsWithTheirComments) {
-  EXPECT_EQ(tidy("create  ball sphere radius =1.50,color= gold # shiny\n\n\n\nball.position\n"
-                 "    24.0f (8, 10 0)   ease-in = 4f # last\n  # the first\n 1f   (0  10 0.0)\n    12f (4 1 0) "
-                 "linear\nset ball.radius 2"),
-            "create ball sphere radius=1.5 color=gold  # shiny\n"
-            "\n"
-            "ball.position\n"
-            "  # the first\n"
-            "  1f   (0 10 0)\n"
-            "  12f  (4 1 0)   linear\n"
-            "  24f  (8 10 0)  ease-in=4f  # last\n"
-            "set ball.radius 2\n");
-}
-
-TEST(Tidy, TheExampleIsTidyAlready) {
-  std::ifstream in(SOURCE_DIR "/examples/bounce.bx");
-  const std::string bounce{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_EQ(read(tidy(bounce)).document, read(bounce).document);
-}
-
-TEST(Tidy, LeavesAloneWhatCannotBeRead) {
-  for (const char* text : {"set  a.b (1  2\nset", "create  a text text=\"open\n", "  )  \n", "a  \"\"\"x"})
-    EXPECT_EQ(tidy(text), text);
-}
-
-TEST(Tidy, OrderOfEqualTimesSurvivesARateFromElsewhere) {
-  // At 25 frames a second 26f is 1s, and the later row counts; tidying cannot know the rate that the other file says.
-  const std::string text = "use rate.bx\nb.radius\n  26f 1\n  1s 2\n";
-  EXPECT_EQ(tidy(text), "use rate.bx\nb.radius\n  26f  1\n  1s   2\n");
-}
-
-TEST(Tidy, ByteOrderMarkGoes) { EXPECT_EQ(tidy("\xEF\xBB\xBFrate  25\n"), "rate 25\n"); }
-
-// shows: G58
-TEST(Tidy, KeepsTheSheetsOfLayers) {
-  const std::string script = "create a sphere\nlayer l add\non l a.position\n  1f  (0 0 0)\n  9f  (1 2 3)  linear\n";
-  EXPECT_EQ(tidy(script), script);
-  EXPECT_EQ(read(tidy(script)).document, read(script).document);
 }
 
 }  // namespace

@@ -78,12 +78,12 @@ TEST(Values, Colors) {
       "create a sphere color=gold\ncreate b sphere color=#ffcc00\ncreate c sphere color=rgb(1 0.8 0)\n"
       "create d sphere color=#fc0\ncreate e sphere color=hsv(120deg 1 0.5)\ncreate f sphere color=(0.1, 0.2, 0.3)\n"
       "create g sphere color=#FFCC00\n");
-  expect_numbers(s, "a.color", "1f", {1, 215 / 255.0, 0});
-  expect_numbers(s, "b.color", "1f", {1, 0.8, 0});
-  expect_numbers(s, "c.color", "1f", {1, 0.8, 0});
-  expect_numbers(s, "d.color", "1f", {1, 0.8, 0});
-  expect_numbers(s, "e.color", "1f", {0, 0.5, 0});
-  expect_numbers(s, "f.color", "1f", {0.1, 0.2, 0.3});
+  expect_numbers(s, {{"a.color", "1f", {1, 215 / 255.0, 0}},
+                     {"b.color", "1f", {1, 0.8, 0}},
+                     {"c.color", "1f", {1, 0.8, 0}},
+                     {"d.color", "1f", {1, 0.8, 0}},
+                     {"e.color", "1f", {0, 0.5, 0}},
+                     {"f.color", "1f", {0.1, 0.2, 0.3}}});
 }
 
 // shows: G24
@@ -104,13 +104,13 @@ TEST(Values, Rotations) {
       "create f box rotation.z=2turn\n");
   expect_numbers(s, "a.rotation", "1f", {0, pi_ / 2, 0});
   const double h = std::sqrt(0.5);
-  expect_numbers(s, "b.rotation", "1f", {h, 0, h, 0});
-  expect_numbers(s, "c.rotation", "1f", {h, 0, h, 0});
-  expect_numbers(s, "d.rotation", "1f", {std::cos(0.785), 0, std::sin(0.785), 0});
-  expect_numbers(s, "f.rotation.z", "1f", {4 * pi_});
+  expect_numbers(s, {{"b.rotation", "1f", {h, 0, h, 0}},
+                     {"c.rotation", "1f", {h, 0, h, 0}},
+                     {"d.rotation", "1f", {std::cos(0.785), 0, std::sin(0.785), 0}},
+                     {"f.rotation.z", "1f", {4 * pi_}}});
   // A quarter turn about y takes x to -z.
-  expect_numbers(s, "a.world", "1f", {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1});
-  expect_numbers(s, "b.world", "1f", {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1});
+  expect_numbers(s, {{"a.world", "1f", {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1}},
+                     {"b.world", "1f", {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1}}});
 }
 
 TEST(Values, QuaternionsTakeTheShortWay) {
@@ -133,11 +133,11 @@ TEST(Values, UnitsBooleansTextsShapesAims) {
       "create sun light shines=sun intensity=2 range=60\nset b.geometry shape(s)\nset s.display off\nset c.look-at b\n"
       "create p polygon points=((0 0) (1 0) (1 1 2))\ncreate l polyline points=((0 0) (1 0)) width=0.1\n"
       "create q points points=((0 0)) size=0.2\ncreate plain plane size=(2 3)\ncreate r torus radius=2 tube=0.5\n");
-  expect_numbers(s, "c.position", "1f", {1, 0.2, 0.03});
-  expect_numbers(s, "c.lens", "1f", {50});
-  expect_numbers(s, "k.fov", "1f", {50 * pi_ / 180});
-  expect_numbers(s, "k.look-at", "1f", {1, 2, 3});
-  expect_numbers(s, "s.radius", "1f", {0.25});
+  expect_numbers(s, {{"c.position", "1f", {1, 0.2, 0.03}},
+                     {"c.lens", "1f", {50}},
+                     {"k.fov", "1f", {50 * pi_ / 180}},
+                     {"k.look-at", "1f", {1, 2, 3}},
+                     {"s.radius", "1f", {0.25}}});
   EXPECT_EQ(s.text("t.text", "1f"), "a \"b\"\n\tc");
   EXPECT_EQ(s.text("u.text", "1f"), "two\nlines \"quoted\" ");
   EXPECT_EQ(s.text("sun.shines", "1f"), "sun");
@@ -157,9 +157,7 @@ TEST(Values, CommentsCommasContinuation) {
       "# a comment\n#\ncreate b sphere position=(1, 2, 3), color=#ffcc00   # gold\n"
       "set b.pivot (1   # one\n  2\n\n  3)\nb.position  # a sheet\n  1f (0\n 0 0)\n# between rows\n\n  2f (1 1 1)  # "
       "last");
-  expect_numbers(s, "b.pivot", "1f", {1, 2, 3});
-  expect_numbers(s, "b.color", "1f", {1, 0.8, 0});
-  expect_numbers(s, "b.position", "2f", {1, 1, 1});
+  expect_numbers(s, {{"b.pivot", "1f", {1, 2, 3}}, {"b.color", "1f", {1, 0.8, 0}}, {"b.position", "2f", {1, 1, 1}}});
 }
 
 TEST(Values, ReadBackWhatIsWritten) {

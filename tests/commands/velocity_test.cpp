@@ -374,13 +374,5 @@ TEST(Velocity, AReleaseWithoutAReignIsNoticed) {
             "6: no velocity reigns at 9f: there is nothing to release\n");
 }
 
-// shows: G4 G52
-TEST(Fall, BelowTheGroundIsNoticed) {
-  const Loaded l = read("rate 24\ncreate b sphere\nat 1f fall b ground=2\n");
-  ASSERT_EQ(l.diagnostics.size(), 1U);
-  EXPECT_EQ(l.diagnostics[0].severity, Severity::notice);
-  EXPECT_EQ(l.diagnostics[0].what.message, "b is below the ground, y = 2: it does not fall");
-}
-
 }  // namespace
 }  // namespace betwixt

@@ -63,6 +63,24 @@ inline void expect_numbers(const LoadedFilm& s, const std::vector<Wanted>& table
   for (const Wanted& w : table) expect_numbers(s, w.target, w.time, w.numbers);
 }
 
+// Where an object is in the world.
+inline Vec3 place(const LoadedFilm& s, std::string_view object, std::string_view time) {
+  return translation_of(*std::get<Matrix>(s.read(std::string(object) + ".world", time)));
+}
+inline void expect_place(const LoadedFilm& s, std::string_view object, std::string_view time, Vec3 wanted,
+                         double within = 1e-9) {
+  const Vec3 is = place(s, object, time);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(is[i], wanted[i], within) << object << " at " << time << ", " << i;
+}
+
+struct Passed {
+  std::string_view time;
+  Vec3 place;
+};
+inline void expect_places(const LoadedFilm& s, std::string_view object, const std::vector<Passed>& way) {
+  for (const Passed& p : way) expect_place(s, object, p.time, p.place);
+}
+
 // "line:column: message" of every error.
 inline std::vector<std::string> errors(const Loaded& loaded) {
   std::vector<std::string> out;

@@ -373,5 +373,26 @@ TEST(Attachment, BeforeTheFirstEventIsWhatHoldsFromTheBeginning) {
             (Attachment{AttachmentKind::couple, d.find("h"), false}));
 }
 
+// shows: G61 G80
+TEST(Attachment, HierarchyByNameAndByCouple) {
+  const LoadedFilm s(
+      "create car group position=(10 0 0)\ncreate car/wheel sphere position=(1 0 0) attach-position=(0 1 0)\n"
+      "create dog sphere position=(0 0 5)\ncouple dog to car/wheel\ncreate cat sphere position=(0 0 5)\n"
+      "couple cat to car\ndetach cat\nset car.scale (2 2 2)\nrename car bus\n");
+  const Frame f = s.program.frame({});
+  const auto at = [&](const char* name) {
+    const auto m = s.numbers(std::string(name) + ".world", "1f");
+    return std::vector<double>{m[3], m[7], m[11]};
+  };
+  EXPECT_EQ(at("car/wheel"), (std::vector<double>{12, 2, 0}));  // the name stays
+  EXPECT_EQ(at("dog"), (std::vector<double>{12, 2, 10}));
+  EXPECT_EQ(at("cat"), (std::vector<double>{0, 0, 5}));
+}
+
+TEST(Attachment, CirclesOfCouples) {
+  const Loaded l = read("create a group\ncreate a/b group\ncreate c group\ncouple c to a/b\ncouple a to c\n");
+  EXPECT_EQ(errors(l), (std::vector<std::string>{"5:8: this would go round in a circle: a → a/b → c → a"}));
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -476,14 +476,15 @@ TEST(DisplayList, Hosts_write_display_lists_side_by_side) {
     sheets[host] = script.left;
     history += above + "\n" + line + "\n";
   };
-  enter(0, "make a");
-  enter(1, "make b");
-  enter(0, "  begin e");
-  enter(1, "  tag x");
-  enter(1, "  point (0 0)");
-  enter(0, "  point (1 0)");
-  enter(1, "  point (0 1)");
-  enter(0, "  end");
+  for (const auto& [host, line] : {std::pair{0, "make a"},
+                                   {1, "make b"},
+                                   {0, "  begin e"},
+                                   {1, "  tag x"},
+                                   {1, "  point (0 0)"},
+                                   {0, "  point (1 0)"},
+                                   {1, "  point (0 1)"},
+                                   {0, "  end"}})
+    enter(host, line);
   EXPECT_EQ(opener(0), "edit a");
   enter(1, "  replace x");
   EXPECT_EQ(opener(1), "edit b\n  replace x 0");

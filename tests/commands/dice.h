@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What writers of random scripts decide by: the same for the same seed.
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace betwixt {
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+
+ protected:
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+  bool chance(int n) { return below(n) == 0; }
+  std::mt19937_64 random_;
+};
+
+}  // namespace betwixt

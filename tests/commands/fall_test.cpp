@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Falls, against closed forms.
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+// shows: G12 G5
+TEST(Fall, StandsBesideLinesAndCurvesOnOneTrack) {
+  const LoadedFilm s(
+      "rate 24\ncreate ball sphere\nball.position.y\n  1f 2 linear\n  25f 8 linear\n  49f 6\n  73f 8\n  97f 14 hold\n"
+      "  121f 10\nat 121f fall ball gravity=10 for 1s\n");
+  const auto y = [&](const char* time, double wanted) { expect_numbers(s, "ball.position.y", time, {wanted}, 1e-9); };
+  y("7f", 3.5), y("19f", 6.5), y("31f", 7.5), y("43f", 6.5);  // lines, with a corner between them
+  y("61f", 6.5);                                              // curves: from rest at 49f on
+  y("85f", 10.75);                                            // no further than to the hold
+  y("109f", 14);
+  y("121f", 10), y("133f", 8.75), y("145f", 5);  // and a fall
+}
+
+// shows: G4 G3 G5 G52
+TEST(Fall, IsHalfATSquaredAfterItsDelay) {
+  const LoadedFilm s(
+      "rate 24\ncreate ball sphere\nball.position\n  1f (0 5 0) linear\n  49f (4 5 0) linear\n"
+      "at 1f fall ball delay=1s gravity=10 bounce=0.5 for 8s\n");
+  const auto y = [](double t) {
+    if (t < 1) return 5.0;  // walking on air
+    if (t < 2) return 5 - 5 * (t - 1) * (t - 1);
+    double at = 2, speed = 5;
+    while (t >= at + speed / 5) at += speed / 5, speed /= 2;
+    return speed * (t - at) - 5 * (t - at) * (t - at);
+  };
+  for (int k = 0; k <= 90; ++k) {
+    const double t = k / 24.0;
+    expect_numbers(s, "ball.position.y", fmt::format("{}f", k + 1), {y(t)}, 1e-6);
+    if (t < 3.8) expect_numbers(s, "ball.position.x", fmt::format("{}f", k + 1), {2 * t}, 1e-9);
+  }
+  expect_numbers(s, "ball.position.y", "9s", {0}, 1e-3);  // it lies
+  expect_numbers(s, "ball.position.x", "2s", {4}, 1e-9);
+  // Plain events: no procedure is left.
+  EXPECT_EQ(write(s.loaded.document).find("= \""), std::string::npos);
+}
+
+// shows: G4 G71
+TEST(Fall, EndsTheReignOfAVelocityAndGoesOnWithIt) {
+  const LoadedFilm s(
+      "rate 24\ncreate ball sphere\nset ball.position (0 10 0)\nat 1f ball.position.velocity (2 3 0)\n"
+      "at 25f fall ball gravity=10\n");
+  EXPECT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
+  for (const double t : {0.0, 0.25, 0.5, 1.0, 1.5}) {
+    const double x = 2 * (1 + t), y = 13 + 3 * t - 5 * t * t;
+    expect_numbers(s, "ball.position", fmt::format("{}s", 1 + t), {x, y, 0}, 1e-8);
+  }
+}
+
+// shows: G82 G83
+TEST(Fall, AfterLetgoIsThrownThroughTheWorldWhateverHeldIt) {
+  const LoadedFilm s(
+      "rate 24\ncreate hand group position=(0 8 0) rotation=euler(0 0 90deg) scale=(2 2 2)\n"
+      "at 1f hand.position.x 0 linear\nat 49f hand.position.x 6\n"
+      "create ball sphere\nset ball.position (1 0 0)\ncouple ball to hand\n"
+      "at 25f letgo ball\nat 25f fall ball gravity=10\n");
+  ASSERT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
+  // The pin is 2 above the hand, which goes 3 a second.
+  for (const double t : {0.0, 0.25, 0.5, 1.0, 1.25}) {
+    const Value r = s.read("ball.world", fmt::format("{}s", 1 + t));
+    const Vec3 at = translation_of(*std::get<Matrix>(r));
+    EXPECT_NEAR(at.x, 3 * (1 + t), 1e-6);
+    EXPECT_NEAR(at.y, 10 - 5 * t * t, 1e-6);
+    EXPECT_NEAR(at.z, 0, 1e-6);
+  }
+}
+
+// shows: G4 G52
+TEST(Fall, BelowTheGroundIsNoticed) {
+  const Loaded l = read("rate 24\ncreate b sphere\nat 1f fall b ground=2\n");
+  ASSERT_EQ(l.diagnostics.size(), 1U);
+  EXPECT_EQ(l.diagnostics[0].severity, Severity::notice);
+  EXPECT_EQ(l.diagnostics[0].what.message, "b is below the ground, y = 2: it does not fall");
+}
+
+}  // namespace
+}  // namespace betwixt

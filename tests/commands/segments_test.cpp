@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Operations on segments of tracks, by values worked out by hand.
+#include "commands/tracks.h"
+
+namespace betwixt {
+namespace {
+
+// shows: G38 G39 G40
+TEST(Segments, OperationsOnTimes) {
+  expect_track(after_ramp("move b.position.x 5f..9f by 2f"), "b.position.x", 7, {4, 3, 2, 1, 0});
+  expect_track(after_ramp("move b.position.x 1f..9f by -48f"), "b.position.x", -47, {0, 1, 2, 3, 4, 3});
+  const LoadedFilm s = after_ramp("stretch b.position.x 1f..9f by 2");
+  expect_track(s, "b.position.x", 1, {0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 3.5});
+  const LoadedFilm r("create b sphere\nb.radius\n 1f 0 linear\n 2f 4 linear\n 5f 1\nreverse b.radius 1f..5f\n");
+  expect_track(r, "b.radius", 1, {1, 2, 3, 4, 0});
+}
+
+// shows: G92 G93 G94
+TEST(Segments, OperationsOnValues) {
+  const char* head = "create b sphere\nb.position\n 1f (1 2 3) linear\n 5f (4 5 6)\n 9f (7 7 7)\n";
+  const auto does = [&](const char* command) { return LoadedFilm(std::string(head) + command + "\n"); };
+  expect_numbers(does("scale b.position 1f..5f (1 -1 2)"), "b.position", "1f", {1, -2, 6});
+  expect_numbers(does("scale b.position 1f..5f 3"), "b.position", "5f", {12, 15, 18});
+  expect_numbers(does("scale b.position 1f..5f 3"), "b.position", "9f", {7, 7, 7});
+  expect_numbers(does("translate b.position 5f..9f (0 1 0)"), "b.position", "5f", {4, 6, 6});
+  expect_numbers(does("rotate b.position 1f..1f 90deg y"), "b.position", "1f", {3, 2, -1});
+  expect_numbers(does("rotate b.position 1f..1f 90deg z @ (1 0 0)"), "b.position", "1f", {-1, 0, 3});
+  expect_numbers(does("rotate b.position 1f..1f 0.25turn (0 0 2)"), "b.position", "1f", {-2, 1, 3});
+  expect_numbers(does("clear b.position 5f"), "b.position", "5f", {4, 4.5, 5});
+  expect_numbers(does("clear b.position 1f..5f"), "b.position", "1f", {7, 7, 7});
+}
+
+}  // namespace
+}  // namespace betwixt

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scripts put in order.
+#include <fstream>
+#include <iterator>
+
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+TEST(Tidy, SortsRowsWithTheirComments) {
+  EXPECT_EQ(tidy("create  ball sphere radius =1.50,color= gold # shiny\n\n\n\nball.position\n"
+                 "    24.0f (8, 10 0)   ease-in = 4f # last\n  # the first\n 1f   (0  10 0.0)\n    12f (4 1 0) "
+                 "linear\nset ball.radius 2"),
+            "create ball sphere radius=1.5 color=gold  # shiny\n"
+            "\n"
+            "ball.position\n"
+            "  # the first\n"
+            "  1f   (0 10 0)\n"
+            "  12f  (4 1 0)   linear\n"
+            "  24f  (8 10 0)  ease-in=4f  # last\n"
+            "set ball.radius 2\n");
+}
+
+TEST(Tidy, TheExampleIsTidyAlready) {
+  std::ifstream in(SOURCE_DIR "/examples/bounce.bx");
+  const std::string bounce{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_EQ(read(tidy(bounce)).document, read(bounce).document);
+}
+
+TEST(Tidy, LeavesAloneWhatCannotBeRead) {
+  for (const char* text : {"set  a.b (1  2\nset", "create  a text text=\"open\n", "  )  \n", "a  \"\"\"x"})
+    EXPECT_EQ(tidy(text), text);
+}
+
+TEST(Tidy, OrderOfEqualTimesSurvivesARateFromElsewhere) {
+  // At 25 frames a second 26f is 1s, and the later row counts; tidying cannot know the rate that the other file says.
+  const std::string text = "use rate.bx\nb.radius\n  26f 1\n  1s 2\n";
+  EXPECT_EQ(tidy(text), "use rate.bx\nb.radius\n  26f  1\n  1s   2\n");
+}
+
+TEST(Tidy, ByteOrderMarkGoes) { EXPECT_EQ(tidy("\xEF\xBB\xBFrate  25\n"), "rate 25\n"); }
+
+// shows: G58
+TEST(Tidy, KeepsTheSheetsOfLayers) {
+  const std::string script = "create a sphere\nlayer l add\non l a.position\n  1f  (0 0 0)\n  9f  (1 2 3)  linear\n";
+  EXPECT_EQ(tidy(script), script);
+  EXPECT_EQ(read(tidy(script)).document, read(script).document);
+}
+
+}  // namespace
+}  // namespace betwixt
