@@ -118,7 +118,8 @@ struct Lister {
       out << "note " << time(t) << ' ' << text << '\n';
     for (const auto& [t, eye] : d.cuts()) out << "cut " << time(t) << ' ' << d.name(eye) << '\n';
     for (const ProcedureView& p : procedures(d))
-      out << "procedure " << p.name << ' ' << p.role << ' ' << p.language << ": " << p.source << '\n';
+      if (p.language != "plug-in")  // those of other tests are in every document made after them
+        out << "procedure " << p.name << ' ' << p.role << ' ' << p.language << ": " << p.source << '\n';
     for (const LayerView& l : layers(d))
       out << "layer " << d.name(l.id) << ' ' << l.mode << ", " << d.name(l.weight) << ", " << tracks_on(d, l.id).size()
           << " tracks\n";
