@@ -52,6 +52,9 @@ struct Shape {
   std::shared_ptr<const Mesh> mesh;
   friend bool operator==(const Shape&, const Shape&) = default;
 };
+// Its numbers beside the size: what blends from shape to shape, and what meshes are made to.
+inline constexpr double Shape::*shape_measures[] = {&Shape::radius, &Shape::height, &Shape::tube, &Shape::width,
+                                                    &Shape::depth};
 
 // plastic: a highlight from shininess; matte: none; metal: highlights and reflections in its own colour; glow: shines
 // by itself, unlit.

@@ -226,7 +226,7 @@ class Keyboard : public Input {
   const Session& session_;
   const fs::path past_;
   EditLine* edit_ = nullptr;
-  History* history_ = nullptr;
+  ::History* history_ = nullptr;
   std::string prompt_;
   bool cancelled_ = false;
 };

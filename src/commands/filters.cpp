@@ -104,7 +104,8 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
                                    : fmt::format("{} is at most {}", key, write_number(known->high)),
                     c.since(at));
   }
-  if (known && !std::holds_alternative<double>(out) && !(key == "amount" && std::holds_alternative<Vec3>(out)))
+  if (known && !std::holds_alternative<double>(out) &&
+      !(known->type == Type::vector && std::holds_alternative<Vec3>(out)))
     return c.fail(ErrorCode::type, fmt::format("{} is a number", key), c.since(at));
   return true;
 }

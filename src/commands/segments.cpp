@@ -55,7 +55,7 @@ bool operate(Command& k, const Stretch& on, const Work& work, bool along = true)
 }
 
 // A number for all components, or one for each. Factors have no unit.
-bool factors(Command& k, const Stretch& on, Value& out) {
+bool given_factors(Command& k, const Stretch& on, Value& out) {
   Cursor& c = k.cursor;
   c.space();
   if (c.peek() != '(') {
@@ -125,7 +125,7 @@ bool reverse(Command& k) {
 bool scale(Command& k) {
   Stretch on;
   Value by;
-  if (!on_segment(k, on) || !factors(k, on, by)) return false;
+  if (!on_segment(k, on) || !given_factors(k, on, by)) return false;
   return operate(k, on,
                  [&](Track& t, int component, bool) { return scale_segment(t, on.segment, part_of(by, component)); });
 }

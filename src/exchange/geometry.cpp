@@ -30,7 +30,7 @@ struct KeyHash {
     const Shape& s = k.shape;
     std::size_t h = mixed(static_cast<std::size_t>(s.kind), static_cast<std::size_t>(k.detail));
     h = mixed(h, s.size);
-    for (const double d : {s.radius, s.height, s.tube, s.width, s.depth}) h = mixed(h, d);
+    for (const auto measure : shape_measures) h = mixed(h, s.*measure);
     for (const Vec3 p : *s.points) h = mixed(h, p);
     return mixed(mixed(h, std::hash<std::string>{}(*s.text)), std::hash<std::string>{}(*s.font));
   }

@@ -24,9 +24,8 @@ bool same_but_measures(const Shape& a, const Shape& b) {
 
 Shape between(const Shape& a, const Shape& b, double s) {
   Shape shape = a;
-  const auto measure = [&](double Shape::*m) { shape.*m = std::max(0.0, lerp(a.*m, b.*m, s)); };
   shape.size = lerp(a.size, b.size, s);
-  for (const auto m : {&Shape::radius, &Shape::height, &Shape::tube, &Shape::width, &Shape::depth}) measure(m);
+  for (const auto m : shape_measures) shape.*m = std::max(0.0, lerp(a.*m, b.*m, s));
   std::vector<Vec3> points(std::min(a.points->size(), b.points->size()));
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = lerp((*a.points)[i], (*b.points)[i], s);
   shape.points = std::move(points);

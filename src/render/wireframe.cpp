@@ -9,7 +9,7 @@
 namespace betwixt {
 namespace {
 
-constexpr Gradient gradient{{0.012, 0.014, 0.018}, {0.028, 0.031, 0.037}};
+constexpr Gradient dark_gradient{{0.012, 0.014, 0.018}, {0.028, 0.031, 0.037}};
 
 // Surfaces that only hide what is behind them.
 const char* const hide_vertex = R"(
@@ -38,7 +38,7 @@ class Wireframe final : public Module {
     for (const Thing& t : things)
       if (t.visible) seen.push_back(&t);
     canvas_.begin(frame.background);
-    canvas_.draw_behind(frame.background, gradient);
+    canvas_.draw_behind(frame.background, dark_gradient);
     canvas_.write_linear();
     const Batches batches = batches_of(seen, false);
     send_instances(instances_, batches.instances);

@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_waiting = 8;  // pictures that the encoder has not taken
+constexpr std::size_t most_pictures_waiting = 8;  // pictures that the encoder has not taken
 
 // The encoder has a thread of its own, so that the clock never waits for it. Where it cannot follow, pictures are left
 // out, and the one before stands longer: the film's time is right.
@@ -41,7 +41,7 @@ class Film final : public Screen {
     {
       const std::lock_guard lock(mutex_);
       if (failed_) return *failed_;
-      if (waiting_.size() < most_waiting) waiting_.emplace_back(frame_at(moment), std::exchange(picture_, {}));
+      if (waiting_.size() < most_pictures_waiting) waiting_.emplace_back(frame_at(moment), std::exchange(picture_, {}));
     }
     changed_.notify_all();
     return Nothing{};

@@ -20,7 +20,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_waiting = 4 << 20;         // bytes of answers that a host has not read
+constexpr std::size_t most_bytes_waiting = 4 << 20;   // bytes of answers that a host has not read
 constexpr std::size_t most_events_waiting = 1 << 20;  // … beyond which it is told of no more events
 constexpr std::size_t chunk = 1 << 16;                // bytes that are read of a host in one turn
 constexpr int turn_lines = 64;                        // of a host in one turn …
@@ -285,7 +285,7 @@ class Server {
       g.out.erase(0, g.sent), g.sent = 0;
     }
     // One answer may be larger than that; more must not gather behind it.
-    if (waiting(g) > most_waiting && g.stuck) {
+    if (waiting(g) > most_bytes_waiting && g.stuck) {
       fmt::print(stderr, "betwixt: a host that does not read its answers is cut off\n");
       return leave(g);
     }
