@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "betwixt/program.h"
 #include "program/environment_set.h"
@@ -77,26 +78,41 @@ struct Live {
 
 // What one question leads to. Values found on the way are kept, unless a circle was cut to find them (R-T11).
 struct Asking {
-  struct Found {
-    Value value;
+  struct Taken {  // by an answer
     std::uint64_t cost = 0;
-    std::vector<std::int32_t> asked;  // lives it took, itself among them: while one is open the answer may be another
+    std::vector<std::int32_t> asked;  // lives, and itself where it is one: while one is open the answer may be another
+  };
+  template <class T>
+  struct Found {
+    T value;
+    Taken taken;
   };
   std::vector<std::int32_t> open;   // lives being worked out
   std::vector<std::int32_t> asked;  // lives that what is being worked out has taken so far
   std::size_t cut = SIZE_MAX;       // how deep in `open` the outermost cut reached
-  std::map<std::pair<std::int32_t, std::int64_t>, Found> found;
-  struct FoundContacts {
-    std::shared_ptr<const Contacts> contacts;
-    std::uint64_t cost = 0;
-    std::vector<std::int32_t> asked;
-  };
-  std::map<std::int64_t, FoundContacts> found_contacts;
+  std::map<std::pair<std::int32_t, std::int64_t>, Found<Value>> found;
+  std::map<std::int64_t, Found<std::shared_ptr<const Contacts>>> found_contacts;
   std::uint64_t cost = 0;
   std::vector<std::string> problems;
   std::vector<Target> read;  // what procedures looked at
 
   void say(std::string problem);
+  bool is_open(const Taken&) const;  // one of its lives is
+  void take(const Taken&);           // once more, for what is being worked out now
+};
+
+// An answer being worked out, and what it takes.
+class Working {
+ public:
+  explicit Working(Asking&);
+  // It is worked out. None where it is not to be kept: something outside it was cut for it.
+  std::optional<Asking::Taken> done();
+
+ private:
+  Asking& asking_;
+  std::uint64_t before_;
+  std::size_t depth_, outer_cut_;
+  std::ptrdiff_t first_;
 };
 
 // Where a node is within the environments that enclose it, and the part of that which children take on when scales

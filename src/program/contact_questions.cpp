@@ -58,34 +58,20 @@ Frame Program::Compiled::solids(Time t, Asking& asking) const {
 }
 
 std::shared_ptr<const Contacts> Program::Compiled::contacts(Time t, Asking& asking) const {
-  const auto open = [&](std::int32_t i) {
-    return std::find(asking.open.begin(), asking.open.end(), i) != asking.open.end();
-  };
   const auto known = asking.found_contacts.find(t.flicks);
-  if (known != asking.found_contacts.end() &&
-      std::none_of(known->second.asked.begin(), known->second.asked.end(), open)) {
-    asking.cost += known->second.cost;
-    asking.asked.insert(asking.asked.end(), known->second.asked.begin(), known->second.asked.end());
-    return known->second.contacts;
+  if (known != asking.found_contacts.end() && !asking.is_open(known->second.taken)) {
+    asking.take(known->second.taken);
+    return known->second.value;
   }
-  const std::uint64_t before = asking.cost;
-  const std::size_t depth = asking.open.size(), outer_cut = asking.cut;
-  asking.cut = SIZE_MAX;
-  const auto first = static_cast<std::ptrdiff_t>(asking.asked.size());
+  Working working(asking);
   const Frame f = solids(t, asking);
   auto made = std::make_shared<Contacts>(betwixt::contacts(f));
   if (!camera_at(t))  // the camera of a film that has none sees all there is
     for (ContactBox& b : made->boxes) b.sight = Sight::in;
   asking.cost += 10 * f.items.size();
-  std::sort(asking.asked.begin() + first, asking.asked.end());
-  asking.asked.erase(std::unique(asking.asked.begin() + first, asking.asked.end()), asking.asked.end());
-  const bool whole = asking.cut >= depth;  // nothing outside us was cut for it
-  if (whole && asking.found_contacts.size() < 1000)
-    asking.found_contacts.insert_or_assign(
-        t.flicks,
-        Asking::FoundContacts{made, asking.cost - before, {asking.asked.begin() + first, asking.asked.end()}});
-  if (asking.open.empty()) asking.asked.clear();
-  asking.cut = std::min(outer_cut, whole ? SIZE_MAX : asking.cut);
+  if (auto taken = working.done(); taken && asking.found_contacts.size() < 1000)
+    asking.found_contacts.insert_or_assign(t.flicks,
+                                           Asking::Found<std::shared_ptr<const Contacts>>{made, *std::move(taken)});
   return made;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "program/compiled.h"
 #include "track/operations.h"
@@ -41,6 +42,35 @@ std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mi
 void Asking::say(std::string problem) {
   if (std::find(problems.begin(), problems.end(), problem) == problems.end() && problems.size() < 100)
     problems.push_back(std::move(problem));
+}
+
+bool Asking::is_open(const Taken& taken) const {
+  return std::any_of(taken.asked.begin(), taken.asked.end(),
+                     [&](std::int32_t i) { return std::find(open.begin(), open.end(), i) != open.end(); });
+}
+
+void Asking::take(const Taken& taken) {
+  cost += taken.cost;
+  asked.insert(asked.end(), taken.asked.begin(), taken.asked.end());
+}
+
+Working::Working(Asking& asking)
+    : asking_(asking),
+      before_(asking.cost),
+      depth_(asking.open.size()),
+      outer_cut_(std::exchange(asking.cut, SIZE_MAX)),
+      first_(static_cast<std::ptrdiff_t>(asking.asked.size())) {}
+
+std::optional<Asking::Taken> Working::done() {
+  std::vector<std::int32_t>& asked = asking_.asked;
+  const auto first = asked.begin() + first_;
+  std::sort(first, asked.end());
+  asked.erase(std::unique(first, asked.end()), asked.end());
+  std::optional<Asking::Taken> taken;
+  if (asking_.cut >= depth_) taken = Asking::Taken{asking_.cost - before_, {first, asked.end()}};
+  if (asking_.open.empty()) asked.clear();
+  asking_.cut = std::min(outer_cut_, taken ? SIZE_MAX : asking_.cut);
+  return taken;
 }
 
 namespace {
@@ -315,33 +345,20 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking) 
   }
   const auto key = std::pair(index, t.flicks);
   if (const auto known = asking.found.find(key); known != asking.found.end()) {
-    const auto open = [&](std::int32_t i) {
-      return std::find(asking.open.begin(), asking.open.end(), i) != asking.open.end();
-    };
-    if (std::any_of(known->second.asked.begin(), known->second.asked.end(), open)) {
+    if (asking.is_open(known->second.taken)) {
       asking.found.erase(known);
       return live_value(index, t, asking);
     }
-    asking.cost += known->second.cost;
-    asking.asked.insert(asking.asked.end(), known->second.asked.begin(), known->second.asked.end());
+    asking.take(known->second.taken);
     return known->second.value;
   }
-  const std::uint64_t before = asking.cost;
-  const std::size_t depth = asking.open.size(), outer_cut = asking.cut;
-  asking.cut = SIZE_MAX;
-  const auto first = static_cast<std::ptrdiff_t>(asking.asked.size());
+  Working working(asking);
   asking.open.push_back(index);
   asking.asked.push_back(index);
   Value v = worker.value(t);
   asking.open.pop_back();
-  std::sort(asking.asked.begin() + first, asking.asked.end());
-  asking.asked.erase(std::unique(asking.asked.begin() + first, asking.asked.end()), asking.asked.end());
-  const bool whole = asking.cut >= depth;  // nothing outside us was cut for it
-  if (whole && asking.found.size() < 100'000)
-    asking.found.emplace(key,
-                         Asking::Found{v, asking.cost - before, {asking.asked.begin() + first, asking.asked.end()}});
-  if (asking.open.empty()) asking.asked.clear();
-  asking.cut = std::min(outer_cut, whole ? SIZE_MAX : asking.cut);
+  if (auto taken = working.done(); taken && asking.found.size() < 100'000)
+    asking.found.emplace(key, Asking::Found<Value>{v, *std::move(taken)});
   return v;
 }
 
