@@ -69,7 +69,17 @@ class Refused(Exception):
         return super().__str__() + (f" ({self.hint})" if self.hint else "")
 
 
-class Server:
+class _Closing:
+    """Is closed at the end of a `with`."""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *why):
+        self.close()
+
+
+class Server(_Closing):
     """A connection. `where` is the path of a socket, or "HOST:PORT" with a token; without, where servers usually are.
 
     Commands are sent one at a time and answered one at a time; events that come in between wait until they are asked
@@ -119,12 +129,6 @@ class Server:
             made.close()
             raise
         return made
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *why):
-        self.close()
 
     def close(self):
         """Ends the connection; what was done stays."""
@@ -643,7 +647,7 @@ class Picture:
         self.number, self.moment = number, moment
 
 
-class Ring:
+class Ring(_Closing):
     """The pictures of a server that was started with `--to ring:NAME`.
 
         with Ring("stage") as ring:
@@ -661,12 +665,6 @@ class Ring:
             self.HEAD.unpack_from(self._map, 0))
         if magic != b"BTWXRING" or version != 1:
             raise ValueError(f"{name} is no ring of pictures that is known here")
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *why):
-        self.close()
 
     def close(self):
         self._map.close()
