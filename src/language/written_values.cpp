@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "language/colors.h"
 #include "language/values.h"
@@ -81,9 +82,16 @@ std::string write_matrix(const Mat4& m) {
 
 namespace {
 
+// Rows that are written as values of these functions are.
+constexpr std::pair<Drawing, FunctionId> written_as[] = {
+    {Drawing::text, fn::text},         {Drawing::color, fn::color},     {Drawing::texture, fn::texture},
+    {Drawing::font, fn::font},         {Drawing::perspective, fn::fov}, {Drawing::orthographic, fn::camera_height},
+    {Drawing::multiply, fn::transform}};
+
 std::string write_row(const DisplayCommand& c) {
   const auto word = std::string(drawing_names[static_cast<std::size_t>(c.what)]);
-  const auto value = [&](FunctionId f) { return word + " " + write_value(c.value, built_in_functions()[f], -1, {}); };
+  for (const auto& [what, f] : written_as)
+    if (what == c.what) return word + " " + write_value(c.value, built_in_functions()[f], -1, {});
   switch (c.what) {
     case Drawing::point:
     case Drawing::vector:
@@ -92,20 +100,6 @@ std::string write_row(const DisplayCommand& c) {
       for (const Vec3& p : *std::get<Points>(c.value)) out += " " + write_vector(p, p.z == 0 ? 2 : 3);
       return out;
     }
-    case Drawing::text:
-      return value(fn::text);
-    case Drawing::color:
-      return value(fn::color);
-    case Drawing::texture:
-      return value(fn::texture);
-    case Drawing::font:
-      return value(fn::font);
-    case Drawing::perspective:
-      return value(fn::fov);
-    case Drawing::orthographic:
-      return value(fn::camera_height);
-    case Drawing::multiply:
-      return value(fn::transform);
     case Drawing::call:
       return word + " " + *std::get<Text>(c.value);
     case Drawing::begin:

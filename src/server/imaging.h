@@ -150,6 +150,7 @@ class Imaging {
   void changed(Host by, const std::string& line, Nanos now);
   std::int64_t stamp(Nanos now) const { return tick(now) + options_.latency; }
 
+  Result<std::string> stepped(Status (Editor::*step)(), const char* word, Nanos);  // back, or on again
   Result<std::string> eval(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> look(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> help(Visitor&, const std::vector<std::string>&, Nanos);

@@ -167,20 +167,20 @@ Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::strin
   return ",\"said\":" + json_text(history());
 }
 
-Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>&, Nanos now) {
+Result<std::string> Imaging::stepped(Status (Editor::*step)(), const char* word, Nanos now) {
   const Document before = document();
-  if (Status s = editor_.undo(); !s) return s.error();
+  if (Status s = (editor_.*step)(); !s) return s.error();
   recount(before);
-  changed(0, "undo", now);
+  changed(0, word, now);
   return std::string();
 }
 
+Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>&, Nanos now) {
+  return stepped(&Editor::undo, "undo", now);
+}
+
 Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>&, Nanos now) {
-  const Document before = document();
-  if (Status s = editor_.redo(); !s) return s.error();
-  recount(before);
-  changed(0, "redo", now);
-  return std::string();
+  return stepped(&Editor::redo, "redo", now);
 }
 
 Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
