@@ -44,6 +44,8 @@ struct Verb {
 bool carry_out(Command&);
 // Nothing may follow.
 bool finish(Cursor&);
+// on or off, and nothing more; whoever says anything else is told `otherwise`.
+bool on_or_off(Cursor&, const char* otherwise, bool& out);
 
 // Why a word that is no verb cannot be one; empty where there is nothing special about it.
 std::string_view not_of_a_script(std::string_view word);
@@ -58,6 +60,8 @@ bool pass_over(Command&, const char* from);
 // One or more objects: a name that exists, an alias, or a pattern (which may name none).
 bool objects(Command&, std::string_view& word, std::vector<ObjectId>& out);
 
+// A word that can be a name, here a `kind` ("function's name"); it has none of the characters in `never`.
+bool new_name(Cursor&, std::string_view& out, std::string_view kind, std::string_view never = {});
 // Whether nothing has the name yet.
 bool free_name(Command&, const std::string& name, std::string_view about);
 // Whether it is not drawn by display lists, whose rows alone change it.

@@ -87,8 +87,7 @@ bool arguments(Command& k, Copying& how) {
   how.into = how.from.of, how.onto = how.from.word;
   while (!c.at_line_end()) {
     if (c.accept_word("on")) {
-      c.space();
-      how.onto = c.word();
+      how.onto = c.next_word();
       if (!targets(k, how.onto, how.into)) return false;
     } else if (c.accept_word("times")) {
       if (!c.whole_number(1, 1'000'000, "times", how.times)) return false;

@@ -35,8 +35,7 @@ bool dial(Command& k) {
     return true;
   }
   Selected to;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (!targets(k, word, to)) return false;
   if (to.velocity) return c.fail(ErrorCode::type, "a dial turns a value, not a velocity", word);
   if (to.targets.size() != 1)
@@ -66,12 +65,7 @@ bool dial(Command& k) {
 
 bool record(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view w = c.word();
-  if (w != "on" && w != "off") return c.fail(ErrorCode::syntax, "recording is on or off", w);
-  if (!finish(c)) return false;
-  s.recording = w == "on";
-  return true;
+  return on_or_off(c, "recording is on or off", s.recording);
 }
 
 constexpr Verb dials_rows[] = {

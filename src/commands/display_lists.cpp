@@ -19,8 +19,7 @@ Time list_time(const Command& k) { return k.time.value_or(from_the_beginning); }
 // A list that is there: at the time of the command, or at any time where it has none.
 bool list_name(Command& k, std::string_view& word) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  word = c.word();
+  word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of a display list is missing here");
   if (time ? list_at(s, word, *time) != nullptr : !versions(s, word).empty()) return true;
   if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
@@ -48,8 +47,7 @@ void open(Command& k, std::string_view word) {
 
 bool make(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   const std::string name(word);
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of the new display list is missing here");
   const bool known = !versions(s, name).empty();
@@ -165,8 +163,7 @@ bool rename_list(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view old;
   if (!list_name(k, old)) return false;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the new name is missing here");
   const std::string from(old), to(word);
   if (!free_name(k, to, word) || !free_below(k, to, word) || !finish(c)) return false;

@@ -59,8 +59,7 @@ bool add_to(Command& k, const std::vector<std::string>& names, const decltype(En
 
 bool animate(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an environment is missing here");
   const auto names = expand_braces(word);
   if (!names) return c.fail(names.error().code, names.error().message, word);
@@ -122,8 +121,7 @@ bool animate(Command& k) {
 template <class What>
 bool to_environments(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an environment is missing here");
   std::vector<std::string> names;
   for (const ObjectId id : select(s, word))

@@ -172,8 +172,7 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
 // A twerper's word and what stands in brackets behind it.
 bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>& bezier) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view w = c.word();
+  const std::string_view w = c.next_word();
   const auto found = find_twerper(w);
   const auto& own = *s.procedures;
   const auto mine = std::find_if(own.begin(), own.end(),

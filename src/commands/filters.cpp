@@ -24,8 +24,7 @@ struct Chosen {
 
 bool choose(Command& k, Chosen& out) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view name = out.name = c.word();
+  const std::string_view name = out.name = c.next_word();
   const NamedProcedure* own = find_procedure(s, name);
   if (own && own->role == Role::filter) out.own = own;
   out.spec = out.own ? nullptr : find_filter(name);
@@ -138,8 +137,7 @@ bool filter(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Selected on;
   Chosen chosen;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (!targets(k, word, on)) return false;
   if (on.velocity) return c.fail(ErrorCode::type, "filters stand on values, not on velocities", word);
   if (!choose(k, chosen)) return false;

@@ -19,8 +19,7 @@ bool stagger(Command& k) {
   Selected on;
   Time by;
   long seed = -1;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (!targets(k, word, on)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
@@ -52,8 +51,7 @@ bool spread(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Selected on;
   Value from, to;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (!targets(k, word, on)) return false;
   if (!on.spec) on.spec = &built_in_functions()[fn::position];
   if (!c.accept_word("from")) return c.fail_here(ErrorCode::syntax, "'from' and a value are missing here");

@@ -14,12 +14,10 @@ namespace {
 
 bool layer(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
   if (!free_name(k, std::string(word), word)) return false;
-  c.space();
-  const std::string_view mode = c.word();
+  const std::string_view mode = c.next_word();
   if (mode != "add" && mode != "mix")
     return c.fail(ErrorCode::syntax, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
                   mode.empty() ? std::string_view(c.at, 0) : mode,
@@ -35,8 +33,7 @@ bool layer(Command& k) {
 
 bool on_layer(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of a layer is missing here");
   const ObjectId id = s.names.find(word);
   c.space();
@@ -65,8 +62,7 @@ bool on_layer(Command& k) {
                   "on a layer go events, set, filters and track operations");
   Command layered{s, c, time, id, script};
   if (time && verb.find('.') != std::string_view::npos) {  // at T on LAYER TARGET VALUE
-    c.space();
-    const std::string_view w = c.word();
+    const std::string_view w = c.next_word();
     Selected to;
     if (!targets(layered, w, to)) return false;
     return to.spec ? event(layered, to, *time) : pass_over(k, w.data());

@@ -61,8 +61,7 @@ bool transform(Drawn& d) {
 
 bool name(Drawn& d, const char* of_what) {
   Cursor& c = d.k.cursor;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (!is_name(word))
     return c.fail(ErrorCode::syntax,
                   word.empty() ? fmt::format("the name of {} is missing here", of_what)
@@ -199,12 +198,8 @@ constexpr std::string_view factors[] = {"translate", "rotate", "scale", "matrix"
 
 bool tag(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
-  if (!is_name(word))
-    return c.fail(ErrorCode::syntax,
-                  word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
-                  word.empty() ? std::string_view(c.at, 0) : word);
+  std::string_view word;
+  if (!new_name(c, word, "name")) return false;
   Sheet& sheet = script.sheet;
   for (const Sheet::Version& v : sheet.versions)
     if (!v.passed_over && list_at(s, sheet.list, v.from)->tags.contains(word))
@@ -221,8 +216,7 @@ bool tag(Command& k) {
 // Versions that do not have the tag, or not so many rows behind it, are passed over.
 bool replace(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   Sheet& sheet = script.sheet;
   std::vector<Sheet::Version> versions = sheet.versions;
   long least = 0, most = -1;

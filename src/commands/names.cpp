@@ -15,12 +15,8 @@ namespace {
 
 bool alias(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view name = c.word();
-  if (!is_name(name))
-    return c.fail(ErrorCode::syntax,
-                  name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", name.substr(0, 60)),
-                  name.empty() ? std::string_view(c.at, 0) : name);
+  std::string_view name;
+  if (!new_name(c, name, "name")) return false;
   if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing here");
   std::vector<std::string> elements;
   while (!c.at_line_end()) {
@@ -36,20 +32,14 @@ bool alias(Command& k) {
 
 bool define(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view name = c.word();
-  if (!is_name(name) || name.find('/') != std::string_view::npos)
-    return c.fail(
-        ErrorCode::syntax,
-        name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a function's name", name.substr(0, 60)),
-        name.empty() ? std::string_view(c.at, 0) : name);
+  std::string_view name;
+  if (!new_name(c, name, "function's name", "/")) return false;
   for (const KindRow& row : kinds())
     if (find_function(s, row.kind, name))
       return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
   if (name == "world" || name == "velocity")
     return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
-  c.space();
-  const std::string_view type = c.word();
+  const std::string_view type = c.next_word();
   const TypeRow* row = find_type(type);
   if (!row) {
     const std::vector<std::string_view> words = type_words();

@@ -108,15 +108,13 @@ bool parent_by_name(Command& k, const std::string& name, std::string_view about,
 
 bool create(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
   auto names = expand_braces(word);
   if (!names) return c.fail(names.error().code, names.error().message, word);
   for (const auto& name : *names)
     if (!free_name(k, name, word)) return false;
-  c.space();
-  const std::string_view kind_word = c.word();
+  const std::string_view kind_word = c.next_word();
   Object object;
   ObjectId original;
   if (kind_word == "like") {
@@ -192,8 +190,7 @@ bool rename(Command& k) {
                        "as in rename ball planet");
   const char* start = c.at;
   if (!values(k).object(id) || !own(k, id, c.since(start))) return false;
-  c.space();
-  const std::string_view word = c.word();
+  const std::string_view word = c.next_word();
   const std::string name(word);
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the new name is missing here");
   if (!free_name(k, name, word) || !finish(c)) return false;
@@ -233,6 +230,13 @@ constexpr Verb objects_rows[] = {
 };
 
 }  // namespace
+
+bool new_name(Cursor& c, std::string_view& out, std::string_view kind, std::string_view never) {
+  out = c.next_word();
+  if (out.empty()) return c.fail(ErrorCode::syntax, "a name is missing here", {c.at, 0});
+  return (is_name(out) && out.find_first_of(never) == std::string_view::npos) ||
+         c.fail(ErrorCode::syntax, fmt::format("'{}' cannot be a {}", out.substr(0, 60), kind), out);
+}
 
 bool free_name(Command& k, const std::string& name, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
@@ -316,8 +320,7 @@ bool parameters(Command& k, Object& object) {
 // One or more objects: a name that exists, an alias, or a pattern (which may name none).
 bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  word = c.word();
+  word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");
   out = select(s, word);
   const bool any = !out.empty();

@@ -21,13 +21,8 @@ constexpr int deepest_command = 20;  // commands of the author's that run each o
 
 bool procedure(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view name = c.word();
-  if (!is_name(name) || name.find('/') != std::string_view::npos || name.find('.') != std::string_view::npos)
-    return c.fail(
-        ErrorCode::syntax,
-        name.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a procedure's name", name.substr(0, 60)),
-        name.empty() ? std::string_view(c.at, 0) : name);
+  std::string_view name;
+  if (!new_name(c, name, "procedure's name", "/.")) return false;
   Role role = Role::value;
   for (const Role r : {Role::value, Role::twerper, Role::filter, Role::command})
     if (c.accept_word(role_names[static_cast<std::size_t>(r)])) role = r;

@@ -151,6 +151,14 @@ bool finish(Cursor& c) {
                                                   : fmt::format("'{}' is not expected here", w.substr(0, 40)));
 }
 
+bool on_or_off(Cursor& c, const char* otherwise, bool& out) {
+  const std::string_view w = c.next_word();
+  if (w != "on" && w != "off") return c.fail(ErrorCode::syntax, otherwise, w);
+  if (!finish(c)) return false;
+  out = w == "on";
+  return true;
+}
+
 bool pass_over(Command& k, const char* from) {
   k.cursor.at = logical_line({from, k.cursor.end}).end;
   return true;

@@ -165,8 +165,7 @@ bool rotate(Command& k) {
 bool clear(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
-  c.space();
-  on.word = c.word();
+  on.word = c.next_word();
   if (!targets(k, on.word, on.of) || !c.time(on.segment.from)) return false;
   on.segment.to = on.segment.from;
   if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
@@ -207,8 +206,7 @@ const FunctionSpec& Stretch::spec() const { return of.spec ? *of.spec : built_in
 
 bool on_segment(Command& k, Stretch& on) {
   Cursor& c = k.cursor;
-  c.space();
-  on.word = c.word();
+  on.word = c.next_word();
   return targets(k, on.word, on.of) && c.segment(on.segment.from, on.segment.to);
 }
 

@@ -63,8 +63,7 @@ bool background(Command& k) {
 
 bool policy(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view w = c.word();
+  const std::string_view w = c.next_word();
   const auto at = std::find(policy_names.begin(), policy_names.end(), w);
   if (at == policy_names.end())
     return c.fail(ErrorCode::syntax, "the policy is translate, ignore or ask",

@@ -25,12 +25,7 @@ bool note_command(Command& k) {
 
 bool notes(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view w = c.word();
-  if (w != "on" && w != "off") return c.fail(ErrorCode::syntax, "notes are on or off", w);
-  if (!finish(c)) return false;
-  s.notes_shown = w == "on";
-  return true;
+  return on_or_off(c, "notes are on or off", s.notes_shown);
 }
 
 bool look(Command& k) {

@@ -52,8 +52,7 @@ bool at(Command& k) {
 
 bool set(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view w = c.word();
+  const std::string_view w = c.next_word();
   Selected to;
   if (!targets(k, w, to)) return false;
   if (!to.spec) return pass_over(k, w.data());
@@ -97,8 +96,7 @@ bool set(Command& k) {
 
 bool global_twerper(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view w = c.word();
+  const std::string_view w = c.next_word();
   Selected to;
   if (!targets(k, w, to)) return false;
   if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
@@ -111,8 +109,7 @@ bool global_twerper(Command& k) {
     if (key != "in") return finish(c);
     c.word();
     if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing behind in");
-    c.space();
-    const std::string_view how = c.word();
+    const std::string_view how = c.next_word();
     if (how != "light" && how != "srgb") return c.fail(ErrorCode::syntax, "colours blend in=light or in=srgb", how);
     if (!row_of(to.type()).light)
       return c.fail(ErrorCode::type,
@@ -131,12 +128,10 @@ bool global_twerper(Command& k) {
 
 bool extend(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  c.space();
-  const std::string_view w = c.word();
+  const std::string_view w = c.next_word();
   Selected to;
   if (!targets(k, w, to)) return false;
-  c.space();
-  const std::string_view how = c.word();
+  const std::string_view how = c.next_word();
   const auto at = std::find(extrapolation_names.begin(), extrapolation_names.end(), how);
   if (at == extrapolation_names.end())
     return c.fail(ErrorCode::syntax,

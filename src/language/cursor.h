@@ -42,6 +42,7 @@ class Cursor {
   char peek() const { return at < end ? *at : '\n'; }
   // A run of characters that belong together: names, patterns, targets, verbs. Braces hold commas together.
   std::string_view word();
+  std::string_view next_word() { return space(), word(); }
   std::string_view since(const char* start) const { return {start, static_cast<std::size_t>(at - start)}; }
   std::string_view peek_word();
   bool accept_word(std::string_view w);  // takes the word if it is next

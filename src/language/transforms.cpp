@@ -126,8 +126,7 @@ bool ValueReader::transform(Mat4& out) {
     if (count > 0 && c.accept('*')) c.space();
     FactorReader factor{*this, c.peek_word(), {}, false, {}};
     if (std::find(std::begin(factors), std::end(factors), factor.word) == std::end(factors)) break;
-    c.space();
-    c.word();
+    c.next_word();
     if (!factor.read()) return false;
     product = product * (factor.centred ? about(factor.matrix, factor.centre) : factor.matrix);
   }

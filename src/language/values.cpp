@@ -281,8 +281,7 @@ bool ValueReader::points(Points& out) {
 }
 
 bool ValueReader::object(ObjectId& out) {
-  c.space();
-  const std::string_view w = c.word();
+  const std::string_view w = c.next_word();
   if (w.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");
   out = scene.names.find(w);
   if (out) return true;
