@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The parts of compiling: tracks and constants (compile.cpp), what is worked out by question and answer
-// (compile_lives.cpp), and what is where (compile_nodes.cpp).
+// (compile_lives.cpp), what is where (compile_nodes.cpp), what is drawn and when it changes (compile_schedule.cpp).
 #pragma once
 
 #include "program/compiled.h"
@@ -15,6 +15,8 @@ Binding bind_track(Program::Compiled&, const Slot&);
 Binding bind_live(Program::Compiled&, std::uint32_t object, FunctionId);
 // Nodes, the environments and the parents that they have; all bindings are made.
 void compile_nodes(Program::Compiled&);
+// What is drawn and when what changes; nodes, attachments and motions are known, but not yet what they keep.
+void compile_schedule(Program::Compiled&);
 
 inline bool scripted(const Value& v) { return std::holds_alternative<Procedure>(v); }
 bool scripted(const Track&);

@@ -15,14 +15,6 @@ struct NodeCompiler {
   Program::Compiled& compiled;
   const Scene& scene = compiled.document.scene();
 
-  bool shape_varies(std::uint32_t object) const {
-    for (auto i = compiled.first_binding[object]; i < compiled.first_binding[object + 1]; ++i) {
-      const Binding& b = compiled.bindings[i];
-      if (b.varies() && spec_of(scene, b.function).shape) return true;
-    }
-    return false;
-  }
-
   // The environments that a function of the object's names, from the event on that names them.
   std::int32_t siting(const Object& o, FunctionId f) {
     Siting made;
@@ -60,10 +52,6 @@ struct NodeCompiler {
     n.around = siting(o, fn::environments), n.drive = siting(o, fn::drive);
     n.transform = o.find(fn::transform) != nullptr;
     compiled.sited = compiled.sited || n.around >= 0;
-    if (drawable(o.kind) && !shape_varies(object)) {
-      Asking asking;
-      n.shape = std::make_shared<const Shape>(compiled.shape(object, {}, compiled.rest.data(), asking));
-    }
     compiled.node_of[object] = static_cast<std::uint32_t>(compiled.nodes.size());
     compiled.nodes.push_back(std::move(n));
   }
@@ -75,6 +63,15 @@ struct NodeCompiler {
     constexpr std::size_t many = 1024;  // below, setting them up costs more than it saves
     if (members.size() >= many && !scene.smooth_ticks) compiled.many.emplace(std::move(members));
     spans();
+  }
+
+  // Whether it is one body with what it hangs on: with a thing that is drawn, or with the whole that it is named as a
+  // part of (car/wheel on car).
+  bool one_body(std::uint32_t node, std::uint32_t parent) const {
+    const std::string &name = scene.objects[compiled.nodes[node].object].name,
+                      &whole = scene.objects[compiled.nodes[parent].object].name;
+    return drawable(compiled.nodes[parent].kind) ||
+           (name.size() > whole.size() && name[whole.size()] == '/' && name.starts_with(whole));
   }
 
   // Attachments in the order of time, over all objects: one that would close a circle with those in force then is left
@@ -115,6 +112,7 @@ struct NodeCompiler {
           continue;
         }
         leads[static_cast<std::size_t>(span.parent)] = true;
+        span.one_body = one_body(h.node, static_cast<std::uint32_t>(span.parent));
       }
       above[h.node] = span.parent;
       if (h.what.kind == AttachmentKind::letgo || (h.takes && h.what.keep_world)) {
@@ -136,7 +134,9 @@ struct NodeCompiler {
       ++n.spans;
       compiled.spans.push_back(span);
     }
-    compile_motions(compiled, in_time);
+    compile_motions(compiled);
+    compile_schedule(compiled);
+    settle(compiled, in_time);
   }
 };
 

@@ -19,6 +19,8 @@
 
 namespace betwixt {
 
+class Evaluator;
+
 // Where the value of one display function of one object comes from.
 struct Binding {
   FunctionId function = 0;
@@ -133,6 +135,7 @@ struct CompiledSpan {
   AttachmentKind kind = AttachmentKind::detach;
   std::int32_t parent = -1;  // a node
   std::int32_t frozen = -1;  // what a letgo or keep-world keeps
+  bool one_body = false;     // with the parent
 };
 struct Frozen {
   std::uint32_t node = 0;
@@ -170,8 +173,48 @@ struct Node {
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0, attach = 0, display = 0, color = 0;  // offsets
   std::int32_t around = -1, drive = -1;                                                                // sitings
   std::int32_t moving = -1;                                                                            // motions
+  std::int32_t drawable = -1;                                                                          // drawables
   bool transform = false;                                                                              // it has one
-  std::shared_ptr<const Shape> shape;  // where nothing of it varies
+};
+
+// What is drawn, or may be.
+struct Drawable {
+  std::uint32_t node = 0;
+  std::uint32_t transparency = 0, shininess = 0;  // offsets
+  const Binding *material = nullptr, *texture = nullptr, *geometry = nullptr;
+  std::uint32_t shape = 0;  // a number of Compiled::shapes; one beyond them where it varies
+};
+
+// What of an object depends on a value.
+namespace affects {
+enum : std::uint8_t { place = 1, look = 2, form = 4, aim = 8, other = 16, all = 31 };
+}
+
+// When what changes: from one time to another only those sources need be asked that go on changing at the first, or
+// begin to on the way.
+struct Schedule {
+  struct Source {
+    enum What : std::uint8_t { curve, steps, attachment, motion, siting } what = curve;
+    std::uint8_t affects = 0;
+    std::uint32_t index = 0;  // of curves, steps, movings, sitings
+    std::uint32_t node = 0;
+    std::uint32_t first_activity = 0, activities = 0;
+  };
+  struct LiveSource {
+    const Binding* binding = nullptr;
+    std::uint8_t affects = 0;
+    std::uint32_t node = 0;
+    bool solid = false;  // what touches what may depend on it
+  };
+  struct Edge {
+    std::int64_t time = 0;
+    std::uint32_t source = 0;
+  };
+  std::vector<Source> sources;
+  std::vector<Activity> activities;                             // by source, then time
+  std::vector<Edge> begins, ends;                    // of all activities, by time
+  std::vector<LiveSource> lives;                     // nobody knows when they change
+  bool active(const Source&, std::int64_t t) const;  // it goes on changing behind t
 };
 
 // The environments that something is in, the outermost first, and since when. Which generation of a name that is was
@@ -190,7 +233,8 @@ struct Siting {
 };
 
 struct Program::Compiled {
-  explicit Compiled(Document d) : document(std::move(d)) {}
+  explicit Compiled(Document d);
+  ~Compiled();
 
   Document document;
   CurveSet set;
@@ -205,6 +249,13 @@ struct Program::Compiled {
   std::vector<Live> lives;
   std::vector<Reign> reigns;
   std::vector<Node> nodes;
+  std::vector<Drawable> drawables;                  // by object
+  std::vector<std::shared_ptr<const Shape>> shapes;  // those that do not vary, each once
+  std::vector<std::shared_ptr<const Picture>> textures;
+  std::vector<std::uint32_t> lights, eyes;  // nodes; eyes: cameras that look at something
+  std::vector<std::uint32_t> borrowers;     // drawables that may look like others
+  std::optional<std::uint32_t> first_camera;  // an object
+  Schedule schedule;
   std::vector<CompiledSpan> spans;   // by node, then time
   mutable std::vector<Frozen> frozen;  // all done when compiling ends
   std::vector<std::shared_ptr<const Environment>> environments;
@@ -219,9 +270,7 @@ struct Program::Compiled {
 
   const Binding& find(std::uint32_t object, FunctionId f) const;
 
-  // Evaluation. `numbers` is the array for the time.
-  // `for_contacts`: of what is worked out, only what says where things are and how large.
-  std::vector<double> at(Time t, Asking&, bool for_contacts = false) const;
+  // Evaluation of one value, or of one object; of all there is: evaluator.h. `numbers` is the array for the time.
   void evaluate(const CurveUse& use, Time t, double* out) const;
   // One binding alone: its numbers only.
   void evaluate(const Binding& b, Time t, Asking&, double* out) const;
@@ -234,14 +283,13 @@ struct Program::Compiled {
   void say(const TwerperFailures&, Asking&) const;
 
   const CompiledSpan* span(const Node& n, Time t) const;  // null: it never hangs on anything
-  // `around`: the environments of each; stays empty where nothing is in any.
-  std::vector<Placed> placements(Time t, const double* numbers, Asking&, std::vector<Mat4>& around) const;
   Mat4 product(std::int32_t siting, Time t) const;  // of its environments
   Mat4 matrix(const Site&, Time t) const;           // A
-  std::optional<Mat4> driven(const Node&, Time t, Asking&) const;
+  // `drive`: the product of the environments that drive it, where that is known.
+  std::optional<Mat4> driven(const Node&, Time t, Asking&, const Mat4* drive = nullptr) const;
   std::optional<Mat4> moved(const Node&, Time t) const;
-  std::vector<Mat4> worlds(Time t, const double* numbers, Asking&) const;
   Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
+  // The numbers for the time; null: they are worked out.
   // A function's value as a shape takes it; points on their way are between two of the author's.
   Value shape_part(const Binding& b, Time t, const double* numbers, Asking&) const;
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;
@@ -255,18 +303,17 @@ struct Program::Compiled {
   // What contacts are worked out from: items without their looks, and the camera, if the film has one.
   Frame solids(Time t, Asking&) const;
   std::shared_ptr<const Contacts> contacts(Time t, Asking&) const;
-  void add_solids(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
-  std::vector<std::uint32_t> bodies(Time t) const;       // by node, nodes
   std::optional<std::uint32_t> camera_at(Time t) const;  // the object looked through; none: the film has none
-  void add_items(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
-  void add_lights(Frame&, const double* numbers, const std::vector<Mat4>& worlds, Asking&) const;
-  Camera camera(Time t, const double* numbers, const std::vector<Mat4>& worlds) const;
 
   Extent stage() const;
   // The camera of documents that have none: sees all that is ever seen, from in front and a little above.
   const Camera& own_camera() const;
   mutable std::once_flag own_camera_once;
   mutable Camera own_camera_made;
+
+  // Evaluators at rest, for whoever asks for whole frames.
+  mutable std::mutex idle_in_use;
+  mutable std::vector<std::unique_ptr<Evaluator>> idle;
 };
 
 // The numbers that the array holds for a value: colours are linear light, angles orientations where `orientation`. And
@@ -277,9 +324,10 @@ Value written_value(Type, const double* numbers, bool orientation);
 Result<Value> fit(const Value&, Type, const Scene&);
 Vec3 to_angles(Quat);
 
-// The motions of all nodes, whose attachments are known.
-// `frozen`: by time, those that are let go or kept; they are worked out on the way.
-void compile_motions(Program::Compiled&, const std::vector<std::int32_t>& frozen);
+// The motions of all nodes. Their centres, and what attachments keep, are not known before settle().
+void compile_motions(Program::Compiled&);
+// `frozen`: by time, those that are let go or kept.
+void settle(Program::Compiled&, const std::vector<std::int32_t>& frozen);
 
 inline Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
 

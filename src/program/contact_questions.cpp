@@ -5,55 +5,18 @@
 // is worked out, so a colour may ask what touches: only what moves things cannot, and is cut like any circle.
 #include <algorithm>
 
-#include "program/compiled.h"
+#include "program/evaluator.h"
 
 namespace betwixt {
-namespace {
-
-// Whether the whole that is named is the holder's: car/wheel on car.
-bool part_of(const std::string& name, const std::string& whole) {
-  return name.size() > whole.size() && name[whole.size()] == '/' && name.starts_with(whole);
-}
-
-}  // namespace
-
-std::vector<std::uint32_t> Program::Compiled::bodies(Time t) const {
-  constexpr std::uint32_t unknown = 0xffffffff;
-  std::vector<std::uint32_t> body(nodes.size(), unknown), chain;
-  const auto holder = [&](std::uint32_t i) -> std::uint32_t {  // itself: nothing that it is one with holds it
-    const CompiledSpan* h = span(nodes[i], t);
-    if (!h || h->kind < AttachmentKind::hang) return i;
-    const auto parent = static_cast<std::uint32_t>(h->parent);
-    const auto name = [&](std::uint32_t node) -> const std::string& {
-      return document.scene().objects[nodes[node].object].name;
-    };
-    return drawable(nodes[parent].kind) || part_of(name(i), name(parent)) ? parent : i;
-  };
-  for (std::uint32_t start = 0; start < nodes.size(); ++start) {
-    std::uint32_t i = start;
-    while (body[i] == unknown) {
-      const std::uint32_t above = holder(i);
-      if (above == i) {
-        body[i] = i;
-      } else {
-        chain.push_back(i);
-        i = above;
-      }
-    }
-    for (; !chain.empty(); chain.pop_back()) body[chain.back()] = body[i];
-  }
-  return body;
-}
-
 Frame Program::Compiled::solids(Time t, Asking& asking) const {
   Frame f;
   f.time = t;
   for (const Node& n : nodes)  // while attachments are still being worked out
     if (const CompiledSpan* h = span(n, t); h && h->frozen >= 0) thaw(h->frozen, asking);
-  const auto numbers = at(t, asking, true);
-  const auto w = worlds(t, numbers.data(), asking);
-  add_solids(f, numbers.data(), w, asking);
-  if (camera_at(t)) f.camera = camera(t, numbers.data(), w);
+  Evaluator all(*this);
+  all.to(t, asking, true);
+  all.add_items(f);
+  if (camera_at(t)) f.camera = all.camera();
   return f;
 }
 

@@ -83,24 +83,30 @@ Moving moving(CurveSet& set, const Track& track) {
 
 }  // namespace
 
-void compile_motions(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen) {
+void compile_motions(Program::Compiled& compiled) {
+  const Scene& scene = compiled.document.scene();
+  for (Node& n : compiled.nodes) {
+    const Slot* slot = scene.objects[n.object].find(fn::motion);
+    if (!slot || slot->track->events.empty()) continue;
+    Moving made = moving(compiled.set, *slot->track);
+    if (made.pieces.empty()) continue;
+    n.moving = static_cast<std::int32_t>(compiled.movings.size());
+    compiled.movings.push_back(std::move(made));
+  }
+}
+
+void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen) {
   struct Start {
     Time time;
     std::uint32_t node;
     std::size_t piece;
   };
   std::vector<Start> starts;
-  const Scene& scene = compiled.document.scene();
-  for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
-    Node& n = compiled.nodes[i];
-    const Slot* slot = scene.objects[n.object].find(fn::motion);
-    if (!slot || slot->track->events.empty()) continue;
-    Moving made = moving(compiled.set, *slot->track);
-    if (made.pieces.empty()) continue;
-    for (std::size_t k = 0; k < made.pieces.size(); ++k) starts.push_back({made.pieces[k].from, i, k});
-    n.moving = static_cast<std::int32_t>(compiled.movings.size());
-    compiled.movings.push_back(std::move(made));
-  }
+  for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i)
+    if (const std::int32_t m = compiled.nodes[i].moving; m >= 0) {
+      const auto& pieces = compiled.movings[static_cast<std::size_t>(m)].pieces;
+      for (std::size_t k = 0; k < pieces.size(); ++k) starts.push_back({pieces[k].from, i, k});
+    }
   std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
   // In the order of time: where things are when a motion begins takes the motions before it and what was let go; of the
   // motions that begin with it nothing has been done yet.

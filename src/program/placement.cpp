@@ -5,18 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/compiled.h"
+#include "program/evaluator.h"
+#include "program/placing.h"
 
 namespace betwixt {
 namespace {
-
-// What the tracks of one object say about its place.
-struct Said {
-  Quat turn;
-  Vec3 scale, pivot, position, attach;
-  std::optional<Mat4> own;     // what moves it in its own space first
-  std::optional<Mat4> motion;  // and what moves it where its position is
-};
 
 // The turning part of a matrix that turns and scales.
 Quat turn_of(const Mat4& m) {
@@ -39,26 +32,25 @@ Mat4 local(const Said& said) {
   return said.motion ? *said.motion * m : m;
 }
 
-Mat4 linear_part(Mat4 m) {
-  m(0, 3) = m(1, 3) = m(2, 3) = 0;
-  return m;
-}
-
 Mat4 held_turn(AttachmentKind kind, const Placed& parent) {
   return kind == AttachmentKind::couple   ? linear_part(parent.world)
          : kind == AttachmentKind::attach ? rotation(parent.turn)
                                           : Mat4{};
 }
 
-// R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.
-Placed hang(const Said& said, const CompiledSpan* span, const Frozen* frozen, const Placed* parent) {
-  Mat4 m = local(said);
+}  // namespace
+
+Placed own_place(const Said& said) {
   Quat turn = said.own ? said.turn * turn_of(*said.own) : said.turn;
   if (said.motion) turn = turn_of(*said.motion) * turn;
+  return {local(said), turn};
+}
+
+Placed hang(const Placed& own, Vec3 attach, const CompiledSpan* span, const Frozen* frozen, const Placed* parent) {
   if (!span || span->kind == AttachmentKind::detach || (span->kind == AttachmentKind::letgo && !frozen->held))
-    return {m, turn};
-  Vec3 attach = said.attach;
-  if (frozen) m = frozen->before * m, turn = frozen->before_turn * turn;
+    return own;
+  Placed p = own;
+  if (frozen) p.world = frozen->before * p.world, p.turn = frozen->before_turn * p.turn;
   Mat4 turn3, above;
   Quat above_turn;
   if (span->kind == AttachmentKind::letgo) {
@@ -67,10 +59,11 @@ Placed hang(const Said& said, const CompiledSpan* span, const Frozen* frozen, co
     turn3 = held_turn(span->kind, *parent), above = parent->world;
     if (span->kind != AttachmentKind::hang) above_turn = parent->turn;
   }
-  const Vec3 place = transform_point(above, translation_of(m) + attach);
-  Mat4 world = turn3 * linear_part(m);
-  world(0, 3) = place.x, world(1, 3) = place.y, world(2, 3) = place.z;
-  return {world, above_turn * turn};
+  const Vec3 place = transform_point(above, translation_of(p.world) + attach);
+  p.world = turn3 * linear_part(p.world);
+  p.world(0, 3) = place.x, p.world(1, 3) = place.y, p.world(2, 3) = place.z;
+  p.turn = above_turn * p.turn;
+  return p;
 }
 
 Said said_by(const Node& n, const double* numbers) {
@@ -83,6 +76,8 @@ Said said_by(const Node& n, const double* numbers) {
           {},
           {}};
 }
+
+namespace {
 
 // The same of one node alone.
 Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& asking) {
@@ -138,7 +133,7 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
       f.attach = said.attach;
     }
   } else {
-    Placed was = hang(said, before, kept, &old_parent);
+    Placed was = hang(own_place(said), said.attach, before, kept, &old_parent);
     const Sited parent = placement(static_cast<std::uint32_t>(now.parent), t, asking);
     if (sited) {  // from the environments that enclosed it to those that will
       const Mat4 own = product(n.around, t), old = kept && kept->held ? kept->around : old_parent.around;
@@ -185,82 +180,13 @@ Mat4 Program::Compiled::product(std::int32_t siting, Time t) const {
 }
 
 // What moves it in its own space: its transform, then the environments that drive it.
-std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& asking) const {
+std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& asking, const Mat4* drive) const {
   if (!n.transform && n.drive < 0) return std::nullopt;
-  Mat4 m = product(n.drive, t);
+  Mat4 m = drive ? *drive : product(n.drive, t);
   if (n.transform)
     if (const Value v = value(find(n.object, fn::transform), t, asking); const auto* own = std::get_if<Matrix>(&v))
       m = m * **own;
   return m;
-}
-
-// Where all nodes are. For each one up to the root and, unwinding, down again; nothing is worked out twice (G85, G86).
-// A camera that looks at something turns with it, and so does what hangs on the camera: cameras take their turn in this
-// order, each seeing the ones before it already turned.
-std::vector<Placed> Program::Compiled::placements(Time t, const double* numbers, Asking& asking,
-                                                  std::vector<Mat4>& around) const {
-  constexpr std::int32_t unknown = -2;
-  std::vector<Placed> w(nodes.size());
-  std::vector<std::int32_t> above(nodes.size(), unknown);
-  std::vector<std::uint32_t> order, chain;
-  order.reserve(nodes.size());
-  around.clear();
-  if (sited) around.resize(nodes.size());
-  const auto put = [&](std::uint32_t i) {
-    const CompiledSpan* h = span(nodes[i], t);
-    const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
-    Said said = said_by(nodes[i], numbers);
-    said.own = driven(nodes[i], t, asking), said.motion = moved(nodes[i], t);
-    w[i] = hang(said, h, f, above[i] >= 0 ? &w[static_cast<std::size_t>(above[i])] : nullptr);
-    if (!sited) return;
-    const Mat4* outer = above[i] >= 0  ? &around[static_cast<std::size_t>(above[i])]
-                        : f && f->held ? &f->around
-                                       : nullptr;
-    around[i] = product(nodes[i].around, t);
-    if (outer) around[i] = *outer * around[i];
-  };
-  const auto in_world = [&](std::uint32_t i) { return sited ? around[i] * w[i].world : w[i].world; };
-  for (std::uint32_t start = 0; start < nodes.size(); ++start) {
-    for (std::int32_t i = static_cast<std::int32_t>(start); i >= 0 && above[static_cast<std::size_t>(i)] == unknown;) {
-      const auto at = static_cast<std::uint32_t>(i);
-      const CompiledSpan* h = span(nodes[at], t);
-      chain.push_back(at);
-      i = above[at] = h && h->kind >= AttachmentKind::hang ? h->parent : -1;
-    }
-    for (; !chain.empty(); chain.pop_back()) {
-      put(chain.back());
-      order.push_back(chain.back());
-    }
-  }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t eye = order[i];
-    if (nodes[eye].kind != Kind::camera) continue;
-    const auto target = aim(
-        nodes[eye].object, t, numbers, [&](std::uint32_t node) { return translation_of(in_world(node)); }, asking);
-    const Vec3 place = translation_of(in_world(eye));
-    if (!target || *target == place) continue;
-    w[eye].world = look_at(place, *target);
-    w[eye].turn = from_matrix(w[eye].world);
-    if (sited)  // it stands upright in the world, whatever encloses it
-      if (const auto back = inverse(around[eye])) w[eye].world = *back * w[eye].world;
-    std::vector<bool> below(nodes.size());
-    below[eye] = true;
-    for (std::size_t k = i + 1; k < order.size(); ++k) {
-      const std::int32_t p = above[order[k]];
-      if (p < 0 || !below[static_cast<std::size_t>(p)]) continue;
-      below[order[k]] = true;
-      put(order[k]);
-    }
-  }
-  return w;
-}
-
-std::vector<Mat4> Program::Compiled::worlds(Time t, const double* numbers, Asking& asking) const {
-  std::vector<Mat4> around;
-  const auto all = placements(t, numbers, asking, around);
-  std::vector<Mat4> w(all.size());
-  for (std::size_t i = 0; i < w.size(); ++i) w[i] = sited ? around[i] * all[i].world : all[i].world;
-  return w;
 }
 
 Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) const {
@@ -270,10 +196,9 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
     chain.push_back(static_cast<std::uint32_t>(i));
     if (n.kind == Kind::camera &&
         &find(n.object, fn::look_at) != &defaults[fn::look_at]) {  // it turns with what it looks at
-      std::vector<Mat4> around;
-      Sited found{placements(t, at(t, asking).data(), asking, around)[node], {}};
-      if (sited) found.around = around[node];
-      return found;
+      Evaluator all(*this);
+      all.to(t, asking);
+      return {all.placed(node), all.around(node)};
     }
     const CompiledSpan* h = span(n, t);
     i = h && h->kind >= AttachmentKind::hang ? h->parent : -1;
@@ -287,7 +212,7 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
     const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     const bool held = h && h->kind >= AttachmentKind::hang;
     if (!held) placed.around = f && f->held ? f->around : Mat4{};
-    static_cast<Placed&>(placed) = hang(said, h, f, &placed);
+    static_cast<Placed&>(placed) = hang(own_place(said), said.attach, h, f, &placed);
     if (n.around >= 0) placed.around = placed.around * product(n.around, t);
   }
   return placed;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 #include "betwixt/pose.h"
-#include "program/compiled.h"
+#include "program/evaluator.h"
 
 namespace betwixt {
 namespace {
@@ -37,11 +37,12 @@ Pose pose(const Program& program, ObjectId id, Time t) {
 std::vector<Pose> poses(const Program& program, Time t) {
   const Program::Compiled& compiled = program.compiled();
   Asking asking;
-  const std::vector<Mat4> worlds = compiled.worlds(t, compiled.at(t, asking).data(), asking);
+  Evaluator all(compiled);
+  all.to(t, asking);
   std::vector<Pose> out;
   out.reserve(compiled.node_of.size());
   for (std::uint32_t i = 0; i < compiled.node_of.size(); ++i)
-    out.push_back(pose_of(compiled, i, t, [&](std::uint32_t node) { return worlds[node]; }));
+    out.push_back(pose_of(compiled, i, t, [&](std::uint32_t node) { return all.world(node); }));
   return out;
 }
 

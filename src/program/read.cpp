@@ -4,7 +4,7 @@
 // Values read back, one or many at a time.
 #include <algorithm>
 
-#include "program/compiled.h"
+#include "program/evaluator.h"
 
 namespace betwixt {
 namespace {
@@ -67,13 +67,13 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
     if (type == Type::aim && b.steps >= 0) {
       const Between w = between(b, t);
       if (w.a != w.b) {
-        const auto all = at(t, asking);
-        const auto w = worlds(t, all.data(), asking);
-        const auto place = [&](std::uint32_t node) { return translation_of(w[node]); };
-        if (const auto p = aim(object, t, all.data(), place, asking)) return part(*p, target.component);
+        Evaluator all(*this);
+        all.to(t, asking);
+        const auto place = [&](std::uint32_t node) { return translation_of(all.world(node)); };
+        if (const auto p = aim(object, t, all.numbers(), place, asking)) return part(*p, target.component);
       }
     }
-    if (type == Type::points && b.steps >= 0) return shape(object, t, at(t, asking).data(), asking).points;
+    if (type == Type::points && b.steps >= 0) return std::get<Points>(shape_part(b, t, rest.data(), asking));
     return part(value(b, t, asking), target.component);
   }
   double n[4];
@@ -91,15 +91,15 @@ std::vector<Value> Program::read(const std::vector<Target>& targets, Time t, std
   const TwerperFailures failed;
   std::vector<Value> out;
   out.reserve(targets.size());
-  std::vector<Mat4> worlds;  // many worlds are cheaper all at once
+  std::optional<Evaluator> all;  // many worlds are cheaper at once
   const auto wants_world = [&](const Target& x) {
     return x.query() == Query::world && !code_->document.scene().objects[x.object.index].environment;
   };
   if (std::count_if(targets.begin(), targets.end(), wants_world) > 4)
-    worlds = code_->worlds(t, code_->at(t, asking).data(), asking);
+    all.emplace(*code_).to(t, asking);
   for (const Target& target : targets)
-    out.push_back(wants_world(target) && !worlds.empty()
-                      ? place_in(worlds[code_->node_of[target.object.index]], target.component)
+    out.push_back(wants_world(target) && all
+                      ? place_in(all->world(code_->node_of[target.object.index]), target.component)
                       : code_->read(target, t, asking));
   code_->say(failed, asking);
   if (problems) *problems = std::move(asking.problems);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "track/curve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -247,6 +248,42 @@ void CurveSet::evaluate(const Curve& c, Time time, double* out) const {
   find(c, time.flicks, out);
   if (c.srgb)
     for (int i = 0; i < c.channels; ++i) out[i] = to_linear(out[i]);
+}
+
+void add_activity(std::vector<Activity>& out, std::size_t first, Activity run) {
+  if (out.size() > first && out.back().until >= run.from)
+    out.back().until = std::max(out.back().until, run.until);
+  else
+    out.push_back(run);
+}
+
+// Whether a segment has the same numbers from its first moment to its last but one.
+bool CurveSet::still(const Curve& c, std::uint32_t k) const {
+  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  if (twerper == Twerper::hold) return true;
+  if (is_own(twerper) || c.orientation || row_of(twerper).numbers != nullptr) return false;
+  const CurveDetail* next = detail(c.first + k + 1);
+  const double* from = &values_[c.values + k * c.channels];
+  return std::equal(from, from + c.channels, next && next->cut ? next->before.data() : from + c.channels);
+}
+
+void CurveSet::activities(const Curve& c, std::vector<Activity>& out) const {
+  const std::size_t first = out.size();
+  const std::int64_t* time = &times_[c.first];
+  const auto cut = [&](std::uint32_t k) {
+    const CurveDetail* d = detail(c.first + k);
+    return d && d->cut;
+  };
+  const bool goes_on = c.count > 1;
+  if (goes_on && c.before != Extrapolation::hold) add_activity(out, first, {INT64_MIN, time[0]});
+  if (cut(0)) add_activity(out, first, {time[0], time[0]});
+  for (std::uint32_t k = 0; k + 1 < c.count; ++k) {
+    if (!still(c, k))
+      add_activity(out, first, {time[k], time[k + 1]});
+    else if (static_cast<Twerper>(twerpers_[c.first + k]) == Twerper::hold || cut(k + 1))
+      add_activity(out, first, {time[k + 1], time[k + 1]});
+  }
+  if (goes_on && c.after != Extrapolation::hold) add_activity(out, first, {time[c.count - 1], INT64_MAX});
 }
 
 std::size_t CurveSet::bytes() const {

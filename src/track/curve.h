@@ -33,6 +33,13 @@ struct Curve {
   Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
 };
 
+// A time in which a value goes on changing; an instant where it jumps. Outside all of its activities it stays as it is.
+struct Activity {
+  std::int64_t from = 0, until = 0;
+};
+// Adds one behind the others; those that meet become one. `first`: where those of the same value begin.
+void add_activity(std::vector<Activity>&, std::size_t first, Activity);
+
 // Hears, on this thread and while it stands, which twerpers of the author's give no number: the place of each among
 // CurveSet::own, and why.
 class TwerperFailures {
@@ -59,6 +66,8 @@ class CurveSet {
   // Its right-hand rate of change there, per second, of the numbers evaluate() gives; an orientation's is its angular
   // velocity (three numbers, in the axes it is turned in). Exact for polynomials up to the fourth degree.
   void derivative(const Curve& curve, Time t, double* out) const;
+  // When it changes, in the order of time.
+  void activities(const Curve& curve, std::vector<Activity>& out) const;
   std::size_t bytes() const;
   std::pair<Time, Time> span(const Curve& c) const {  // of its events
     return {{times_[c.first]}, {times_[c.first + c.count - 1]}};
@@ -75,6 +84,7 @@ class CurveSet {
 
  private:
   const CurveDetail* detail(std::uint32_t event) const;
+  bool still(const Curve& c, std::uint32_t k) const;
   void segment(const Curve& c, std::uint32_t k, double since, double* out) const;
   void beyond(const Curve& c, bool after, double past, double* out) const;
   void find(const Curve& c, std::int64_t t, double* out) const;
@@ -107,6 +117,7 @@ class StepTrack {
   std::span<const Value> values() const { return values_; }
   // As Program::next_change.
   std::optional<Time> next_change(Time t) const;
+  void activities(std::vector<Activity>& out) const;  // as a curve's
 
  private:
   struct Key {

@@ -48,4 +48,15 @@ std::optional<Time> StepTrack::next_change(Time t) const {
   return blends ? t : next->time;
 }
 
+void StepTrack::activities(std::vector<Activity>& out) const {
+  const std::size_t first = out.size();
+  if (keys_.size() > 1 && before_ >= Extrapolation::cycle) add_activity(out, first, {INT64_MIN, keys_[0].time.flicks});
+  for (std::size_t k = 0; k < keys_.size(); ++k) {
+    const std::int64_t from = keys_[k].time.flicks;
+    const bool blends = k + 1 < keys_.size() && static_cast<Twerper>(keys_[k].twerper) != Twerper::hold;
+    add_activity(out, first, {from, blends ? keys_[k + 1].time.flicks : from});
+  }
+  if (keys_.size() > 1 && after_ >= Extrapolation::cycle) add_activity(out, first, {keys_.back().time.flicks, INT64_MAX});
+}
+
 }  // namespace betwixt

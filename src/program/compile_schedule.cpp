@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is drawn, in columns, words made numbers; and when each thing that changes does so.
+#include <algorithm>
+#include <unordered_map>
+
+#include "program/compile.h"
+
+namespace betwixt {
+namespace {
+
+using Compiled = Program::Compiled;
+
+std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
+  if (spec.shape || f == fn::geometry) return affects::form;
+  switch (f) {
+    case fn::color:
+      return affects::look | affects::other;  // a light's too
+    case fn::transparency:
+    case fn::shininess:
+    case fn::material:
+    case fn::texture:
+    case fn::display:
+      return affects::look;
+    case fn::look_at:
+      return affects::aim;
+    case fn::scale:
+      return affects::place | affects::other;  // how far a light reaches
+    case fn::range:
+    case fn::intensity:
+    case fn::shines:
+    case fn::lens:
+    case fn::fov:
+    case fn::camera_height:
+      return affects::other;
+    default:
+      return spec.place ? affects::place : 0;
+  }
+}
+
+std::size_t hash_of(const Shape& s) {
+  std::size_t h = static_cast<std::size_t>(s.kind);
+  for (const double x : {s.size.x, s.size.y, s.size.z, s.radius, s.height, s.tube, s.width, s.depth})
+    h = h * 0x9e3779b97f4a7c15u + std::hash<double>{}(x);
+  h = h * 31 + std::hash<std::string>{}(*s.text);
+  return h * 31 + s.points->size() + std::hash<const void*>{}(s.mesh.get());
+}
+
+struct ScheduleCompiler {
+  Compiled& compiled;
+  const Scene& scene = compiled.document.scene();
+  Schedule& schedule = compiled.schedule;
+
+  template <class Activities>
+  void add(Schedule::Source source, Activities&& activities) {
+    source.first_activity = static_cast<std::uint32_t>(schedule.activities.size());
+    activities(schedule.activities);
+    source.activities = static_cast<std::uint32_t>(schedule.activities.size()) - source.first_activity;
+    if (source.activities > 0) schedule.sources.push_back(source);
+  }
+
+  void bindings(std::uint32_t object) {
+    const std::uint32_t node = compiled.node_of[object];
+    for (auto i = compiled.first_binding[object]; i < compiled.first_binding[object + 1]; ++i) {
+      const Binding& b = compiled.bindings[i];
+      const FunctionSpec& spec = spec_of(scene, b.function);
+      const std::uint8_t effect = effect_of(spec, b.function);
+      if (b.live >= 0) {
+        schedule.lives.push_back({&b, effect, node, spec.matters_to_contacts()});
+        continue;
+      }
+      if (effect == 0) continue;
+      for (std::uint32_t k = 0; k < b.curves; ++k)
+        add({Schedule::Source::curve, effect, b.first_curve + k, node}, [&](std::vector<Activity>& out) {
+          compiled.set.activities(compiled.curves[b.first_curve + k].curve, out);
+        });
+      if (b.steps >= 0)
+        add({Schedule::Source::steps, effect, static_cast<std::uint32_t>(b.steps), node}, [&](std::vector<Activity>& out) {
+          compiled.steps[static_cast<std::size_t>(b.steps)].activities(out);
+        });
+    }
+  }
+
+  bool form_varies(std::uint32_t object) const {
+    for (auto i = compiled.first_binding[object]; i < compiled.first_binding[object + 1]; ++i)
+      if (const Binding& b = compiled.bindings[i]; b.varies() && spec_of(scene, b.function).shape) return true;
+    return false;
+  }
+
+  // The shape's number: equal ones have one number.
+  std::uint32_t shape_number(std::uint32_t object) {
+    Asking asking;
+    auto shape = std::make_shared<const Shape>(compiled.shape(object, {}, compiled.rest.data(), asking));
+    const auto [first, last] = shape_index.equal_range(hash_of(*shape));
+    for (auto at = first; at != last; ++at)
+      if (*compiled.shapes[at->second] == *shape) return at->second;
+    const auto number = static_cast<std::uint32_t>(compiled.shapes.size());
+    shape_index.emplace(hash_of(*shape), number);
+    compiled.shapes.push_back(std::move(shape));
+    return number;
+  }
+  std::unordered_multimap<std::size_t, std::uint32_t> shape_index{};
+
+  void drawables() {
+    std::vector<std::uint32_t> varying;
+    for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
+      Node& n = compiled.nodes[i];
+      const auto find = [&](FunctionId f) { return &compiled.find(n.object, f); };
+      if (n.kind == Kind::light) compiled.lights.push_back(i);
+      if (n.kind == Kind::camera) {
+        if (!scene.objects[n.object].derived && !compiled.first_camera) compiled.first_camera = n.object;
+        if (find(fn::look_at) != &compiled.defaults[fn::look_at]) compiled.eyes.push_back(i);
+      }
+      if (!drawable(n.kind)) continue;
+      const auto number = static_cast<std::uint32_t>(compiled.drawables.size());
+      n.drawable = static_cast<std::int32_t>(number);
+      Drawable d{i,
+                 find(fn::transparency)->offset,
+                 find(fn::shininess)->offset,
+                 find(fn::material),
+                 find(fn::texture),
+                 find(fn::geometry)};
+      if (form_varies(n.object))
+        varying.push_back(number);
+      else
+        d.shape = shape_number(n.object);
+      if (d.geometry != &compiled.defaults[fn::geometry]) compiled.borrowers.push_back(number);
+      compiled.drawables.push_back(d);
+    }
+    for (const std::uint32_t i : varying)
+      compiled.drawables[i].shape = static_cast<std::uint32_t>(compiled.shapes.size()) + i;
+    for (const auto& [name, picture] : *scene.pictures) compiled.textures.push_back(picture);
+  }
+
+  void nodes() {
+    for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
+      const Node& n = compiled.nodes[i];
+      add({Schedule::Source::attachment, affects::place, 0, i}, [&](std::vector<Activity>& out) {
+        const std::size_t first = out.size();
+        for (std::uint32_t k = 0; k < n.spans; ++k)
+          if (const std::int64_t from = compiled.spans[n.first_span + k].from.flicks; from > INT64_MIN)
+            add_activity(out, first, {from, from});
+      });
+      if (n.moving >= 0)
+        add({Schedule::Source::motion, affects::place, static_cast<std::uint32_t>(n.moving), i}, [&](std::vector<Activity>& out) {
+          motion_activities(compiled.movings[static_cast<std::size_t>(n.moving)], out);
+        });
+      for (const std::int32_t siting : {n.around, n.drive})
+        if (siting >= 0)
+          add({Schedule::Source::siting, affects::place, static_cast<std::uint32_t>(siting), i}, [&](std::vector<Activity>& out) {
+            const std::size_t first = out.size();
+            for (const Siting::Change& c : compiled.sitings[static_cast<std::size_t>(siting)].changes)
+              add_activity(out, first, {c.from.flicks, c.from.flicks});
+          });
+    }
+  }
+
+  static void motion_activities(const Moving& m, std::vector<Activity>& out) {
+    const std::size_t first = out.size();
+    if (m.extend_before != Extrapolation::hold) add_activity(out, first, {INT64_MIN, m.first.flicks});
+    for (const Moving::Piece& p : m.pieces)
+      add_activity(out, first, {p.from.flicks, p.open ? p.from.flicks : p.until.flicks});
+    if (m.extend_after != Extrapolation::hold) add_activity(out, first, {m.last.flicks, INT64_MAX});
+  }
+
+  void edges() {
+    for (std::uint32_t s = 0; s < schedule.sources.size(); ++s)
+      for (std::uint32_t k = 0; k < schedule.sources[s].activities; ++k) {
+        const Activity& r = schedule.activities[schedule.sources[s].first_activity + k];
+        schedule.begins.push_back({r.from, s});
+        schedule.ends.push_back({r.until, s});
+      }
+    const auto earlier = [](const Schedule::Edge& a, const Schedule::Edge& b) { return a.time < b.time; };
+    std::stable_sort(schedule.begins.begin(), schedule.begins.end(), earlier);
+    std::stable_sort(schedule.ends.begin(), schedule.ends.end(), earlier);
+  }
+};
+
+}  // namespace
+
+bool Schedule::active(const Schedule::Source& s, std::int64_t t) const {
+  const Activity *first = activities.data() + s.first_activity, *last = first + s.activities;
+  const Activity* next = std::upper_bound(first, last, t, [](std::int64_t time, const Activity& r) { return time < r.from; });
+  return next != first && t < next[-1].until;
+}
+
+void compile_schedule(Compiled& compiled) {
+  ScheduleCompiler c{compiled};
+  c.drawables();
+  for (std::uint32_t i = 0; i < compiled.node_of.size(); ++i)
+    if (compiled.node_of[i] != ObjectId::nothing) c.bindings(i);
+  c.nodes();
+  c.edges();
+}
+
+}  // namespace betwixt

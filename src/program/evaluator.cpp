@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program/evaluator.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "program/placing.h"
+
+namespace betwixt {
+namespace {
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+Material material_of(const std::string& word) {
+  return word == "matte"   ? Material::matte
+         : word == "metal" ? Material::metal
+         : word == "glow"  ? Material::glow
+                           : Material::plastic;
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const Program::Compiled& compiled)
+    : compiled_(compiled),
+      numbers_(compiled.rest),
+      asked_(compiled.schedule.sources.size()),
+      dirty_(compiled.nodes.size()),
+      held_(compiled.nodes.size()),
+      parent_(compiled.nodes.size(), -1),
+      products_(compiled.sitings.size()),
+      own_(compiled.nodes.size()),
+      placed_(compiled.nodes.size()),
+      around_(compiled.sited ? compiled.nodes.size() : 0) {
+  const std::size_t drawables = compiled.drawables.size();
+  worlds.resize(drawables), looks.resize(drawables);
+  forms_.resize(drawables), stale_.assign(drawables, true), renewed_.resize(drawables), flagged_.resize(drawables);
+}
+
+void Evaluator::mark(std::uint32_t node, std::uint8_t what) {
+  if (dirty_[node] == 0) marked_.push_back(node);
+  dirty_[node] |= what;
+}
+
+void Evaluator::flag(std::uint32_t drawable) {
+  if (flagged_[drawable]) return;
+  flagged_[drawable] = true;
+  changed.push_back(drawable);
+}
+
+void Evaluator::touch(std::uint32_t source) {
+  if (asked_[source] == turn_) return;
+  asked_[source] = turn_;
+  due_.push_back(source);
+}
+
+// The sources that may say something else at `t` than they did.
+void Evaluator::collect(std::int64_t t) {
+  const Schedule& s = compiled_.schedule;
+  if (++turn_ == 0) std::fill(asked_.begin(), asked_.end(), 0), std::fill(renewed_.begin(), renewed_.end(), 0), turn_ = 1;
+  due_.clear();
+  const auto time = [](const Schedule::Edge& e, std::int64_t x) { return e.time < x; };
+  const auto behind = [](std::int64_t x, const Schedule::Edge& e) { return x < e.time; };
+  const std::int64_t now = now_.flicks;
+  const auto& edges = t > now ? s.begins : s.ends;
+  const auto first = t > now ? std::upper_bound(edges.begin(), edges.end(), now, behind)
+                             : std::lower_bound(edges.begin(), edges.end(), t, time);
+  const auto last = std::upper_bound(first, edges.end(), std::max(t, now), behind);
+  if (fresh_ || static_cast<std::size_t>(last - first) + active_.size() > s.sources.size()) {
+    for (std::uint32_t i = 0; i < s.sources.size(); ++i) due_.push_back(i);
+  } else {
+    for (const std::uint32_t i : active_) touch(i);
+    for (auto e = first; e != last; ++e) touch(e->source);
+  }
+  active_.clear();
+  for (const std::uint32_t i : due_)
+    if (s.active(s.sources[i], t)) active_.push_back(i);
+}
+
+void Evaluator::evaluate(const Schedule::Source& s, std::int64_t t) {
+  switch (s.what) {
+    case Schedule::Source::curve: {
+      const CurveUse& use = compiled_.curves[s.index];
+      double n[4];
+      compiled_.evaluate(use, {t}, n);
+      const std::size_t bytes = use.curve.channels * sizeof(double);
+      if (std::memcmp(n, &numbers_[use.offset], bytes) == 0) return;
+      std::memcpy(&numbers_[use.offset], n, bytes);
+      return mark(s.node, s.affects);
+    }
+    case Schedule::Source::attachment: {
+      const CompiledSpan* held = compiled_.span(compiled_.nodes[s.node], {t});
+      if (held == held_[s.node]) return;
+      held_[s.node] = held;
+      rearrange_ = true;
+      return mark(s.node, s.affects);
+    }
+    case Schedule::Source::siting:
+      products_[s.index] = compiled_.product(static_cast<std::int32_t>(s.index), {t});
+      return mark(s.node, s.affects);
+    case Schedule::Source::steps:
+    case Schedule::Source::motion:
+      return mark(s.node, s.affects);
+  }
+}
+
+void Evaluator::evaluate_lives(Asking& asking, bool solids) {
+  for (const Schedule::LiveSource& live : compiled_.schedule.lives) {
+    if (solids && !live.solid) continue;
+    if (live.binding->channels == 0) {
+      mark(live.node, live.affects);
+      continue;
+    }
+    double n[4];
+    std::copy_n(&compiled_.rest[live.binding->offset], 4, n);
+    compiled_.evaluate(*live.binding, now_, asking, n);
+    if (std::memcmp(n, &numbers_[live.binding->offset], sizeof n) == 0) continue;
+    std::memcpy(&numbers_[live.binding->offset], n, sizeof n);
+    mark(live.node, live.affects);
+  }
+}
+
+// Between ticks environments stand still.
+void Evaluator::environments() {
+  if (compiled_.sitings.empty()) return;
+  const Scene& scene = compiled_.document.scene();
+  const std::int64_t tick = scene.smooth_ticks ? now_.flicks : scene.ticks.whole(now_);
+  if (!fresh_ && tick == tick_) return;
+  tick_ = tick;
+  for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i)
+    for (const std::int32_t siting : {compiled_.nodes[i].around, compiled_.nodes[i].drive}) {
+      if (siting < 0) continue;
+      const Mat4 m = compiled_.product(siting, now_);
+      if (same_bits(m, products_[static_cast<std::size_t>(siting)])) continue;
+      products_[static_cast<std::size_t>(siting)] = m;
+      mark(i, affects::place);
+    }
+}
+
+void Evaluator::to(Time t, Asking& asking, bool solids) {
+  for (const std::uint32_t d : changed) flagged_[d] = false;
+  changed.clear();
+  if (!fresh_ && t == now_) return;
+  collect(t.flicks);
+  const Schedule& s = compiled_.schedule;
+  if (fresh_)
+    for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i) {
+      held_[i] = compiled_.span(compiled_.nodes[i], t);
+      mark(i, affects::all);
+    }
+  now_ = t;
+  for (const std::uint32_t i : due_) evaluate(s.sources[i], t.flicks);
+  evaluate_lives(asking, solids);
+  environments();
+  places(asking);
+
+  bool borrowed = false;
+  for (const std::uint32_t i : marked_) {
+    const std::int32_t d = compiled_.nodes[i].drawable;
+    if (d < 0 || !(dirty_[i] & affects::form)) continue;
+    stale_[static_cast<std::size_t>(d)] = true;
+    borrowed = true;
+  }
+  if (borrowed)
+    for (const std::uint32_t d : compiled_.borrowers) mark(compiled_.drawables[d].node, affects::form);
+  for (const std::uint32_t i : marked_)
+    if (const std::int32_t d = compiled_.nodes[i].drawable; d >= 0 && (dirty_[i] & (affects::look | affects::form)))
+      look(static_cast<std::uint32_t>(d), asking, solids);
+  for (const std::uint32_t i : marked_) dirty_[i] = 0;
+  marked_.clear();
+  if (fresh_)
+    for (std::uint32_t d = 0; d < worlds.size(); ++d) flag(d);
+  fresh_ = false;
+  std::sort(changed.begin(), changed.end());
+}
+
+// The form of a drawable for now: a number.
+std::uint32_t Evaluator::form(std::uint32_t drawable, Asking& asking) {
+  const Drawable& d = compiled_.drawables[drawable];
+  if (d.shape < compiled_.shapes.size()) return d.shape;
+  if (stale_[drawable]) {
+    stale_[drawable] = false;
+    auto made = compiled_.shape(compiled_.nodes[d.node].object, now_, numbers_.data(), asking);
+    if (!forms_[drawable] || !(*forms_[drawable] == made)) {
+      forms_[drawable] = std::make_shared<const Shape>(std::move(made));
+      renewed_[drawable] = turn_;
+    }
+  }
+  return d.shape;
+}
+
+// Its own, or that of another object.
+std::uint32_t Evaluator::shape_of(const Value& v, std::uint32_t drawable, Asking& asking) {
+  const ObjectId other = std::get<ObjectId>(v);
+  const Object* o = find_object(compiled_.document.scene(), other);
+  if (!o || !betwixt::drawable(o->kind)) return form(drawable, asking);
+  return form(static_cast<std::uint32_t>(compiled_.nodes[compiled_.node_of[other.index]].drawable), asking);
+}
+
+void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
+  const Drawable& d = compiled_.drawables[i];
+  const Node& n = compiled_.nodes[d.node];
+  Looks now;
+  now.visible = numbers_[n.display] != 0;
+  if (now.visible) {
+    const Binding& geometry = *d.geometry;
+    if (geometry.steps < 0) {
+      now.shape = shape_of(compiled_.value(geometry, now_, asking), i, asking);
+    } else {
+      const Between b = compiled_.between(geometry, now_);
+      const auto values = compiled_.steps[static_cast<std::size_t>(geometry.steps)].values();
+      now.shape = shape_of(values[b.a], i, asking);
+      if (b.a != b.b && b.s != 0) now.toward = shape_of(values[b.b], i, asking), now.blend = b.s;
+    }
+    if (!solids) {
+      now.color = vec3(&numbers_[n.color]);
+      now.transparency = std::clamp(numbers_[d.transparency], 0.0, 1.0);
+      now.shininess = std::clamp(numbers_[d.shininess], 0.0, 1.0);
+      now.material = material_of(*std::get<Text>(compiled_.value(*d.material, now_, asking)));
+      const auto& pictures = *compiled_.document.scene().pictures;
+      const auto picture = pictures.find(*std::get<Text>(compiled_.value(*d.texture, now_, asking)));
+      if (picture != pictures.end())
+        now.texture = static_cast<std::uint32_t>(std::distance(pictures.begin(), picture));
+    }
+  }
+  // Whoever borrows a form that is new differs too.
+  const auto renewed = [&](std::uint32_t shape) {
+    return shape != nothing && shape >= compiled_.shapes.size() && renewed_[shape - compiled_.shapes.size()] == turn_;
+  };
+  if (!(now == looks[i]) || renewed(now.shape) || renewed(now.toward)) flag(i);
+  looks[i] = now;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A compiled document at a time, kept from one time to the next: what did not change on the way is not worked out again.
+// What it holds is a function of the program and the time alone, whatever was asked before.
+//
+// From one time to another: the sources that are due (compiled.h, Schedule) write their numbers and mark the nodes they
+// affect; marked nodes get their own matrices; what hangs below them follows in one walk over the nodes in depth-first
+// order, where all that is below a node is an interval; marked drawables get their looks.
+#pragma once
+
+#include <span>
+
+#include "betwixt/evaluation.h"
+#include "program/compiled.h"
+
+namespace betwixt {
+
+class Evaluator {
+ public:
+  explicit Evaluator(const Program::Compiled&);
+
+  // `solids`: of what is worked out by asking, only what says where things are and how large.
+  void to(Time, Asking&, bool solids = false);
+  bool fresh() const { return fresh_; }
+  Time time() const { return now_; }
+
+  const double* numbers() const { return numbers_.data(); }
+  Mat4 world(std::uint32_t node) const {
+    return compiled_.sited ? around_[node] * placed_[node].world : placed_[node].world;
+  }
+  Placed placed(std::uint32_t node) const { return placed_[node]; }
+  Mat4 around(std::uint32_t node) const { return compiled_.sited ? around_[node] : Mat4{}; }
+  std::uint32_t body(std::uint32_t node) const { return body_[node]; }  // what it is one body with: a node
+
+  using Looks = Evaluation::Look;
+  static constexpr std::uint32_t nothing = Looks::none;
+  std::vector<Mat4> worlds;
+  std::vector<Looks> looks;
+  std::vector<std::uint32_t> changed;  // drawables that differ since the time before, in order
+
+  const std::shared_ptr<const Shape>& shape(std::uint32_t number) const {
+    return number < compiled_.shapes.size() ? compiled_.shapes[number] : forms_[number - compiled_.shapes.size()];
+  }
+  void add_items(Frame&) const;
+  void add_lights(Frame&, Asking&) const;
+  Camera camera() const;
+
+  const Program::Compiled& compiled() const { return compiled_; }
+
+ private:
+  void mark(std::uint32_t node, std::uint8_t what);
+  void touch(std::uint32_t source);
+  void collect(std::int64_t t);
+  void evaluate(const Schedule::Source&, std::int64_t t);
+  void evaluate_lives(Asking&, bool solids);
+  void environments();
+  void arrange();
+  void arrange_eyes();
+  void place_alone(std::uint32_t node, Asking&);
+  void compose(std::uint32_t node);
+  void show(std::uint32_t node);
+  void places(Asking&);
+  void turn_eyes(Asking&);
+  void look(std::uint32_t drawable, Asking&, bool solids);
+  std::uint32_t form(std::uint32_t drawable, Asking&);
+  std::uint32_t shape_of(const Value&, std::uint32_t drawable, Asking&);
+  void flag(std::uint32_t drawable);
+  template <class F>
+  void each_below(std::uint32_t node, F&& f) const {
+    for (std::uint32_t at = at_[node], end = at + size_[at]; at < end; ++at) f(order_[at]);
+  }
+
+  const Program::Compiled& compiled_;
+  bool fresh_ = true;
+  Time now_;
+  std::vector<double> numbers_;
+
+  // Sources: those that go on changing, and those asked this time.
+  std::vector<std::uint32_t> active_, due_, asked_;
+  std::uint32_t turn_ = 0;
+  std::vector<std::uint8_t> dirty_;  // by node
+  std::vector<std::uint32_t> marked_;
+
+  std::vector<const CompiledSpan*> held_;  // by node
+  std::vector<std::int32_t> parent_;
+  bool rearrange_ = true;
+  std::vector<std::uint32_t> order_, at_, size_;  // depth first; a node's place there; what is below a place and itself
+  std::vector<std::uint32_t> eyes_;               // in the order in which they turn
+  std::vector<std::uint32_t> body_;
+
+  std::int64_t tick_ = INT64_MIN;
+  std::vector<Mat4> products_;  // by siting
+  std::vector<Placed> own_, placed_;
+  std::vector<Mat4> around_;
+  std::vector<std::uint32_t> dirty_places_;
+
+  std::vector<std::shared_ptr<const Shape>> forms_;  // by drawable: those that vary
+  std::vector<std::uint8_t> stale_;                  // … and must be made anew
+  std::vector<std::uint32_t> renewed_;               // the turn at which it was
+  std::vector<std::uint8_t> flagged_;                // by drawable: it is among the changed
+};
+
+}  // namespace betwixt

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A frame from what an evaluator knows: items, lights, the camera.
+#include <algorithm>
+#include <cmath>
+
+#include "program/evaluator.h"
+
+namespace betwixt {
+
+void Evaluator::add_items(Frame& frame) const {
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const Looks& l = looks[i];
+    if (!l.visible) continue;
+    const std::uint32_t node = compiled_.drawables[i].node;
+    Item item;
+    item.id = {compiled_.nodes[node].object};
+    item.world = worlds[i];
+    item.body = {compiled_.nodes[body_[node]].object};
+    item.shape = shape(l.shape);
+    if (l.toward != nothing) item.toward = shape(l.toward), item.blend = l.blend;
+    item.color = l.color, item.transparency = l.transparency, item.shininess = l.shininess;
+    item.material = l.material;
+    if (l.texture != nothing) item.texture = compiled_.textures[l.texture];
+    frame.items.push_back(std::move(item));
+  }
+}
+
+void Evaluator::add_lights(Frame& frame, Asking& asking) const {
+  for (const std::uint32_t node : compiled_.lights) {
+    const Node& n = compiled_.nodes[node];
+    const auto find = [&](FunctionId f) -> const Binding& { return compiled_.find(n.object, f); };
+    if (numbers_[n.display] == 0) continue;
+    Light l;
+    l.id = {n.object};
+    l.position = translation_of(world(node));
+    l.sun = *std::get<Text>(compiled_.value(find(fn::shines), now_, asking)) == "sun";
+    // A sun shines from where it stands towards the middle of the world; one that stands there shines down.
+    l.direction = normalize(-l.position, {0, -1, 0});
+    l.color = numbers_[find(fn::intensity).offset] * vec3(&numbers_[n.color]);
+    const Vec3 own = vec3(&numbers_[n.scale]);
+    l.range =
+        numbers_[find(fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});  // R-H9
+    frame.lights.push_back(l);
+  }
+}
+
+std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
+  const Scene& scene = document.scene();
+  for (const auto* by_time : {&*scene.cuts, &*scene.views}) {
+    const auto next = by_time->upper_bound(t);
+    if (next != by_time->begin() && std::prev(next)->second) return std::prev(next)->second.index;
+  }
+  return first_camera;  // those of display lists are looked through while their lists say so
+}
+
+Camera Evaluator::camera() const {
+  const auto through = compiled_.camera_at(now_);
+  if (!through) return compiled_.own_camera();
+  const std::uint32_t object = *through;
+  const auto number = [&](FunctionId f) { return numbers_[compiled_.find(object, f).offset]; };
+  Camera c;
+  const Mat4 m = world(compiled_.node_of[object]);
+  const Vec3 at = translation_of(m);
+  // A rigid motion, whatever scales the camera has been put through.
+  const Vec3 back = normalize(transform_vector(m, {0, 0, 1})), up = transform_vector(m, {0, 1, 0});
+  const Mat4 upright = look_at({}, -back);  // for a camera whose own up is scaled to nothing
+  const Vec3 right = normalize(cross(up, back), transform_vector(upright, {1, 0, 0})), over = cross(back, right);
+  c.world = translation(at);
+  for (int i = 0; i < 3; ++i) c.world(i, 0) = right[i], c.world(i, 1) = over[i], c.world(i, 2) = back[i];
+  constexpr double gate = 36;  // mm
+  const double fov = number(fn::fov);
+  c.fov = fov > 0 ? std::min(fov, 3.1) : 2 * std::atan(gate / (2 * std::max(number(fn::lens), 0.1)));
+  c.height = number(fn::camera_height);
+  c.orthographic = c.height > 0;
+  return c;
+}
+
+}  // namespace betwixt

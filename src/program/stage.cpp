@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The camera of films that have none.
+#include <algorithm>
+#include <cmath>
+
+#include "program/evaluator.h"
+#include "scene/extent.h"
+
+namespace betwixt {
+
+// A box around all that is seen during the film. Grounds and walls count only where there is nothing else.
+Extent Program::Compiled::stage() const {
+  Extent things, grounds;
+  const auto [from, to] = document.range();
+  constexpr int looks = 24;
+  Evaluator film(*this);
+  for (int k = 0; k <= looks; ++k) {
+    Asking asking;
+    film.to({from.flicks + (to - from).flicks / looks * k}, asking);
+    for (const std::uint32_t i : film.changed) {
+      if (!film.looks[i].visible) continue;
+      const Shape& shape = *film.shape(film.looks[i].shape);
+      const Extent e = extent(shape);
+      if (e.empty()) continue;
+      Extent& all = row_of(shape.kind).ground ? grounds : things;
+      for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p = transform_point(film.worlds[i], {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y,
+                                                    corner & 4 ? e.high.z : e.low.z});
+        if (finite(p)) all.add(p);
+      }
+    }
+  }
+  if (!things.empty()) return things;
+  return grounds.empty() ? Extent{{-1, -1, -1}, {1, 1, 1}} : grounds;
+}
+
+const Camera& Program::Compiled::own_camera() const {
+  std::call_once(own_camera_once, [this] {
+    const Extent all = stage();
+    Camera& c = own_camera_made;
+    c.fov = 2 * std::atan(36.0 / 70);
+    // The widest picture people make is 16:9; what fits its height and width fits taller ones better.
+    const Vec3 middle = 0.5 * (all.low + all.high), half = 0.5 * (all.high - all.low);
+    const double across = std::tan(c.fov / 2), up = across * 9 / 16;
+    const Mat4 turned = look_at(normalize(Vec3{0, 0.12, 1}), {});
+    double distance = 1e-3;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = half * Vec3{corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0};
+      const auto along = [&](int axis) {
+        return p.x * turned(0, axis) + p.y * turned(1, axis) + p.z * turned(2, axis);
+      };
+      distance = std::max(distance, along(2) + 1.1 * std::max(std::abs(along(0)) / across, std::abs(along(1)) / up));
+    }
+    c.world = look_at(middle + distance * normalize(Vec3{0, 0.12, 1}), middle);
+  });
+  return own_camera_made;
+}
+
+}  // namespace betwixt
