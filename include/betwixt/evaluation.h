@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A program at a time, kept from one time to the next by whoever plays it: what did not change on the way costs nothing.
-// The frame comes as columns, one place a drawable (an object of a kind that can be drawn, seen or not, in the order of
-// the objects), with the places that differ since the last time. What it gives for a time never depends on the times
-// before. One thread at a time; any number of threads each with their own.
+// A program at a time, kept from one time to the next by whoever plays it: what did not change on the way costs
+// nothing. The frame comes as columns, one place a drawable (an object of a kind that can be drawn, seen or not, in the
+// order of the objects), with the places that differ since the last time. What it gives for a time never depends on the
+// times before. One thread at a time; any number of threads each with their own.
 //
 // Room: program
 #pragma once
@@ -37,17 +37,18 @@ class Evaluation {
   std::span<const Mat4> worlds() const;  // object space to world space
   // What it looks like; nothing of it is said where it is not seen.
   struct Look {
-    Vec3 color{1, 1, 1};                                          // linear light
-    double transparency = 0, shininess = 0;                       // as Item's
-    double blend = 0;                                             // how far it is on the way to `toward`
-    std::uint32_t shape = none, toward = none, texture = none;    // numbers
+    Vec3 color{1, 1, 1};                                        // linear light
+    double transparency = 0, shininess = 0;                     // as Item's
+    double blend = 0;                                           // how far it is on the way to `toward`
+    std::uint32_t shape = none, toward = none, texture = none;  // numbers
     Material material = Material::plastic;
     bool visible = false;
     static constexpr std::uint32_t none = 0xffffffff;
     friend bool operator==(const Look&, const Look&) = default;
   };
   std::span<const Look> looks() const;
-  // What the numbers stand for. That of a shape that varies stays, and the shape is another one where `changed` says so.
+  // What the numbers stand for. That of a shape that varies stays, and the shape is another one where `changed` says
+  // so.
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const;
   const std::shared_ptr<const Picture>& texture(std::uint32_t number) const;
   // The drawables of which anything differs since the last `to`, in order; all after the first one, and where `use` has

@@ -76,9 +76,8 @@ struct ScheduleCompiler {
           compiled.set.activities(compiled.curves[b.first_curve + k].curve, out);
         });
       if (b.steps >= 0)
-        add({Schedule::Source::steps, effect, static_cast<std::uint32_t>(b.steps), node}, [&](std::vector<Activity>& out) {
-          compiled.steps[static_cast<std::size_t>(b.steps)].activities(out);
-        });
+        add({Schedule::Source::steps, effect, static_cast<std::uint32_t>(b.steps), node},
+            [&](std::vector<Activity>& out) { compiled.steps[static_cast<std::size_t>(b.steps)].activities(out); });
     }
   }
 
@@ -143,16 +142,18 @@ struct ScheduleCompiler {
             add_activity(out, first, {from, from});
       });
       if (n.moving >= 0)
-        add({Schedule::Source::motion, affects::place, static_cast<std::uint32_t>(n.moving), i}, [&](std::vector<Activity>& out) {
-          motion_activities(compiled.movings[static_cast<std::size_t>(n.moving)], out);
-        });
+        add({Schedule::Source::motion, affects::place, static_cast<std::uint32_t>(n.moving), i},
+            [&](std::vector<Activity>& out) {
+              motion_activities(compiled.movings[static_cast<std::size_t>(n.moving)], out);
+            });
       for (const std::int32_t siting : {n.around, n.drive})
         if (siting >= 0)
-          add({Schedule::Source::siting, affects::place, static_cast<std::uint32_t>(siting), i}, [&](std::vector<Activity>& out) {
-            const std::size_t first = out.size();
-            for (const Siting::Change& c : compiled.sitings[static_cast<std::size_t>(siting)].changes)
-              add_activity(out, first, {c.from.flicks, c.from.flicks});
-          });
+          add({Schedule::Source::siting, affects::place, static_cast<std::uint32_t>(siting), i},
+              [&](std::vector<Activity>& out) {
+                const std::size_t first = out.size();
+                for (const Siting::Change& c : compiled.sitings[static_cast<std::size_t>(siting)].changes)
+                  add_activity(out, first, {c.from.flicks, c.from.flicks});
+              });
     }
   }
 
@@ -181,7 +182,8 @@ struct ScheduleCompiler {
 
 bool Schedule::active(const Schedule::Source& s, std::int64_t t) const {
   const Activity *first = activities.data() + s.first_activity, *last = first + s.activities;
-  const Activity* next = std::upper_bound(first, last, t, [](std::int64_t time, const Activity& r) { return time < r.from; });
+  const Activity* next =
+      std::upper_bound(first, last, t, [](std::int64_t time, const Activity& r) { return time < r.from; });
   return next != first && t < next[-1].until;
 }
 

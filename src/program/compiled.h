@@ -19,7 +19,7 @@
 
 namespace betwixt {
 
-class Evaluator;
+struct Whole;
 
 // Where the value of one display function of one object comes from.
 struct Binding {
@@ -311,9 +311,9 @@ struct Program::Compiled {
   mutable std::once_flag own_camera_once;
   mutable Camera own_camera_made;
 
-  // Evaluators at rest, for whoever asks for whole frames.
+  // Evaluations at rest, for whoever asks for whole frames.
   mutable std::mutex idle_in_use;
-  mutable std::vector<std::unique_ptr<Evaluator>> idle;
+  mutable std::vector<std::unique_ptr<Whole>> idle;
 };
 
 // The numbers that the array holds for a value: colours are linear light, angles orientations where `orientation`. And

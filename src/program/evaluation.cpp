@@ -8,54 +8,58 @@
 
 namespace betwixt {
 
-Program::Compiled::Compiled(Document d) : document(std::move(d)) {}
-Program::Compiled::~Compiled() = default;
+// All that a frame says.
+struct Whole {
+  explicit Whole(const Program::Compiled& compiled) : evaluator(compiled) {}
+  Evaluator evaluator;
+  std::vector<Light> lights;
+  std::vector<std::string> problems;
 
-namespace {
+  void to(Time);
+  Frame frame() const;
+};
 
-// Takes an evaluator to a time; the problems on the way.
-std::vector<std::string> go(Evaluator& evaluator, Time t, std::vector<Light>& lights) {
+void Whole::to(Time t) {
+  if (!evaluator.fresh() && evaluator.time() == t) return evaluator.stay();
   const Program::Compiled& compiled = evaluator.compiled();
   Asking asking;
   const TwerperFailures failed;
   evaluator.to(t, asking);
-  Frame f;
-  evaluator.add_lights(f, asking);
-  lights = std::move(f.lights);
+  lights = evaluator.lights(asking);
   compiled.say(failed, asking);
-  std::vector<std::string> problems = compiled.notices;
+  problems = compiled.notices;
   problems.insert(problems.end(), asking.problems.begin(), asking.problems.end());
-  return problems;
 }
 
-Frame frame_of(const Evaluator& evaluator) {
+Frame Whole::frame() const {
   const Program::Compiled& compiled = evaluator.compiled();
   Frame f;
   f.time = evaluator.time();
   evaluator.add_items(f);
+  f.lights = lights;
   f.camera = evaluator.camera();
   const Scene& scene = compiled.document.scene();
   if (scene.background) f.background = to_linear(*scene.background);
   for (auto& [when, text] : compiled.document.notes(f.time, f.time)) f.notes.push_back(text);
+  f.problems = problems;
   return f;
 }
 
-}  // namespace
+Program::Compiled::Compiled(Document d) : document(std::move(d)) {}
+Program::Compiled::~Compiled() = default;
 
 Frame Program::frame(Time t) const {
-  std::unique_ptr<Evaluator> evaluator;
+  std::unique_ptr<Whole> whole;
   {
     const std::lock_guard lock(code_->idle_in_use);
-    if (!code_->idle.empty()) evaluator = std::move(code_->idle.back()), code_->idle.pop_back();
+    if (!code_->idle.empty()) whole = std::move(code_->idle.back()), code_->idle.pop_back();
   }
-  if (!evaluator) evaluator = std::make_unique<Evaluator>(*code_);
-  std::vector<Light> lights;
-  auto problems = go(*evaluator, t, lights);
-  Frame f = frame_of(*evaluator);
-  f.lights = std::move(lights), f.problems = std::move(problems);
+  if (!whole) whole = std::make_unique<Whole>(*code_);
+  whole->to(t);
+  Frame f = whole->frame();
   const std::lock_guard lock(code_->idle_in_use);
   constexpr std::size_t at_rest = 4;
-  if (code_->idle.size() < at_rest) code_->idle.push_back(std::move(evaluator));
+  if (code_->idle.size() < at_rest) code_->idle.push_back(std::move(whole));
   return f;
 }
 
@@ -63,20 +67,19 @@ struct Evaluation::State {
   explicit State(const Program& p) : program(p) { begin(); }
 
   void begin() {
-    evaluator = std::make_unique<Evaluator>(program.compiled());
+    whole = std::make_unique<Whole>(program.compiled());
     drawables.clear();
-    for (const Drawable& d : program.compiled().drawables) drawables.push_back({program.compiled().nodes[d.node].object});
+    for (const Drawable& d : program.compiled().drawables)
+      drawables.push_back({program.compiled().nodes[d.node].object});
   }
 
   Program program;
-  std::unique_ptr<Evaluator> evaluator;
+  std::unique_ptr<Whole> whole;
   std::vector<ObjectId> drawables;
-  std::vector<Light> lights;
-  std::vector<std::string> problems;
   mutable std::optional<Camera> camera;
   // What the program before gave last; the next time is compared with it.
   Program before;
-  std::unique_ptr<Evaluator> evaluator_before;
+  std::unique_ptr<Whole> whole_before;
   std::vector<ObjectId> drawables_before;
 
   void compare();
@@ -89,17 +92,15 @@ Evaluation::~Evaluation() = default;
 
 void Evaluation::to(Time t) {
   State& s = *state_;
-  const bool again = !s.evaluator->fresh() && s.evaluator->time() == t;
-  std::vector<Light> lights;
-  auto problems = go(*s.evaluator, t, lights);
-  if (!again) s.lights = std::move(lights), s.problems = std::move(problems);
+  s.whole->to(t);
   s.camera.reset();
-  if (s.evaluator_before) s.compare();
+  if (s.whole_before) s.compare();
 }
 
 // Of all drawables those stay that are the same in both programs.
 void Evaluation::State::compare() {
-  const Evaluator &is = *evaluator, &was = *evaluator_before;
+  Evaluator& is = whole->evaluator;
+  const Evaluator& was = whole_before->evaluator;
   const auto same_shape = [&](std::uint32_t a, std::uint32_t b) {
     if (a == Evaluator::nothing || b == Evaluator::nothing) return a == b;
     return is.shape(a) == was.shape(b) || *is.shape(a) == *was.shape(b);
@@ -116,15 +117,15 @@ void Evaluation::State::compare() {
     a.texture = b.texture;
     return a == b;
   };
-  if (drawables == drawables_before) std::erase_if(evaluator->changed, same);
-  evaluator_before.reset();
+  if (drawables == drawables_before) std::erase_if(is.changed, same);
+  whole_before.reset();
   before = {};
 }
 
 void Evaluation::use(const Program& program) {
   State& s = *state_;
-  if (!s.evaluator->fresh()) {
-    s.evaluator_before = std::move(s.evaluator), s.before = std::move(s.program);
+  if (!s.whole->evaluator.fresh()) {
+    s.whole_before = std::move(s.whole), s.before = std::move(s.program);
     s.drawables_before = std::move(s.drawables);
   }
   s.program = program;
@@ -132,28 +133,24 @@ void Evaluation::use(const Program& program) {
 }
 
 const Program& Evaluation::program() const { return state_->program; }
-Time Evaluation::time() const { return state_->evaluator->time(); }
+Time Evaluation::time() const { return state_->whole->evaluator.time(); }
 std::span<const ObjectId> Evaluation::drawables() const { return state_->drawables; }
-std::span<const Mat4> Evaluation::worlds() const { return state_->evaluator->worlds; }
-std::span<const Evaluation::Look> Evaluation::looks() const { return state_->evaluator->looks; }
+std::span<const Mat4> Evaluation::worlds() const { return state_->whole->evaluator.worlds; }
+std::span<const Evaluation::Look> Evaluation::looks() const { return state_->whole->evaluator.looks; }
 const std::shared_ptr<const Shape>& Evaluation::shape(std::uint32_t number) const {
-  return state_->evaluator->shape(number);
+  return state_->whole->evaluator.shape(number);
 }
 const std::shared_ptr<const Picture>& Evaluation::texture(std::uint32_t number) const {
   return state_->program.compiled().textures[number];
 }
-std::span<const std::uint32_t> Evaluation::changed() const { return state_->evaluator->changed; }
-const std::vector<Light>& Evaluation::lights() const { return state_->lights; }
-const std::vector<std::string>& Evaluation::problems() const { return state_->problems; }
+std::span<const std::uint32_t> Evaluation::changed() const { return state_->whole->evaluator.changed; }
+const std::vector<Light>& Evaluation::lights() const { return state_->whole->lights; }
+const std::vector<std::string>& Evaluation::problems() const { return state_->whole->problems; }
 const Camera& Evaluation::camera() const {
-  if (!state_->camera) state_->camera = state_->evaluator->camera();
+  if (!state_->camera) state_->camera = state_->whole->evaluator.camera();
   return *state_->camera;
 }
 
-Frame Evaluation::frame() const {
-  Frame f = frame_of(*state_->evaluator);
-  f.lights = state_->lights, f.problems = state_->problems;
-  return f;
-}
+Frame Evaluation::frame() const { return state_->whole->frame(); }
 
 }  // namespace betwixt

@@ -60,7 +60,8 @@ void Evaluator::touch(std::uint32_t source) {
 // The sources that may say something else at `t` than they did.
 void Evaluator::collect(std::int64_t t) {
   const Schedule& s = compiled_.schedule;
-  if (++turn_ == 0) std::fill(asked_.begin(), asked_.end(), 0), std::fill(renewed_.begin(), renewed_.end(), 0), turn_ = 1;
+  if (++turn_ == 0)
+    std::fill(asked_.begin(), asked_.end(), 0), std::fill(renewed_.begin(), renewed_.end(), 0), turn_ = 1;
   due_.clear();
   const auto time = [](const Schedule::Edge& e, std::int64_t x) { return e.time < x; };
   const auto behind = [](std::int64_t x, const Schedule::Edge& e) { return x < e.time; };
@@ -140,10 +141,13 @@ void Evaluator::environments() {
     }
 }
 
-void Evaluator::to(Time t, Asking& asking, bool solids) {
+void Evaluator::stay() {
   for (const std::uint32_t d : changed) flagged_[d] = false;
   changed.clear();
-  if (!fresh_ && t == now_) return;
+}
+
+void Evaluator::to(Time t, Asking& asking, bool solids) {
+  stay();
   collect(t.flicks);
   const Schedule& s = compiled_.schedule;
   if (fresh_)
@@ -222,8 +226,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       now.material = material_of(*std::get<Text>(compiled_.value(*d.material, now_, asking)));
       const auto& pictures = *compiled_.document.scene().pictures;
       const auto picture = pictures.find(*std::get<Text>(compiled_.value(*d.texture, now_, asking)));
-      if (picture != pictures.end())
-        now.texture = static_cast<std::uint32_t>(std::distance(pictures.begin(), picture));
+      if (picture != pictures.end()) now.texture = static_cast<std::uint32_t>(std::distance(pictures.begin(), picture));
     }
   }
   // Whoever borrows a form that is new differs too.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A compiled document at a time, kept from one time to the next: what did not change on the way is not worked out again.
-// What it holds is a function of the program and the time alone, whatever was asked before.
+// A compiled document at a time, kept from one time to the next: what did not change on the way is not worked out
+// again. What it holds is a function of the program and the time alone, whatever was asked before.
 //
 // From one time to another: the sources that are due (compiled.h, Schedule) write their numbers and mark the nodes they
 // affect; marked nodes get their own matrices; what hangs below them follows in one walk over the nodes in depth-first
@@ -22,6 +22,7 @@ class Evaluator {
 
   // `solids`: of what is worked out by asking, only what says where things are and how large.
   void to(Time, Asking&, bool solids = false);
+  void stay();  // at this time: nothing has changed
   bool fresh() const { return fresh_; }
   Time time() const { return now_; }
 
@@ -43,7 +44,7 @@ class Evaluator {
     return number < compiled_.shapes.size() ? compiled_.shapes[number] : forms_[number - compiled_.shapes.size()];
   }
   void add_items(Frame&) const;
-  void add_lights(Frame&, Asking&) const;
+  std::vector<Light> lights(Asking&) const;
   Camera camera() const;
 
   const Program::Compiled& compiled() const { return compiled_; }

@@ -27,7 +27,8 @@ void Evaluator::add_items(Frame& frame) const {
   }
 }
 
-void Evaluator::add_lights(Frame& frame, Asking& asking) const {
+std::vector<Light> Evaluator::lights(Asking& asking) const {
+  std::vector<Light> out;
   for (const std::uint32_t node : compiled_.lights) {
     const Node& n = compiled_.nodes[node];
     const auto find = [&](FunctionId f) -> const Binding& { return compiled_.find(n.object, f); };
@@ -40,10 +41,10 @@ void Evaluator::add_lights(Frame& frame, Asking& asking) const {
     l.direction = normalize(-l.position, {0, -1, 0});
     l.color = numbers_[find(fn::intensity).offset] * vec3(&numbers_[n.color]);
     const Vec3 own = vec3(&numbers_[n.scale]);
-    l.range =
-        numbers_[find(fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});  // R-H9
-    frame.lights.push_back(l);
+    l.range = numbers_[find(fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});  // R-H9
+    out.push_back(l);
   }
+  return out;
 }
 
 std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {

@@ -39,7 +39,8 @@ void Evaluator::arrange() {
     }
   }
   for (std::size_t p = n; p-- > 0;)
-    if (const std::int32_t above = parent_[order_[p]]; above >= 0) size_[at_[static_cast<std::size_t>(above)]] += size_[p];
+    if (const std::int32_t above = parent_[order_[p]]; above >= 0)
+      size_[at_[static_cast<std::size_t>(above)]] += size_[p];
   arrange_eyes();
 }
 
@@ -65,7 +66,8 @@ void Evaluator::place_alone(std::uint32_t node, Asking& asking) {
   const Node& n = compiled_.nodes[node];
   Said said = said_by(n, numbers_.data());
   if (n.transform || n.drive >= 0)
-    said.own = compiled_.driven(n, now_, asking, n.drive >= 0 ? &products_[static_cast<std::size_t>(n.drive)] : nullptr);
+    said.own =
+        compiled_.driven(n, now_, asking, n.drive >= 0 ? &products_[static_cast<std::size_t>(n.drive)] : nullptr);
   if (n.moving >= 0) said.motion = compiled_.moved(n, now_);
   own_[node] = own_place(said);
 }
