@@ -117,7 +117,7 @@ void Evaluation::State::compare() {
     a.texture = b.texture;
     return a == b;
   };
-  if (drawables == drawables_before) std::erase_if(is.changed, same);
+  if (drawables == drawables_before) is.unchanged_if(same);
   whole_before.reset();
   before = {};
 }

@@ -40,6 +40,16 @@ class Evaluator {
   std::vector<Looks> looks;
   std::vector<std::uint32_t> changed;  // drawables that differ since the time before, in order
 
+  // Takes back that drawables have changed.
+  template <class Same>
+  void unchanged_if(Same&& same) {
+    std::erase_if(changed, [&](std::uint32_t d) {
+      if (!same(d)) return false;
+      flagged_[d] = false;
+      return true;
+    });
+  }
+
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const {
     return number < compiled_.shapes.size() ? compiled_.shapes[number] : forms_[number - compiled_.shapes.size()];
   }
