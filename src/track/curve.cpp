@@ -175,47 +175,67 @@ const CurveDetail* CurveSet::detail(std::uint32_t event) const {
   return at != details_.end() && at->event == event ? &*at : nullptr;
 }
 
-// The segment from event k to event k + 1 (R-T4), `since` flicks after event k.
-void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* out) const {
+// What there is to blend between event k and event k + 1 (R-T4); s is not yet said.
+Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
   const std::uint32_t n = c.channels;
   const std::int64_t* time = &times_[c.first];
-  const double* value = &values_[c.values];
   const auto twerper_of = [&](std::uint32_t i) { return static_cast<Twerper>(twerpers_[c.first + i]); };
-  const Twerper twerper = twerper_of(k);
   const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
   Blend g;
-  g.from = value + n * k;
-  g.to = next && next->cut ? next->before.data() : g.from + n;
-  if (twerper == Twerper::hold) {
-    std::copy_n(g.from, n, out);
-    return;
-  }
-  const double h = static_cast<double>(time[k + 1] - time[k]);
-  g.s = eased(since / h, here, next, h);
-  const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
-  if (!row || (c.orientation ? row->turn == nullptr : row->numbers == nullptr)) {  // its ends and a factor
-    const double s = factor(twerper, g.s, here);
-    if (c.orientation) return store(slerp(quat(g.from), quat(g.to), s), out);
-    for (std::uint32_t i = 0; i < n; ++i) out[i] = g.from[i] + s * (g.to[i] - g.from[i]);
-    return;
-  }
-
-  // Neighbours; across a cut, a hold or the track's end there are none.
   g.channels = n;
-  g.length = g.length_before = g.length_after = h;
+  g.from = &values_[c.values + n * k];
+  g.to = next && next->cut ? next->before.data() : g.from + n;
+  g.length = g.length_before = g.length_after = static_cast<double>(time[k + 1] - time[k]);
+  // Neighbours; across a cut, a hold or the track's end there are none.
   if (k > 0 && !(here && here->cut) && twerper_of(k - 1) != Twerper::hold) {
     g.before = g.from - n;
     g.length_before = static_cast<double>(time[k] - time[k - 1]);
   }
   if (k + 2 < c.count && !(next && next->cut) && twerper_of(k + 1) != Twerper::hold) {
     const CurveDetail* after = detail(c.first + k + 2);
-    g.after = after && after->cut ? after->before.data() : value + n * (k + 2);
+    g.after = after && after->cut ? after->before.data() : g.from + 2 * n;
     g.length_after = static_cast<double>(time[k + 2] - time[k + 1]);
   }
-  if (c.orientation) return store(row->turn(g), out);
   if (here && here->has_out) g.tangent_out = here->tangent_out.data();
   if (next && next->has_in) g.tangent_in = next->tangent_in.data();
-  row->numbers(g, out);
+  return g;
+}
+
+// `since` flicks after event k.
+void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* out) const {
+  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  Blend g = blend(c, k);
+  if (twerper == Twerper::hold) {
+    std::copy_n(g.from, g.channels, out);
+    return;
+  }
+  const CurveDetail* here = detail(c.first + k);
+  g.s = eased(since / g.length, here, detail(c.first + k + 1), g.length);
+  const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
+  if (row && c.orientation && row->turn) return store(row->turn(g), out);
+  if (row && !c.orientation && row->cubic) {
+    for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = row->cubic(g, i).at(g.s);
+    return;
+  }
+  const double s = factor(twerper, g.s, here);  // its ends and a factor
+  if (c.orientation) return store(slerp(quat(g.from), quat(g.to), s), out);
+  for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = g.from[i] + s * (g.to[i] - g.from[i]);
+}
+
+bool CurveSet::cubic(const Curve& c, std::int64_t t, CubicSegment& out) const {
+  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  if (c.orientation || c.srgb || t < *first || t >= *last) return false;
+  const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last, t) - first) - 1;
+  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  if (is_own(twerper) || twerper == Twerper::hold) return false;
+  const TwerperRow& row = row_of(twerper);
+  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
+  if ((!row.cubic && row.factor) || (here && here->ease_out > 0) || (next && next->ease_in > 0)) return false;
+  const Blend g = blend(c, k);
+  out.from = first[k], out.until = first[k + 1], out.length = g.length;
+  for (std::uint32_t i = 0; i < g.channels; ++i)
+    out.channels[i] = row.cubic ? row.cubic(g, i) : Cubic{{g.from[i], g.to[i] - g.from[i], 0, 0}};
+  return true;
 }
 
 // The numbers as the columns hold them.
@@ -261,7 +281,7 @@ void add_activity(std::vector<Activity>& out, std::size_t first, Activity run) {
 bool CurveSet::still(const Curve& c, std::uint32_t k) const {
   const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
   if (twerper == Twerper::hold) return true;
-  if (is_own(twerper) || c.orientation || row_of(twerper).numbers != nullptr) return false;
+  if (is_own(twerper) || c.orientation || row_of(twerper).cubic != nullptr) return false;
   const CurveDetail* next = detail(c.first + k + 1);
   const double* from = &values_[c.values + k * c.channels];
   return std::equal(from, from + c.channels, next && next->cut ? next->before.data() : from + c.channels);

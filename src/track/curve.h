@@ -40,6 +40,13 @@ struct Activity {
 // Adds one behind the others; those that meet become one. `first`: where those of the same value begin.
 void add_activity(std::vector<Activity>&, std::size_t first, Activity);
 
+// A segment of numbers that is a cubic of the part of it that has gone by: good from its first moment to before `until`.
+struct CubicSegment {
+  std::int64_t from = 0, until = 0;
+  double length = 1;
+  Cubic channels[3];
+};
+
 // Hears, on this thread and while it stands, which twerpers of the author's give no number: the place of each among
 // CurveSet::own, and why.
 class TwerperFailures {
@@ -63,6 +70,8 @@ class CurveSet {
   Curve add(const Track& track, Type type, bool component = false);
   // out[0 … channels): the value at t.
   void evaluate(const Curve& curve, Time t, double* out) const;
+  // The segment that a time is in; none where there is more to it than a cubic. Its values are those of evaluate().
+  bool cubic(const Curve& curve, std::int64_t t, CubicSegment& out) const;
   // Its right-hand rate of change there, per second, of the numbers evaluate() gives; an orientation's is its angular
   // velocity (three numbers, in the axes it is turned in). Exact for polynomials up to the fourth degree.
   void derivative(const Curve& curve, Time t, double* out) const;
@@ -85,6 +94,7 @@ class CurveSet {
  private:
   const CurveDetail* detail(std::uint32_t event) const;
   bool still(const Curve& c, std::uint32_t k) const;
+  Blend blend(const Curve& c, std::uint32_t k) const;
   void segment(const Curve& c, std::uint32_t k, double since, double* out) const;
   void beyond(const Curve& c, bool after, double past, double* out) const;
   void find(const Curve& c, std::int64_t t, double* out) const;

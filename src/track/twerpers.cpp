@@ -16,35 +16,28 @@ double smoothstep(double s, const std::array<double, 4>&) { return s * s * (3 - 
 // ---- Numbers
 
 // From b to e with these tangents, over the segment.
-double cubic(double b, double e, double m1, double m2, double s) {
-  const double a2 = 3 * (e - b) - 2 * m1 - m2, a3 = m1 + m2 - 2 * (e - b);
-  return ((a3 * s + a2) * s + m1) * s + b;
+Cubic hermite(double b, double e, double m1, double m2) {
+  return {{b, m1, 3 * (e - b) - 2 * m1 - m2, m1 + m2 - 2 * (e - b)}};
 }
 
 // The tangents are those of the parabolas through three neighbours, in their real times.
-void smooth_numbers(const Blend& g, double* out) {
+Cubic smooth_cubic(const Blend& g, std::uint32_t i) {
   const double h = g.length, h0 = g.length_before, h2 = g.length_after;
-  for (std::uint32_t i = 0; i < g.channels; ++i) {
-    const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i), chord = e - b;
-    const double m1 = ((b - a) * (h / h0) * h + chord * h0) / (h0 + h);
-    const double m2 = (chord * h2 + (d - e) * (h / h2) * h) / (h + h2);
-    out[i] = cubic(b, e, m1, m2, g.s);
-  }
+  const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i), chord = e - b;
+  const double m1 = ((b - a) * (h / h0) * h + chord * h0) / (h0 + h);
+  const double m2 = (chord * h2 + (d - e) * (h / h2) * h) / (h + h2);
+  return hermite(b, e, m1, m2);
 }
 
-void hermite_numbers(const Blend& g, double* out) {
+Cubic hermite_cubic(const Blend& g, std::uint32_t i) {
   const double seconds = g.length / static_cast<double>(flicks_per_second);
-  for (std::uint32_t i = 0; i < g.channels; ++i)
-    out[i] = cubic(g.from[i], g.to[i], g.tangent_out ? g.tangent_out[i] * seconds : 0,
-                   g.tangent_in ? g.tangent_in[i] * seconds : 0, g.s);
+  return hermite(g.from[i], g.to[i], g.tangent_out ? g.tangent_out[i] * seconds : 0,
+                 g.tangent_in ? g.tangent_in[i] * seconds : 0);
 }
 
-void bspline_numbers(const Blend& g, double* out) {
-  const double s = g.s, s2 = s * s, s3 = s2 * s, r = 1 - s;
-  for (std::uint32_t i = 0; i < g.channels; ++i)
-    out[i] = (r * r * r * g.left(i) + (3 * s3 - 6 * s2 + 4) * g.from[i] + (-3 * s3 + 3 * s2 + 3 * s + 1) * g.to[i] +
-              s3 * g.right(i)) /
-             6;
+Cubic bspline_cubic(const Blend& g, std::uint32_t i) {
+  const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i);
+  return {{(a + 4 * b + e) / 6, (e - a) / 2, (a - 2 * b + e) / 2, (d - a + 3 * (b - e)) / 6}};
 }
 
 // ---- Orientations
@@ -86,20 +79,20 @@ constexpr TwerperRow twerper_rows[] = {
     {.name = "smooth",
      .sentence = "Through all events without a corner (Catmull-Rom).",
      .example = "at 12f ball.radius 2 smooth",
-     .numbers = smooth_numbers,
+     .cubic = smooth_cubic,
      .for_orientations = Twerper::squad},
     {.name = "bspline",
      .sentence = "Softer than smooth; comes near its events only.",
      .example = "at 12f ball.radius 2 bspline",
      .factor = smoothstep,
-     .numbers = bspline_numbers,
+     .cubic = bspline_cubic,
      .turn = bspline_turn},
     {.name = "hermite",  // orientations are at rest at both ends
      .sentence = "Through all events, by tangents of your own.",
      .written = "hermite [tangent=V]",
      .example = "at 12f ball.radius 2 hermite tangent=0",
      .factor = smoothstep,
-     .numbers = hermite_numbers},
+     .cubic = hermite_cubic},
     {.name = "bezier",
      .sentence = "To the next event along a curve of speed.",
      .written = "bezier(x1 y1 x2 y2)",

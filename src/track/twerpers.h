@@ -28,6 +28,12 @@ struct Blend {
   double right(std::uint32_t i) const { return after ? after[i] : 2 * to[i] - from[i]; }
 };
 
+// c[0] + c[1] s + c[2] s² + c[3] s³.
+struct Cubic {
+  double c[4] = {};
+  double at(double s) const { return ((c[3] * s + c[2]) * s + c[1]) * s + c[0]; }
+};
+
 // A twerper's place among the rows is its number: the first are named in `Twerper`, any others by their rows only.
 struct TwerperRow {
   std::string_view name = {};
@@ -35,8 +41,9 @@ struct TwerperRow {
                    example = {};  // for help; `written`: where there is more to write than the name
   // How far the blend between two values is at s; null: s itself. `bezier`: what the author said to a bezier.
   double (*factor)(double s, const std::array<double, 4>& bezier) = nullptr;
-  // Of a segment of numbers, and of one of orientations, where the two ends and a factor are not all that counts.
-  void (*numbers)(const Blend&, double* out) = nullptr;
+  // Of a segment of numbers, of each channel the cubic of s, and of one of orientations, where the two ends and a factor
+  // are not all that counts.
+  Cubic (*cubic)(const Blend&, std::uint32_t channel) = nullptr;
   Quat (*turn)(const Blend&) = nullptr;
   // The one that stands for it where orientations are blended, or numbers (then it turns orientations only); unset:
   // itself.
