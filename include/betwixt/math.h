@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -84,9 +85,43 @@ inline Quat power(Quat q, double s) {
   const double half_angle = s * std::atan2(sine, q.w), k = std::sin(half_angle) / sine;
   return {std::cos(half_angle), k * q.x, k * q.y, k * q.z};
 }
+// Of an angle, to 2e-16; the same bits on every machine. Beyond a million radians they are the library's.
+struct SineCosine {
+  double sine = 0, cosine = 1;
+};
+inline SineCosine sine_cosine(double angle) {
+  if (!(std::abs(angle) < 1e6)) return {std::sin(angle), std::cos(angle)};
+  // The quarters of a turn go (the quarter in three parts, the first two of few bits, so that these products are
+  // exact); of the rest, at most an eighth of a turn, the series.
+  constexpr double quarters = 0.63661977236758134308, first = 1.57079632673412561417e+00,
+                   second = 6.07710050630396597660e-11, third = 2.02226624879595063154e-21;
+  constexpr double shift = 0x1.8p52;  // adding it rounds to whole numbers
+  const double shifted = angle * quarters + shift, n = shifted - shift;
+  const double x = ((angle - n * first) - n * second) - n * third, z = x * x;
+  const double sine = x + x * z *
+                              (-1.66666666666666324348e-01 +
+                               z * (8.33333333332248946124e-03 +
+                                    z * (-1.98412698298579493134e-04 +
+                                         z * (2.75573137070700676789e-06 +
+                                              z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)))));
+  const double cosine =
+      1 - (0.5 * z - z * z *
+                         (4.16666666666666019037e-02 +
+                          z * (-1.38888888888741095749e-03 +
+                               z * (2.48015872894767294178e-05 +
+                                    z * (-2.75573143513906633035e-07 +
+                                         z * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11))))));
+  const auto quarter = static_cast<std::int64_t>(n) & 3;
+  const double s = quarter & 1 ? cosine : sine, c = quarter & 1 ? sine : cosine;
+  return {quarter & 2 ? -s : s, (quarter + 1) & 2 ? -c : c};
+}
 // Angles about the object's own x axis, then its y axis, then its z axis.
 inline Quat from_angles(Vec3 a) {
-  return axis_angle({1, 0, 0}, a.x) * axis_angle({0, 1, 0}, a.y) * axis_angle({0, 0, 1}, a.z);
+  const auto [sx, cx] = sine_cosine(a.x / 2);
+  const auto [sy, cy] = sine_cosine(a.y / 2);
+  const auto [sz, cz] = sine_cosine(a.z / 2);
+  const Quat xy{cx * cy, sx * cy, cx * sy, sx * sy};
+  return {xy.w * cz - xy.z * sz, xy.x * cz + xy.y * sz, xy.y * cz - xy.x * sz, xy.z * cz + xy.w * sz};
 }
 
 // Sixteen numbers in column-major memory: element (row, column), translation in the last column.
@@ -111,6 +146,13 @@ constexpr Vec3 transform_point(const Mat4& a, Vec3 p) {
 constexpr Vec3 transform_vector(const Mat4& a, Vec3 v) {
   return {a(0, 0) * v.x + a(0, 1) * v.y + a(0, 2) * v.z, a(1, 0) * v.x + a(1, 1) * v.y + a(1, 2) * v.z,
           a(2, 0) * v.x + a(2, 1) * v.y + a(2, 2) * v.z};
+}
+// a b, of what affine matrices do to directions alone; the rest of the outcome is the identity's.
+constexpr Mat4 linear_product(const Mat4& a, const Mat4& b) {
+  Mat4 r;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 3; ++i) r(i, c) = a(i, 0) * b(0, c) + a(i, 1) * b(1, c) + a(i, 2) * b(2, c);
+  return r;
 }
 constexpr Vec3 column(const Mat4& a, int c) { return {a(0, c), a(1, c), a(2, c)}; }
 constexpr Vec3 translation_of(const Mat4& a) { return column(a, 3); }

@@ -180,11 +180,11 @@ struct ScheduleCompiler {
 
 }  // namespace
 
-bool Schedule::active(const Schedule::Source& s, std::int64_t t) const {
+const Activity* Schedule::active(const Source& s, std::int64_t t) const {
   const Activity *first = activities.data() + s.first_activity, *last = first + s.activities;
   const Activity* next =
-      std::upper_bound(first, last, t, [](std::int64_t time, const Activity& r) { return time < r.from; });
-  return next != first && t < next[-1].until;
+      std::upper_bound(first, last, t, [](std::int64_t time, const Activity& a) { return time < a.from; });
+  return next != first && t < next[-1].until ? next - 1 : nullptr;
 }
 
 void compile_schedule(Compiled& compiled) {

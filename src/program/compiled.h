@@ -6,6 +6,7 @@
 // wanted.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -39,6 +40,10 @@ struct CurveUse {
   std::uint32_t offset = 0;
   bool bounded = false;  // a curve that swings past what the function can be stays at that
   double low = 0, high = 0;
+  void bound(double* numbers) const {
+    if (bounded)
+      for (int i = 0; i < curve.channels; ++i) numbers[i] = std::clamp(numbers[i], low, high);
+  }
 };
 
 // Part of the time of a track with a velocity beside it: the primary track's own, or a reign (R-T5).
@@ -214,7 +219,7 @@ struct Schedule {
   std::vector<Activity> activities;                             // by source, then time
   std::vector<Edge> begins, ends;                    // of all activities, by time
   std::vector<LiveSource> lives;                     // nobody knows when they change
-  bool active(const Source&, std::int64_t t) const;  // it goes on changing behind t
+  const Activity* active(const Source&, std::int64_t t) const;  // in which it goes on changing behind t; or null
 };
 
 // The environments that something is in, the outermost first, and since when. Which generation of a name that is was

@@ -13,8 +13,7 @@ Vec3 mix(Vec3 a, Vec3 b, double s) { return a + s * (b - a); }
 
 void Program::Compiled::evaluate(const CurveUse& use, Time t, double* out) const {
   set.evaluate(use.curve, t, out);
-  if (!use.bounded) return;
-  for (int i = 0; i < use.curve.channels; ++i) out[i] = std::clamp(out[i], use.low, use.high);
+  use.bound(out);
 }
 
 void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, double* out) const {

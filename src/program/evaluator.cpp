@@ -3,6 +3,7 @@
 #include "program/evaluator.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "program/placing.h"
@@ -28,6 +29,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled)
     : compiled_(compiled),
       numbers_(compiled.rest),
       asked_(compiled.schedule.sources.size()),
+      segments_(compiled.schedule.sources.size()),
       dirty_(compiled.nodes.size()),
       held_(compiled.nodes.size()),
       parent_(compiled.nodes.size(), -1),
@@ -51,13 +53,15 @@ void Evaluator::flag(std::uint32_t drawable) {
   changed.push_back(drawable);
 }
 
-void Evaluator::touch(std::uint32_t source) {
+void Evaluator::touch(std::uint32_t source, std::int64_t t) {
   if (asked_[source] == turn_) return;
   asked_[source] = turn_;
   due_.push_back(source);
+  if (const Activity* now = compiled_.schedule.active(compiled_.schedule.sources[source], t))
+    active_.push_back({source, *now});
 }
 
-// The sources that may say something else at `t` than they did.
+// The sources that may say something else at `t` than they did; and which go on changing then.
 void Evaluator::collect(std::int64_t t) {
   const Schedule& s = compiled_.schedule;
   if (++turn_ == 0)
@@ -71,27 +75,28 @@ void Evaluator::collect(std::int64_t t) {
                              : std::lower_bound(edges.begin(), edges.end(), t, time);
   const auto last = std::upper_bound(first, edges.end(), std::max(t, now), behind);
   if (fresh_ || static_cast<std::size_t>(last - first) + active_.size() > s.sources.size()) {
-    for (std::uint32_t i = 0; i < s.sources.size(); ++i) due_.push_back(i);
+    active_.clear();
+    for (std::uint32_t i = 0; i < s.sources.size(); ++i) touch(i, t);
   } else {
-    for (const std::uint32_t i : active_) touch(i);
-    for (auto e = first; e != last; ++e) touch(e->source);
+    std::size_t kept = 0;
+    for (const Active& a : active_) {
+      asked_[a.source] = turn_;
+      due_.push_back(a.source);
+      if (a.now.from <= t && t < a.now.until)
+        active_[kept++] = a;
+      else if (const Activity* now = s.active(s.sources[a.source], t))
+        active_[kept++] = {a.source, *now};
+    }
+    active_.resize(kept);
+    for (auto e = first; e != last; ++e) touch(e->source, t);
   }
-  active_.clear();
-  for (const std::uint32_t i : due_)
-    if (s.active(s.sources[i], t)) active_.push_back(i);
 }
 
-void Evaluator::evaluate(const Schedule::Source& s, std::int64_t t) {
+void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
+  const Schedule::Source& s = compiled_.schedule.sources[i];
   switch (s.what) {
-    case Schedule::Source::curve: {
-      const CurveUse& use = compiled_.curves[s.index];
-      double n[4];
-      compiled_.evaluate(use, {t}, n);
-      const std::size_t bytes = use.curve.channels * sizeof(double);
-      if (std::memcmp(n, &numbers_[use.offset], bytes) == 0) return;
-      std::memcpy(&numbers_[use.offset], n, bytes);
-      return mark(s.node, s.affects);
-    }
+    case Schedule::Source::curve:
+      return evaluate_curve(i, t);
     case Schedule::Source::attachment: {
       const CompiledSpan* held = compiled_.span(compiled_.nodes[s.node], {t});
       if (held == held_[s.node]) return;
@@ -106,6 +111,27 @@ void Evaluator::evaluate(const Schedule::Source& s, std::int64_t t) {
     case Schedule::Source::motion:
       return mark(s.node, s.affects);
   }
+}
+
+void Evaluator::evaluate_curve(std::uint32_t i, std::int64_t t) {
+  const Schedule::Source& s = compiled_.schedule.sources[i];
+  const CurveUse& use = compiled_.curves[s.index];
+  CubicSegment& g = segments_[i];
+  double n[4];
+  if ((g.from <= t && t < g.until) || compiled_.set.cubic(use.curve, t, g)) {
+    const double part = static_cast<double>(t - g.from) / g.length;
+    for (int c = 0; c < use.curve.channels; ++c) n[c] = g.channels[c].at(part);
+    use.bound(n);
+  } else {
+    compiled_.evaluate(use, {t}, n);
+  }
+  bool same = true;
+  for (int c = 0; c < use.curve.channels; ++c) {
+    double& was = numbers_[use.offset + static_cast<std::uint32_t>(c)];
+    same = same && std::bit_cast<std::uint64_t>(was) == std::bit_cast<std::uint64_t>(n[c]);
+    was = n[c];
+  }
+  if (!same) mark(s.node, s.affects);
 }
 
 void Evaluator::evaluate_lives(Asking& asking, bool solids) {
@@ -149,14 +175,13 @@ void Evaluator::stay() {
 void Evaluator::to(Time t, Asking& asking, bool solids) {
   stay();
   collect(t.flicks);
-  const Schedule& s = compiled_.schedule;
   if (fresh_)
     for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i) {
       held_[i] = compiled_.span(compiled_.nodes[i], t);
       mark(i, affects::all);
     }
   now_ = t;
-  for (const std::uint32_t i : due_) evaluate(s.sources[i], t.flicks);
+  for (const std::uint32_t i : due_) evaluate(i, t.flicks);
   evaluate_lives(asking, solids);
   environments();
   places(asking);
@@ -178,7 +203,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   if (fresh_)
     for (std::uint32_t d = 0; d < worlds.size(); ++d) flag(d);
   fresh_ = false;
-  std::sort(changed.begin(), changed.end());
+  sort_numbers(changed);
 }
 
 // The form of a drawable for now: a number.

@@ -16,6 +16,11 @@
 
 namespace betwixt {
 
+// They mostly are in order already.
+inline void sort_numbers(std::vector<std::uint32_t>& all) {
+  if (!std::is_sorted(all.begin(), all.end())) std::sort(all.begin(), all.end());
+}
+
 class Evaluator {
  public:
   explicit Evaluator(const Program::Compiled&);
@@ -61,9 +66,10 @@ class Evaluator {
 
  private:
   void mark(std::uint32_t node, std::uint8_t what);
-  void touch(std::uint32_t source);
+  void touch(std::uint32_t source, std::int64_t t);
   void collect(std::int64_t t);
-  void evaluate(const Schedule::Source&, std::int64_t t);
+  void evaluate(std::uint32_t source, std::int64_t t);
+  void evaluate_curve(std::uint32_t source, std::int64_t t);
   void evaluate_lives(Asking&, bool solids);
   void environments();
   void arrange();
@@ -88,7 +94,13 @@ class Evaluator {
   std::vector<double> numbers_;
 
   // Sources: those that go on changing, and those asked this time.
-  std::vector<std::uint32_t> active_, due_, asked_;
+  struct Active {
+    std::uint32_t source = 0;
+    Activity now;
+  };
+  std::vector<Active> active_;
+  std::vector<std::uint32_t> due_, asked_;
+  std::vector<CubicSegment> segments_;  // by source: where curves are
   std::uint32_t turn_ = 0;
   std::vector<std::uint8_t> dirty_;  // by node
   std::vector<std::uint32_t> marked_;

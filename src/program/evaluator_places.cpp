@@ -90,7 +90,8 @@ void Evaluator::compose(std::uint32_t node) {
 
 void Evaluator::show(std::uint32_t node) {
   const auto d = static_cast<std::uint32_t>(compiled_.nodes[node].drawable);
-  const Mat4 m = world(node);
+  const Mat4 around = compiled_.sited ? world(node) : Mat4{};
+  const Mat4& m = compiled_.sited ? around : placed_[node].world;
   if (std::memcmp(&m, &worlds[d], sizeof m) == 0) return;
   worlds[d] = m;
   flag(d);
@@ -118,7 +119,7 @@ void Evaluator::places(Asking& asking) {
         before.emplace_back(static_cast<std::uint32_t>(d), worlds[static_cast<std::size_t>(d)]);
     });
   }
-  std::sort(dirty_places_.begin(), dirty_places_.end());
+  sort_numbers(dirty_places_);
   std::uint32_t done = 0;
   for (const std::uint32_t at : dirty_places_) {
     if (at < done) continue;

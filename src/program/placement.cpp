@@ -49,20 +49,22 @@ Placed own_place(const Said& said) {
 Placed hang(const Placed& own, Vec3 attach, const CompiledSpan* span, const Frozen* frozen, const Placed* parent) {
   if (!span || span->kind == AttachmentKind::detach || (span->kind == AttachmentKind::letgo && !frozen->held))
     return own;
-  Placed p = own;
-  if (frozen) p.world = frozen->before * p.world, p.turn = frozen->before_turn * p.turn;
-  Mat4 turn3, above;
-  Quat above_turn;
-  if (span->kind == AttachmentKind::letgo) {
-    turn3 = frozen->turn3, above = frozen->parent, above_turn = frozen->parent_turn, attach = frozen->attach;
-  } else {
-    turn3 = held_turn(span->kind, *parent), above = parent->world;
-    if (span->kind != AttachmentKind::hang) above_turn = parent->turn;
-  }
-  const Vec3 place = transform_point(above, translation_of(p.world) + attach);
-  p.world = turn3 * linear_part(p.world);
+  Placed kept;
+  if (frozen) kept = {frozen->before * own.world, frozen->before_turn * own.turn};
+  const Placed& from = frozen ? kept : own;
+  const bool let_go = span->kind == AttachmentKind::letgo;
+  if (let_go) attach = frozen->attach;
+  const Vec3 place = transform_point(let_go ? frozen->parent : parent->world, translation_of(from.world) + attach);
+  Placed p;
+  if (let_go)
+    p = {linear_product(frozen->turn3, from.world), frozen->parent_turn * from.turn};
+  else if (span->kind == AttachmentKind::couple)
+    p = {linear_product(parent->world, from.world), parent->turn * from.turn};
+  else if (span->kind == AttachmentKind::attach)
+    p = {linear_product(rotation(parent->turn), from.world), parent->turn * from.turn};
+  else
+    p = {linear_part(from.world), from.turn};
   p.world(0, 3) = place.x, p.world(1, 3) = place.y, p.world(2, 3) = place.z;
-  p.turn = above_turn * p.turn;
   return p;
 }
 

@@ -213,8 +213,10 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
   g.s = eased(since / g.length, here, detail(c.first + k + 1), g.length);
   const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
   if (row && c.orientation && row->turn) return store(row->turn(g), out);
-  if (row && !c.orientation && row->cubic) {
-    for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = row->cubic(g, i).at(g.s);
+  if (row && !c.orientation && row->cubics) {
+    Cubic cubics[4];
+    row->cubics(g, cubics);
+    for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = cubics[i].at(g.s);
     return;
   }
   const double s = factor(twerper, g.s, here);  // its ends and a factor
@@ -230,11 +232,14 @@ bool CurveSet::cubic(const Curve& c, std::int64_t t, CubicSegment& out) const {
   if (is_own(twerper) || twerper == Twerper::hold) return false;
   const TwerperRow& row = row_of(twerper);
   const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
-  if ((!row.cubic && row.factor) || (here && here->ease_out > 0) || (next && next->ease_in > 0)) return false;
+  if ((!row.cubics && row.factor) || (here && here->ease_out > 0) || (next && next->ease_in > 0)) return false;
   const Blend g = blend(c, k);
   out.from = first[k], out.until = first[k + 1], out.length = g.length;
-  for (std::uint32_t i = 0; i < g.channels; ++i)
-    out.channels[i] = row.cubic ? row.cubic(g, i) : Cubic{{g.from[i], g.to[i] - g.from[i], 0, 0}};
+  if (row.cubics) {
+    row.cubics(g, out.channels);
+  } else {
+    for (std::uint32_t i = 0; i < g.channels; ++i) out.channels[i] = {{g.from[i], g.to[i] - g.from[i], 0, 0}};
+  }
   return true;
 }
 
@@ -281,7 +286,7 @@ void add_activity(std::vector<Activity>& out, std::size_t first, Activity run) {
 bool CurveSet::still(const Curve& c, std::uint32_t k) const {
   const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
   if (twerper == Twerper::hold) return true;
-  if (is_own(twerper) || c.orientation || row_of(twerper).cubic != nullptr) return false;
+  if (is_own(twerper) || c.orientation || row_of(twerper).cubics != nullptr) return false;
   const CurveDetail* next = detail(c.first + k + 1);
   const double* from = &values_[c.values + k * c.channels];
   return std::equal(from, from + c.channels, next && next->cut ? next->before.data() : from + c.channels);

@@ -14,8 +14,8 @@ namespace {
 using Numbers = std::array<double, 4>;
 
 // Whether a segment of numbers is a polynomial of its eased time: a straight line or what a row works out itself.
-bool straight(Twerper t) { return !is_own(t) && !row_of(t).factor && !row_of(t).cubic && !row_of(t).turn; }
-bool polynomial(Twerper t) { return !is_own(t) && (row_of(t).cubic || !row_of(t).factor); }
+bool straight(Twerper t) { return !is_own(t) && !row_of(t).factor && !row_of(t).cubics && !row_of(t).turn; }
+bool polynomial(Twerper t) { return !is_own(t) && (row_of(t).cubics || !row_of(t).factor); }
 
 }  // namespace
 

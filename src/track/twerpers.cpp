@@ -21,23 +21,27 @@ Cubic hermite(double b, double e, double m1, double m2) {
 }
 
 // The tangents are those of the parabolas through three neighbours, in their real times.
-Cubic smooth_cubic(const Blend& g, std::uint32_t i) {
+void smooth_cubics(const Blend& g, Cubic* out) {
   const double h = g.length, h0 = g.length_before, h2 = g.length_after;
-  const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i), chord = e - b;
-  const double m1 = ((b - a) * (h / h0) * h + chord * h0) / (h0 + h);
-  const double m2 = (chord * h2 + (d - e) * (h / h2) * h) / (h + h2);
-  return hermite(b, e, m1, m2);
+  const double before = h / h0 * h, after = h / h2 * h, w1 = 1 / (h0 + h), w2 = 1 / (h + h2);
+  for (std::uint32_t i = 0; i < g.channels; ++i) {
+    const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i), chord = e - b;
+    out[i] = hermite(b, e, ((b - a) * before + chord * h0) * w1, (chord * h2 + (d - e) * after) * w2);
+  }
 }
 
-Cubic hermite_cubic(const Blend& g, std::uint32_t i) {
+void hermite_cubics(const Blend& g, Cubic* out) {
   const double seconds = g.length / static_cast<double>(flicks_per_second);
-  return hermite(g.from[i], g.to[i], g.tangent_out ? g.tangent_out[i] * seconds : 0,
-                 g.tangent_in ? g.tangent_in[i] * seconds : 0);
+  for (std::uint32_t i = 0; i < g.channels; ++i)
+    out[i] = hermite(g.from[i], g.to[i], g.tangent_out ? g.tangent_out[i] * seconds : 0,
+                     g.tangent_in ? g.tangent_in[i] * seconds : 0);
 }
 
-Cubic bspline_cubic(const Blend& g, std::uint32_t i) {
-  const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i);
-  return {{(a + 4 * b + e) / 6, (e - a) / 2, (a - 2 * b + e) / 2, (d - a + 3 * (b - e)) / 6}};
+void bspline_cubics(const Blend& g, Cubic* out) {
+  for (std::uint32_t i = 0; i < g.channels; ++i) {
+    const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i);
+    out[i] = {{(a + 4 * b + e) / 6, (e - a) / 2, (a - 2 * b + e) / 2, (d - a + 3 * (b - e)) / 6}};
+  }
 }
 
 // ---- Orientations
@@ -79,20 +83,20 @@ constexpr TwerperRow twerper_rows[] = {
     {.name = "smooth",
      .sentence = "Through all events without a corner (Catmull-Rom).",
      .example = "at 12f ball.radius 2 smooth",
-     .cubic = smooth_cubic,
+     .cubics = smooth_cubics,
      .for_orientations = Twerper::squad},
     {.name = "bspline",
      .sentence = "Softer than smooth; comes near its events only.",
      .example = "at 12f ball.radius 2 bspline",
      .factor = smoothstep,
-     .cubic = bspline_cubic,
+     .cubics = bspline_cubics,
      .turn = bspline_turn},
     {.name = "hermite",  // orientations are at rest at both ends
      .sentence = "Through all events, by tangents of your own.",
      .written = "hermite [tangent=V]",
      .example = "at 12f ball.radius 2 hermite tangent=0",
      .factor = smoothstep,
-     .cubic = hermite_cubic},
+     .cubics = hermite_cubics},
     {.name = "bezier",
      .sentence = "To the next event along a curve of speed.",
      .written = "bezier(x1 y1 x2 y2)",

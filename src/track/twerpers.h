@@ -41,9 +41,9 @@ struct TwerperRow {
                    example = {};  // for help; `written`: where there is more to write than the name
   // How far the blend between two values is at s; null: s itself. `bezier`: what the author said to a bezier.
   double (*factor)(double s, const std::array<double, 4>& bezier) = nullptr;
-  // Of a segment of numbers, of each channel the cubic of s, and of one of orientations, where the two ends and a factor
+  // Of a segment of numbers the cubic of s of each channel, and of one of orientations, where the two ends and a factor
   // are not all that counts.
-  Cubic (*cubic)(const Blend&, std::uint32_t channel) = nullptr;
+  void (*cubics)(const Blend&, Cubic* out) = nullptr;
   Quat (*turn)(const Blend&) = nullptr;
   // The one that stands for it where orientations are blended, or numbers (then it turns orientations only); unset:
   // itself.
