@@ -57,7 +57,10 @@ struct ScheduleCompiler {
     source.first_activity = static_cast<std::uint32_t>(schedule.activities.size());
     activities(schedule.activities);
     source.activities = static_cast<std::uint32_t>(schedule.activities.size()) - source.first_activity;
-    if (source.activities > 0) schedule.sources.push_back(source);
+    if (source.activities > 0) return schedule.sources.push_back(source);
+    if (source.what != Schedule::Source::curve) return;
+    const CurveUse& use = compiled.curves[source.index];  // always the same
+    compiled.evaluate(use, {}, &compiled.rest[use.offset]);
   }
 
   void bindings(std::uint32_t object) {

@@ -266,7 +266,8 @@ struct Program::Compiled {
   std::vector<std::shared_ptr<const Environment>> environments;
   std::vector<Siting> sitings;
   std::vector<Moving> movings;
-  // Where there are many, all of them go from tick to tick together; one question at a time. Few are asked one by one.
+  // Where there are many, all of them go from tick to tick together: each evaluator has a set of its own, and whoever
+  // asks for one value waits for this one. Few are asked one by one.
   std::optional<EnvironmentSet> mutable many;
   mutable std::mutex many_in_use;
   bool sited = false;                  // some node is in an environment
@@ -288,8 +289,9 @@ struct Program::Compiled {
   void say(const TwerperFailures&, Asking&) const;
 
   const CompiledSpan* span(const Node& n, Time t) const;  // null: it never hangs on anything
-  Mat4 product(std::int32_t siting, Time t) const;  // of its environments
-  Mat4 matrix(const Site&, Time t) const;           // A
+  // Of its environments. `own`: a set of all of them that is at that time's tick, of whoever asks for many.
+  Mat4 product(std::int32_t siting, Time t, const EnvironmentSet* own = nullptr) const;
+  Mat4 matrix(const Site&, Time t) const;  // A
   // `drive`: the product of the environments that drive it, where that is known.
   std::optional<Mat4> driven(const Node&, Time t, Asking&, const Mat4* drive = nullptr) const;
   std::optional<Mat4> moved(const Node&, Time t) const;

@@ -105,7 +105,7 @@ void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
       return mark(s.node, s.affects);
     }
     case Schedule::Source::siting:
-      products_[s.index] = compiled_.product(static_cast<std::int32_t>(s.index), {t});
+      tick_ = INT64_MIN;  // its environments are others now
       return mark(s.node, s.affects);
     case Schedule::Source::steps:
     case Schedule::Source::motion:
@@ -151,17 +151,24 @@ void Evaluator::evaluate_lives(Asking& asking, bool solids) {
 }
 
 // Between ticks environments stand still.
-void Evaluator::environments() {
+void Evaluator::environments(bool own_set) {
   if (compiled_.sitings.empty()) return;
   const Scene& scene = compiled_.document.scene();
   const std::int64_t tick = scene.smooth_ticks ? now_.flicks : scene.ticks.whole(now_);
-  if (!fresh_ && tick == tick_) return;
+  if (tick == tick_) return;
   tick_ = tick;
+  if (compiled_.many && own_set) {
+    if (!many_) {
+      const std::lock_guard lock(compiled_.many_in_use);
+      many_ = compiled_.many;
+    }
+    if (many_->tick() != tick) many_->advance(tick);
+  }
   for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i)
     for (const std::int32_t siting : {compiled_.nodes[i].around, compiled_.nodes[i].drive}) {
       if (siting < 0) continue;
-      const Mat4 m = compiled_.product(siting, now_);
-      if (same_bits(m, products_[static_cast<std::size_t>(siting)])) continue;
+      const Mat4 m = compiled_.product(siting, now_, many_ ? &*many_ : nullptr);
+      if (!fresh_ && same_bits(m, products_[static_cast<std::size_t>(siting)])) continue;
       products_[static_cast<std::size_t>(siting)] = m;
       mark(i, affects::place);
     }
@@ -183,7 +190,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   now_ = t;
   for (const std::uint32_t i : due_) evaluate(i, t.flicks);
   evaluate_lives(asking, solids);
-  environments();
+  environments(!solids);
   places(asking);
 
   bool borrowed = false;

@@ -71,7 +71,7 @@ class Evaluator {
   void evaluate(std::uint32_t source, std::int64_t t);
   void evaluate_curve(std::uint32_t source, std::int64_t t);
   void evaluate_lives(Asking&, bool solids);
-  void environments();
+  void environments(bool own_set);
   void arrange();
   void arrange_eyes();
   void place_alone(std::uint32_t node, Asking&);
@@ -113,6 +113,7 @@ class Evaluator {
   std::vector<std::uint32_t> body_;
 
   std::int64_t tick_ = INT64_MIN;
+  std::optional<EnvironmentSet> many_;
   std::vector<Mat4> products_;  // by siting
   std::vector<Placed> own_, placed_;
   std::vector<Mat4> around_;

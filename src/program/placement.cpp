@@ -166,7 +166,7 @@ Mat4 Program::Compiled::matrix(const Site& site, Time t) const {
   return many->matrix(site.member);
 }
 
-Mat4 Program::Compiled::product(std::int32_t siting, Time t) const {
+Mat4 Program::Compiled::product(std::int32_t siting, Time t, const EnvironmentSet* own) const {
   Mat4 m;
   if (siting < 0) return m;
   const auto& changes = sitings[static_cast<std::size_t>(siting)].changes;
@@ -174,7 +174,7 @@ Mat4 Program::Compiled::product(std::int32_t siting, Time t) const {
   if (at != changes.begin()) --at;
   bool first = true;
   for (const Site& site : at->sites) {
-    const Mat4 a = matrix(site, t);
+    const Mat4 a = own ? own->matrix(site.member) : matrix(site, t);
     m = first ? a : m * a;
     first = false;
   }

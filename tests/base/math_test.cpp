@@ -36,6 +36,24 @@ TEST(Quaternions, PowersTakeTheWholeAngle) {
   expect_same(power(axis_angle({1, 0, 0}, 1e-200), 1e200), axis_angle({1, 0, 0}, 1));
 }
 
+TEST(Angles, SineAndCosineAreThoseOfTheLibrary) {
+  for (int k = -4000; k <= 4000; ++k)
+    for (const double angle : {k * 0.01, k * pi / 8, k * 247.3, k * 1e-7, k * 1e9}) {
+      const auto [sine, cosine] = sine_cosine(angle);
+      EXPECT_NEAR(sine, std::sin(angle), 3e-16) << angle;
+      EXPECT_NEAR(cosine, std::cos(angle), 3e-16) << angle;
+    }
+  EXPECT_EQ(sine_cosine(0).sine, 0);
+  EXPECT_EQ(sine_cosine(pi / 2).sine, 1);
+  EXPECT_TRUE(std::isnan(sine_cosine(INFINITY).sine));
+}
+
+RC_GTEST_PROP(Quaternions, AnglesAreTurnsAboutXThenYThenZ, ()) {
+  const auto angle = [] { return 0.01 * static_cast<double>(*rc::gen::inRange(-2000, 2000)); };
+  const Vec3 a{angle(), angle(), angle()};
+  expect_same(from_angles(a), axis_angle({1, 0, 0}, a.x) * axis_angle({0, 1, 0}, a.y) * axis_angle({0, 0, 1}, a.z));
+}
+
 RC_GTEST_PROP(Matrices, InversesUndo, ()) {
   const auto factor = [] { return *rc::gen::element(-3.0, 0.01, 0.5, 1.0, 40.0); };
   const Vec3 s{factor(), factor(), factor()};

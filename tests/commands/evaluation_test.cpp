@@ -11,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "scene/functions.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -185,6 +186,14 @@ TEST(Evaluation, GivesTheSameWhereverItWasBeforeAndSaysWhatChanged) {
       const std::string where = format_time(t, l.document) + "\n" + PlainFilm(seed).script();
       if (const auto wrong = differing(now, alone); !wrong.empty())
         RC_FAIL(fmt::format("{} differs at {}", l.document.name(e.drawables()[wrong[0]]), where));
+      for (std::size_t i = 0; i < now.size(); ++i) {  // by another road: value by value
+        const ObjectId id = e.drawables()[i];
+        const auto number = [&](FunctionId f) { return std::get<double>(p.read({id, f}, t)); };
+        if (p.read({id, Query::world}, t) != Value(Matrix(now[i].world)) ||
+            std::get<bool>(p.read({id, fn::display}, t)) != now[i].look.visible ||
+            (now[i].look.visible && number(fn::transparency) != now[i].look.transparency))
+          RC_FAIL(fmt::format("{} is not as it is read at {}", l.document.name(id), where));
+      }
       Evaluation other(p);
       other.to(t);
       if (!same_frame(e.frame(), other.frame()) || !same_frame(p.frame(t), other.frame())) RC_FAIL("frame at " + where);
