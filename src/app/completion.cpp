@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "app/subcommand.h"
@@ -35,6 +36,21 @@ void each_parameter(const Subcommand& s, bool options, const See& see) {
     if (p.is_option() == options && !p.hidden) see(p);
 }
 
+// The words that are offered for it, each once; "" where there are none.
+std::string words_for(const Parameter& p) {
+  if (p.offer != Offer::commands) return fmt::format("{}", fmt::join(p.words, " "));
+  std::set<std::string> words(p.words.begin(), p.words.end());
+  for (const Subcommand& s : subcommands()) words.insert(s.name);
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+// The words of its arguments.
+std::string argument_words(const Subcommand& s) {
+  std::string all;
+  each_parameter(s, false, [&](const Parameter& p) { all += words_for(p); });
+  return all;
+}
+
 bool takes_script(const Subcommand& s) {
   return std::any_of(s.takes.begin(), s.takes.end(), [](const Parameter& p) { return p.offer == Offer::scripts; });
 }
@@ -50,7 +66,8 @@ std::string command_names() {
 // The case of an option that takes a value: what is offered for it.
 std::string bash_value(const Parameter& p, const std::string& indent) {
   if (p.is_flag()) return {};
-  const std::string offer = !p.words.empty() ? "words=" + in_quotes(fmt::format("{}", fmt::join(p.words, " ")))
+  const std::string words = words_for(p);
+  const std::string offer = !words.empty()              ? "words=" + in_quotes(words)
                             : p.offer == Offer::nothing ? "return"
                                                         : "files='*'";
   return fmt::format("{}{}) {} ;;\n", indent, fmt::join(spellings(p), " | "), offer);
@@ -65,6 +82,8 @@ std::string bash_case(const Subcommand& s) {
   std::string out = fmt::format("    {})\n", s.name);
   if (!names.empty()) out += fmt::format("      options='{}'\n", names);
   if (takes_script(s)) out += "      scripts='!*.bx'\n";
+  if (const std::string words = argument_words(s); !words.empty())
+    out += fmt::format("      arguments={}\n", in_quotes(words));
   if (!values.empty()) out += fmt::format("      case $previous in\n{}      esac\n", values);
   return out + "      ;;\n";
 }
@@ -82,16 +101,13 @@ std::string zsh_escaped(std::string_view text) {
 }
 
 std::string zsh_action(const Parameter& p) {
-  if (!p.words.empty()) {
-    std::string words;
-    for (const std::string& w : p.words) words += (words.empty() ? "" : " ") + zsh_escaped(w);
-    return "(" + words + ")";
-  }
+  if (const std::string words = words_for(p); !words.empty()) return "(" + zsh_escaped(words) + ")";
   switch (p.offer) {
     case Offer::files:
       return "_files";
     case Offer::scripts:
       return "_files -g \"*.bx\"";
+    case Offer::commands:  // they are words
     case Offer::nothing:
       break;
   }
@@ -133,8 +149,8 @@ std::string fish_option(const std::string& when, const Parameter& p) {
   std::string out = fmt::format("complete -c betwixt -n {}", in_quotes(when));
   for (const std::string& name : spellings(p))
     out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-  if (!p.words.empty())
-    out += " -x -a " + in_quotes(fmt::format("{}", fmt::join(p.words, " ")));
+  if (const std::string words = words_for(p); !words.empty())
+    out += " -x -a " + in_quotes(words);
   else if (!p.is_flag())
     out += p.offer == Offer::nothing ? " -x" : " -r -F";
   return out + " -d " + in_quotes(p.sentence) + "\n";
@@ -147,7 +163,7 @@ std::string bash_completion() {
   for (const Subcommand& s : subcommands()) cases += bash_case(s);
   for (const Parameter& p : common_parameters()) names += " " + p.name, values += bash_value(p, "    ");
   return head + fmt::format(R"(_betwixt() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}} options='' words='' files='' scripts=''
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}} options='' words='' files='' scripts='' arguments=''
   if [ "$COMP_CWORD" = 1 ]; then
     mapfile -t COMPREPLY < <(compgen -W '{} --help --version' -- "$current")
     return
@@ -162,6 +178,8 @@ std::string bash_completion() {
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
   elif [[ $current == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options{} --help" -- "$current")
+  elif [ -n "$arguments" ]; then
+    mapfile -t COMPREPLY < <(compgen -W "$arguments" -- "$current")
   elif [ -n "$scripts" ]; then
     mapfile -t COMPREPLY < <(compgen -f -X "$scripts" -- "$current"; compgen -d -- "$current")
   fi
@@ -214,6 +232,8 @@ std::string fish_completion() {
                    [&](const Parameter& p) { out += fish_option("__fish_seen_subcommand_from " + s.name, p); });
     all += " " + s.name;
     if (takes_script(s)) scripts += " " + s.name;
+    if (const std::string words = argument_words(s); !words.empty())
+      out += fmt::format("complete -c betwixt -n '__fish_seen_subcommand_from {}' -a {}\n", s.name, in_quotes(words));
   }
   for (const Parameter& p : common_parameters()) out += fish_option("__fish_seen_subcommand_from" + all, p);
   return out +

@@ -36,6 +36,12 @@ std::string to_print(const std::string& what) {
   return manual_page();
 }
 
+std::vector<std::string> words_of_the_language() {
+  std::vector<std::string> all;
+  for (const HelpEntry& e : help_entries()) all.emplace_back(e.word);
+  return all;
+}
+
 int say(const std::string& text) {
   fmt::print("{}", text);
   return all_done;
@@ -61,7 +67,11 @@ const Enlisted enlisted_help(help, [](HelpCall& call) -> Subcommand {
   return {.rank = 120,
           .name = "help",
           .sentence = "explains a command, or a word of the language",
-          .takes = {{.name = "WORD", .sentence = "what is asked about; all commands if none is", .into = &call.word},
+          .takes = {{.name = "WORD",
+                     .sentence = "what is asked about; all commands if none is",
+                     .into = &call.word,
+                     .words = words_of_the_language(),
+                     .offer = Offer::commands},
                     {.name = "--print",
                      .value = "WHAT",
                      .sentence = "a completion or the manual page",

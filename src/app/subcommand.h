@@ -26,7 +26,7 @@ using Into = std::variant<bool*, int*, std::int64_t*, std::size_t*, std::string*
                           std::vector<std::string>*, ReadValue>;
 
 // What a shell offers where a value is due, besides the parameter's words.
-enum class Offer { nothing, files, scripts };
+enum class Offer { nothing, files, scripts, commands };
 
 // An argument, or an option.
 struct Parameter {
