@@ -29,10 +29,11 @@ struct Command {
 // A verb: how it is written, what its help says, what it may stand behind, and what it does.
 struct Verb {
   enum : unsigned {
-    timed = 1,        // `at TIME` may stand before it
-    layered = 2,      // `on LAYER` may stand before it
-    stamped = 4,      // without a time it happens now, where the author is a live host (LoadOptions::now)
-    opens_sheet = 8,  // its rows go below it
+    timed = 1,         // `at TIME` may stand before it
+    layered = 2,       // `on LAYER` may stand before it
+    stamped = 4,       // without a time it happens now, where the author is a live host (LoadOptions::now)
+    opens_sheet = 8,   // its rows go below it
+    starts_show = 16,  // a live host's time begins with it
   };
   std::string_view word, usage, sentence;
   std::string_view example;  // lines that can be entered one after another

@@ -153,7 +153,7 @@ constexpr Verb display_lists_rows[] = {
     {"delete", "[at TIME] delete NAME, a display list", "Takes a display list out of the film.",
      "make star\n  point (0 0)\ndelete star", Verb::timed, delete_it},
     {"start", "start NAME, a display list", "Shows a display list with all that it calls: it is the main object.",
-     "make star\n  point (0 0)\nstart star", 0, start},
+     "make star\n  point (0 0)\nstart star", Verb::starts_show, start},
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "base/names.h"
+#include "commands/verbs.h"
 #include "editor/journal.h"
 #include "language/json.h"
 #include "server/answers.h"
@@ -193,6 +194,11 @@ Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t event
   c.kept = !c.deed.opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
   if (const Status fits = within(options_.ceilings, was, events, is, c.events); !fits) return fits.error();
   return c;
+}
+
+bool Imaging::starts_show(std::string_view verb) {
+  const Verb* known = find_verb(verb);
+  return known && known->flags & Verb::starts_show;
 }
 
 Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
