@@ -109,9 +109,9 @@ bool delete_it(Command& k) {
 }
 
 // Whether nobody else has names that what a list draws may want.
-bool free_below(Command& k, const std::string& name, std::string_view about) {
+bool free_below(Command& k, std::string_view name, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
-  const std::string below = name + "/";
+  const std::string below = fmt::format("{}/", name);
   for (std::size_t i = 0; i < s.objects.size(); ++i)
     if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
       return c.fail(ErrorCode::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), about,
@@ -122,9 +122,8 @@ bool free_below(Command& k, const std::string& name, std::string_view about) {
 bool start(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view word;
-  if (!list_name(k, word) || !finish(c)) return false;
+  if (!list_name(k, word) || !finish(c) || !free_below(k, word, word)) return false;
   const std::string name(word);
-  if (!free_below(k, name, word)) return false;
   const std::string before = std::exchange(s.main, name);
   const Status done = expand(s);
   if (done) {

@@ -152,8 +152,7 @@ bool fall(Command& k) {
 
 constexpr Verb fall_rows[] = {
     {"fall", "at TIME fall A [delay=L] [gravity=G] [ground=Y] [bounce=K] [for L]",
-     "Lets objects fall and bounce, as plain events; their positions stop at ground, so for a ball give its radius.",
-     "at 24f fall ball", Verb::timed, fall},
+     "Objects fall and bounce, as plain events; a ball's ground is its radius.", "at 24f fall ball", Verb::timed, fall},
 };
 
 }  // namespace

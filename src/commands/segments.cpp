@@ -54,6 +54,14 @@ bool operate(Command& k, const Stretch& on, const Work& work, bool along = true)
   return true;
 }
 
+// The same, and says what it has made of motions.
+bool operate_and_say(Command& k, const Stretch& on, const Work& work, bool along = true) {
+  const Scene before = k.scene;
+  if (!operate(k, on, work, along)) return false;
+  say_lasting(k, before, on.of, on.word);
+  return true;
+}
+
 // A number for all components, or one for each. Factors have no unit.
 bool given_factors(Command& k, const Stretch& on, Value& out) {
   Cursor& c = k.cursor;
@@ -79,10 +87,7 @@ bool move(Command& k) {
   if (!on_segment(k, on)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
-  const Scene before = k.scene;
-  if (!operate(k, on, [&](Track& t, int, bool) { return move_segment(t, on.segment, by); })) return false;
-  say_lasting(k, before, on.of, on.word);
-  return true;
+  return operate_and_say(k, on, [&](Track& t, int, bool) { return move_segment(t, on.segment, by); });
 }
 
 bool stretch(Command& k) {
@@ -177,10 +182,7 @@ bool clear(Command& k) {
   const auto erase = [&](Track& t, int, bool) -> Result<Changed> {
     return Changed{t.events.erase(on.segment.from, on.segment.to), 0};
   };
-  const Scene before = k.scene;
-  if (!operate(k, on, erase, false)) return false;
-  say_lasting(k, before, on.of, on.word);
-  return true;
+  return operate_and_say(k, on, erase, false);
 }
 
 constexpr Verb segments_rows[] = {

@@ -96,9 +96,8 @@ bool set(Command& k) {
 
 bool global_twerper(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  const std::string_view w = c.next_word();
   Selected to;
-  if (!targets(k, w, to)) return false;
+  if (!targets(k, c.next_word(), to)) return false;
   if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
   Twerper chosen = Twerper::unset;
   std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
@@ -128,9 +127,8 @@ bool global_twerper(Command& k) {
 
 bool extend(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  const std::string_view w = c.next_word();
   Selected to;
-  if (!targets(k, w, to)) return false;
+  if (!targets(k, c.next_word(), to)) return false;
   const std::string_view how = c.next_word();
   const auto at = std::find(extrapolation_names.begin(), extrapolation_names.end(), how);
   if (at == extrapolation_names.end())
