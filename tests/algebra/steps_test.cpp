@@ -248,19 +248,16 @@ TEST(Steps, SayWhatCannotBe) {
     const char* words;
     std::int64_t steps = 10;
   };
+  const std::pair<const char*, const char*> no_one_matrix[] = {
+      {"R(1turn) T(1 1)", "a way and a turn do not commute, so the root of the whole is an arc and not this path"},
+      {"S(2 2) T(1 1)", "a way and a scaling do not commute, so the root of the whole takes another path"},
+      {"S(2 3) R(1turn)", "its factors do not commute, so the root of the whole takes another path"},
+      {"S(2 3 linear)", "the steps of a scaling by the linear law are not alike"}};
+  for (const auto& [text, why] : no_one_matrix)
+    EXPECT_EQ(said(text, Method::differences), std::string("no one matrix makes all steps of this motion: ") + why +
+                                                   " | the method `best` takes every string")
+        << text;
   const Case table[] = {
-      {"R(1turn) T(1 1)", Method::differences,
-       "no one matrix makes all steps of this motion: a way and a turn do not commute, so the root of the whole is an "
-       "arc and not this path | the method `best` takes every string"},
-      {"S(2 2) T(1 1)", Method::differences,
-       "no one matrix makes all steps of this motion: a way and a scaling do not commute, so the root of the whole "
-       "takes another path | the method `best` takes every string"},
-      {"S(2 3) R(1turn)", Method::differences,
-       "no one matrix makes all steps of this motion: its factors do not commute, so the root of the whole takes "
-       "another path | the method `best` takes every string"},
-      {"S(2 3 linear)", Method::differences,
-       "no one matrix makes all steps of this motion: the steps of a scaling by the linear law are not alike | the "
-       "method `best` takes every string"},
       {"S(2 3)", Method::geometric,
        "the geometric method scales by the linear law | S(… linear), or the method `matrix`"},
       {"T(1 1) T(1 1)", Method::geometric,

@@ -14,6 +14,10 @@ using Complex = std::complex<long double>;
 constexpr long double pi_l = std::numbers::pi_v<long double>;
 Complex turn(long double turns) { return std::polar(1.0L, 2 * pi_l * turns); }
 
+void expect_place_in(std::string_view film, std::string_view object, std::string_view time, Vec3 wanted) {
+  expect_place(LoadedFilm(film), object, time, wanted);
+}
+
 TEST(Motions, RollAWheelWhoseNailDrawsACycloid) {
   const LoadedFilm s(
       "create nail sphere position=(0 0 0)\nnail.motion\n  1f..49f T(6.283185307179586 0) R(-1turn @ 0 1)\n");
@@ -150,10 +154,10 @@ TEST(Motions, TurnAboutEachOtherAndAboutWhatIsHeld) {
   expect_place(both, "a", "11f", {5, 0, 0});
   expect_place(both, "b", "11f", {-1, 0, 0});
   // One after the other: the second sees what the first has done.
-  const LoadedFilm then(
+  expect_place_in(
       "create a group position=(1 0 0)\ncreate b group position=(3 0 0)\nat 1f..11f a.motion R(180deg @ b)\n"
-      "at 11f..21f b.motion R(180deg @ a)\n");
-  expect_place(then, "b", "21f", {7, 0, 0});
+      "at 11f..21f b.motion R(180deg @ a)\n",
+      "b", "21f", {7, 0, 0});
   // A camera that looks at something and is held where it was.
   const LoadedFilm held(
       "create p group position=(5 0 0)\np.position\n  1f (5 0 0) linear\n  21f (25 0 0)\n"
@@ -163,15 +167,15 @@ TEST(Motions, TurnAboutEachOtherAndAboutWhatIsHeld) {
   EXPECT_NEAR(cam.x, 5, 1e-9);
   expect_place(held, "a", "21f", {9, 0, 0});
   // What is held where it was turns about a place in the world.
-  const LoadedFilm kept(
+  expect_place_in(
       "create hand group position=(5 0 0)\ncreate a group position=(1 0 0)\ncreate c group position=(1 3 0)\n"
-      "at 5f couple a to hand keep-world\nat 10f..20f a.motion R(90deg @ c)\n");
-  expect_place(kept, "a", "20f", {4, 3, 0});
+      "at 5f couple a to hand keep-world\nat 10f..20f a.motion R(90deg @ c)\n",
+      "a", "20f", {4, 3, 0});
   // What repeats before its first row is left out where a centre is looked up: b is where its tracks put it.
-  const LoadedFilm before(
+  expect_place_in(
       "create a group position=(1 0 0)\ncreate b group position=(2 0 0)\ncreate c group position=(5 0 0)\n"
-      "at 1f..11f a.motion R(180deg @ b)\nat 46f..56f b.motion R(180deg @ c)\nextend b.motion cycle before\n");
-  expect_place(before, "a", "11f", {3, 0, 0});
+      "at 1f..11f a.motion R(180deg @ b)\nat 46f..56f b.motion R(180deg @ c)\nextend b.motion cycle before\n",
+      "a", "11f", {3, 0, 0});
 }
 
 TEST(Motions, GoThroughSpace) {
@@ -198,11 +202,10 @@ TEST(Motions, TurnAboutWhereThingsAre) {
       "set a.environments drift\nset c.environments drift\nat 1f..25f a.motion R(180deg @ c)\n");
   EXPECT_NEAR(place(in, "a", "25f").x - place(in, "c", "25f").x, 2, 1e-9);
   // What is let go is seen from where it was let go.
-  const LoadedFilm loose(
-      "create hand group position=(5 0 0)\ncreate a sphere position=(1 0 0)\ncouple a to hand\ncreate c group "
-      "position=(8 0 0)\n"
-      "at 5f letgo a\nat 10f..20f a.motion R(90deg @ c)\n");
-  expect_place(loose, "a", "20f", {8, -2, 0});
+  expect_place_in(
+      "create hand group position=(5 0 0)\ncreate a sphere position=(1 0 0)\ncouple a to hand\n"
+      "create c group position=(8 0 0)\nat 5f letgo a\nat 10f..20f a.motion R(90deg @ c)\n",
+      "a", "20f", {8, -2, 0});
 }
 
 TEST(Motions, KeepTheirCentres) {
@@ -212,10 +215,10 @@ TEST(Motions, KeepTheirCentres) {
   EXPECT_NE(said(gone.diagnostics).find("notice: 'a.motion' turns about where that was"), std::string::npos);
   EXPECT_NE(write(gone.document).find("R(90deg @ 1 1)"), std::string::npos) << write(gone.document);
   // Of one that is still open, too.
-  const LoadedFilm open(
+  expect_place_in(
       "create hub group position=(1 1 0)\ncreate a sphere position=(2 1 0)\na.motion\n  1f R(90deg @ hub)\nremove hub\n"
-      "at 25f a.motion \"\"\n");
-  expect_place(open, "a", "25f", {1, 2, 0});
+      "at 25f a.motion \"\"\n",
+      "a", "25f", {1, 2, 0});
   // A copy that turned about itself turns about its own place.
   const LoadedFilm s(
       "create a box position=(2 0 0)\nat 1f..25f a.motion R(90deg @ a)\ncreate b like a\nset b.position (5 0 0)\n"

@@ -14,13 +14,14 @@ struct Slip {
 };
 
 TEST(Newcomer, Is_told_what_is_wrong_where_and_what_to_write) {
+  const std::string lists = "display lists are made by make NAME; objects are there without being started";
+  const std::string rows = "rows are indented, below make NAME or edit NAME";
+  const std::string narrow = "a camera sees less than 180deg";
   const Slip table[] = {
       {"couple ball to spin", "3:16: 'spin' is an environment: nothing is held by it",
        "it moves what is in it: set ball.environments (spin)"},
-      {"start ball", "3:7: 'ball' is a sphere, not a display list",
-       "display lists are made by make NAME; objects are there without being started"},
-      {"edit spin", "3:6: 'spin' is an environment, not a display list",
-       "display lists are made by make NAME; objects are there without being started"},
+      {"start ball", "3:7: 'ball' is a sphere, not a display list", lists},
+      {"edit spin", "3:6: 'spin' is an environment, not a display list", lists},
       {"create spin box", "3:8: there is an environment 'spin' already",
        "objects, environments and layers have names of their own"},
       {"set ball.transform rotate 90deg z", "3:27: an opening bracket '(' is missing here, behind 'rotate'",
@@ -30,16 +31,14 @@ TEST(Newcomer, Is_told_what_is_wrong_where_and_what_to_write) {
       {"halt spni", "3:6: there is no environment 'spni'", "did you mean 'spin'?"},
       {"set ball.count 3", "3:10: 'ball', a sphere, has no function 'count'", ""},
       {"set spin.radius 3", "3:10: 'spin', an environment, has no function 'radius'", ""},
-      {"point (0 0)", "3:1: 'point' is a row of a display list, not a command",
-       "rows are indented, below make NAME or edit NAME"},
-      {"call star", "3:1: 'call' is a row of a display list, not a command",
-       "rows are indented, below make NAME or edit NAME"},
+      {"point (0 0)", "3:1: 'point' is a row of a display list, not a command", rows},
+      {"call star", "3:1: 'call' is a row of a display list, not a command", rows},
       {"make a\n  circle (0 0) 2", "4:3: display lists have no 'circle'",
        "rows that draw are point, vector, polygon, text and call; for the others: help make"},
       {"make a\nmake b\n  a", "5:3: display lists have no 'a'", "call a draws that list"},
       {"make a\n  polygn (0 0)", "4:3: display lists have no 'polygn'", "did you mean 'polygon'?"},
-      {"make a\n  perspective 200deg", "4:15: perspective is at most 177.6deg", "a camera sees less than 180deg"},
-      {"create eye camera fov=200deg", "3:23: fov is at most 177.6deg", "a camera sees less than 180deg"},
+      {"make a\n  perspective 200deg", "4:15: perspective is at most 177.6deg", narrow},
+      {"create eye camera fov=200deg", "3:23: fov is at most 177.6deg", narrow},
   };
   for (const auto& [line, told, hint] : table) {
     const Loaded loaded = read(std::string(film) + line + "\n");

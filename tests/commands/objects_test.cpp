@@ -12,12 +12,12 @@ TEST(Objects, CreateAndLike) {
   const LoadedFilm s(
       "create ball{1..100} sphere radius=2\ncreate {left,right}-eye sphere\nball7.position.x\n 1f 7\n"
       "create twin like ball7\nset twin.radius 3\nball7.position.x\n 1f 8\n");
-  EXPECT_EQ(s.loaded.document.names().size(), 103u);
-  EXPECT_EQ(s.loaded.document.names()[99], "ball100");
   expect_numbers(s, {{"ball100.radius", "1f", {2}},
                      {"twin.position.x", "1f", {7}},
                      {"twin.radius", "1f", {3}},
                      {"ball7.radius", "1f", {2}}});
+  EXPECT_EQ(s.loaded.document.names().size(), 103u);
+  EXPECT_EQ(s.loaded.document.names()[99], "ball100");
 }
 
 // shows: G26 G28

@@ -13,18 +13,23 @@ Imaging::Options at_most(std::size_t Ceilings::*of_what, std::size_t most) {
   return options;
 }
 
+// It is refused, and nothing is otherwise than before.
+void changes_nothing(Stage& s, Imaging::Host host, const std::string& line, const std::string& why) {
+  const Document before = s.imaging.document();
+  s.refused(host, line, why);
+  EXPECT_TRUE(s.imaging.document() == before) << line;
+}
+
 TEST(Imaging, HasACeilingOfObjects) {
   Stage s(at_most(&Ceilings::objects, 3));
   const auto host = s.imaging.arrive();
   s.done(host, "create a{1..3} sphere");
-  const Document before = s.imaging.document();
-  s.refused(host, "create b sphere", "there would be more than 3 objects, removed ones included");
-  s.refused(host, "animate e every 1t by rotate(1deg, y)", "more than 3 objects");
+  changes_nothing(s, host, "create b sphere", "there would be more than 3 objects, removed ones included");
+  changes_nothing(s, host, "animate e every 1t by rotate(1deg, y)", "more than 3 objects");
   s.say(host, "bundle");
   s.say(host, "set a1.radius 2");
   s.say(host, "create b sphere");
-  s.refused(host, "end", "line 6: there would be more than 3 objects");
-  EXPECT_TRUE(s.imaging.document() == before);
+  changes_nothing(s, host, "end", "line 6: there would be more than 3 objects");
   s.done(host, "set a{1..3}.radius 2");  // what is there may change
   s.done(host, "remove a1");
   s.refused(host, "create b sphere", "more than 3 objects");
@@ -70,9 +75,7 @@ TEST(Imaging, HasACeilingOfItsHistory) {
   s.done(host, "set a.radius 2");   // 15 + 1
   s.done(host, "set a.radius 3");   // 49 so far
   EXPECT_TRUE(holds(s.say(host, "stats"), "\"history\":49"));
-  const Document before = s.imaging.document();
-  s.refused(host, "set a.radius 4", "the history would be longer than 60 bytes");
-  EXPECT_TRUE(s.imaging.document() == before);
+  changes_nothing(s, host, "set a.radius 4", "the history would be longer than 60 bytes");
   s.done(host, "eval a.radius");
   s.done(other, "# nothing");
   s.done(other, "undo");
@@ -87,9 +90,7 @@ TEST(Imaging, HasACeiling) {
   Stage s(at_most(&Ceilings::environments, 3));
   const auto host = s.imaging.arrive();
   s.done(host, "animate e{1..3} every 1t by rotate(1deg, y)");
-  const Document before = s.imaging.document();
-  s.refused(host, "animate e4 every 1t by rotate(1deg, y)", "there would be more than 3 environments");
-  EXPECT_TRUE(s.imaging.document() == before);
+  changes_nothing(s, host, "animate e4 every 1t by rotate(1deg, y)", "there would be more than 3 environments");
   s.done(host, "animate e3 every 2t by rotate(1deg, y)");
   s.done(host, "kill e1");
   s.done(host, "animate e4 every 1t by rotate(1deg, y)");
