@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -111,9 +112,12 @@ inline SineCosine sine_cosine(double angle) {
                                z * (2.48015872894767294178e-05 +
                                     z * (-2.75573143513906633035e-07 +
                                          z * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11))))));
-  const auto quarter = static_cast<std::int64_t>(n) & 3;
-  const double s = quarter & 1 ? cosine : sine, c = quarter & 1 ? sine : cosine;
-  return {quarter & 2 ? -s : s, (quarter + 1) & 2 ? -c : c};
+  // Which of both it is, and its sign, by bits: angles come in no order that a processor could guess.
+  const auto quarter = static_cast<std::uint64_t>(static_cast<std::int64_t>(n));
+  const std::uint64_t s = std::bit_cast<std::uint64_t>(sine), c = std::bit_cast<std::uint64_t>(cosine);
+  const std::uint64_t swapped = (s ^ c) & (0 - (quarter & 1));
+  return {std::bit_cast<double>(s ^ swapped ^ (quarter & 2) << 62),
+          std::bit_cast<double>(c ^ swapped ^ ((quarter + 1) & 2) << 62)};
 }
 // Angles about the object's own x axis, then its y axis, then its z axis.
 inline Quat from_angles(Vec3 a) {

@@ -29,7 +29,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled)
     : compiled_(compiled),
       numbers_(compiled.rest),
       asked_(compiled.schedule.sources.size()),
-      segments_(compiled.schedule.sources.size()),
+      playing_(compiled.schedule.sources.size()),
       dirty_(compiled.nodes.size()),
       held_(compiled.nodes.size()),
       parent_(compiled.nodes.size(), -1),
@@ -37,6 +37,12 @@ Evaluator::Evaluator(const Program::Compiled& compiled)
       own_(compiled.nodes.size()),
       placed_(compiled.nodes.size()),
       around_(compiled.sited ? compiled.nodes.size() : 0) {
+  for (std::size_t i = 0; i < playing_.size(); ++i) {
+    const Schedule::Source& s = compiled.schedule.sources[i];
+    if (s.what != Schedule::Source::curve) continue;
+    const CurveUse& use = compiled.curves[s.index];
+    playing_[i] = {{}, use.offset, s.node, use.curve.channels, s.affects, use.bounded};
+  }
   const std::size_t drawables = compiled.drawables.size();
   worlds.resize(drawables), looks.resize(drawables);
   forms_.resize(drawables), stale_.assign(drawables, true), renewed_.resize(drawables), flagged_.resize(drawables);
@@ -93,45 +99,37 @@ void Evaluator::collect(std::int64_t t) {
 }
 
 void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
+  if (playing_[i].channels > 0) return evaluate_curve(i, t);
   const Schedule::Source& s = compiled_.schedule.sources[i];
-  switch (s.what) {
-    case Schedule::Source::curve:
-      return evaluate_curve(i, t);
-    case Schedule::Source::attachment: {
-      const CompiledSpan* held = compiled_.span(compiled_.nodes[s.node], {t});
-      if (held == held_[s.node]) return;
-      held_[s.node] = held;
-      rearrange_ = true;
-      return mark(s.node, s.affects);
-    }
-    case Schedule::Source::siting:
-      tick_ = INT64_MIN;  // its environments are others now
-      return mark(s.node, s.affects);
-    case Schedule::Source::steps:
-    case Schedule::Source::motion:
-      return mark(s.node, s.affects);
+  if (s.what == Schedule::Source::siting) tick_ = INT64_MIN;  // its environments are others now
+  if (s.what == Schedule::Source::attachment) {
+    const CompiledSpan* held = compiled_.span(compiled_.nodes[s.node], {t});
+    if (held == held_[s.node]) return;
+    held_[s.node] = held;
+    rearrange_ = true;
   }
+  mark(s.node, s.affects);
 }
 
 void Evaluator::evaluate_curve(std::uint32_t i, std::int64_t t) {
-  const Schedule::Source& s = compiled_.schedule.sources[i];
-  const CurveUse& use = compiled_.curves[s.index];
-  CubicSegment& g = segments_[i];
+  Playing& p = playing_[i];
+  CubicSegment& g = p.segment;
+  const auto use = [&]() -> const CurveUse& { return compiled_.curves[compiled_.schedule.sources[i].index]; };
   double n[4];
-  if ((g.from <= t && t < g.until) || compiled_.set.cubic(use.curve, t, g)) {
+  if ((g.from <= t && t < g.until) || compiled_.set.cubic(use().curve, t, g)) {
     const double part = static_cast<double>(t - g.from) / g.length;
-    for (int c = 0; c < use.curve.channels; ++c) n[c] = g.channels[c].at(part);
-    use.bound(n);
+    for (std::uint32_t c = 0; c < p.channels; ++c) n[c] = g.channels[c].at(part);
+    if (p.bounded) use().bound(n);
   } else {
-    compiled_.evaluate(use, {t}, n);
+    compiled_.evaluate(use(), {t}, n);
   }
-  bool same = true;
-  for (int c = 0; c < use.curve.channels; ++c) {
-    double& was = numbers_[use.offset + static_cast<std::uint32_t>(c)];
-    same = same && std::bit_cast<std::uint64_t>(was) == std::bit_cast<std::uint64_t>(n[c]);
+  std::uint64_t other = 0;  // bits that differ
+  for (std::uint32_t c = 0; c < p.channels; ++c) {
+    double& was = numbers_[p.offset + c];
+    other |= std::bit_cast<std::uint64_t>(was) ^ std::bit_cast<std::uint64_t>(n[c]);
     was = n[c];
   }
-  if (!same) mark(s.node, s.affects);
+  if (other != 0) mark(p.node, p.affects);
 }
 
 void Evaluator::evaluate_lives(Asking& asking, bool solids) {

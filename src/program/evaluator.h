@@ -100,7 +100,14 @@ class Evaluator {
   };
   std::vector<Active> active_;
   std::vector<std::uint32_t> due_, asked_;
-  std::vector<CubicSegment> segments_;  // by source: where curves are
+  // Where a curve is, and what becomes of its numbers.
+  struct Playing {
+    CubicSegment segment;
+    std::uint32_t offset = 0, node = 0;
+    std::uint8_t channels = 0, affects = 0;
+    bool bounded = false;
+  };
+  std::vector<Playing> playing_;  // by source; nothing where it is no curve
   std::uint32_t turn_ = 0;
   std::vector<std::uint8_t> dirty_;  // by node
   std::vector<std::uint32_t> marked_;

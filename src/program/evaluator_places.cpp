@@ -69,7 +69,8 @@ void Evaluator::place_alone(std::uint32_t node, Asking& asking) {
     said.own =
         compiled_.driven(n, now_, asking, n.drive >= 0 ? &products_[static_cast<std::size_t>(n.drive)] : nullptr);
   if (n.moving >= 0) said.motion = compiled_.moved(n, now_);
-  own_[node] = own_place(said);
+  // What nobody holds is where it is by itself; cameras may be turned, and must know how they stood.
+  (held_[node] || n.kind == Kind::camera ? own_ : placed_)[node] = own_place(said);
 }
 
 void Evaluator::compose(std::uint32_t node) {
@@ -77,9 +78,11 @@ void Evaluator::compose(std::uint32_t node) {
   const CompiledSpan* h = held_[node];
   const Frozen* f = h && h->frozen >= 0 ? &compiled_.frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
   const std::int32_t above = parent_[node];
-  placed_[node] = h ? hang(own_[node], vec3(&numbers_[n.attach]), h, f,
-                           above >= 0 ? &placed_[static_cast<std::size_t>(above)] : nullptr)
-                    : own_[node];
+  if (h)
+    placed_[node] = hang(own_[node], vec3(&numbers_[n.attach]), h, f,
+                         above >= 0 ? &placed_[static_cast<std::size_t>(above)] : nullptr);
+  else if (n.kind == Kind::camera)
+    placed_[node] = own_[node];
   if (compiled_.sited) {
     const Mat4* outer = above >= 0 ? &around_[static_cast<std::size_t>(above)] : f && f->held ? &f->around : nullptr;
     around_[node] = n.around >= 0 ? products_[static_cast<std::size_t>(n.around)] : Mat4{};
