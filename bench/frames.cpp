@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
@@ -16,6 +18,7 @@
 
 #include "betwixt/evaluation.h"
 #include "betwixt/language.h"
+#include "betwixt/session.h"
 #include "timing.h"
 
 using namespace betwixt;
@@ -86,6 +89,11 @@ void check(const Film& film, Evaluation& e, const std::vector<Time>& times) {
   }
 }
 
+void print(const char* what, std::vector<double> all, const char* unit) {
+  std::sort(all.begin(), all.end());
+  fmt::print("{:44} {:12.1f} {:12.1f}  {}\n", what, all.front(), all[all.size() / 2], unit);
+}
+
 void row(const char* what, const Film& film, const std::vector<Time>& times, double per, const char* unit) {
   Evaluation e(film.program);
   check(film, e, times);
@@ -97,8 +105,49 @@ void row(const char* what, const Film& film, const std::vector<Time>& times, dou
                   }) /
                   (per * static_cast<double>(times.size() - 1)));
   }
-  std::sort(all.begin(), all.end());
-  fmt::print("{:44} {:12.1f} {:12.1f}  {}\n", what, all.front(), all[all.size() / 2], unit);
+  print(what, all, unit);
+}
+
+// One event changed in a document of a million: the command (kept in a file before it is answered), the program, the
+// frame.
+void edits() {
+  std::string text = "rate 24\nrange 1f 1000f\n";
+  auto out = std::back_inserter(text);
+  for (int k = 0; k < 1000; ++k) {
+    fmt::format_to(out, "create ball{} sphere radius=0.5\nball{}.position\n", k, k);
+    for (int f = 1; f <= 1000; ++f)
+      fmt::format_to(out, "  {}f ({} {:.2f} {})\n", f, k * 0.25, (k * 37 + f * 101) % 2001 * 0.01, (f % 50) * 0.5);
+  }
+  const auto path = std::filesystem::temp_directory_path() / fmt::format("bench-{}.bx", std::random_device{}());
+  std::ofstream(path, std::ios::binary) << text;
+  Session session;
+  session.open(path.string());
+  Program program = Program::compile(session.document());
+  Evaluation e(program);
+  const Time t = session.document().rate().frame(500);
+  e.to(t);
+  std::vector<double> command, compiling, frame, together;
+  for (int k = 0; k < 15; ++k) {
+    const std::string line = fmt::format("at 500f ball{}.position (1 {} 3)", 60 * k, k);
+    command.push_back(milliseconds([&] { insist(session.enter(line).done, "a command"); }));
+    compiling.push_back(milliseconds([&] { program = Program::compile(session.document(), program); }));
+    frame.push_back(milliseconds([&] {
+      e.use(program);
+      e.to(t);
+    }));
+    together.push_back(command.back() + compiling.back() + frame.back());
+    insist(e.changed().size() == 1 && translation_of(e.worlds()[e.changed()[0]]) == Vec3{1, 1.0 * k, 3},
+           "what was edited");
+  }
+  session.enter("quit");
+  session = Session();
+  for (const auto& entry : std::filesystem::directory_iterator(path.parent_path()))
+    if (entry.path().filename().string().find(path.stem().string()) != std::string::npos)
+      std::filesystem::remove(entry.path());
+  print("one event of a million changed: command", command, "ms");
+  print("  program", compiling, "ms");
+  print("  frame", frame, "ms");
+  print("  together", together, "ms");
 }
 
 std::vector<Time> forward(int count) {
@@ -126,4 +175,5 @@ int main() {
   row("100,000 boxes rest", Film(boxes(100'000, 1)), forward(50), 1e6, "ms a frame, one of them moves");
   row("100,000 boxes, 1,000 move", Film(boxes(100'000, 1000)), forward(50), 1e6, "ms a frame");
   row("a tree of 100,000, its root moves", Film(tree(100'000)), forward(20), 1e5, "ns a node");
+  edits();
 }

@@ -24,6 +24,9 @@ struct Kinematics {
 class Program {
  public:
   static Program compile(const Document&);
+  // The same, of an edited document: what the edit did not touch is shared with the program before, of whichever
+  // document.
+  static Program compile(const Document&, const Program& before);
 
   // Pure: the same time gives the same bits, whatever was asked before.
   Frame frame(Time) const;

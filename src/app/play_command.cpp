@@ -102,7 +102,7 @@ class Player {
       ++turned_;
     }
     if (turned_ == before) return;
-    program_ = Program::compile(document_);
+    program_ = Program::compile(document_, program_);
     stale_ = true;
   }
   static std::string in_words(const LiveMessage& m) {

@@ -23,10 +23,23 @@ bool all_numeric(const Track& t) {
   return all;
 }
 
-void bind_all(Program::Compiled& compiled) {
+using Compiled = Program::Compiled;
+
+// Where the piece of the next object begins.
+void begin_piece(Compiled& compiled) {
+  ObjectPiece piece;
+  piece.binding = static_cast<std::uint32_t>(compiled.bindings.size());
+  piece.curve = static_cast<std::uint32_t>(compiled.curves.size());
+  piece.step = static_cast<std::uint32_t>(compiled.steps.size());
+  piece.number = static_cast<std::uint32_t>(compiled.rest.size());
+  compiled.pieces.push_back(std::move(piece));
+}
+
+// Functions of the author's whose value at rest is code.
+std::vector<FunctionId> bind_defaults(Compiled& compiled) {
   const Scene& scene = compiled.document.scene();
   const auto functions = static_cast<FunctionId>(built_in_functions().size() + scene.defined->size());
-  std::vector<FunctionId> computed;  // functions of the author's whose value at rest is code
+  std::vector<FunctionId> computed;
   for (FunctionId f = 0; f < functions; ++f) {
     const FunctionSpec& spec = spec_of(scene, f);
     if (scripted(spec.rest)) computed.push_back(f);
@@ -36,27 +49,69 @@ void bind_all(Program::Compiled& compiled) {
     for (const KindRow& row : kinds())
       if (spec.kinds & bit(row.kind)) compiled.shaping[row.kind].push_back(f);
   }
-  compiled.first_binding.reserve(scene.objects.size() + 1);
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    compiled.first_binding.push_back(static_cast<std::uint32_t>(compiled.bindings.size()));
-    const Object& o = scene.objects[i];
-    std::vector<FunctionId> own;
-    for (const Slot& slot : o.slots)
-      if (own.empty() || own.back() != slot.function) own.push_back(slot.function);
-    if (!o.removed && !computed.empty()) {
-      std::vector<FunctionId> both;
-      std::set_union(own.begin(), own.end(), computed.begin(), computed.end(), std::back_inserter(both));
-      own = std::move(both);
-    }
-    for (const FunctionId f : own) {
-      const Slot* slot = o.find(f);
-      bool live = slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest);
-      for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));
-      compiled.bindings.push_back(live ? bind_live(compiled, static_cast<std::uint32_t>(i), f)
-                                       : bind_track(compiled, *slot));
-    }
+  return computed;
+}
+
+void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<FunctionId>& computed) {
+  const Scene& scene = compiled.document.scene();
+  const Object& o = scene.objects[i];
+  std::vector<FunctionId> own;
+  bool alone = true;
+  for (const Slot& slot : o.slots) {
+    if (own.empty() || own.back() != slot.function) own.push_back(slot.function);
+    alone = alone && !slot.layer;
   }
-  compiled.first_binding.push_back(static_cast<std::uint32_t>(compiled.bindings.size()));
+  if (!o.removed && !computed.empty()) {
+    std::vector<FunctionId> both;
+    std::set_union(own.begin(), own.end(), computed.begin(), computed.end(), std::back_inserter(both));
+    own = std::move(both);
+  }
+  for (const FunctionId f : own) {
+    const Slot* slot = o.find(f);
+    bool live = slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest);
+    for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));
+    compiled.bindings.push_back(live ? bind_live(compiled, i, f) : bind_track(compiled, *slot));
+    alone = alone && !live;
+  }
+  compiled.pieces.back().columns = compiled.set.end_columns();
+  compiled.pieces.back().alone = alone;
+}
+
+// The piece of the program before, moved to where it lies now.
+void share_object(Compiled& compiled, const Compiled& before, std::uint32_t i) {
+  const ObjectPiece &from = before.pieces[i], &end = before.pieces[i + 1];
+  ObjectPiece& piece = compiled.pieces.back();
+  piece.columns = from.columns, piece.alone = true;
+  if (from.columns) compiled.set.share(from.columns);
+  const std::uint32_t numbers = piece.number - from.number;  // unsigned, both ways
+  for (std::uint32_t k = from.binding; k < end.binding; ++k) {
+    Binding b = before.bindings[k];
+    b.offset += numbers;
+    b.first_curve += piece.curve - from.curve;
+    if (b.steps >= 0) b.steps += static_cast<std::int32_t>(piece.step - from.step);
+    compiled.bindings.push_back(std::move(b));
+  }
+  for (std::uint32_t k = from.curve; k < end.curve; ++k) {
+    compiled.curves.push_back(before.curves[k]);
+    compiled.curves.back().offset += numbers;
+  }
+  compiled.steps.insert(compiled.steps.end(), before.steps.begin() + from.step, before.steps.begin() + end.step);
+  compiled.rest.insert(compiled.rest.end(), before.rest.begin() + from.number, before.rest.begin() + end.number);
+}
+
+void bind_all(Compiled& compiled, const Compiled* before) {
+  const Scene& scene = compiled.document.scene();
+  const std::vector<FunctionId> computed = bind_defaults(compiled);
+  compiled.pieces.reserve(scene.objects.size() + 1);
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+    begin_piece(compiled);
+    if (before && computed.empty() && scene.objects.same(i, before->document.scene().objects) &&
+        before->pieces[i].alone)
+      share_object(compiled, *before, i);
+    else
+      bind_object(compiled, i, computed);
+  }
+  begin_piece(compiled);
 }
 
 }  // namespace
@@ -117,7 +172,7 @@ Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
   if (!all_numeric(*slot.track) || (b.channels == 0 && row_of(spec.type).channels == 0)) {
     b.steps = static_cast<std::int32_t>(compiled.steps.size());
     b.channels = 0;
-    compiled.steps.emplace_back(*slot.track, spec.type);
+    compiled.steps.push_back(std::make_shared<const StepTrack>(*slot.track, spec.type));
     return b;
   }
   if (b.channels == 0) point();
@@ -129,17 +184,25 @@ Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
 }
 
 const Binding& Program::Compiled::find(std::uint32_t object, FunctionId f) const {
-  const auto first = bindings.begin() + first_binding[object], last = bindings.begin() + first_binding[object + 1];
+  const auto first = bindings.begin() + pieces[object].binding, last = bindings.begin() + pieces[object + 1].binding;
   const auto at = std::lower_bound(first, last, f, [](const Binding& b, FunctionId id) { return b.function < id; });
   return at != last && at->function == f ? *at : defaults[f];
 }
 
-Program Program::compile(const Document& document) {
+Program Program::compile(const Document& document) { return compile(document, {}); }
+
+Program Program::compile(const Document& document, const Program& before) {
   auto compiled = std::make_shared<Compiled>(document);
-  for (const NamedProcedure& p : *document.scene().procedures)
+  const Scene& scene = document.scene();
+  // The same words must mean the same.
+  const Compiled* shared = before.code_.get();
+  if (shared && (!shared->document.scene().defined.same(scene.defined) ||
+                 !shared->document.scene().procedures.same(scene.procedures)))
+    shared = nullptr;
+  for (const NamedProcedure& p : *scene.procedures)
     compiled->set.own.push_back(p.role == Role::twerper ? p.code : nullptr);
-  bind_all(*compiled);
-  compile_nodes(*compiled);
+  bind_all(*compiled, shared);
+  compile_nodes(*compiled, shared);
   Program p;
   p.code_ = std::move(compiled);
   return p;

@@ -14,9 +14,9 @@ Binding bind_constant(Program::Compiled&, FunctionId, const Value&, Type);
 Binding bind_track(Program::Compiled&, const Slot&);
 Binding bind_live(Program::Compiled&, std::uint32_t object, FunctionId);
 // Nodes, the environments and the parents that they have; all bindings are made.
-void compile_nodes(Program::Compiled&);
+void compile_nodes(Program::Compiled&, const Program::Compiled* before);
 // What is drawn and when what changes; nodes, attachments and motions are known, but not yet what they keep.
-void compile_schedule(Program::Compiled&);
+void compile_schedule(Program::Compiled&, const Program::Compiled* before);
 
 inline bool scripted(const Value& v) { return std::holds_alternative<Procedure>(v); }
 bool scripted(const Track&);

@@ -13,6 +13,7 @@ namespace {
 
 struct NodeCompiler {
   Program::Compiled& compiled;
+  const Program::Compiled* before;  // what it may share; may be null
   const Scene& scene = compiled.document.scene();
 
   // The environments that a function of the object's names, from the event on that names them.
@@ -135,13 +136,15 @@ struct NodeCompiler {
       compiled.spans.push_back(span);
     }
     compile_motions(compiled);
-    compile_schedule(compiled);
+    compile_schedule(compiled, before);
     settle(compiled, in_time);
   }
 };
 
 }  // namespace
 
-void compile_nodes(Program::Compiled& compiled) { NodeCompiler{compiled}.nodes(); }
+void compile_nodes(Program::Compiled& compiled, const Program::Compiled* before) {
+  NodeCompiler{compiled, before}.nodes();
+}
 
 }  // namespace betwixt

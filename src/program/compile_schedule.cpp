@@ -49,6 +49,7 @@ std::size_t hash_of(const Shape& s) {
 
 struct ScheduleCompiler {
   Compiled& compiled;
+  const Compiled* before;  // what it may share; may be null
   const Scene& scene = compiled.document.scene();
   Schedule& schedule = compiled.schedule;
 
@@ -63,9 +64,27 @@ struct ScheduleCompiler {
     compiled.evaluate(use, {}, &compiled.rest[use.offset]);
   }
 
+  // An object that has the columns of the program before has its sources too.
+  bool shared(std::uint32_t object) const {
+    return before && object + 1 < before->pieces.size() && before->pieces[object].columns &&
+           before->pieces[object].columns == compiled.pieces[object].columns;
+  }
+  void share(std::uint32_t object) {
+    const ObjectPiece &from = before->pieces[object], &to = compiled.pieces[object];
+    for (std::uint32_t k = from.source; k < before->pieces[object + 1].source; ++k) {
+      Schedule::Source s = before->schedule.sources[k];
+      const auto first = before->schedule.activities.begin() + s.first_activity;
+      s.node = compiled.node_of[object];
+      s.index += s.what == Schedule::Source::curve ? to.curve - from.curve : to.step - from.step;
+      s.first_activity = static_cast<std::uint32_t>(schedule.activities.size());
+      schedule.activities.insert(schedule.activities.end(), first, first + s.activities);
+      schedule.sources.push_back(s);
+    }
+  }
+
   void bindings(std::uint32_t object) {
     const std::uint32_t node = compiled.node_of[object];
-    for (auto i = compiled.first_binding[object]; i < compiled.first_binding[object + 1]; ++i) {
+    for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i) {
       const Binding& b = compiled.bindings[i];
       const FunctionSpec& spec = spec_of(scene, b.function);
       const std::uint8_t effect = effect_of(spec, b.function);
@@ -80,12 +99,12 @@ struct ScheduleCompiler {
         });
       if (b.steps >= 0)
         add({Schedule::Source::steps, effect, static_cast<std::uint32_t>(b.steps), node},
-            [&](std::vector<Activity>& out) { compiled.steps[static_cast<std::size_t>(b.steps)].activities(out); });
+            [&](std::vector<Activity>& out) { compiled.steps_of(b).activities(out); });
     }
   }
 
   bool form_varies(std::uint32_t object) const {
-    for (auto i = compiled.first_binding[object]; i < compiled.first_binding[object + 1]; ++i)
+    for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i)
       if (const Binding& b = compiled.bindings[i]; b.varies() && spec_of(scene, b.function).shape) return true;
     return false;
   }
@@ -190,11 +209,14 @@ const Activity* Schedule::active(const Source& s, std::int64_t t) const {
   return next != first && t < next[-1].until ? next - 1 : nullptr;
 }
 
-void compile_schedule(Compiled& compiled) {
-  ScheduleCompiler c{compiled};
+void compile_schedule(Compiled& compiled, const Compiled* before) {
+  ScheduleCompiler c{compiled, before};
   c.drawables();
-  for (std::uint32_t i = 0; i < compiled.node_of.size(); ++i)
-    if (compiled.node_of[i] != ObjectId::nothing) c.bindings(i);
+  for (std::uint32_t i = 0; i <= compiled.node_of.size(); ++i) {
+    compiled.pieces[i].source = static_cast<std::uint32_t>(compiled.schedule.sources.size());
+    if (i == compiled.node_of.size() || compiled.node_of[i] == ObjectId::nothing) continue;
+    c.shared(i) ? c.share(i) : c.bindings(i);
+  }
   c.nodes();
   c.edges();
 }

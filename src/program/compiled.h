@@ -237,6 +237,13 @@ struct Siting {
   std::vector<Change> changes;  // by time; the first one counts before it too
 };
 
+// What one object was compiled to, in the arrays of Compiled: pieces that begin where those of the object before end.
+struct ObjectPiece {
+  std::uint32_t binding = 0, curve = 0, step = 0, number = 0, source = 0;  // where it begins
+  bool alone = false;  // nothing of it depends on others: an edited document can have it as it is
+  std::shared_ptr<const CurveColumns> columns;
+};
+
 struct Program::Compiled {
   explicit Compiled(Document d);
   ~Compiled();
@@ -245,9 +252,9 @@ struct Program::Compiled {
   CurveSet set;
   std::vector<double> rest;  // the array of numbers, constants filled in
   std::vector<CurveUse> curves;
-  std::vector<StepTrack> steps;
+  std::vector<std::shared_ptr<const StepTrack>> steps;
   std::vector<Binding> bindings;                    // by object, then function
-  std::vector<std::uint32_t> first_binding;         // per object, and one more
+  std::vector<ObjectPiece> pieces;                  // per object, and one more
   std::vector<Binding> defaults;                    // per function: where no object says otherwise
   std::map<Kind, std::vector<FunctionId>> shaping;  // what is part of a shape, of each kind
   std::vector<Binding> plains;                      // of strands of lives
@@ -303,7 +310,8 @@ struct Program::Compiled {
   // `place`: of a node, in the world.
   std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers,
                           const std::function<Vec3(std::uint32_t)>& place, Asking&) const;
-  Between between(const Binding& b, Time t) const { return steps[static_cast<std::size_t>(b.steps)].at(t, set); }
+  const StepTrack& steps_of(const Binding& b) const { return *steps[static_cast<std::size_t>(b.steps)]; }
+  Between between(const Binding& b, Time t) const { return steps_of(b).at(t, set); }
   Value value(const Binding& b, Time t, Asking&) const;  // the one that holds at t
   void thaw(std::int32_t frozen, Asking&) const;
 

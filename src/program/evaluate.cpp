@@ -32,7 +32,7 @@ Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
   if (b.live >= 0) return live_value(b.live, t, asking);
   if (b.steps < 0) return b.constant;
   const Between w = between(b, t);
-  return steps[static_cast<std::size_t>(b.steps)].values()[w.s >= 1 ? w.b : w.a];
+  return steps_of(b).values()[w.s >= 1 ? w.b : w.a];
 }
 
 std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
@@ -48,7 +48,7 @@ std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const d
   if (b.live >= 0) return point(live_value(b.live, t, asking));
   if (b.steps < 0) return point(b.constant);
   const Between w = between(b, t);
-  const auto values = steps[static_cast<std::size_t>(b.steps)].values();
+  const auto values = steps_of(b).values();
   const auto from = point(values[w.a]), to = point(values[w.b]);
   if (!from || !to || w.a == w.b) return w.s >= 1 ? to : from;
   return mix(*from, *to, w.s);
@@ -62,7 +62,7 @@ Value Program::Compiled::shape_part(const Binding& b, Time t, const double* numb
   if (b.channels > 1) return Vec3{n[0], n[1], b.channels > 2 ? n[2] : 0};
   if (b.steps >= 0) {
     const Between w = between(b, t);
-    const auto values = steps[static_cast<std::size_t>(b.steps)].values();
+    const auto values = steps_of(b).values();
     const auto *from = std::get_if<Points>(&values[w.a]), *to = std::get_if<Points>(&values[w.b]);
     if (from && to && w.a != w.b && (*from)->size() == (*to)->size()) {
       std::vector<Vec3> between_them((*from)->size());

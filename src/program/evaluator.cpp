@@ -245,7 +245,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       now.shape = shape_of(compiled_.value(geometry, now_, asking), i, asking);
     } else {
       const Between b = compiled_.between(geometry, now_);
-      const auto values = compiled_.steps[static_cast<std::size_t>(geometry.steps)].values();
+      const auto values = compiled_.steps_of(geometry).values();
       now.shape = shape_of(values[b.a], i, asking);
       if (b.a != b.b && b.s != 0) now.toward = shape_of(values[b.b], i, asking), now.blend = b.s;
     }

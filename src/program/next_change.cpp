@@ -40,8 +40,8 @@ std::optional<Time> Program::next_change(Time t) const {
       if (!p.open) next.may(p.from);
     }
   }
-  for (const StepTrack& steps : compiled.steps)
-    if (const auto change = steps.next_change(t)) {
+  for (const auto& steps : compiled.steps)
+    if (const auto change = steps->next_change(t)) {
       if (*change == t) return t;
       next.may(*change);
     }

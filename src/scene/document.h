@@ -56,6 +56,12 @@ class Objects {
   const Object& operator[](std::size_t i) const { return *(*chunks_[i / chunk])[i % chunk]; }
   Object& edit(std::size_t i) { return chunks_[i / chunk].edit()[i % chunk].edit(); }
   std::size_t add(Object object);
+  // Whether an object is the one that is there too; it may be equal and another.
+  bool same(std::size_t i, const Objects& other) const {
+    if (i >= size_ || i >= other.size_) return false;
+    const auto &a = chunks_[i / chunk], &b = other.chunks_[i / chunk];
+    return a.same(b) || (*a)[i % chunk].same((*b)[i % chunk]);
+  }
   // f(number) for those that may be others than the ones of `before`; what both share is passed over.
   template <class F>
   void each_changed(const Objects& before, F&& f) const {

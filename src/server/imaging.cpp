@@ -109,7 +109,7 @@ void Imaging::leave(Host host) { hosts_.erase(host); }
 std::int64_t Imaging::tick(Nanos now) const { return document().scene().ticks.whole(transport_.time(now)); }
 
 const Program& Imaging::program() {
-  if (compiled_ != version_) program_ = Program::compile(document()), compiled_ = version_;
+  if (compiled_ != version_) program_ = Program::compile(document(), program_), compiled_ = version_;
   return program_;
 }
 

@@ -81,23 +81,26 @@ double ease(double u, double a, double b) {
 }
 
 Curve CurveSet::add(const Track& track, Type type, bool component) {
+  if (!open_) columns_.push_back(open_ = std::make_shared<CurveColumns>());
+  CurveColumns& all = *open_;
   Curve c;
-  c.first = static_cast<std::uint32_t>(times_.size());
-  c.values = static_cast<std::uint32_t>(values_.size());
+  c.columns = open_.get();
+  c.first = static_cast<std::uint32_t>(all.times.size());
+  c.values = static_cast<std::uint32_t>(all.values.size());
   c.orientation = type == Type::orientation || (type == Type::rotation && !all_angles(track));
-  const int all = c.orientation ? 4 : number_count(type);
-  c.channels = static_cast<std::uint8_t>(component ? 1 : all);
+  const int numbers = c.orientation ? 4 : number_count(type);
+  c.channels = static_cast<std::uint8_t>(component ? 1 : numbers);
   c.srgb = track.srgb && row_of(type).light;
   c.before = track.before, c.after = track.after;
-  const auto first_detail = details_.size();
+  const auto first_detail = all.details.size();
   std::vector<std::uint32_t> kept;  // events that only change the twerper
 
   const auto push = [&](const Event& e, const Numbers& n) {
-    const auto index = static_cast<std::uint32_t>(times_.size());
-    times_.push_back(e.time.flicks);
-    values_.insert(values_.end(), n.begin(), n.begin() + c.channels);
+    const auto index = static_cast<std::uint32_t>(all.times.size());
+    all.times.push_back(e.time.flicks);
+    all.values.insert(all.values.end(), n.begin(), n.begin() + c.channels);
     const Twerper t = resolve(track, e, type, c.orientation);
-    twerpers_.push_back(static_cast<std::uint8_t>(t));
+    all.twerpers.push_back(static_cast<std::uint8_t>(t));
     if (!e.detail && !(track.global == Twerper::bezier)) return;
     CurveDetail d;
     d.event = index;
@@ -107,7 +110,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
     if (e.detail->tangent_in) d.has_in = true, d.tangent_in = compiled(*e.detail->tangent_in, c, type);
     if (e.detail->tangent_out) d.has_out = true, d.tangent_out = compiled(*e.detail->tangent_out, c, type);
-    details_.push_back(d);
+    all.details.push_back(d);
   };
 
   bool any_kept = false;
@@ -133,14 +136,14 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   } else {
     track.events.each([&](const Event& e) { push(e, compiled(e.value, c, type)); });
   }
-  c.count = static_cast<std::uint32_t>(times_.size()) - c.first;
+  c.count = static_cast<std::uint32_t>(all.times.size()) - c.first;
 
   if (c.orientation) {  // q and -q are one orientation: each key takes the sign nearer to the one before it
-    auto d = details_.begin() + static_cast<std::ptrdiff_t>(first_detail);
+    auto d = all.details.begin() + static_cast<std::ptrdiff_t>(first_detail);
     Quat last;
     for (std::uint32_t k = 0; k < c.count; ++k) {
-      double* v = &values_[c.values + 4 * k];
-      if (d != details_.end() && d->event == c.first + k) {
+      double* v = &all.values[c.values + 4 * k];
+      if (d != all.details.end() && d->event == c.first + k) {
         if (d->cut) {
           if (k > 0 && dot(last, quat(d->before.data())) < 0) store(-quat(d->before.data()), d->before.data());
           last = quat(d->before.data());
@@ -168,22 +171,27 @@ double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
   return s;
 }
 
-const CurveDetail* CurveSet::detail(std::uint32_t event) const {
-  if (details_.empty()) return nullptr;
-  const auto at = std::lower_bound(details_.begin(), details_.end(), event,
+std::shared_ptr<const CurveColumns> CurveSet::end_columns() { return std::exchange(open_, nullptr); }
+
+void CurveSet::share(std::shared_ptr<const CurveColumns> columns) { columns_.push_back(std::move(columns)); }
+
+const CurveDetail* CurveSet::detail(const Curve& c, std::uint32_t k) {
+  const auto& details = c.columns->details;
+  if (details.empty()) return nullptr;
+  const auto at = std::lower_bound(details.begin(), details.end(), c.first + k,
                                    [](const CurveDetail& d, std::uint32_t e) { return d.event < e; });
-  return at != details_.end() && at->event == event ? &*at : nullptr;
+  return at != details.end() && at->event == c.first + k ? &*at : nullptr;
 }
 
 // What there is to blend between event k and event k + 1 (R-T4); s is not yet said.
 Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
   const std::uint32_t n = c.channels;
-  const std::int64_t* time = &times_[c.first];
-  const auto twerper_of = [&](std::uint32_t i) { return static_cast<Twerper>(twerpers_[c.first + i]); };
-  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
+  const std::int64_t* time = &c.columns->times[c.first];
+  const auto twerper_of = [&](std::uint32_t i) { return static_cast<Twerper>(c.columns->twerpers[c.first + i]); };
+  const CurveDetail *here = detail(c, k), *next = detail(c, k + 1);
   Blend g;
   g.channels = n;
-  g.from = &values_[c.values + n * k];
+  g.from = &c.columns->values[c.values + n * k];
   g.to = next && next->cut ? next->before.data() : g.from + n;
   g.length = g.length_before = g.length_after = static_cast<double>(time[k + 1] - time[k]);
   // Neighbours; across a cut, a hold or the track's end there are none.
@@ -192,7 +200,7 @@ Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
     g.length_before = static_cast<double>(time[k] - time[k - 1]);
   }
   if (k + 2 < c.count && !(next && next->cut) && twerper_of(k + 1) != Twerper::hold) {
-    const CurveDetail* after = detail(c.first + k + 2);
+    const CurveDetail* after = detail(c, k + 2);
     g.after = after && after->cut ? after->before.data() : g.from + 2 * n;
     g.length_after = static_cast<double>(time[k + 2] - time[k + 1]);
   }
@@ -203,14 +211,14 @@ Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
 
 // `since` flicks after event k.
 void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* out) const {
-  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   Blend g = blend(c, k);
   if (twerper == Twerper::hold) {
     std::copy_n(g.from, g.channels, out);
     return;
   }
-  const CurveDetail* here = detail(c.first + k);
-  g.s = eased(since / g.length, here, detail(c.first + k + 1), g.length);
+  const CurveDetail* here = detail(c, k);
+  g.s = eased(since / g.length, here, detail(c, k + 1), g.length);
   const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
   if (row && c.orientation && row->turn) return store(row->turn(g), out);
   if (row && !c.orientation && row->cubics) {
@@ -225,13 +233,13 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
 }
 
 bool CurveSet::cubic(const Curve& c, std::int64_t t, CubicSegment& out) const {
-  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
   if (c.orientation || c.srgb || t < *first || t >= *last) return false;
   const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last, t) - first) - 1;
-  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   if (is_own(twerper) || twerper == Twerper::hold) return false;
   const TwerperRow& row = row_of(twerper);
-  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
+  const CurveDetail *here = detail(c, k), *next = detail(c, k + 1);
   if ((!row.cubics && row.factor) || (here && here->ease_out > 0) || (next && next->ease_in > 0)) return false;
   const Blend g = blend(c, k);
   out.from = first[k], out.until = first[k + 1], out.length = g.length;
@@ -245,7 +253,7 @@ bool CurveSet::cubic(const Curve& c, std::int64_t t, CubicSegment& out) const {
 
 // The numbers as the columns hold them.
 void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
-  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
   if (t < *first || t > *last) {
     const bool after = t > *last;
     const Extrapolation how = after ? c.after : c.before;
@@ -253,18 +261,18 @@ void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
       t = fold(t, *first, *last, how == Extrapolation::bounce);
     } else {
       // A cut at an end leaves one value outside it, and no slope.
-      const CurveDetail* end = detail(c.first + (after ? c.count - 1 : 0));
+      const CurveDetail* end = detail(c, (after ? c.count - 1 : 0));
       const bool cut = end && end->cut;
       if (how == Extrapolation::linear && c.count > 1 && !cut)
         return beyond(c, after, static_cast<double>(t - (after ? *last : *first)), out);
-      const double* value = &values_[c.values + (after ? c.count - 1 : 0) * c.channels];
+      const double* value = &c.columns->values[c.values + (after ? c.count - 1 : 0) * c.channels];
       std::copy_n(cut && !after ? end->before.data() : value, c.channels, out);
       return;
     }
   }
   const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first) - 1;
   if (k + 1 == c.count)
-    std::copy_n(&values_[c.values + k * c.channels], c.channels, out);
+    std::copy_n(&c.columns->values[c.values + k * c.channels], c.channels, out);
   else
     segment(c, k, static_cast<double>(t - first[k]), out);
 }
@@ -284,19 +292,19 @@ void add_activity(std::vector<Activity>& out, std::size_t first, Activity run) {
 
 // Whether a segment has the same numbers from its first moment to its last but one.
 bool CurveSet::still(const Curve& c, std::uint32_t k) const {
-  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   if (twerper == Twerper::hold) return true;
   if (is_own(twerper) || c.orientation || row_of(twerper).cubics != nullptr) return false;
-  const CurveDetail* next = detail(c.first + k + 1);
-  const double* from = &values_[c.values + k * c.channels];
+  const CurveDetail* next = detail(c, k + 1);
+  const double* from = &c.columns->values[c.values + k * c.channels];
   return std::equal(from, from + c.channels, next && next->cut ? next->before.data() : from + c.channels);
 }
 
 void CurveSet::activities(const Curve& c, std::vector<Activity>& out) const {
   const std::size_t first = out.size();
-  const std::int64_t* time = &times_[c.first];
+  const std::int64_t* time = &c.columns->times[c.first];
   const auto cut = [&](std::uint32_t k) {
-    const CurveDetail* d = detail(c.first + k);
+    const CurveDetail* d = detail(c, k);
     return d && d->cut;
   };
   const bool goes_on = c.count > 1;
@@ -305,15 +313,18 @@ void CurveSet::activities(const Curve& c, std::vector<Activity>& out) const {
   for (std::uint32_t k = 0; k + 1 < c.count; ++k) {
     if (!still(c, k))
       add_activity(out, first, {time[k], time[k + 1]});
-    else if (static_cast<Twerper>(twerpers_[c.first + k]) == Twerper::hold || cut(k + 1))
+    else if (static_cast<Twerper>(c.columns->twerpers[c.first + k]) == Twerper::hold || cut(k + 1))
       add_activity(out, first, {time[k + 1], time[k + 1]});
   }
   if (goes_on && c.after != Extrapolation::hold) add_activity(out, first, {time[c.count - 1], INT64_MAX});
 }
 
 std::size_t CurveSet::bytes() const {
-  return times_.size() * sizeof(times_[0]) + values_.size() * sizeof(double) + twerpers_.size() +
-         details_.size() * sizeof(CurveDetail);
+  std::size_t sum = 0;
+  for (const auto& c : columns_)
+    sum += c->times.size() * sizeof(c->times[0]) + c->values.size() * sizeof(double) + c->twerpers.size() +
+           c->details.size() * sizeof(CurveDetail);
+  return sum;
 }
 
 }  // namespace betwixt

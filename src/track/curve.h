@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,15 +18,24 @@
 namespace betwixt {
 
 struct CurveDetail {
-  std::uint32_t event = 0;           // index into the set's columns
+  std::uint32_t event = 0;           // index into the columns
   double ease_in = 0, ease_out = 0;  // flicks
   std::array<double, 4> bezier{};
   bool cut = false, has_in = false, has_out = false;
   std::array<double, 4> before{}, tangent_in{}, tangent_out{};
 };
 
+// The events of some curves. Sets may share them: an edited document's with the one before it.
+struct CurveColumns {
+  std::vector<std::int64_t> times;
+  std::vector<double> values;
+  std::vector<std::uint8_t> twerpers;  // of the segment that begins at the event
+  std::vector<CurveDetail> details;    // sorted by event
+};
+
 struct Curve {
-  std::uint32_t first = 0, count = 0;  // events, into the set's columns
+  const CurveColumns* columns = nullptr;
+  std::uint32_t first = 0, count = 0;  // events, into the columns
   std::uint32_t values = 0;            // the first one's numbers
   std::uint8_t channels = 1;
   bool orientation = false;
@@ -68,6 +78,13 @@ class CurveSet {
   // A rotation track whose values are all Angles is three numbers; otherwise orientations. `component`: the track of
   // one component of the type, numbers as the author writes them.
   Curve add(const Track& track, Type type, bool component = false);
+  CurveSet() = default;
+  CurveSet(const CurveSet&) = delete;  // curves of both would be added to the same columns
+  CurveSet& operator=(const CurveSet&) = delete;
+  // The columns of what was added since the last time, where anything was: what comes next lies in others.
+  std::shared_ptr<const CurveColumns> end_columns();
+  // Curves of another set are of this one too.
+  void share(std::shared_ptr<const CurveColumns>);
   // out[0 … channels): the value at t.
   void evaluate(const Curve& curve, Time t, double* out) const;
   // The segment that a time is in; none where there is more to it than a cubic. Its values are those of evaluate().
@@ -79,12 +96,14 @@ class CurveSet {
   void activities(const Curve& curve, std::vector<Activity>& out) const;
   std::size_t bytes() const;
   std::pair<Time, Time> span(const Curve& c) const {  // of its events
-    return {{times_[c.first]}, {times_[c.first + c.count - 1]}};
+    return {{c.columns->times[c.first]}, {c.columns->times[c.first + c.count - 1]}};
   }
   // The integral of the numbers, in seconds, from one event to a point at or before the next (u = 0 … 1).
   void integrate(const Curve& curve, std::uint32_t k, double u, double* out) const;
-  std::int64_t event_time(const Curve& c, std::uint32_t k) const { return times_[c.first + k]; }
-  const double* event_numbers(const Curve& c, std::uint32_t k) const { return &values_[c.values + k * c.channels]; }
+  std::int64_t event_time(const Curve& c, std::uint32_t k) const { return c.columns->times[c.first + k]; }
+  const double* event_numbers(const Curve& c, std::uint32_t k) const {
+    return &c.columns->values[c.values + k * c.channels];
+  }
 
   // How far between its ends a segment's blend is, for a twerper that looks at no more: s is the time with eases in it.
   double factor(Twerper t, double s, const CurveDetail* from) const;
@@ -92,17 +111,15 @@ class CurveSet {
   std::vector<std::shared_ptr<const Routine>> own;  // the document's procedures, for twerpers among them
 
  private:
-  const CurveDetail* detail(std::uint32_t event) const;
+  static const CurveDetail* detail(const Curve& c, std::uint32_t k);  // of event k
   bool still(const Curve& c, std::uint32_t k) const;
   Blend blend(const Curve& c, std::uint32_t k) const;
   void segment(const Curve& c, std::uint32_t k, double since, double* out) const;
   void beyond(const Curve& c, bool after, double past, double* out) const;
   void find(const Curve& c, std::int64_t t, double* out) const;
 
-  std::vector<std::int64_t> times_;
-  std::vector<double> values_;
-  std::vector<std::uint8_t> twerpers_;  // of the segment that begins at the event
-  std::vector<CurveDetail> details_;    // sorted by event
+  std::shared_ptr<CurveColumns> open_;
+  std::vector<std::shared_ptr<const CurveColumns>> columns_;
 };
 
 // What blends from this event on: its twerper or the track's, or what stands for that with orientations or numbers.

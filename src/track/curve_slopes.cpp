@@ -23,12 +23,12 @@ bool polynomial(Twerper t) { return !is_own(t) && (row_of(t).cubics || !row_of(t
 // orientation keeps turning.
 void CurveSet::beyond(const Curve& c, bool after, double past, double* out) const {
   const std::uint32_t end = after ? c.count - 1 : 0, k = after ? end - 1 : 0, n = c.channels;
-  const double* value = &values_[c.values + end * n];
-  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
-  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
+  const double* value = &c.columns->values[c.values + end * n];
+  const double h = static_cast<double>(c.columns->times[c.first + k + 1] - c.columns->times[c.first + k]);
+  const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   std::copy_n(value, n, out);
   if (twerper == Twerper::hold) return;
-  const CurveDetail *from = detail(c.first + k), *to = detail(c.first + k + 1);
+  const CurveDetail *from = detail(c, k), *to = detail(c, k + 1);
   if (straight(twerper) && !(from && from->ease_out > 0) && !(to && to->ease_in > 0))
     return segment(c, k, after ? h + past : past, out);  // exact
 
@@ -47,7 +47,7 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
 
 void CurveSet::derivative(const Curve& c, Time time, double* out) const {
   // Five values about the time, all in its own segment: the difference that is exact for quartics.
-  const std::int64_t *first = &times_[c.first], *last = first + c.count - 1;
+  const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
   const std::int64_t t = time.flicks;
   const double second = static_cast<double>(flicks_per_second);
   std::fill_n(out, c.orientation ? 3 : c.channels, 0.0);
@@ -112,9 +112,9 @@ void CurveSet::integrate(const Curve& c, std::uint32_t k, double u, double* out)
   static constexpr double weight[] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
                                       0.23931433524968324, 0.11846344252809454};
   std::fill_n(out, c.channels, 0.0);
-  const double h = static_cast<double>(times_[c.first + k + 1] - times_[c.first + k]);
-  const auto twerper = static_cast<Twerper>(twerpers_[c.first + k]);
-  const CurveDetail *here = detail(c.first + k), *next = detail(c.first + k + 1);
+  const double h = static_cast<double>(c.columns->times[c.first + k + 1] - c.columns->times[c.first + k]);
+  const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
+  const CurveDetail *here = detail(c, k), *next = detail(c, k + 1);
   double a = here ? here->ease_out / h : 0, b = next ? next->ease_in / h : 0;
   if (a + b > 1) {
     const double fit = 1 / (a + b);

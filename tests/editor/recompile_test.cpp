@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A program that shares what an edit did not touch is the program that is compiled from nothing.
+#include <rapidcheck.h>
+
+#include "editor/author.h"
+#include "support/plain_film.h"
+
+namespace betwixt {
+namespace {
+
+void expect_one_program(const Document& d, const Program& shared, std::mt19937_64& random) {
+  const Program alone = Program::compile(d);
+  for (int k = 0; k < 6; ++k) {
+    const Time t = d.rate().frame(0.5 * static_cast<double>(random() % 160));
+    RC_ASSERT(differing(seen_alone(shared, t), seen_alone(alone, t)).empty());
+    RC_ASSERT(same_frame(shared.frame(t), alone.frame(t)));
+    RC_ASSERT(shared.next_change(t) == alone.next_change(t));
+  }
+}
+
+TEST(Recompiling, SharesOnlyWhatIsTheSame) {
+  EXPECT_TRUE(rc::check([] {
+    const Folder folder;
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    std::mt19937_64 random(seed);
+    PlainFilm film(seed);
+    Session s = opened(folder, film.script().c_str());
+    Program program = Program::compile(s.document());
+    for (int k = 0; k < 12; ++k) {
+      static const char* const others[] = {"undo",
+                                           "undo",
+                                           "redo",
+                                           "delete o3",
+                                           "create o9 sphere radius=2",
+                                           "at 20f o9.radius 3",
+                                           "rename o4 p4",
+                                           "define heat number = 3",
+                                           "layer sway add",
+                                           "on sway at 10f o2.position (1 1 1)",
+                                           "at 30f o1.position.velocity (1 0 0)",
+                                           "at 3f o0.rotation (0 90deg 0)"};
+      std::string lines = random() % 2 ? film.line() : others[random() % std::size(others)];
+      if (!lines.ends_with('\n')) lines += '\n';
+      for (std::size_t at = 0; at < lines.size(); at = lines.find('\n', at) + 1)
+        s.enter(lines.substr(at, lines.find('\n', at) - at));
+      s.enter("");
+      program = Program::compile(s.document(), program);
+      expect_one_program(s.document(), program, random);
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace betwixt
