@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 add_executable(bench_parse bench/parse.cpp)
-target_link_libraries(bench_parse PRIVATE betwixt_language)
+target_link_libraries(bench_parse PRIVATE betwixt_commands)
 add_executable(bench_environments bench/environments.cpp bench/copying.cpp)
 target_link_libraries(bench_environments PRIVATE betwixt_program PkgConfig::HWY)
 target_include_directories(bench_environments PRIVATE bench)
