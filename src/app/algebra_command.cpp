@@ -333,13 +333,13 @@ Status known_method(const std::string& name, std::string& to) {
 std::vector<Parameter> algebra_parameters(AlgebraCall& call) {
   return {
       {.name = "MOTION", .sentence = "the string, the leftmost applied last", .into = &call.motion, .required = true},
-      {.name = "--steps", .value = "N", .sentence = "how many steps lead to the end (24)", .into = &call.steps_text},
+      option("--steps", "N", "how many steps lead to the end (24)", &call.steps_text),
       {.name = "--at",
        .value = "K[,K…]",
        .sentence = "these frames only: 0 is rest, N the end",
        .into = &call.at,
        .separated = true},
-      {.name = "--points", .value = "\"X,Y …\"", .sentence = "what is moved (\"1,0\")", .into = &call.points},
+      option("--points", "\"X,Y …\"", "what is moved (\"1,0\")", &call.points),
       {.name = "--method",
        .value = "NAME",
        .sentence = "matrix, geometric, differences or best; without it each frame is worked out by itself",

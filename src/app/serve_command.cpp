@@ -202,8 +202,7 @@ int serve(ServeCall& call) {
 // What hosts may ask for at most.
 std::vector<Parameter> ceiling_parameters(Ceilings& most) {
   const auto ceiling = [](const char* name, const std::string& sentence, std::size_t& to) {
-    return Parameter{
-        .name = name, .value = "N", .sentence = fmt::format("{}; {} if not said", sentence, to), .into = &to};
+    return option(name, "N", fmt::format("{}; {} if not said", sentence, to), &to);
   };
   return {ceiling("--ceiling", "environments", most.environments),
           ceiling("--objects", "environments and removed ones included", most.objects),
@@ -215,11 +214,7 @@ std::vector<Parameter> ceiling_parameters(Ceilings& most) {
 std::vector<Parameter> door_parameters(ServeCall& call) {
   return {
       file_option("--socket", "PATH", "hosts come in there; $XDG_RUNTIME_DIR/betwixt.sock if not said", &call.socket),
-      {.name = "--tcp",
-       .value = "HOST:PORT",
-       .sentence = "hosts come in there, with a token",
-       .into = &call.tcp,
-       .excludes = "--socket"},
+      option("--tcp", "HOST:PORT", "hosts come in there, with a token", &call.tcp, "--socket"),
       flag("--anywhere", "--tcp may be an address that other machines can reach", call.anywhere),
       file_option("--token-file", "FILE", "holds the token; if not said, one is made and printed", &call.token_file)};
 }

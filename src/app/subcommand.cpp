@@ -77,14 +77,16 @@ Parameter frames_parameter(std::string& frames, const std::string& examples) {
   return {.name = "--frames", .value = "A..B", .sentence = "these only, ends included: " + examples, .into = &frames};
 }
 
+Parameter option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
+                 const std::string& excludes) {
+  return {.name = name, .value = value, .sentence = sentence, .into = std::move(into), .excludes = excludes};
+}
+
 Parameter file_option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
                       const std::string& excludes) {
-  return {.name = name,
-          .value = value,
-          .sentence = sentence,
-          .into = std::move(into),
-          .offer = Offer::files,
-          .excludes = excludes};
+  Parameter made = option(name, value, sentence, std::move(into), excludes);
+  made.offer = Offer::files;
+  return made;
 }
 
 Parameter flag(const std::string& name, const std::string& sentence, bool& given) {

@@ -88,6 +88,9 @@ Parameter output_parameter(std::string& out, const std::string& value, const std
 Parameter frames_parameter(std::string& frames, const std::string& examples = "1f..24f");
 Parameter file_option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
                       const std::string& excludes = {});
+// What is told in words, none of them a file's name.
+Parameter option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
+                 const std::string& excludes = {});
 Parameter flag(const std::string& name, const std::string& sentence, bool& given);
 std::vector<Parameter> picture_parameters(RenderOptions&);  // --size, --style, --samples
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>>);

@@ -92,7 +92,7 @@ struct ScheduleCompiler {
         schedule.lives.push_back({&b, effect, node, spec.matters_to_contacts()});
         continue;
       }
-      if (effect == 0) continue;
+      if (effect == 0 && compiled.set.own.empty()) continue;  // else a twerper may err, and that is to be said
       for (std::uint32_t k = 0; k < b.curves; ++k)
         add({Schedule::Source::curve, effect, b.first_curve + k, node}, [&](std::vector<Activity>& out) {
           compiled.set.activities(compiled.curves[b.first_curve + k].curve, out);

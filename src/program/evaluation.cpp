@@ -64,24 +64,21 @@ Frame Program::frame(Time t) const {
 }
 
 struct Evaluation::State {
-  explicit State(const Program& p) : program(p) { begin(); }
+  struct Played {
+    explicit Played(const Program& p) : program(p), whole(std::make_unique<Whole>(p.compiled())) {
+      for (const Drawable& d : p.compiled().drawables) drawables.push_back({p.compiled().nodes[d.node].object});
+    }
+    Program program;
+    std::unique_ptr<Whole> whole;
+    std::vector<ObjectId> drawables;
+  };
 
-  void begin() {
-    whole = std::make_unique<Whole>(program.compiled());
-    drawables.clear();
-    for (const Drawable& d : program.compiled().drawables)
-      drawables.push_back({program.compiled().nodes[d.node].object});
-  }
-
-  Program program;
-  std::unique_ptr<Whole> whole;
-  std::vector<ObjectId> drawables;
+  explicit State(const Program& p) : now(p) {}
+  Played now;
+  std::optional<Played> before;  // what another program gave last; the next time is compared with it
   mutable std::optional<Camera> camera;
-  // What the program before gave last; the next time is compared with it.
-  Program before;
-  std::unique_ptr<Whole> whole_before;
-  std::vector<ObjectId> drawables_before;
 
+  const Evaluator& evaluator() const { return now.whole->evaluator; }
   void compare();
 };
 
@@ -92,15 +89,15 @@ Evaluation::~Evaluation() = default;
 
 void Evaluation::to(Time t) {
   State& s = *state_;
-  s.whole->to(t);
+  s.now.whole->to(t);
   s.camera.reset();
-  if (s.whole_before) s.compare();
+  if (s.before) s.compare();
 }
 
 // Of all drawables those stay that are the same in both programs.
 void Evaluation::State::compare() {
-  Evaluator& is = whole->evaluator;
-  const Evaluator& was = whole_before->evaluator;
+  Evaluator& is = now.whole->evaluator;
+  const Evaluator& was = before->whole->evaluator;
   const auto same_shape = [&](std::uint32_t a, std::uint32_t b) {
     if (a == Evaluator::nothing || b == Evaluator::nothing) return a == b;
     return is.shape(a) == was.shape(b) || *is.shape(a) == *was.shape(b);
@@ -117,40 +114,35 @@ void Evaluation::State::compare() {
     a.texture = b.texture;
     return a == b;
   };
-  if (drawables == drawables_before) is.unchanged_if(same);
-  whole_before.reset();
-  before = {};
+  if (now.drawables == before->drawables) is.unchanged_if(same);
+  before.reset();
 }
 
 void Evaluation::use(const Program& program) {
   State& s = *state_;
-  if (!s.whole->evaluator.fresh()) {
-    s.whole_before = std::move(s.whole), s.before = std::move(s.program);
-    s.drawables_before = std::move(s.drawables);
-  }
-  s.program = program;
-  s.begin();
+  if (!s.evaluator().fresh()) s.before = std::move(s.now);
+  s.now = State::Played(program);
 }
 
-const Program& Evaluation::program() const { return state_->program; }
-Time Evaluation::time() const { return state_->whole->evaluator.time(); }
-std::span<const ObjectId> Evaluation::drawables() const { return state_->drawables; }
-std::span<const Mat4> Evaluation::worlds() const { return state_->whole->evaluator.worlds; }
-std::span<const Evaluation::Look> Evaluation::looks() const { return state_->whole->evaluator.looks; }
+const Program& Evaluation::program() const { return state_->now.program; }
+Time Evaluation::time() const { return state_->evaluator().time(); }
+std::span<const ObjectId> Evaluation::drawables() const { return state_->now.drawables; }
+std::span<const Mat4> Evaluation::worlds() const { return state_->evaluator().worlds; }
+std::span<const Evaluation::Look> Evaluation::looks() const { return state_->evaluator().looks; }
 const std::shared_ptr<const Shape>& Evaluation::shape(std::uint32_t number) const {
-  return state_->whole->evaluator.shape(number);
+  return state_->evaluator().shape(number);
 }
 const std::shared_ptr<const Picture>& Evaluation::texture(std::uint32_t number) const {
-  return state_->program.compiled().textures[number];
+  return state_->now.program.compiled().textures[number];
 }
-std::span<const std::uint32_t> Evaluation::changed() const { return state_->whole->evaluator.changed; }
-const std::vector<Light>& Evaluation::lights() const { return state_->whole->lights; }
-const std::vector<std::string>& Evaluation::problems() const { return state_->whole->problems; }
+std::span<const std::uint32_t> Evaluation::changed() const { return state_->evaluator().changed; }
+const std::vector<Light>& Evaluation::lights() const { return state_->now.whole->lights; }
+const std::vector<std::string>& Evaluation::problems() const { return state_->now.whole->problems; }
 const Camera& Evaluation::camera() const {
-  if (!state_->camera) state_->camera = state_->whole->evaluator.camera();
+  if (!state_->camera) state_->camera = state_->evaluator().camera();
   return *state_->camera;
 }
 
-Frame Evaluation::frame() const { return state_->whole->frame(); }
+Frame Evaluation::frame() const { return state_->now.whole->frame(); }
 
 }  // namespace betwixt

@@ -190,7 +190,17 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   evaluate_lives(asking, solids);
   environments(!solids);
   places(asking);
+  restyle(asking, solids);
+  for (const std::uint32_t i : marked_) dirty_[i] = 0;
+  marked_.clear();
+  if (fresh_)
+    for (std::uint32_t d = 0; d < worlds.size(); ++d) flag(d);
+  fresh_ = false;
+  sort_numbers(changed);
+}
 
+// The looks of marked drawables, and of those that borrow a marked one's form.
+void Evaluator::restyle(Asking& asking, bool solids) {
   bool borrowed = false;
   for (const std::uint32_t i : marked_) {
     const std::int32_t d = compiled_.nodes[i].drawable;
@@ -203,12 +213,6 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   for (const std::uint32_t i : marked_)
     if (const std::int32_t d = compiled_.nodes[i].drawable; d >= 0 && (dirty_[i] & (affects::look | affects::form)))
       look(static_cast<std::uint32_t>(d), asking, solids);
-  for (const std::uint32_t i : marked_) dirty_[i] = 0;
-  marked_.clear();
-  if (fresh_)
-    for (std::uint32_t d = 0; d < worlds.size(); ++d) flag(d);
-  fresh_ = false;
-  sort_numbers(changed);
 }
 
 // The form of a drawable for now: a number.

@@ -79,6 +79,7 @@ class Evaluator {
   void show(std::uint32_t node);
   void places(Asking&);
   void turn_eyes(Asking&);
+  void restyle(Asking&, bool solids);
   void look(std::uint32_t drawable, Asking&, bool solids);
   std::uint32_t form(std::uint32_t drawable, Asking&);
   std::uint32_t shape_of(const Value&, std::uint32_t drawable, Asking&);

@@ -55,15 +55,8 @@ Placed hang(const Placed& own, Vec3 attach, const CompiledSpan* span, const Froz
   const bool let_go = span->kind == AttachmentKind::letgo;
   if (let_go) attach = frozen->attach;
   const Vec3 place = transform_point(let_go ? frozen->parent : parent->world, translation_of(from.world) + attach);
-  Placed p;
-  if (let_go)
-    p = {linear_product(frozen->turn3, from.world), frozen->parent_turn * from.turn};
-  else if (span->kind == AttachmentKind::couple)
-    p = {linear_product(parent->world, from.world), parent->turn * from.turn};
-  else if (span->kind == AttachmentKind::attach)
-    p = {linear_product(rotation(parent->turn), from.world), parent->turn * from.turn};
-  else
-    p = {linear_part(from.world), from.turn};
+  Placed p{linear_product(let_go ? frozen->turn3 : held_turn(span->kind, *parent), from.world), from.turn};
+  if (span->kind != AttachmentKind::hang) p.turn = (let_go ? frozen->parent_turn : parent->turn) * from.turn;
   p.world(0, 3) = place.x, p.world(1, 3) = place.y, p.world(2, 3) = place.z;
   return p;
 }

@@ -122,6 +122,16 @@ TEST(Evaluation, OtherDrawablesHaveAllChanged) {
   EXPECT_EQ(two.loaded.document.name(e.drawables()[1]), "c");
 }
 
+// What nobody sees is not worked out; that a twerper errs there is said all the same.
+TEST(Evaluation, TwerpersThatErrAreNamedWhereverTheyStand) {
+  const LoadedFilm s(
+      "create b box\ndefine heat number\nprocedure bad twerper lua \"0 / 0\"\nb.heat\n  1f 0 bad\n  24f 1\n");
+  ASSERT_EQ(s.frame("12f").problems.size(), 1u);
+  EXPECT_NE(s.frame("12f").problems[0].find("'bad'"), std::string::npos);
+  EXPECT_TRUE(s.frame("30f").problems.empty());
+  EXPECT_EQ(s.frame("12f").problems.size(), 1u);
+}
+
 // What rests costs nothing to know: neither a still scene nor one in which others move names what rests.
 TEST(Evaluation, WhatRestsIsNotNamed) {
   const LoadedFilm s(
