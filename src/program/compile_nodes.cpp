@@ -52,6 +52,8 @@ struct NodeCompiler {
     n.orientation = compiled.find(object, fn::rotation).orientation;
     n.around = siting(o, fn::environments), n.drive = siting(o, fn::drive);
     n.transform = o.find(fn::transform) != nullptr;
+    compiled.offsets.push_back({n.position, n.rotation, n.scale, n.pivot, n.orientation});
+    compiled.cameras = compiled.cameras || n.kind == Kind::camera;
     compiled.sited = compiled.sited || n.around >= 0;
     compiled.node_of[object] = static_cast<std::uint32_t>(compiled.nodes.size());
     compiled.nodes.push_back(std::move(n));
@@ -59,8 +61,9 @@ struct NodeCompiler {
 
   void nodes() {
     compiled.node_of.assign(scene.objects.size(), ObjectId::nothing);
-    for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-      if (!scene.objects[i].removed) node(i);
+    for (const bool drawn : {true, false})
+      for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
+        if (!scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
     constexpr std::size_t many = 1024;  // below, setting them up costs more than it saves
     if (members.size() >= many && !scene.smooth_ticks) compiled.many.emplace(std::move(members));
     spans();
@@ -89,8 +92,9 @@ struct NodeCompiler {
       for (const AttachmentSpan& a : attachments(scene.objects[compiled.nodes[i].object]))
         if (a.from.flicks != INT64_MIN || a.to.kind >= AttachmentKind::hang)
           all.push_back({a.from, a.to.kind >= AttachmentKind::hang && find_object(scene, a.to.parent), i, a.to});
-    std::stable_sort(all.begin(), all.end(), [](const Happening& a, const Happening& b) {
-      return std::tuple(a.time, a.takes, a.node) < std::tuple(b.time, b.takes, b.node);
+    std::stable_sort(all.begin(), all.end(), [&](const Happening& a, const Happening& b) {
+      return std::tuple(a.time, a.takes, compiled.nodes[a.node].object) <
+             std::tuple(b.time, b.takes, compiled.nodes[b.node].object);
     });
     std::vector<std::int32_t> above(compiled.nodes.size(), -1);
     std::vector<bool> leads(compiled.nodes.size());
@@ -121,6 +125,7 @@ struct NodeCompiler {
         compiled.frozen.emplace_back();
         compiled.frozen.back().node = h.node;
       }
+      compiled.turning = compiled.turning || span.frozen >= 0 || span.kind == AttachmentKind::attach;
       kept.push_back({h.node, span});
     }
     std::vector<std::int32_t> in_time;  // frozen ones, as they come

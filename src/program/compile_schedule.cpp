@@ -53,12 +53,18 @@ struct ScheduleCompiler {
   const Scene& scene = compiled.document.scene();
   Schedule& schedule = compiled.schedule;
 
+  void keep(const Schedule::Source& s) {
+    schedule.sources.push_back(s);
+    schedule.events.push_back(s.what == Schedule::Source::curve ? CurveEvents(compiled.curves[s.index].curve)
+                                                                : CurveEvents());
+  }
+
   template <class Activities>
   void add(Schedule::Source source, Activities&& activities) {
     source.first_activity = static_cast<std::uint32_t>(schedule.activities.size());
     activities(schedule.activities);
     source.activities = static_cast<std::uint32_t>(schedule.activities.size()) - source.first_activity;
-    if (source.activities > 0) return schedule.sources.push_back(source);
+    if (source.activities > 0) return keep(source);
     if (source.what != Schedule::Source::curve) return;
     const CurveUse& use = compiled.curves[source.index];  // always the same
     compiled.evaluate(use, {}, &compiled.rest[use.offset]);
@@ -78,7 +84,7 @@ struct ScheduleCompiler {
       s.index += s.what == Schedule::Source::curve ? to.curve - from.curve : to.step - from.step;
       s.first_activity = static_cast<std::uint32_t>(schedule.activities.size());
       schedule.activities.insert(schedule.activities.end(), first, first + s.activities);
-      schedule.sources.push_back(s);
+      keep(s);
     }
   }
 
@@ -126,7 +132,7 @@ struct ScheduleCompiler {
   void drawables() {
     std::vector<std::uint32_t> varying;
     for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
-      Node& n = compiled.nodes[i];
+      const Node& n = compiled.nodes[i];
       const auto find = [&](FunctionId f) { return &compiled.find(n.object, f); };
       if (n.kind == Kind::light) compiled.lights.push_back(i);
       if (n.kind == Kind::camera) {
@@ -134,19 +140,17 @@ struct ScheduleCompiler {
         if (find(fn::look_at) != &compiled.defaults[fn::look_at]) compiled.eyes.push_back(i);
       }
       if (!drawable(n.kind)) continue;
-      const auto number = static_cast<std::uint32_t>(compiled.drawables.size());
-      n.drawable = static_cast<std::int32_t>(number);
-      Drawable d{i,
-                 find(fn::transparency)->offset,
-                 find(fn::shininess)->offset,
-                 find(fn::material),
-                 find(fn::texture),
+      Drawable d{find(fn::transparency)->offset, find(fn::shininess)->offset, find(fn::material), find(fn::texture),
                  find(fn::geometry)};
       if (form_varies(n.object))
-        varying.push_back(number);
+        varying.push_back(i);
       else
         d.shape = shape_number(n.object);
-      if (d.geometry != &compiled.defaults[fn::geometry]) compiled.borrowers.push_back(number);
+      d.plain = !d.material->varies() && !d.texture->varies();
+      if (d.plain)
+        d.material_number = Compiled::material(d.material->constant),
+        d.texture_number = compiled.texture(d.texture->constant);
+      if (d.geometry != &compiled.defaults[fn::geometry]) compiled.borrowers.push_back(i);
       compiled.drawables.push_back(d);
     }
     for (const std::uint32_t i : varying)
@@ -201,6 +205,21 @@ struct ScheduleCompiler {
 };
 
 }  // namespace
+
+Material Compiled::material(const Value& v) {
+  const std::string& word = *std::get<Text>(v);
+  return word == "matte"   ? Material::matte
+         : word == "metal" ? Material::metal
+         : word == "glow"  ? Material::glow
+                           : Material::plastic;
+}
+
+std::uint32_t Compiled::texture(const Value& v) const {
+  const auto& pictures = *document.scene().pictures;
+  const auto picture = pictures.find(*std::get<Text>(v));
+  return picture == pictures.end() ? Evaluation::Look::none
+                                   : static_cast<std::uint32_t>(std::distance(pictures.begin(), picture));
+}
 
 const Activity* Schedule::active(const Source& s, std::int64_t t) const {
   const Activity *first = activities.data() + s.first_activity, *last = first + s.activities;

@@ -12,8 +12,10 @@
 #include <mutex>
 #include <optional>
 
+#include "betwixt/evaluation.h"
 #include "betwixt/program.h"
 #include "program/environment_set.h"
+#include "program/playing.h"
 #include "scene/document.h"
 #include "scene/extent.h"
 #include "track/reign.h"
@@ -178,16 +180,18 @@ struct Node {
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0, attach = 0, display = 0, color = 0;  // offsets
   std::int32_t around = -1, drive = -1;                                                                // sitings
   std::int32_t moving = -1;                                                                            // motions
-  std::int32_t drawable = -1;                                                                          // drawables
   bool transform = false;                                                                              // it has one
 };
 
-// What is drawn, or may be.
+// What is drawn, or may be: the node of the same number.
 struct Drawable {
-  std::uint32_t node = 0;
   std::uint32_t transparency = 0, shininess = 0;  // offsets
   const Binding *material = nullptr, *texture = nullptr, *geometry = nullptr;
   std::uint32_t shape = 0;  // a number of Compiled::shapes; one beyond them where it varies
+  // Of its material and texture, where these do not vary.
+  bool plain = false;
+  Material material_number = Material::plastic;
+  std::uint32_t texture_number = 0;
 };
 
 // What of an object depends on a value.
@@ -216,6 +220,7 @@ struct Schedule {
     std::uint32_t source = 0;
   };
   std::vector<Source> sources;
+  std::vector<CurveEvents> events;                              // of each source that is a curve
   std::vector<Activity> activities;                             // by source, then time
   std::vector<Edge> begins, ends;                    // of all activities, by time
   std::vector<LiveSource> lives;                     // nobody knows when they change
@@ -260,8 +265,8 @@ struct Program::Compiled {
   std::vector<Binding> plains;                      // of strands of lives
   std::vector<Live> lives;
   std::vector<Reign> reigns;
-  std::vector<Node> nodes;
-  std::vector<Drawable> drawables;                  // by object
+  std::vector<Node> nodes;  // drawables, then the others, each by object
+  std::vector<Drawable> drawables;
   std::vector<std::shared_ptr<const Shape>> shapes;  // those that do not vary, each once
   std::vector<std::shared_ptr<const Picture>> textures;
   std::vector<std::uint32_t> lights, eyes;  // nodes; eyes: cameras that look at something
@@ -278,10 +283,16 @@ struct Program::Compiled {
   std::optional<EnvironmentSet> mutable many;
   mutable std::mutex many_in_use;
   bool sited = false;                  // some node is in an environment
+  bool cameras = false;                // there are some
+  bool turning = false;                // some node hangs on how another is turned alone
+  std::vector<playing::Offsets> offsets;  // by node
   std::vector<std::string> notices;    // attachments that had to be ignored
-  std::vector<std::uint32_t> node_of;  // per object; its order is that of the objects
+  std::vector<std::uint32_t> node_of;  // per object
 
+  bool draws(std::uint32_t node) const { return node < drawables.size(); }
   const Binding& find(std::uint32_t object, FunctionId f) const;
+  static Material material(const Value&);
+  std::uint32_t texture(const Value&) const;  // Look::none where there is no such picture
 
   // Evaluation of one value, or of one object; of all there is: evaluator.h. `numbers` is the array for the time.
   void evaluate(const CurveUse& use, Time t, double* out) const;

@@ -66,7 +66,8 @@ Frame Program::frame(Time t) const {
 struct Evaluation::State {
   struct Played {
     explicit Played(const Program& p) : program(p), whole(std::make_unique<Whole>(p.compiled())) {
-      for (const Drawable& d : p.compiled().drawables) drawables.push_back({p.compiled().nodes[d.node].object});
+      for (std::size_t d = 0; d < p.compiled().drawables.size(); ++d)
+        drawables.push_back({p.compiled().nodes[d].object});
     }
     Program program;
     std::unique_ptr<Whole> whole;
@@ -104,7 +105,7 @@ void Evaluation::State::compare() {
   };
   const auto same = [&](std::size_t i) {
     Look a = is.looks[i], b = was.looks[i];
-    if (std::memcmp(&is.worlds[i], &was.worlds[i], sizeof(Mat4)) != 0) return false;
+    if (std::memcmp(&is.worlds()[i], &was.worlds()[i], sizeof(Mat4)) != 0) return false;
     if (!same_shape(a.shape, b.shape) || !same_shape(a.toward, b.toward)) return false;
     a.shape = b.shape, a.toward = b.toward;
     const auto picture = [](const Evaluator& e, std::uint32_t n) {
@@ -127,7 +128,7 @@ void Evaluation::use(const Program& program) {
 const Program& Evaluation::program() const { return state_->now.program; }
 Time Evaluation::time() const { return state_->evaluator().time(); }
 std::span<const ObjectId> Evaluation::drawables() const { return state_->now.drawables; }
-std::span<const Mat4> Evaluation::worlds() const { return state_->evaluator().worlds; }
+std::span<const Mat4> Evaluation::worlds() const { return state_->evaluator().worlds(); }
 std::span<const Evaluation::Look> Evaluation::looks() const { return state_->evaluator().looks; }
 const std::shared_ptr<const Shape>& Evaluation::shape(std::uint32_t number) const {
   return state_->evaluator().shape(number);

@@ -16,50 +16,40 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-Material material_of(const std::string& word) {
-  return word == "matte"   ? Material::matte
-         : word == "metal" ? Material::metal
-         : word == "glow"  ? Material::glow
-                           : Material::plastic;
-}
-
 }  // namespace
 
 Evaluator::Evaluator(const Program::Compiled& compiled)
     : compiled_(compiled),
       numbers_(compiled.rest),
+      segments_(compiled.schedule.sources.size()),
       asked_(compiled.schedule.sources.size()),
-      playing_(compiled.schedule.sources.size()),
-      dirty_(compiled.nodes.size()),
+      marks_(compiled.nodes.size()),
       held_(compiled.nodes.size()),
       parent_(compiled.nodes.size(), -1),
       products_(compiled.sitings.size()),
-      own_(compiled.nodes.size()),
-      placed_(compiled.nodes.size()),
-      around_(compiled.sited ? compiled.nodes.size() : 0) {
-  for (std::size_t i = 0; i < playing_.size(); ++i) {
+      owns_(compiled.spans.empty() && !compiled.cameras ? 0 : compiled.nodes.size()),
+      worlds_(compiled.nodes.size()),
+      turns_(compiled.turning ? compiled.nodes.size() : 0),
+      around_(compiled.sited ? compiled.nodes.size() : 0),
+      shown_(compiled.sited ? compiled.drawables.size() : 0),
+      flags_(compiled.nodes.size()) {
+  numbers_.resize(numbers_.size() + 4);  // they are written four at a time
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Schedule::Source& s = compiled.schedule.sources[i];
     if (s.what != Schedule::Source::curve) continue;
     const CurveUse& use = compiled.curves[s.index];
-    playing_[i] = {{}, use.offset, s.node, use.curve.channels, s.affects, use.bounded};
+    segments_[i].offset = use.offset, segments_[i].node = s.node;
+    segments_[i].channels = use.curve.channels, segments_[i].affects = s.affects, segments_[i].bounded = use.bounded;
   }
   const std::size_t drawables = compiled.drawables.size();
-  worlds.resize(drawables), looks.resize(drawables);
-  forms_.resize(drawables), stale_.assign(drawables, true), renewed_.resize(drawables), flagged_.resize(drawables);
-}
-
-void Evaluator::mark(std::uint32_t node, std::uint8_t what) {
-  if (dirty_[node] == 0) marked_.push_back(node);
-  dirty_[node] |= what;
-}
-
-void Evaluator::flag(std::uint32_t drawable) {
-  if (flagged_[drawable]) return;
-  flagged_[drawable] = true;
-  changed.push_back(drawable);
+  looks.resize(drawables), forms_.resize(drawables), stale_.assign(drawables, true), renewed_.resize(drawables);
 }
 
 void Evaluator::touch(std::uint32_t source, std::int64_t t) {
+  if (playing::Segment& s = segments_[source]; s.channels > 0) {
+    if (!std::exchange(s.listed, true)) curves_.push_back(source);
+    return;
+  }
   if (asked_[source] == turn_) return;
   asked_[source] = turn_;
   due_.push_back(source);
@@ -88,7 +78,7 @@ void Evaluator::collect(std::int64_t t) {
     for (const Active& a : active_) {
       asked_[a.source] = turn_;
       due_.push_back(a.source);
-      if (a.now.from <= t && t < a.now.until)
+      if (a.now.has(t))
         active_[kept++] = a;
       else if (const Activity* now = s.active(s.sources[a.source], t))
         active_[kept++] = {a.source, *now};
@@ -99,7 +89,6 @@ void Evaluator::collect(std::int64_t t) {
 }
 
 void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
-  if (playing_[i].channels > 0) return evaluate_curve(i, t);
   const Schedule::Source& s = compiled_.schedule.sources[i];
   if (s.what == Schedule::Source::siting) tick_ = INT64_MIN;  // its environments are others now
   if (s.what == Schedule::Source::attachment) {
@@ -108,35 +97,62 @@ void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
     held_[s.node] = held;
     rearrange_ = true;
   }
-  mark(s.node, s.affects);
+  marks_.add(s.node, s.affects);
 }
 
-void Evaluator::evaluate_curve(std::uint32_t i, std::int64_t t) {
-  Playing& p = playing_[i];
-  CubicSegment& g = p.segment;
-  const auto use = [&]() -> const CurveUse& { return compiled_.curves[compiled_.schedule.sources[i].index]; };
+// Curves: most are in the segment that they were in.
+void Evaluator::play(std::int64_t t) {
+  left_.resize(curves_.size());
+  left_.resize(playing::play(segments_.data(), curves_, t, numbers_.data(), marks_, left_.data()));
+  bool ended = false;
+  constexpr std::size_t ahead = 16;
+  for (std::size_t k = 0; k < left_.size() + ahead; ++k) {
+    if (k < left_.size()) {
+      const std::uint32_t soon = curves_[left_[k]];
+      compiled_.schedule.events[soon].fetch(t, segments_[soon]);
+    }
+    if (k < ahead) continue;
+    std::uint32_t& source = curves_[left_[k - ahead]];
+    if (seek(source, t)) continue;
+    segments_[source].listed = false;
+    source = nothing;
+    ended = true;
+  }
+  if (ended) std::erase(curves_, nothing);
+}
+
+// One that is elsewhere now. Whether it goes on changing there.
+bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
+  playing::Segment& s = segments_[i];
+  const Schedule& schedule = compiled_.schedule;
+  const auto use = [&]() -> const CurveUse& { return compiled_.curves[schedule.sources[i].index]; };
+  if (!s.active.has(t)) {
+    const Activity* now = schedule.active(schedule.sources[i], t);
+    s.active = now ? *now : Activity{};
+  }
+  const CurveEvents& events = schedule.events[i];
   double n[4];
-  if ((g.from <= t && t < g.until) || compiled_.set.cubic(use().curve, t, g)) {
-    const double part = static_cast<double>(t - g.from) / g.length;
-    for (std::uint32_t c = 0; c < p.channels; ++c) n[c] = g.channels[c].at(part);
-    if (p.bounded) use().bound(n);
+  if (s.has(t) || (events.plain ? events.cubic(t, s) : compiled_.set.cubic(use().curve, t, s))) {
+    for (std::uint32_t c = 0; c < s.channels; ++c) n[c] = s.at(c, t);
+    if (s.bounded) use().bound(n);
   } else {
     compiled_.evaluate(use(), {t}, n);
   }
   std::uint64_t other = 0;  // bits that differ
-  for (std::uint32_t c = 0; c < p.channels; ++c) {
-    double& was = numbers_[p.offset + c];
+  for (std::uint32_t c = 0; c < s.channels; ++c) {
+    double& was = numbers_[s.offset + c];
     other |= std::bit_cast<std::uint64_t>(was) ^ std::bit_cast<std::uint64_t>(n[c]);
     was = n[c];
   }
-  if (other != 0) mark(p.node, p.affects);
+  if (other != 0) marks_.add(s.node, s.affects);
+  return s.active.has(t);
 }
 
 void Evaluator::evaluate_lives(Asking& asking, bool solids) {
   for (const Schedule::LiveSource& live : compiled_.schedule.lives) {
     if (solids && !live.solid) continue;
     if (live.binding->channels == 0) {
-      mark(live.node, live.affects);
+      marks_.add(live.node, live.affects);
       continue;
     }
     double n[4];
@@ -144,7 +160,7 @@ void Evaluator::evaluate_lives(Asking& asking, bool solids) {
     compiled_.evaluate(*live.binding, now_, asking, n);
     if (std::memcmp(n, &numbers_[live.binding->offset], sizeof n) == 0) continue;
     std::memcpy(&numbers_[live.binding->offset], n, sizeof n);
-    mark(live.node, live.affects);
+    marks_.add(live.node, live.affects);
   }
 }
 
@@ -168,12 +184,12 @@ void Evaluator::environments(bool own_set) {
       const Mat4 m = compiled_.product(siting, now_, many_ ? &*many_ : nullptr);
       if (!fresh_ && same_bits(m, products_[static_cast<std::size_t>(siting)])) continue;
       products_[static_cast<std::size_t>(siting)] = m;
-      mark(i, affects::place);
+      marks_.add(i, affects::place);
     }
 }
 
 void Evaluator::stay() {
-  for (const std::uint32_t d : changed) flagged_[d] = false;
+  flags_.clear();
   changed.clear();
 }
 
@@ -183,36 +199,35 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   if (fresh_)
     for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i) {
       held_[i] = compiled_.span(compiled_.nodes[i], t);
-      mark(i, affects::all);
+      marks_.add(i, affects::all);
     }
   now_ = t;
+  play(t.flicks);
   for (const std::uint32_t i : due_) evaluate(i, t.flicks);
   evaluate_lives(asking, solids);
   environments(!solids);
   places(asking);
   restyle(asking, solids);
-  for (const std::uint32_t i : marked_) dirty_[i] = 0;
-  marked_.clear();
+  marks_.clear();
+  const auto drawables = static_cast<std::uint32_t>(looks.size());
   if (fresh_)
-    for (std::uint32_t d = 0; d < worlds.size(); ++d) flag(d);
+    for (std::uint32_t d = 0; d < drawables; ++d) flags_.add(d, true);
   fresh_ = false;
-  sort_numbers(changed);
+  flags_.in_order(drawables, changed);
 }
 
 // The looks of marked drawables, and of those that borrow a marked one's form.
 void Evaluator::restyle(Asking& asking, bool solids) {
   bool borrowed = false;
-  for (const std::uint32_t i : marked_) {
-    const std::int32_t d = compiled_.nodes[i].drawable;
-    if (d < 0 || !(dirty_[i] & affects::form)) continue;
-    stale_[static_cast<std::size_t>(d)] = true;
+  for (const std::uint32_t d : marks_.all()) {
+    if (!compiled_.draws(d) || !(marks_[d] & affects::form)) continue;
+    stale_[d] = true;
     borrowed = true;
   }
   if (borrowed)
-    for (const std::uint32_t d : compiled_.borrowers) mark(compiled_.drawables[d].node, affects::form);
-  for (const std::uint32_t i : marked_)
-    if (const std::int32_t d = compiled_.nodes[i].drawable; d >= 0 && (dirty_[i] & (affects::look | affects::form)))
-      look(static_cast<std::uint32_t>(d), asking, solids);
+    for (const std::uint32_t d : compiled_.borrowers) marks_.add(d, affects::form);
+  for (const std::uint32_t d : marks_.all())
+    if (compiled_.draws(d) && (marks_[d] & (affects::look | affects::form))) look(d, asking, solids);
 }
 
 // The form of a drawable for now: a number.
@@ -221,7 +236,7 @@ std::uint32_t Evaluator::form(std::uint32_t drawable, Asking& asking) {
   if (d.shape < compiled_.shapes.size()) return d.shape;
   if (stale_[drawable]) {
     stale_[drawable] = false;
-    auto made = compiled_.shape(compiled_.nodes[d.node].object, now_, numbers_.data(), asking);
+    auto made = compiled_.shape(compiled_.nodes[drawable].object, now_, numbers_.data(), asking);
     if (!forms_[drawable] || !(*forms_[drawable] == made)) {
       forms_[drawable] = std::make_shared<const Shape>(std::move(made));
       renewed_[drawable] = turn_;
@@ -235,12 +250,12 @@ std::uint32_t Evaluator::shape_of(const Value& v, std::uint32_t drawable, Asking
   const ObjectId other = std::get<ObjectId>(v);
   const Object* o = find_object(compiled_.document.scene(), other);
   if (!o || !betwixt::drawable(o->kind)) return form(drawable, asking);
-  return form(static_cast<std::uint32_t>(compiled_.nodes[compiled_.node_of[other.index]].drawable), asking);
+  return form(compiled_.node_of[other.index], asking);
 }
 
 void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
   const Drawable& d = compiled_.drawables[i];
-  const Node& n = compiled_.nodes[d.node];
+  const Node& n = compiled_.nodes[i];
   Looks now;
   now.visible = numbers_[n.display] != 0;
   if (now.visible) {
@@ -257,17 +272,15 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       now.color = vec3(&numbers_[n.color]);
       now.transparency = std::clamp(numbers_[d.transparency], 0.0, 1.0);
       now.shininess = std::clamp(numbers_[d.shininess], 0.0, 1.0);
-      now.material = material_of(*std::get<Text>(compiled_.value(*d.material, now_, asking)));
-      const auto& pictures = *compiled_.document.scene().pictures;
-      const auto picture = pictures.find(*std::get<Text>(compiled_.value(*d.texture, now_, asking)));
-      if (picture != pictures.end()) now.texture = static_cast<std::uint32_t>(std::distance(pictures.begin(), picture));
+      now.material = d.plain ? d.material_number : compiled_.material(compiled_.value(*d.material, now_, asking));
+      now.texture = d.plain ? d.texture_number : compiled_.texture(compiled_.value(*d.texture, now_, asking));
     }
   }
   // Whoever borrows a form that is new differs too.
   const auto renewed = [&](std::uint32_t shape) {
     return shape != nothing && shape >= compiled_.shapes.size() && renewed_[shape - compiled_.shapes.size()] == turn_;
   };
-  if (!(now == looks[i]) || renewed(now.shape) || renewed(now.toward)) flag(i);
+  if (!(now == looks[i]) || renewed(now.shape) || renewed(now.toward)) flags_.add(i, true);
   looks[i] = now;
 }
 

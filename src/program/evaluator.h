@@ -13,13 +13,11 @@
 
 #include "betwixt/evaluation.h"
 #include "program/compiled.h"
+#include "program/playing.h"
 
 namespace betwixt {
 
-// They mostly are in order already.
-inline void sort_numbers(std::vector<std::uint32_t>& all) {
-  if (!std::is_sorted(all.begin(), all.end())) std::sort(all.begin(), all.end());
-}
+using playing::Own;
 
 class Evaluator {
  public:
@@ -32,27 +30,23 @@ class Evaluator {
   Time time() const { return now_; }
 
   const double* numbers() const { return numbers_.data(); }
-  Mat4 world(std::uint32_t node) const {
-    return compiled_.sited ? around_[node] * placed_[node].world : placed_[node].world;
-  }
-  Placed placed(std::uint32_t node) const { return placed_[node]; }
+  Mat4 world(std::uint32_t node) const { return compiled_.sited ? around_[node] * worlds_[node] : worlds_[node]; }
+  Placed placed(std::uint32_t node) const { return {worlds_[node], turn(node)}; }
   Mat4 around(std::uint32_t node) const { return compiled_.sited ? around_[node] : Mat4{}; }
   std::uint32_t body(std::uint32_t node) const { return body_[node]; }  // what it is one body with: a node
 
   using Looks = Evaluation::Look;
   static constexpr std::uint32_t nothing = Looks::none;
-  std::vector<Mat4> worlds;
+  std::span<const Mat4> worlds() const {  // of drawables
+    return {compiled_.sited ? shown_.data() : worlds_.data(), looks.size()};
+  }
   std::vector<Looks> looks;
   std::vector<std::uint32_t> changed;  // drawables that differ since the time before, in order
 
   // Takes back that drawables have changed.
   template <class Same>
   void unchanged_if(Same&& same) {
-    std::erase_if(changed, [&](std::uint32_t d) {
-      if (!same(d)) return false;
-      flagged_[d] = false;
-      return true;
-    });
+    std::erase_if(changed, same);
   }
 
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const {
@@ -65,25 +59,30 @@ class Evaluator {
   const Program::Compiled& compiled() const { return compiled_; }
 
  private:
-  void mark(std::uint32_t node, std::uint8_t what);
   void touch(std::uint32_t source, std::int64_t t);
   void collect(std::int64_t t);
   void evaluate(std::uint32_t source, std::int64_t t);
-  void evaluate_curve(std::uint32_t source, std::int64_t t);
+  void play(std::int64_t t);
+  bool seek(std::uint32_t source, std::int64_t t);
   void evaluate_lives(Asking&, bool solids);
   void environments(bool own_set);
   void arrange();
   void arrange_eyes();
-  void place_alone(std::uint32_t node, Asking&);
+  Own own_of(std::uint32_t node, Asking&) const;
+  void place_marked(Asking&);
+  void settle(std::uint32_t node, const Own&);
+  void put_world(std::uint32_t node, const Mat4&);
   void compose(std::uint32_t node);
-  void show(std::uint32_t node);
+  void compose_below(std::uint32_t at);
   void places(Asking&);
   void turn_eyes(Asking&);
   void restyle(Asking&, bool solids);
   void look(std::uint32_t drawable, Asking&, bool solids);
   std::uint32_t form(std::uint32_t drawable, Asking&);
   std::uint32_t shape_of(const Value&, std::uint32_t drawable, Asking&);
-  void flag(std::uint32_t drawable);
+  Quat turn(std::uint32_t node) const { return turns_.empty() ? Quat{} : turns_[node]; }
+  // Its own matrix is kept: it is held, or may be turned.
+  bool kept(std::uint32_t node) const { return held_[node] || compiled_.nodes[node].kind == Kind::camera; }
   template <class F>
   void each_below(std::uint32_t node, F&& f) const {
     for (std::uint32_t at = at_[node], end = at + size_[at]; at < end; ++at) f(order_[at]);
@@ -94,43 +93,40 @@ class Evaluator {
   Time now_;
   std::vector<double> numbers_;
 
-  // Sources: those that go on changing, and those asked this time.
+  // Sources: the curves that go on changing, the others that do, and those of these that are asked this time.
+  std::vector<playing::Segment> segments_;  // by source; no channels where it is no curve
+  std::vector<std::uint32_t> curves_, left_;
   struct Active {
     std::uint32_t source = 0;
     Activity now;
   };
   std::vector<Active> active_;
   std::vector<std::uint32_t> due_, asked_;
-  // Where a curve is, and what becomes of its numbers.
-  struct Playing {
-    CubicSegment segment;
-    std::uint32_t offset = 0, node = 0;
-    std::uint8_t channels = 0, affects = 0;
-    bool bounded = false;
-  };
-  std::vector<Playing> playing_;  // by source; nothing where it is no curve
   std::uint32_t turn_ = 0;
-  std::vector<std::uint8_t> dirty_;  // by node
-  std::vector<std::uint32_t> marked_;
+  playing::Marks marks_;  // nodes, and what of them
 
   std::vector<const CompiledSpan*> held_;  // by node
   std::vector<std::int32_t> parent_;
   bool rearrange_ = true;
   std::vector<std::uint32_t> order_, at_, size_;  // depth first; a node's place there; what is below a place and itself
+  std::vector<playing::Link> links_;              // in that order
   std::vector<std::uint32_t> eyes_;               // in the order in which they turn
   std::vector<std::uint32_t> body_;
 
   std::int64_t tick_ = INT64_MIN;
   std::optional<EnvironmentSet> many_;
   std::vector<Mat4> products_;  // by siting
-  std::vector<Placed> own_, placed_;
-  std::vector<Mat4> around_;
+  std::vector<Own> owns_;       // by node, where any is held: before it is
+  std::vector<Mat4> worlds_;    // by node, without what encloses them
+  std::vector<Quat> turns_;     // by node, where any wants to know
+  std::vector<Mat4> around_, shown_;     // where any is enclosed: what by, and drawables' worlds in it
+  std::vector<std::uint32_t> alike_[2];  // nodes to be placed that have angles, and orientations
   std::vector<std::uint32_t> dirty_places_;
 
   std::vector<std::shared_ptr<const Shape>> forms_;  // by drawable: those that vary
   std::vector<std::uint8_t> stale_;                  // … and must be made anew
   std::vector<std::uint32_t> renewed_;               // the turn at which it was
-  std::vector<std::uint8_t> flagged_;                // by drawable: it is among the changed
+  playing::Marks flags_;                             // nodes that differ; `changed` has the drawables among them
 };
 
 }  // namespace betwixt

@@ -13,10 +13,10 @@ void Evaluator::add_items(Frame& frame) const {
   for (std::size_t i = 0; i < looks.size(); ++i) {
     const Looks& l = looks[i];
     if (!l.visible) continue;
-    const std::uint32_t node = compiled_.drawables[i].node;
+    const auto node = static_cast<std::uint32_t>(i);
     Item item;
     item.id = {compiled_.nodes[node].object};
-    item.world = worlds[i];
+    item.world = worlds()[i];
     item.body = {compiled_.nodes[body_[node]].object};
     item.shape = shape(l.shape);
     if (l.toward != nothing) item.toward = shape(l.toward), item.blend = l.blend;

@@ -3,6 +3,7 @@
 //
 // Where all nodes are: those that were moved, and what hangs on them.
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "program/evaluator.h"
@@ -41,6 +42,13 @@ void Evaluator::arrange() {
   for (std::size_t p = n; p-- > 0;)
     if (const std::int32_t above = parent_[order_[p]]; above >= 0)
       size_[at_[static_cast<std::size_t>(above)]] += size_[p];
+  links_.resize(n);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t node = order_[k];
+    const bool plain = parent_[node] >= 0 && held_[node]->kind == AttachmentKind::couple && held_[node]->frozen < 0 &&
+                       compiled_.nodes[node].kind != Kind::camera && !compiled_.sited;
+    links_[k] = {node, plain ? static_cast<std::uint32_t>(parent_[node]) : 0, compiled_.nodes[node].attach, plain};
+  }
   arrange_eyes();
 }
 
@@ -62,15 +70,75 @@ void Evaluator::arrange_eyes() {
   }
 }
 
-void Evaluator::place_alone(std::uint32_t node, Asking& asking) {
+namespace {
+
+Placed placed_of(const Own& own) {
+  Placed p{{}, own.turn};
+  for (int c = 0; c < 4; ++c)
+    for (int i = 0; i < 3; ++i) p.world(i, c) = own.m[3 * c + i];
+  return p;
+}
+
+Own own_of_placed(const Placed& p) {
+  Own own;
+  for (int c = 0; c < 4; ++c)
+    for (int i = 0; i < 3; ++i) own.m[3 * c + i] = p.world(i, c);
+  own.turn = p.turn;
+  return own;
+}
+
+}  // namespace
+
+// By all that its own tracks say.
+Own Evaluator::own_of(std::uint32_t node, Asking& asking) const {
   const Node& n = compiled_.nodes[node];
   Said said = said_by(n, numbers_.data());
   if (n.transform || n.drive >= 0)
     said.own =
         compiled_.driven(n, now_, asking, n.drive >= 0 ? &products_[static_cast<std::size_t>(n.drive)] : nullptr);
   if (n.moving >= 0) said.motion = compiled_.moved(n, now_);
-  // What nobody holds is where it is by itself; cameras may be turned, and must know how they stood.
-  (held_[node] || n.kind == Kind::camera ? own_ : placed_)[node] = own_place(said);
+  return own_of_placed(own_place(said));
+}
+
+void Evaluator::put_world(std::uint32_t node, const Mat4& m) {
+  Mat4& was = worlds_[node];
+  std::uint64_t other = 0;  // bits that differ
+  for (std::size_t i = 0; i < m.m.size(); ++i)
+    other |= std::bit_cast<std::uint64_t>(m.m[i]) ^ std::bit_cast<std::uint64_t>(was.m[i]);
+  if (other == 0) return;
+  was = m;
+  if (!compiled_.sited) flags_.add(node, true);
+}
+
+// What nobody holds is where it is by itself; cameras may be turned, and must know how they stood.
+void Evaluator::settle(std::uint32_t node, const Own& own) {
+  if (kept(node)) {
+    owns_[node] = own;
+    return dirty_places_.push_back(at_[node]);
+  }
+  if (!turns_.empty()) turns_[node] = own.turn;
+  put_world(node, placed_of(own).world);
+  if (size_[at_[node]] > 1 || compiled_.sited) dirty_places_.push_back(at_[node]);
+}
+
+// Those that are placed alike go together.
+void Evaluator::place_marked(Asking& asking) {
+  dirty_places_.clear();
+  for (auto& alike : alike_) alike.clear();
+  for (const std::uint32_t node : marks_.all()) {
+    if (!(marks_[node] & affects::place)) continue;
+    if (const Node& n = compiled_.nodes[node]; n.transform || n.drive >= 0 || n.moving >= 0)
+      settle(node, own_of(node, asking));
+    else
+      alike_[n.orientation].push_back(node);
+  }
+  for (const auto& alike : alike_)
+    for (std::size_t first = 0; first < alike.size(); first += playing::block) {
+      const auto some = std::span(alike).subspan(first, std::min(playing::block, alike.size() - first));
+      Own owns[playing::block];
+      playing::place(compiled_.offsets.data(), some, numbers_.data(), owns);
+      for (std::size_t k = 0; k < some.size(); ++k) settle(some[k], owns[k]);
+    }
 }
 
 void Evaluator::compose(std::uint32_t node) {
@@ -78,64 +146,69 @@ void Evaluator::compose(std::uint32_t node) {
   const CompiledSpan* h = held_[node];
   const Frozen* f = h && h->frozen >= 0 ? &compiled_.frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
   const std::int32_t above = parent_[node];
-  if (h)
-    placed_[node] = hang(own_[node], vec3(&numbers_[n.attach]), h, f,
-                         above >= 0 ? &placed_[static_cast<std::size_t>(above)] : nullptr);
-  else if (n.kind == Kind::camera)
-    placed_[node] = own_[node];
-  if (compiled_.sited) {
-    const Mat4* outer = above >= 0 ? &around_[static_cast<std::size_t>(above)] : f && f->held ? &f->around : nullptr;
-    around_[node] = n.around >= 0 ? products_[static_cast<std::size_t>(n.around)] : Mat4{};
-    if (outer) around_[node] = *outer * around_[node];
+  if (kept(node)) {
+    Placed parent;
+    if (above >= 0) parent = placed(static_cast<std::uint32_t>(above));
+    const Placed p = hang(placed_of(owns_[node]), vec3(&numbers_[n.attach]), h, f, above >= 0 ? &parent : nullptr);
+    if (!turns_.empty()) turns_[node] = p.turn;
+    put_world(node, p.world);
   }
-  if (n.drawable >= 0) show(node);
+  if (!compiled_.sited) return;
+  const Mat4* outer = above >= 0 ? &around_[static_cast<std::size_t>(above)] : f && f->held ? &f->around : nullptr;
+  around_[node] = n.around >= 0 ? products_[static_cast<std::size_t>(n.around)] : Mat4{};
+  if (outer) around_[node] = *outer * around_[node];
+  if (!compiled_.draws(node)) return;
+  const Mat4 shown = world(node);
+  if (std::memcmp(&shown, &shown_[node], sizeof shown) == 0) return;
+  shown_[node] = shown;
+  flags_.add(node, true);
 }
 
-void Evaluator::show(std::uint32_t node) {
-  const auto d = static_cast<std::uint32_t>(compiled_.nodes[node].drawable);
-  const Mat4 around = compiled_.sited ? world(node) : Mat4{};
-  const Mat4& m = compiled_.sited ? around : placed_[node].world;
-  if (std::memcmp(&m, &worlds[d], sizeof m) == 0) return;
-  worlds[d] = m;
-  flag(d);
+// What is at a place of the order, and all below it.
+void Evaluator::compose_below(std::uint32_t at) {
+  for (const std::uint32_t end = at + size_[at]; at < end;) {
+    std::uint32_t plain = at;
+    while (plain < end && links_[plain].plain) ++plain;
+    if (plain == at) {
+      compose(order_[at++]);
+      continue;
+    }
+    const auto links = std::span(links_).subspan(at, plain - at);
+    playing::follow(links, numbers_.data(), owns_.data(), worlds_.data(), flags_);
+    if (!turns_.empty())
+      for (const playing::Link& l : links) turns_[l.node] = turns_[l.parent] * owns_[l.node].turn;
+    at = plain;
+  }
 }
 
 void Evaluator::places(Asking& asking) {
   if (rearrange_) arrange();
   rearrange_ = false;
-  dirty_places_.clear();
-  bool turning = false;
-  for (std::size_t i = 0; i < marked_.size(); ++i) {
-    const std::uint32_t node = marked_[i];
-    turning = turning || (dirty_[node] & affects::aim);
-    if (!(dirty_[node] & affects::place)) continue;
-    place_alone(node, asking);
-    dirty_places_.push_back(at_[node]);
-  }
+  place_marked(asking);
+  const auto marked = marks_.all();
+  const bool turning = !eyes_.empty() && std::any_of(marked.begin(), marked.end(), [&](std::uint32_t node) {
+    return marks_[node] & (affects::aim | affects::place);
+  });
   if (dirty_places_.empty() && !turning) return;
   // What hangs on cameras is worked out twice: what it was before this time is kept aside.
   std::vector<std::pair<std::uint32_t, Mat4>> before;
   for (const std::uint32_t eye : eyes_) {
     dirty_places_.push_back(at_[eye]);
-    each_below(eye, [&](std::uint32_t i) {
-      if (const std::int32_t d = compiled_.nodes[i].drawable; d >= 0 && !flagged_[static_cast<std::size_t>(d)])
-        before.emplace_back(static_cast<std::uint32_t>(d), worlds[static_cast<std::size_t>(d)]);
+    each_below(eye, [&](std::uint32_t d) {
+      if (compiled_.draws(d) && !flags_[d]) before.emplace_back(d, worlds()[d]);
     });
   }
-  sort_numbers(dirty_places_);
+  std::sort(dirty_places_.begin(), dirty_places_.end());
   std::uint32_t done = 0;
   for (const std::uint32_t at : dirty_places_) {
     if (at < done) continue;
     done = at + size_[at];
-    for (std::uint32_t k = at; k < done; ++k) compose(order_[k]);
+    compose_below(at);
   }
   if (eyes_.empty()) return;
   turn_eyes(asking);
   for (const auto& [d, m] : before)
-    if (flagged_[d] && std::memcmp(&m, &worlds[d], sizeof m) == 0) {
-      flagged_[d] = false;
-      std::erase(changed, d);
-    }
+    if (flags_[d] && std::memcmp(&m, &worlds()[d], sizeof m) == 0) flags_.take_back(d);
 }
 
 // A camera that looks at something turns with it, and so does what hangs on the camera: each sees those before it
@@ -146,10 +219,11 @@ void Evaluator::turn_eyes(Asking& asking) {
     const auto target = compiled_.aim(compiled_.nodes[eye].object, now_, numbers_.data(), in_world, asking);
     const Vec3 place = in_world(eye);
     if (!target || *target == place) continue;
-    placed_[eye].world = look_at(place, *target);
-    placed_[eye].turn = from_matrix(placed_[eye].world);
+    Mat4& turned = worlds_[eye];
+    turned = look_at(place, *target);
+    if (!turns_.empty()) turns_[eye] = from_matrix(turned);
     if (compiled_.sited)  // it stands upright in the world, whatever encloses it
-      if (const auto back = inverse(around_[eye])) placed_[eye].world = *back * placed_[eye].world;
+      if (const auto back = inverse(around_[eye])) turned = *back * turned;
     each_below(eye, [&](std::uint32_t i) {
       if (i != eye) compose(i);
     });

@@ -27,7 +27,7 @@ Extent Program::Compiled::stage() const {
       Extent& all = row_of(shape.kind).ground ? grounds : things;
       for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p = transform_point(
-            film.worlds[i],
+            film.worlds()[i],
             {corner & 1 ? e.high.x : e.low.x, corner & 2 ? e.high.y : e.low.y, corner & 4 ? e.high.z : e.low.z});
         if (finite(p)) all.add(p);
       }

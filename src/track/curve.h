@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "track/activity.h"
+#include "track/cubic.h"
 #include "track/procedure.h"
 #include "track/track.h"
 #include "track/twerpers.h"
@@ -43,18 +45,22 @@ struct Curve {
   Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
 };
 
-// A time in which a value goes on changing; an instant where it jumps. Outside all of its activities it stays as it is.
-struct Activity {
-  std::int64_t from = 0, until = 0;
-};
-// Adds one behind the others; those that meet become one. `first`: where those of the same value begin.
-void add_activity(std::vector<Activity>&, std::size_t first, Activity);
+// Where the events of a curve lie: all there is to know of a plain one, which has no details and no orientations.
+struct CurveEvents {
+  CurveEvents() = default;
+  explicit CurveEvents(const Curve&);
+  // Asks the memory in time for what cubic() will read.
+  void fetch(std::int64_t t, const CubicSegment& was) const;
+  // As CurveSet::cubic(), of a plain curve.
+  bool cubic(std::int64_t t, CubicSegment& out) const;
 
-// A segment of numbers that is a cubic of the part of it that has gone by: good from its first moment to before `until`.
-struct CubicSegment {
-  std::int64_t from = 0, until = 0;
-  double length = 1;
-  Cubic channels[3];
+  const std::int64_t* times = nullptr;
+  const double* values = nullptr;
+  const std::uint8_t* twerpers = nullptr;
+  std::int64_t first = 0, last = 0;
+  std::uint32_t count = 0;
+  std::uint8_t channels = 0;
+  bool plain = false;
 };
 
 // Hears, on this thread and while it stands, which twerpers of the author's give no number: the place of each among

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "betwixt/math.h"
+#include "track/cubic.h"
 #include "track/event.h"
 
 namespace betwixt {
@@ -26,12 +27,6 @@ struct Blend {
   const double *tangent_out = nullptr, *tangent_in = nullptr;  // per second; null where nobody says
   double left(std::uint32_t i) const { return before ? before[i] : 2 * from[i] - to[i]; }  // else it is reflected
   double right(std::uint32_t i) const { return after ? after[i] : 2 * to[i] - from[i]; }
-};
-
-// c[0] + c[1] s + c[2] s² + c[3] s³.
-struct Cubic {
-  double c[4] = {};
-  double at(double s) const { return ((c[3] * s + c[2]) * s + c[1]) * s + c[0]; }
 };
 
 // A twerper's place among the rows is its number: the first are named in `Twerper`, any others by their rows only.
