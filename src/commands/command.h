@@ -54,8 +54,12 @@ std::string_view not_of_a_script(std::string_view word);
 ValueReader values(Command&);
 // Where the dot between an object's name and its function is; dots inside braces ({1..100}) are not.
 std::size_t first_dot(std::string_view word);
-// One target pattern. `asking`: what can be asked for only is meant too, and what display lists draw.
-bool targets(Command&, std::string_view word, Selected& out, bool asking = false);
+// What a pattern may name: functions with values of one type; any, for what never asks for values; or, asking, also
+// what can be asked for only and what display lists draw.
+enum class Meant : std::uint8_t { alike, any, asked };
+bool targets(Command&, std::string_view word, Selected& out, Meant = Meant::alike);
+// Whether all that are selected have values of one type.
+bool alike(Command&, const Selected&);
 // The rest of a command about targets of which there are none is read by nobody.
 bool pass_over(Command&, const char* from);
 // One or more objects: a name that exists, an alias, or a pattern (which may name none).

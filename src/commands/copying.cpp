@@ -88,11 +88,11 @@ bool arguments(Command& k, Copying& how) {
   while (!c.at_line_end()) {
     if (c.accept_word("on")) {
       how.onto = c.next_word();
-      if (!targets(k, how.onto, how.into)) return false;
+      if (!targets(k, how.onto, how.into, Meant::any)) return false;
     } else if (c.accept_word("times")) {
       if (!c.whole_number(1, 1'000'000, "times", how.times)) return false;
     } else if (c.accept_word("shift")) {
-      if (!shift(k, how)) return false;
+      if (!alike(k, how.from.of) || !shift(k, how)) return false;
     } else {
       return c.fail_here(ErrorCode::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
                          "copies take: on TARGET, shift VALUE, times N");
@@ -101,14 +101,22 @@ bool arguments(Command& k, Copying& how) {
   return true;
 }
 
+Type type_of(const Scene& s, const Target& t) {
+  const Type whole = spec_of(s, t.function).type;
+  return t.component < 0 ? whole : component_type(whole);
+}
+
 bool fits(Command& k, const Copying& how) {
   const Selected &from = how.from.of, &into = how.into;
   const auto cannot = [&](const auto& one, const auto& other) {
     return k.cursor.fail(ErrorCode::type, fmt::format("{} cannot be copied onto {}", one, other), how.onto);
   };
-  if (from.type() != into.type()) return cannot(to_string(from.type()), to_string(into.type()));
   if (from.targets.size() != into.targets.size() && from.targets.size() != 1)
     return cannot(plural(from.targets.size(), "track"), plural(into.targets.size(), "track"));
+  for (std::size_t i = 0; i < into.targets.size(); ++i) {
+    const Type one = type_of(k.scene, how.source(i)), other = type_of(k.scene, into.targets[i]);
+    if (one != other) return cannot(to_string(one), to_string(other));
+  }
   return true;
 }
 
@@ -135,7 +143,8 @@ bool copy(Command& k) {
   for (std::size_t i = 0; i < how.into.targets.size(); ++i) {
     Target source = how.source(i), to = how.into.targets[i];
     Result<std::size_t> done = copy_track(k.scene, all.before(), source, to, how, how.shift);
-    if (done && !source.velocity && has_velocity(how.from.type())) {  // what goes on beside it, unshifted (R-T10)
+    if (done && !source.velocity &&
+        has_velocity(type_of(k.scene, source))) {  // what goes on beside it, unshifted (R-T10)
       made += *done;
       source.velocity = to.velocity = true;
       done = copy_track(k.scene, all.before(), source, to, how, std::nullopt);

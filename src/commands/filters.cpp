@@ -43,6 +43,7 @@ bool choose(Command& k, Chosen& out) {
 }
 
 bool means_something(const Chosen& filter, Type type) {
+  if (filter.spec && filter.spec->any_type) return suits(*filter.spec, type);
   return row_of(type).computed && (!filter.spec || suits(*filter.spec, type));
 }
 
@@ -81,7 +82,7 @@ bool number_or_length(Cursor& c, bool length_wanted, double& out) {
   return true;
 }
 
-bool parameter_value(Command& k, std::string_view key, const FilterParameter* known, Value& out) {
+bool parameter_value(Command& k, std::string_view key, const FilterParameter* known, bool angles, Value& out) {
   Cursor& c = k.cursor;
   c.space();
   const char* at = c.at;
@@ -91,11 +92,18 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
     out = Text(std::move(text));
   } else if (c.peek() == '(') {
     Vec3 three;
-    if (!values(k).vector(3, three)) return false;
+    if (angles) {
+      if (!c.open()) return false;
+      for (int i = 0; i < 3; ++i)
+        if (!c.angle(three[i])) return false;
+      if (!c.close()) return false;
+    } else if (!values(k).vector(3, three)) {
+      return false;
+    }
     out = three;
   } else {
     double d = 0;
-    if (!number_or_length(c, known && known->time, d)) return false;
+    if (angles ? !c.angle(d) : !number_or_length(c, known && known->time, d)) return false;
     out = d;
     if (known && !(d >= known->low && d <= known->high))
       return c.fail(ErrorCode::range,
@@ -110,7 +118,7 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
 }
 
 // [key=value …] [A..B]
-bool filter_arguments(Command& k, const Chosen& chosen, Filter& made) {
+bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made) {
   Cursor& c = k.cursor;
   while (!c.at_line_end()) {
     const char* start = c.at;
@@ -127,7 +135,9 @@ bool filter_arguments(Command& k, const Chosen& chosen, Filter& made) {
                     c.since(start), "key=value, or a segment A..B");
     const FilterParameter* known = nullptr;
     Value v;
-    if (!known_key(c, chosen, key, known) || !parameter_value(k, key, known, v)) return false;
+    if (!known_key(c, chosen, key, known)) return false;
+    const bool angles = known && known->value && row_of(type).angles;
+    if (!parameter_value(k, key, known, angles, v)) return false;
     made.parameters.emplace_back(std::string(key), std::move(v));
   }
   return true;
@@ -138,16 +148,18 @@ bool filter(Command& k) {
   Selected on;
   Chosen chosen;
   const std::string_view word = c.next_word();
-  if (!targets(k, word, on)) return false;
+  if (!targets(k, word, on, Meant::any)) return false;
   if (on.velocity) return c.fail(ErrorCode::type, "filters stand on values, not on velocities", word);
   if (!choose(k, chosen)) return false;
+  const bool any = chosen.none() || (chosen.spec && chosen.spec->any_type);
+  if (!any && on.spec && !alike(k, on)) return false;
   const Type type = on.spec ? on.type() : Type::vector;
   if (!means_something(chosen, type) && !(chosen.spec && !on.spec))
     return c.fail(ErrorCode::type, fmt::format("'{}' means nothing for {}", chosen.name, to_string(type)), word);
   Filter made;
   made.name = chosen.name;
   if (chosen.own) made.code = chosen.own->code;
-  if (!filter_arguments(k, chosen, made)) return false;
+  if (!filter_arguments(k, chosen, type, made)) return false;
   for (const Target& t : on.targets) {
     Slot& slot = s.objects.edit(t.object.index).slot(t.function, t.layer);
     made.component = t.component;

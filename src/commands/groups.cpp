@@ -20,13 +20,16 @@ bool stagger(Command& k) {
   Time by;
   long seed = -1;
   const std::string_view word = c.next_word();
-  if (!targets(k, word, on)) return false;
+  if (!targets(k, word, on, Meant::any)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
   if (c.accept_word("random") && !c.whole_number(0, 1'000'000'000, "the seed of random", seed)) return false;
   if (on.targets.size() > 1 && std::abs(by.seconds()) * static_cast<double>(on.targets.size()) > longest_seconds)
     return c.fail(ErrorCode::range, "the events would end up more than 146 years away", word);
-  std::vector<std::int64_t> turn(on.targets.size());
+  std::vector<ObjectId> objects;  // all that one does is its turn
+  for (const Target& t : on.targets)
+    if (objects.empty() || objects.back() != t.object) objects.push_back(t.object);
+  std::vector<std::int64_t> turn(objects.size());
   for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = static_cast<std::int64_t>(i);
   if (seed >= 0) {  // Fisher and Yates, by a generator that is the same everywhere
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));
@@ -35,10 +38,12 @@ bool stagger(Command& k) {
   const Segment all{{INT64_MIN}, {INT64_MAX}};
   if (!finish(c)) return false;
   const Scene before = s;
+  std::size_t whose = 0;
   for (std::size_t i = 0; i < on.targets.size(); ++i) {
+    if (on.targets[i].object != objects[whose]) ++whose;
     if (!before.objects[on.targets[i].object.index].find(on.targets[i].function, on.targets[i].layer)) continue;
     for (Track* t : edit_tracks(s, on.targets[i])) {
-      const auto done = move_segment(*t, all, {by.flicks * turn[i]});
+      const auto done = move_segment(*t, all, {by.flicks * turn[whose]});
       if (done) continue;
       s = before;
       return c.fail(done.error().code, done.error().message, word);
@@ -58,6 +63,8 @@ bool spread(Command& k) {
   if (!values(k).value(*on.spec, on.component, from)) return false;
   if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and a value are missing here");
   if (!values(k).value(*on.spec, on.component, to) || !finish(c)) return false;
+  // Colours are laid out in light, as they blend in time.
+  const auto *dark = std::get_if<Color>(&from), *bright = std::get_if<Color>(&to);
   const auto way = add_scaled(to, from, -1);
   const bool turn = std::holds_alternative<Quat>(from) && std::holds_alternative<Quat>(to);
   if (!way && !turn) return c.fail(ErrorCode::type, fmt::format("{} cannot be spread", to_string(on.type())), word);
@@ -74,6 +81,8 @@ bool spread(Command& k) {
     if (turn) {
       const Quat a = std::get<Quat>(from), b = std::get<Quat>(to);
       set_value(s, on.targets[i], slerp(a, dot(a, b) < 0 ? -b : b, k));
+    } else if (dark && bright && k > 0 && k < 1) {
+      set_value(s, on.targets[i], to_srgb((1 - k) * to_linear(*dark) + k * to_linear(*bright)));
     } else {
       set_value(s, on.targets[i], i + 1 == on.targets.size() && i > 0 ? to : *add_scaled(from, *way, k));
     }

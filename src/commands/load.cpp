@@ -109,7 +109,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
     return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
                 did_you_mean(word, {names.begin(), names.end()}));
   }
-  if (!targets(asking, word, found, true)) return c.error.value_or(fail(ErrorCode::name, "this names nothing"));
+  if (!targets(asking, word, found, Meant::asked)) return c.error.value_or(fail(ErrorCode::name, "this names nothing"));
   const Program program = found.component < 0 ? Program() : Program::compile(d);
   for (const Target& t : found.targets)
     if (t.component >= 0 && !t.velocity && !t.query() &&

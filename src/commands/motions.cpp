@@ -88,7 +88,6 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
 // What operations on times have made of motions: where they last otherwise than before, or have no end.
 void say_lasting(const Command& k, const Scene& before, const Selected& on, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
-  if (!on.spec || on.type() != Type::motion) return;
   struct Row {
     Time from, length;
     std::string text;
@@ -105,6 +104,7 @@ void say_lasting(const Command& k, const Scene& before, const Selected& on, std:
     return all;
   };
   for (const Target& t : on.targets) {
+    if (t.function != fn::motion) continue;
     bool was_open = false, open = false;
     const std::vector<Row> was = rows(before, t, was_open), is = rows(s, t, open);
     const auto known = [&](const Row& r) {

@@ -66,6 +66,19 @@ bool no_command(Command& k, std::string_view w, const char* start) {
   return fail(ErrorCode::name, message, did_you_mean(w, words));
 }
 
+// +12f: as much later than the row above.
+bool since_row_above(Command& k, Time& out) {
+  Cursor& c = k.cursor;
+  const char* const start = c.at;
+  Time later;
+  if (!c.length(later)) return false;
+  if (!k.script.sheet.above)
+    return c.fail(ErrorCode::syntax, "there is no row above that this could come later than", c.since(start),
+                  "the first row of a sheet says its time, as in 12f");
+  out = *k.script.sheet.above + later;
+  return true;
+}
+
 bool row(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Sheet& sheet = script.sheet;
@@ -79,7 +92,12 @@ bool row(Command& k) {
                        "a command that follows a sheet is not indented");
   const char* const start = c.at;
   std::optional<Time> until;
-  if (!time_or_segment(c, from, until)) return false;
+  if (c.peek() == '+') {
+    if (!since_row_above(k, from)) return false;
+  } else if (!time_or_segment(c, from, until)) {
+    return false;
+  }
+  sheet.above = until.value_or(from);
   if (until && sheet.on.type() != Type::motion) return one_time_only(c, c.since(start));
   return (until ? moving(k, sheet.on, from, until) : event(k, sheet.on, from)) && finish(c);
 }

@@ -39,6 +39,7 @@ struct Sheet {
   std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
   bool warned = false;
   bool fresh = false;  // the track had no events when the sheet was opened
+  std::optional<Time> above;  // when the row before was
   std::string opener;  // the line
   // Of a display list:
   std::string list;

@@ -9,15 +9,16 @@
 #include <algorithm>
 #include <functional>
 
+#include "scene/names.h"
 #include "track/curve.h"
 #include "track/operations.h"
 
 namespace betwixt {
 namespace {
 
-// Does f(track, component, velocity) for all tracks of all targets, or for none. `along`: what goes on beside a track,
+// Does f(track, type, component, velocity) for all tracks of all targets, or for none. `along`: what goes on beside it,
 // its velocity, goes along (R-T10).
-using Work = std::function<Result<Changed>(Track&, int component, bool velocity)>;
+using Work = std::function<Result<Changed>(Track&, Type, int component, bool velocity)>;
 
 Status each_track(Scene& s, const Target& t, bool along, const Work& work, Changed& sum) {
   if (!s.objects[t.object.index].find(t.function, t.layer)) return Nothing{};
@@ -31,7 +32,8 @@ Status each_track(Scene& s, const Target& t, bool along, const Work& work, Chang
     const auto tracks = edit_tracks(s, one);
     const bool parts = t.component < 0 && tracks.size() > 1;
     for (std::size_t i = 0; i < tracks.size(); ++i) {
-      const Result<Changed> done = work(*tracks[i], parts ? static_cast<int>(i) : -1, one.velocity);
+      const Result<Changed> done =
+          work(*tracks[i], spec_of(s, t.function).type, parts ? static_cast<int>(i) : -1, one.velocity);
       if (!done) return done.error();
       sum.events += done->events, sum.replaced += done->replaced;
     }
@@ -87,7 +89,7 @@ bool move(Command& k) {
   if (!on_segment(k, on)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
-  return operate_and_say(k, on, [&](Track& t, int, bool) { return move_segment(t, on.segment, by); });
+  return operate_and_say(k, on, [&](Track& t, Type, int, bool) { return move_segment(t, on.segment, by); });
 }
 
 bool stretch(Command& k) {
@@ -105,7 +107,7 @@ bool stretch(Command& k) {
                       ? "time is stretched by more than 0"
                       : "time is stretched by more than 0; 'reverse' turns it round",
                   c.since(at));
-  return operate(k, on, [&](Track& t, int, bool velocity) -> Result<Changed> {
+  return operate(k, on, [&](Track& t, Type, int, bool velocity) -> Result<Changed> {
     // What takes longer goes slower.
     if (velocity)
       if (auto slower = scale_segment(t, on.segment, 1 / factor); !slower) return slower;
@@ -116,11 +118,11 @@ bool stretch(Command& k) {
 bool reverse(Command& k) {
   Stretch on;
   if (!on_segment(k, on)) return false;
-  return operate(k, on, [&](Track& t, int, bool velocity) -> Result<Changed> {
+  return operate(k, on, [&](Track& t, Type type, int, bool velocity) -> Result<Changed> {
     if (velocity)
       return fail(ErrorCode::type, "a track with velocities cannot be reversed",
                   "clear them first, or reverse the velocity alone");
-    if (on.type() == Type::motion)
+    if (type == Type::motion)
       return fail(ErrorCode::type, "a motion cannot be reversed",
                   "write what undoes it: betwixt algebra --inverse tells");
     return reverse_segment(t, on.segment);
@@ -130,17 +132,18 @@ bool reverse(Command& k) {
 bool scale(Command& k) {
   Stretch on;
   Value by;
-  if (!on_segment(k, on) || !given_factors(k, on, by)) return false;
-  return operate(k, on,
-                 [&](Track& t, int component, bool) { return scale_segment(t, on.segment, part_of(by, component)); });
+  if (!on_values(k, on) || !given_factors(k, on, by)) return false;
+  return operate(
+      k, on, [&](Track& t, Type, int component, bool) { return scale_segment(t, on.segment, part_of(by, component)); });
 }
 
 bool translate(Command& k) {
   Stretch on;
   Value by;
-  if (!on_segment(k, on) || !values(k).value(unbounded(on.spec()), on.of.component, by)) return false;
+  if (!on_values(k, on) || !values(k).value(unbounded(on.spec()), on.of.component, by)) return false;
   return operate(
-      k, on, [&](Track& t, int component, bool) { return translate_segment(t, on.segment, part_of(by, component)); },
+      k, on,
+      [&](Track& t, Type, int component, bool) { return translate_segment(t, on.segment, part_of(by, component)); },
       on.of.velocity);
 }
 
@@ -149,13 +152,13 @@ bool rotate(Command& k) {
   Stretch on;
   double angle = 0;
   Vec3 axis, centre;
-  if (!on_segment(k, on) || !c.angle(angle) || !values(k).axis(axis)) return false;
+  if (!on_values(k, on) || !c.angle(angle) || !values(k).axis(axis)) return false;
   if (c.accept('@') && !values(k).vector(3, centre, Unit::metres)) return false;
   const Type type = on.of.spec ? on.type() : Type::vector;
   if (!row_of(type).rotates)
     return c.fail(ErrorCode::type,
                   fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)), on.word);
-  return operate(k, on, [&](Track& t, int component, bool velocity) -> Result<Changed> {
+  return operate(k, on, [&](Track& t, Type, int component, bool velocity) -> Result<Changed> {
     if (component >= 0)
       return fail(ErrorCode::type,
                   "the components of this track have tracks of their own: it cannot be rotated as a whole");
@@ -171,7 +174,7 @@ bool clear(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
   on.word = c.next_word();
-  if (!targets(k, on.word, on.of) || !c.time(on.segment.from)) return false;
+  if (!targets(k, on.word, on.of, Meant::any) || !c.time(on.segment.from)) return false;
   on.segment.to = on.segment.from;
   if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
     const char* at = c.at;
@@ -179,7 +182,7 @@ bool clear(Command& k) {
     if (!c.time(on.segment.to)) return false;
     if (on.segment.to < on.segment.from) return c.fail(ErrorCode::range, "this segment ends before it begins", {at, 2});
   }
-  const auto erase = [&](Track& t, int, bool) -> Result<Changed> {
+  const auto erase = [&](Track& t, Type, int, bool) -> Result<Changed> {
     return Changed{t.events.erase(on.segment.from, on.segment.to), 0};
   };
   return operate_and_say(k, on, erase, false);
@@ -206,10 +209,33 @@ constexpr Verb segments_rows[] = {
 
 const FunctionSpec& Stretch::spec() const { return of.spec ? *of.spec : built_in_functions()[fn::position]; }
 
-bool on_segment(Command& k, Stretch& on) {
+bool on_segment(Command& k, Stretch& on, Meant meant) {
   Cursor& c = k.cursor;
   on.word = c.next_word();
-  return targets(k, on.word, on.of) && c.segment(on.segment.from, on.segment.to);
+  return targets(k, on.word, on.of, meant) && c.segment(on.segment.from, on.segment.to);
+}
+
+bool on_values(Command& k, Stretch& on) {
+  if (!on_segment(k, on)) return false;
+  Selected& of = on.of;
+  const auto spec = [&](const Target& t) -> const FunctionSpec& { return spec_of(k.scene, t.function); };
+  const auto first = std::find_if(of.targets.begin(), of.targets.end(), [&](const Target& t) {
+    return has_velocity(spec(t).type);  // that is: numbers that can be calculated with
+  });
+  if (first == of.targets.end()) return true;
+  of.spec = &spec(*first), of.component = first->component;
+  std::string others;
+  std::size_t count = 0;
+  std::erase_if(of.targets, [&](const Target& t) {
+    if (spec(t).type == of.spec->type && spec(t).unit == of.spec->unit) return false;
+    if (++count <= 3) others += (others.empty() ? "" : ", ") + target_name(k.scene, t);
+    return true;
+  });
+  if (count > 3) others += fmt::format(" and {} more", count - 3);
+  if (count > 0)
+    k.script.note(Severity::notice, fmt::format("left out, having other values than {}: {}", of.spec->name, others),
+                  on.word);
+  return true;
 }
 
 Value part_of(const Value& v, int component) {

@@ -17,7 +17,9 @@ struct Stretch {
   const FunctionSpec& spec() const;
   Type type() const { return of.component < 0 ? spec().type : component_type(spec().type); }
 };
-bool on_segment(Command&, Stretch&);
+bool on_segment(Command&, Stretch&, Meant = Meant::any);
+// The same, for what changes values: those of other types than the first ones of numbers are left out, and named.
+bool on_values(Command&, Stretch&);
 
 // What belongs to a component, of a value for all of them.
 Value part_of(const Value&, int component);

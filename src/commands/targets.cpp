@@ -43,7 +43,7 @@ TargetWords words_of(std::string_view word) {
 struct Search {
   Command& k;
   TargetWords words;
-  bool asking;
+  Meant meant;
   Selected& out;
   const Scene& scene() const { return k.scene; }
   Kind kind(ObjectId id) const { return k.scene.objects[id.index].kind; }
@@ -85,7 +85,8 @@ bool no_object(const Search& q) {
 // What can be asked for only: the world matrix and the like, or where an object is: world.x
 bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query asked) {
   const auto& [whole, object, function, component, velocity] = q.words;
-  if (!q.asking) return q.fail(ErrorCode::type, fmt::format("'{}' can be asked for, not set", function), function);
+  if (q.meant != Meant::asked)
+    return q.fail(ErrorCode::type, fmt::format("'{}' can be asked for, not set", function), function);
   const auto words =
       component.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(component, 100);
   for (const ObjectId id : objects) {
@@ -142,6 +143,17 @@ std::vector<FunctionId> functions(const Search& q, Kind kind, const std::string&
   return found;
 }
 
+bool differ(const FunctionSpec& a, const FunctionSpec& b) { return a.type != b.type || a.unit != b.unit; }
+
+bool unlike(Command& k, const FunctionSpec& a, const FunctionSpec& b, std::string_view about) {
+  return k.cursor.fail(ErrorCode::type,
+                       a.type == b.type
+                           ? fmt::format("{} and {} are measured in different units", a.name, b.name)
+                           : fmt::format("these functions have values of different types: {} is {}, {} is {}", a.name,
+                                         to_string(a.type), b.name, to_string(b.type)),
+                       about);
+}
+
 // One function of one object is among those that are meant.
 bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
   const FunctionSpec& spec = spec_of(q.scene(), f);
@@ -150,14 +162,9 @@ bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
   std::vector<int> parts;
   if (!parts_of(q, spec, parts)) return false;
   if (!out.spec) out.spec = &spec, out.component = parts[0];
-  if (!q.asking && (spec.type != out.spec->type || spec.unit != out.spec->unit)) {
+  if (q.meant == Meant::alike && differ(spec, *out.spec)) {
     if (!many) return true;
-    return q.fail(ErrorCode::type,
-                  spec.type == out.spec->type
-                      ? fmt::format("{} and {} are measured in different units", out.spec->name, spec.name)
-                      : fmt::format("these functions have values of different types: {} is {}, {} is {}",
-                                    out.spec->name, to_string(out.spec->type), spec.name, to_string(spec.type)),
-                  q.words.function);
+    return unlike(q.k, *out.spec, spec, q.words.function);
   }
   for (const int part : parts) out.targets.push_back(q.target(id, f, part));
   return true;
@@ -201,8 +208,16 @@ std::size_t first_dot(std::string_view w) {
   return std::string_view::npos;
 }
 
-bool targets(Command& k, std::string_view word, Selected& out, bool asking) {
+bool alike(Command& k, const Selected& of) {
+  for (const Target& t : of.targets)
+    if (const FunctionSpec& spec = spec_of(k.scene, t.function); differ(spec, *of.spec))
+      return unlike(k, *of.spec, spec, words_of(of.text).function);
+  return true;
+}
+
+bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {
   const Scene& s = k.scene;
+  const bool asking = meant == Meant::asked;
   out = {};
   out.text = word;
   if (first_dot(word) == std::string_view::npos)
@@ -210,7 +225,7 @@ bool targets(Command& k, std::string_view word, Selected& out, bool asking) {
         ErrorCode::syntax,
         word.empty() ? "a target is missing here" : fmt::format("'{}' is not a target", word.substr(0, 60)), word,
         "a target is an object and a function, as in ball.position");
-  const Search q{k, words_of(word), asking, out};
+  const Search q{k, words_of(word), meant, out};
   const std::string_view object = q.words.object;
   out.velocity = q.words.velocity;
   if (q.words.component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say

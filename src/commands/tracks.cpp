@@ -97,11 +97,11 @@ bool set(Command& k) {
 bool global_twerper(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Selected to;
-  if (!targets(k, c.next_word(), to)) return false;
+  if (!targets(k, c.next_word(), to, Meant::any)) return false;
   if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
   Twerper chosen = Twerper::unset;
   std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
-  if (!c.accept_word("none") && !twerper(k, to, chosen, bezier)) return false;
+  if (!c.accept_word("none") && !(alike(k, to) && twerper(k, to, chosen, bezier))) return false;
   std::optional<bool> srgb;
   if (!c.at_line_end()) {
     const std::string_view key = c.peek_word();
@@ -128,7 +128,7 @@ bool global_twerper(Command& k) {
 bool extend(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Selected to;
-  if (!targets(k, c.next_word(), to)) return false;
+  if (!targets(k, c.next_word(), to, Meant::any)) return false;
   const std::string_view how = c.next_word();
   const auto at = std::find(extrapolation_names.begin(), extrapolation_names.end(), how);
   if (at == extrapolation_names.end())
@@ -143,6 +143,11 @@ bool extend(Command& k) {
     before = false;
   if (!finish(c)) return false;
   const auto extend = static_cast<Extrapolation>(at - extrapolation_names.begin());
+  const bool holds =
+      std::any_of(to.targets.begin(), to.targets.end(), [](const Target& t) { return t.function == fn::attachment; });
+  if (holds && extend != Extrapolation::hold)
+    return c.fail(ErrorCode::type, fmt::format("an attachment cannot be extended by {}", how), how,
+                  fmt::format("write it again and again: copy {} 1f..24f to 25f times 3", to.text.substr(0, 60)));
   for (const Target& t : to.targets)
     for (Track* track : edit_tracks(s, t)) {
       if (before) track->before = extend;

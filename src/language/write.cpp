@@ -280,16 +280,23 @@ struct Writer {
     out += on(layer) + "filter " + document.name(t) + " " + f.name;
     const FilterSpec* spec = f.code ? nullptr : find_filter(f.name);
     for (const auto& [key, v] : f.parameters) {
-      bool time = false;
+      bool time = false, angles = false;
       if (spec)
-        for (const FilterParameter& p : spec->parameters) time = time || (p.name == key && p.time);
+        for (const FilterParameter& p : spec->parameters) {
+          if (p.name != key) continue;
+          const Type whole = spec_of(s, t.function).type;
+          time = p.time, angles = p.value && row_of(t.component < 0 ? whole : component_type(whole)).angles;
+        }
       const auto* d = std::get_if<double>(&v);
       const auto* text = std::get_if<Text>(&v);
       const auto* p = std::get_if<Vec3>(&v);
       out += " " + key + "=";
-      if (d) out += time ? write_seconds(from_seconds(*d)) : write_number(*d);
+      if (d) out += time ? write_seconds(from_seconds(*d)) : angles ? write_angle(*d) : write_number(*d);
       if (text) out += write_text(**text);
-      if (p) out += write_vector(*p);
+      if (p && angles)
+        out += fmt::format("({} {} {})", write_angle(p->x), write_angle(p->y), write_angle(p->z));
+      else if (p)
+        out += write_vector(*p);
     }
     if (f.segment) out += " " + point(f.segment->first) + ".." + point(f.segment->second);
     out += "\n";

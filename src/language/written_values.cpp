@@ -61,17 +61,12 @@ std::string write_color(Color c) {
   return "rgb" + write_vector({c.r, c.g, c.b});
 }
 
-namespace {
-
-// An angle in degrees, if that reads back to the same radians; else in radians.
 std::string write_angle(double radians) {
   if (radians == 0) return "0";
   const double degrees = std::round(radians / (pi / 180) * 1e9) / 1e9;
   if (degrees * (pi / 180) == radians) return write_number(degrees) + "deg";
   return write_number(radians) + "rad";
 }
-
-}  // namespace
 
 std::string write_matrix(const Mat4& m) {
   std::string out = "matrix(";

@@ -23,6 +23,23 @@ bool all_numeric(const Track& t) {
   return all;
 }
 
+// What a function is before its first event, where nobody says more: what was set; its default where values do not go
+// over into each other. On a layer nothing: there what lies below it shows.
+std::optional<Value> beginning(const Scene& scene, const Slot& slot, const Event& first) {
+  if (slot.set || slot.layer) return slot.set;
+  const FunctionSpec& spec = spec_of(scene, slot.function);
+  const bool refers = std::holds_alternative<ObjectId>(first.value);
+  return refers || row_of(spec.type).changes == Changes::in_steps ? std::optional(spec.rest) : std::nullopt;
+}
+
+// Of rotations that are all angles, angles.
+Value like_events(const Track& t, Value v) {
+  bool angles = true;
+  t.events.each([&](const Event& e) { angles = angles && (e.keep || std::holds_alternative<Angles>(e.value)); });
+  if (const auto* q = std::get_if<Quat>(&v); q && angles) return Angles{to_angles(*q)};
+  return v;
+}
+
 using Compiled = Program::Compiled;
 
 // Where the piece of the next object begins.
@@ -70,7 +87,9 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
     const Slot* slot = o.find(f);
     bool live = slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest);
     for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));
-    compiled.bindings.push_back(live ? bind_live(compiled, i, f) : bind_track(compiled, *slot));
+    compiled.bindings.push_back(live                ? bind_live(compiled, i, f)
+                                : has_events(*slot) ? bind_track(compiled, with_beginning(scene, *slot))
+                                                    : bind_track(compiled, *slot));
     alone = alone && !live;
   }
   compiled.pieces.back().columns = compiled.set.end_columns();
@@ -115,6 +134,30 @@ void bind_all(Compiled& compiled, const Compiled* before) {
 }
 
 }  // namespace
+
+Slot with_beginning(const Scene& scene, const Slot& slot) {
+  Slot out = slot;
+  const Type type = spec_of(scene, slot.function).type;
+  if (type == Type::attachment || type == Type::motion) return out;  // these know for themselves
+  const auto begin = [&](Cow<Track>& track, int component) {
+    if (track->events.empty()) return;
+    std::optional<Event> first;
+    if (const Event& e = track->events.front(); !e.keep) first = e;
+    if (!first)
+      track->events.each([&](const Event& e) {
+        if (!first && !e.keep) first = e;
+      });
+    if (!first || first->detail->before || track->before != Extrapolation::hold) return;
+    std::optional<Value> v = beginning(scene, slot, *first);
+    if (v && component >= 0) v = numeric(*v) ? std::optional<Value>(component_of(*v, component)) : std::nullopt;
+    if (!v || *v == first->value) return;
+    first->detail.edit().before = like_events(*track, *std::move(v));
+    track.edit().events.put(*std::move(first));
+  };
+  begin(out.track, -1);
+  for (std::size_t i = 0; i < out.components.size(); ++i) begin(out.components[i], static_cast<int>(i));
+  return out;
+}
 
 bool scripted(const Track& t) {
   bool any = false;

@@ -12,6 +12,8 @@ namespace betwixt {
 // Room for a constant of a type in the array of numbers; colours become light.
 Binding bind_constant(Program::Compiled&, FunctionId, const Value&, Type);
 Binding bind_track(Program::Compiled&, const Slot&);
+// The slot with what was set as what its tracks come to at their first events, so that it holds until then.
+Slot with_beginning(const Scene&, const Slot&);
 Binding bind_live(Program::Compiled&, std::uint32_t object, FunctionId);
 // Nodes, the environments and the parents that they have; all bindings are made.
 void compile_nodes(Program::Compiled&, const Program::Compiled* before);

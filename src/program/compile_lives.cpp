@@ -149,8 +149,9 @@ Value nothing_like(const Value& v) {
   return *add_scaled(v, v, -1);
 }
 
-LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& slot) {
+LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
   const Scene& scene = compiled.document.scene();
+  const Slot slot = with_beginning(scene, said);
   const FunctionSpec& spec = spec_of(scene, slot.function);
   LiveStrand out;
   out.layer = slot.layer;
@@ -162,6 +163,8 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& slot) {
     out.mix = mode && mode->set && *std::get<Text>(*mode->set) == "mix";
     if (!slot.set && !out.mix && numeric(out.set)) out.set = nothing_like(out.set);
   }
+  if (slot.layer && !slot.set && row_of(spec.type).changes == Changes::in_steps && has_values(*slot.track))
+    out.from = slot.track->events.front().time;
   bool plain = !has_events(slot.velocity) && !scripted(out.set);
   each_track(slot, [&](const Track& t) { plain = plain && !scripted(t); });
   if (plain) {

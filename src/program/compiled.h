@@ -74,6 +74,7 @@ struct LiveStrand {
   bool mix = false;
   std::int32_t plain = -1;  // all of it is a plain binding: Compiled::plains
   Value set;
+  Time from{INT64_MIN};  // on a layer: when it begins to say something
   std::vector<LivePart> parts;
   std::vector<Filter> filters;
 };
@@ -323,7 +324,7 @@ struct Program::Compiled {
                           const std::function<Vec3(std::uint32_t)>& place, Asking&) const;
   const StepTrack& steps_of(const Binding& b) const { return *steps[static_cast<std::size_t>(b.steps)]; }
   Between between(const Binding& b, Time t) const { return steps_of(b).at(t, set); }
-  Value value(const Binding& b, Time t, Asking&) const;  // the one that holds at t
+  Value value(const Binding& b, Time t, Asking&) const;  // the one that holds at t; of points those on their way
   void thaw(std::int32_t frozen, Asking&) const;
 
   // What contacts are worked out from: items without their looks, and the camera, if the film has one.

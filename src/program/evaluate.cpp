@@ -28,11 +28,26 @@ void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, doubl
   }
 }
 
+namespace {
+
+// As many points as both have, each on its straight way; none where these are no such points.
+std::optional<Value> points_between(const Value& a, const Value& b, double s) {
+  const auto *from = std::get_if<Points>(&a), *to = std::get_if<Points>(&b);
+  if (!from || !to || from == to || (*from)->size() != (*to)->size()) return std::nullopt;
+  std::vector<Vec3> all((*from)->size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = mix((**from)[i], (**to)[i], s);
+  return Points(std::move(all));
+}
+
+}  // namespace
+
 Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
   if (b.live >= 0) return live_value(b.live, t, asking);
   if (b.steps < 0) return b.constant;
   const Between w = between(b, t);
-  return steps_of(b).values()[w.s >= 1 ? w.b : w.a];
+  const auto values = steps_of(b).values();
+  if (auto points = points_between(values[w.a], values[w.b], w.s)) return *std::move(points);
+  return values[w.s >= 1 ? w.b : w.a];
 }
 
 std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
@@ -60,16 +75,6 @@ Value Program::Compiled::shape_part(const Binding& b, Time t, const double* numb
   const double* n = numbers ? numbers + b.offset : own;
   if (b.channels == 1) return n[0];
   if (b.channels > 1) return Vec3{n[0], n[1], b.channels > 2 ? n[2] : 0};
-  if (b.steps >= 0) {
-    const Between w = between(b, t);
-    const auto values = steps_of(b).values();
-    const auto *from = std::get_if<Points>(&values[w.a]), *to = std::get_if<Points>(&values[w.b]);
-    if (from && to && w.a != w.b && (*from)->size() == (*to)->size()) {
-      std::vector<Vec3> between_them((*from)->size());
-      for (std::size_t i = 0; i < between_them.size(); ++i) between_them[i] = mix((**from)[i], (**to)[i], w.s);
-      return Points(std::move(between_them));
-    }
-  }
   return value(b, t, asking);
 }
 

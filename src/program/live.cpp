@@ -32,6 +32,10 @@ std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mi
     return slerp(*p, dot(*p, *q) < 0 ? -*q : *q, w);
   }
   if (a.index() != b.index()) return std::nullopt;
+  if (const auto* from = std::get_if<Color>(&a); from && mix) {  // light mixes, not the numbers written
+    const Vec3 x = to_linear(*from), y = to_linear(std::get<Color>(b));
+    return to_srgb(x + w * (y - x));
+  }
   if (!numeric(a) || std::holds_alternative<bool>(a)) return mix && w >= 0.5 ? b : a;
   if (mix) return add_scaled(a, *add_scaled(b, a, -1), w);
   return add_scaled(a, b, w);
@@ -172,6 +176,7 @@ struct Worker {
       }
     });
     if (near.empty()) return event_value(part.rest, part, t, t);
+    if (!last && near[0]->detail->before) return event_value(*near[0]->detail->before, part, t, t);
     if (!last) return event_value(near[0]->value, part, t, near[0]->time);
     const Twerper twerper = part.track.global != Twerper::unset ? part.track.global : last->twerper;
     const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||
@@ -306,7 +311,7 @@ struct Worker {
       const LiveStrand& s = live.strands[i];
       double w[4] = {1};
       c.evaluate(c.find(s.layer.index, fn::weight), t, asking, w);
-      if (w[0] == 0) continue;
+      if (w[0] == 0 || t < s.from) continue;
       if (auto both = laid_over(v, strand_value(s, s.filters.size(), t), w[0], s.mix)) v = *std::move(both);
     }
     const FunctionSpec& spec = spec_of(scene, live.function);

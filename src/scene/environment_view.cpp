@@ -12,7 +12,7 @@ std::vector<EnvironmentSpan> spans(const Document& d, ObjectId id, FunctionId f)
   if (!o) return out;
   for (const EnvironmentsFrom& e : environments_of(d.scene(), *o, f)) {
     if (!out.empty()) out.back().until = e.from;
-    out.push_back({out.empty() ? from_the_beginning : e.from, for_good, {}});
+    out.push_back({e.from, for_good, {}});
     for (const Generation& g : e.all) out.back().environments.push_back(g.environment);
   }
   return out;
@@ -55,10 +55,10 @@ std::vector<EnvironmentsFrom> environments_of(const Scene& s, const Object& o, F
           if (const auto generation = track->bind(tick)) now.all.push_back({id, *generation});
     out.push_back(std::move(now));
   };
+  if (slot->set || !slot->track->events.empty()) add(from_the_beginning, slot->set.value_or(Names()));
   slot->track->events.each([&](const Event& e) {
     if (!e.keep) add(e.time, e.value);
   });
-  if (out.empty() && slot->set) add(from_the_beginning, *slot->set);
   return out;
 }
 

@@ -39,6 +39,27 @@ Numbers compiled(const Value& v, const Curve& c, Type type) {
   return n;
 }
 
+// A track that goes round and comes to where it began: its last event but one stands before the first one too, and its
+// second one behind the last.
+void join_ends(CurveColumns& all, Curve& c) {
+  const std::size_t n = c.channels;
+  all.values.resize(all.values.size() + n);
+  double *first = &all.values[c.values], *last = first + (c.count - 1) * n;
+  const auto cut = [&](std::uint32_t event) {
+    return std::any_of(all.details.begin(), all.details.end(),
+                       [&](const CurveDetail& d) { return d.event == event && d.cut; });
+  };
+  if (c.count < 3 || cut(c.first) || cut(c.first + c.count - 1)) return;
+  const bool opposite = c.orientation && dot(quat(first), quat(last)) < 0;
+  for (std::size_t i = 0; i < n; ++i)  // a whole turn is not quite none, in doubles
+    if (std::abs(last[i] - (opposite ? -first[i] : first[i])) > (c.orientation ? 1e-12 : 0)) return;
+  for (std::size_t i = 0; i < n; ++i) {
+    (first - n)[i] = opposite ? -(last - n)[i] : (last - n)[i];
+    (last + n)[i] = opposite ? -(first + n)[i] : (first + n)[i];
+  }
+  c.seamless = true;
+}
+
 }  // namespace
 
 Twerper resolve(const Track& track, const Event& e, Type type, bool orientation) {
@@ -93,6 +114,11 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   c.srgb = track.srgb && row_of(type).light;
   c.before = track.before, c.after = track.after;
   const auto first_detail = all.details.size();
+  const bool cyclic = c.before == Extrapolation::cycle || c.after == Extrapolation::cycle;
+  if (cyclic) {  // room for what comes before the first event across the seam
+    all.values.resize(all.values.size() + c.channels);
+    c.values += c.channels;
+  }
   std::vector<std::uint32_t> kept;  // events that only change the twerper
 
   const auto push = [&](const Event& e, const Numbers& n) {
@@ -137,7 +163,6 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     track.events.each([&](const Event& e) { push(e, compiled(e.value, c, type)); });
   }
   c.count = static_cast<std::uint32_t>(all.times.size()) - c.first;
-
   if (c.orientation) {  // q and -q are one orientation: each key takes the sign nearer to the one before it
     auto d = all.details.begin() + static_cast<std::ptrdiff_t>(first_detail);
     Quat last;
@@ -154,6 +179,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
       last = quat(v);
     }
   }
+  if (cyclic) join_ends(all, c);
   return c;
 }
 
@@ -195,14 +221,21 @@ Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
   g.to = next && next->cut ? next->before.data() : g.from + n;
   g.length = g.length_before = g.length_after = static_cast<double>(time[k + 1] - time[k]);
   // Neighbours; across a cut, a hold or the track's end there are none.
+  const std::uint32_t last = c.count - 1;
   if (k > 0 && !(here && here->cut) && twerper_of(k - 1) != Twerper::hold) {
     g.before = g.from - n;
     g.length_before = static_cast<double>(time[k] - time[k - 1]);
+  } else if (k == 0 && c.seamless && twerper_of(last - 1) != Twerper::hold) {
+    g.before = g.from - n;  // the columns have it there
+    g.length_before = static_cast<double>(time[last] - time[last - 1]);
   }
   if (k + 2 < c.count && !(next && next->cut) && twerper_of(k + 1) != Twerper::hold) {
     const CurveDetail* after = detail(c, k + 2);
     g.after = after && after->cut ? after->before.data() : g.from + 2 * n;
     g.length_after = static_cast<double>(time[k + 2] - time[k + 1]);
+  } else if (k + 1 == last && c.seamless && twerper_of(0) != Twerper::hold) {
+    g.after = g.to + n;
+    g.length_after = static_cast<double>(time[1] - time[0]);
   }
   if (here && here->has_out) g.tangent_out = here->tangent_out.data();
   if (next && next->has_in) g.tangent_in = next->tangent_in.data();
@@ -279,7 +312,7 @@ CurveEvents::CurveEvents(const Curve& c)
       last(times[c.count - 1]),
       count(c.count),
       channels(c.channels),
-      plain(!c.orientation && !c.srgb && c.columns->details.empty()) {}
+      plain(!c.orientation && !c.srgb && !c.seamless && c.columns->details.empty()) {}
 
 void CurveEvents::fetch(std::int64_t t, const CubicSegment& was) const {
   if (t < first || t >= last) return;
@@ -327,8 +360,8 @@ bool CurveSet::cubic(const Curve& c, std::int64_t t, CubicSegment& out) const {
 // The numbers as the columns hold them.
 void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
   const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
-  if (t < *first || t > *last) {
-    const bool after = t > *last;
+  if (t < *first || t > *last || (t == *last && c.after == Extrapolation::cycle && c.count > 1)) {
+    const bool after = t >= *last;
     const Extrapolation how = after ? c.after : c.before;
     if (how == Extrapolation::cycle || how == Extrapolation::bounce) {
       t = fold(t, *first, *last, how == Extrapolation::bounce);

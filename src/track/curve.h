@@ -42,6 +42,7 @@ struct Curve {
   std::uint8_t channels = 1;
   bool orientation = false;
   bool srgb = false;  // the numbers are as written and become light when evaluated
+  bool seamless = false;  // it repeats, and comes to where it began: its neighbours are known across the seam
   Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
 };
 

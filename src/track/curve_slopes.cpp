@@ -4,6 +4,7 @@
 // What follows from how a curve goes: beyond its ends, its rate of change, its sums.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "track/curve.h"
 #include "track/turns.h"
@@ -16,6 +17,15 @@ using Numbers = std::array<double, 4>;
 // Whether a segment of numbers is a polynomial of its eased time: a straight line or what a row works out itself.
 bool straight(Twerper t) { return !is_own(t) && !row_of(t).factor && !row_of(t).cubics && !row_of(t).turn; }
 bool polynomial(Twerper t) { return !is_own(t) && (row_of(t).cubics || !row_of(t).factor); }
+
+// How steep a bezier's factor is where it ends or begins; none where it stands upright.
+std::optional<double> bezier_slope(const std::array<double, 4>& b, bool after) {
+  const double x1 = after ? 1 - b[2] : b[0], y1 = after ? 1 - b[3] : b[1];
+  const double x2 = after ? 1 - b[0] : b[2], y2 = after ? 1 - b[1] : b[3];
+  if (x1 > 0) return y1 / x1;
+  if (y1 != 0) return std::nullopt;
+  return x2 > 0 ? std::optional(y2 / x2) : std::nullopt;  // the near point is the end itself: the other one says
+}
 
 }  // namespace
 
@@ -32,7 +42,26 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
   if (straight(twerper) && !(from && from->ease_out > 0) && !(to && to->ease_in > 0))
     return segment(c, k, after ? h + past : past, out);  // exact
 
-  // The slope by a formula that is exact for parabolas, eases among them.
+  // An ease ends at rest; an upright tangent has no slope to go on with.
+  double out_part = from ? from->ease_out / h : 0, in_part = to ? to->ease_in / h : 0;
+  if ((after ? in_part : out_part) > 0) return;
+  const double shrink = std::max(1.0, out_part + in_part), eased_slope = 1 / (1 - (out_part + in_part) / shrink / 2);
+  const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
+  std::optional<double> rise = 1;
+  if (twerper == Twerper::bezier && !(rise = bezier_slope(from->bezier, after))) return;
+  if (row && !c.orientation && (row->cubics || !row->factor || twerper == Twerper::bezier)) {
+    Cubic cubics[4];
+    const Blend g = blend(c, k);
+    if (row->cubics) row->cubics(g, cubics);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double* p = cubics[i].c;
+      const double slope = !row->cubics ? *rise * (g.to[i] - g.from[i]) : after ? p[1] + 2 * p[2] + 3 * p[3] : p[1];
+      out[i] += slope * eased_slope * past / h;
+    }
+    return;
+  }
+
+  // The slope by a formula that is exact for parabolas.
   const double step = (after ? -1 : 1) * h / 4096, origin = after ? h : 0;
   Numbers one{}, two{};
   segment(c, k, origin + step, one.data());

@@ -10,7 +10,7 @@
 #include <bit>
 #include <limits>
 
-#include "track/types.h"
+#include "track/track.h"
 
 namespace betwixt {
 
@@ -54,6 +54,13 @@ Sample numbers(const Value& v) {
   if (!std::holds_alternative<bool>(v)) s.count = to_numbers(v, s.n);
   return s;
 }
+// The same to take means of: of colours the light that they stand for.
+Sample mixable(const Value& v) {
+  Sample s = numbers(v);
+  if (std::holds_alternative<Color>(v))
+    for (double& x : s.n) x = to_linear(x);
+  return s;
+}
 // The value of the same kind as `like` that has these numbers. There is no darker than black.
 Value value_of(const Value& like, const double* n) {
   if (numbers(like).count == 0) return like;
@@ -61,6 +68,12 @@ Value value_of(const Value& like, const double* n) {
   if (auto* c = std::get_if<Color>(&v)) *c = {std::max(c->r, 0.0), std::max(c->g, 0.0), std::max(c->b, 0.0)};
   if (auto* q = std::get_if<Quat>(&v)) *q = normalize(*q);
   return v;
+}
+
+Value mixed(const Value& like, Sample s) {
+  if (std::holds_alternative<Color>(like))
+    for (double& x : s.n) x = to_srgb(x);
+  return value_of(like, s.n);
 }
 
 // The track at the points first, first + 1, … of a grid.
@@ -80,7 +93,7 @@ Samples samples(Input& input, double first, int count, double cell) {
   s.at.reserve(values.size());
   for (const Value& v : values) {
     const auto* angles = turn == values.end() ? nullptr : std::get_if<Angles>(&v);
-    Sample n = numbers(angles ? Value(from_angles(angles->xyz)) : v);
+    Sample n = mixable(angles ? Value(from_angles(angles->xyz)) : v);
     if (!s.at.empty() && turn != values.end()) {
       const double* before = s.at.back().n;
       double cosine = 0;
@@ -117,7 +130,7 @@ Value smooth(const FilterCall& told, Input& input, double seconds) {
     const double weight = spline((first + k - seconds / cell) / cells_between_knots) / cells_between_knots;
     for (int i = 0; i < base.count; ++i) mean.n[i] += weight * (s.at[static_cast<std::size_t>(k)].n[i] - base.n[i]);
   }
-  return value_of(s.like, mean.n);
+  return mixed(s.like, mean);
 }
 
 // A mass on a damped spring whose other end follows the track: x'' = w² (u - x) - 2 d w x'. Between two points of the
@@ -167,7 +180,7 @@ Value spring(const FilterCall& told, Input& input, double seconds) {
     }
     out.n[i] = start + x;
   }
-  return value_of(s.like, out.n);
+  return mixed(s.like, out);
 }
 
 // A number from -1 to 1 for each point of a lattice.
@@ -263,14 +276,14 @@ const std::vector<FilterSpec>& built_in_filters() {
       {.name = "noise",
        .sentence = "Wanders by chance, the same whenever it is asked.",
        .example = "filter ball.position noise amount=(0.1 0.1 0) frequency=4",
-       .parameters = {{"amount", Type::vector, 1, -far, far},
+       .parameters = {{"amount", Type::vector, 1, -far, far, false, true},
                       {"frequency", Type::scalar, 1, 0, 1000},
                       {"seed", Type::scalar, 0, -far, far}},
        .value = noise},
       {.name = "wobble",
        .sentence = "Adds a sine.",
        .example = "filter ball.position wobble amount=(0 0.2 0) frequency=2",
-       .parameters = {{"amount", Type::vector, 1, -far, far},
+       .parameters = {{"amount", Type::vector, 1, -far, far, false, true},
                       {"frequency", Type::scalar, 1, 0, 1000},
                       {"phase", Type::scalar, 0, -1e6, 1e6}},
        .value = wobble},
@@ -289,14 +302,14 @@ const std::vector<FilterSpec>& built_in_filters() {
       {.name = "limit",
        .sentence = "Never below, never above.",
        .example = "filter ball.radius limit high=3",
-       .parameters = {{"low", Type::scalar, -infinity, -infinity, infinity},
-                      {"high", Type::scalar, infinity, -infinity, infinity}},
+       .parameters = {{"low", Type::scalar, -infinity, -infinity, infinity, false, true},
+                      {"high", Type::scalar, infinity, -infinity, infinity, false, true}},
        .value = limit,
        .orientations = false},
       {.name = "quantise",
        .sentence = "Whole multiples only.",
        .example = "filter ball.position quantise by=0.5",
-       .parameters = {{"by", Type::scalar, 0.1, 1e-9, far}},
+       .parameters = {{"by", Type::scalar, 0.1, 1e-9, far, false, true}},
        .value = quantise,
        .orientations = false}};
   return all;
@@ -322,7 +335,11 @@ Result<Value> apply(const Filter& filter, Input& input, double seconds) {
   if (!within()) return input.at(seconds);
   if (filter.code) return filter.code->filter(input, seconds, filter.parameters);
   const FilterSpec* spec = find_filter(filter.name);
-  return spec ? spec->value({filter, *spec}, input, seconds) : input.at(seconds);
+  if (!spec) return input.at(seconds);
+  Value made = spec->value({filter, *spec}, input, seconds);
+  if (!spec->orientations && std::holds_alternative<Quat>(made))
+    return fail(ErrorCode::type, "an orientation has no angles of its own", "write the track as euler(x y z)");
+  return made;
 }
 
 }  // namespace betwixt

@@ -27,6 +27,7 @@ struct FilterParameter {
   double rest;        // what it is when nothing is said
   double low, high;   // what is beyond counts as the nearest that is not
   bool time = false;  // a length of time, in seconds
+  bool value = false;  // of what the filter stands on: of angles an angle
 };
 struct FilterCall;  // a filter and what it was told
 struct FilterSpec {

@@ -24,7 +24,9 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
   std::int64_t t = time.flicks;
   const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
   const Extrapolation how = t < first ? before_ : after_;
-  if ((t < first || t > last) && how >= Extrapolation::cycle) t = fold(t, first, last, how == Extrapolation::bounce);
+  const bool seam = t == last && how == Extrapolation::cycle && keys_.size() > 1;  // there the first value holds
+  if ((t < first || t > last || seam) && how >= Extrapolation::cycle)
+    t = fold(t, first, last, how == Extrapolation::bounce);
   const auto next =
       std::upper_bound(keys_.begin(), keys_.end(), t, [](std::int64_t at, const Key& k) { return at < k.time.flicks; });
   if (next == keys_.begin()) return {next->comes_to, next->comes_to, 0};
@@ -40,8 +42,8 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
 }
 
 std::optional<Time> StepTrack::next_change(Time t) const {
-  if (keys_.size() < 2) return std::nullopt;  // one value, always
-  if ((t < keys_.front().time ? before_ : after_) != Extrapolation::hold) return t;
+  if (values_.size() < 2) return std::nullopt;  // one value, always
+  if (keys_.size() > 1 && (t < keys_.front().time ? before_ : after_) != Extrapolation::hold) return t;
   const auto next = std::upper_bound(keys_.begin(), keys_.end(), t, [](Time at, const Key& k) { return at < k.time; });
   if (next == keys_.end()) return std::nullopt;
   const bool blends = next != keys_.begin() && static_cast<Twerper>(next[-1].twerper) != Twerper::hold;

@@ -64,12 +64,20 @@ Quat bspline_turn(const Blend& g) {  // cumulative form: every step's turn, weig
 
 Quat squad_turn(const Blend& g) {
   const auto [q0, q1, q2, q3] = four(g);
-  const auto control = [](Quat a, Quat b, Quat d) {
-    const Quat f = log(conjugate(b) * d), k = log(conjugate(b) * a);
-    return b * exp({0, -(f.x + k.x) / 4, -(f.y + k.y) / 4, -(f.z + k.z) / 4});
+  const auto turn = [](Quat from, Quat to) {
+    const Quat l = log(conjugate(from) * to);
+    return Vec3{l.x, l.y, l.z};
   };
+  const Vec3 before = turn(q0, q1), here = turn(q1, q2), after = turn(q2, q3);
+  // The speeds at both ends are those of the parabolas through three neighbours, in their real times.
+  const auto speed = [&](Vec3 a, double ha, Vec3 b, double hb) {
+    return g.length / (ha + hb) * (hb / ha * a + ha / hb * b);
+  };
+  const Vec3 start = 0.5 * (speed(before, g.length_before, here, g.length) - here),
+             end = 0.5 * (here - speed(here, g.length, after, g.length_after));
+  const Quat near = q1 * exp({0, start.x, start.y, start.z}), far = q2 * exp({0, end.x, end.y, end.z});
   const double s = g.s;
-  return normalize(slerp(slerp(q1, q2, s), slerp(control(q0, q1, q2), control(q1, q2, q3), s), 2 * s * (1 - s)));
+  return normalize(slerp(slerp(q1, q2, s), slerp(near, far, s), 2 * s * (1 - s)));
 }
 
 // Numbers of the named ones are their places; new ones come last.

@@ -47,5 +47,44 @@ TEST(Filters, AreLimitsThatAnObjectBringsAlong) {
   expect_numbers(s, "arm.position", "9f", {-2, 0.5, 2});
 }
 
+TEST(Filters, WhatTheyAreToldOfAnglesAreAngles) {
+  const LoadedFilm s(
+      "create b box\nb.rotation.z\n  1f 0deg linear\n  25f 180deg\nfilter b.rotation.z limit high=90deg\n"
+      "create c camera\nset c.fov 50deg\nfilter c.fov limit low=60deg\n");
+  expect_numbers(s, {{"b.rotation.z", "25f", {pi / 2}}, {"b.rotation.z", "7f", {pi / 4}}, {"c.fov", "1f", {pi / 3}}});
+  EXPECT_EQ(errors(read("create b box\nfilter b.rotation.z limit high=90\n")),
+            std::vector<std::string>{"2:32: an angle needs a unit"});
+  // Written and read again it is the same.
+  const std::string text = write(s.loaded.document);
+  EXPECT_NE(text.find("limit high=90deg"), std::string::npos) << text;
+  EXPECT_EQ(write(read(text).document), text);
+}
+
+TEST(Filters, OfAnOrientationThereIsNoLimit) {
+  const LoadedFilm s("create b box\nset b.rotation axis(0 1 0, 90deg)\nfilter b.rotation limit high=10deg\n");
+  const auto problems = s.frame("1f").problems;
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].find("an orientation has no angles of its own"), std::string::npos) << problems[0];
+}
+
+TEST(Filters, PointsComeLater) {
+  const LoadedFilm s(
+      "create c polyline\nc.points\n  1f ((0 0 0) (1 0 0)) linear\n  25f ((0 0 0) (1 24 0))\nfilter c.points delay "
+      "by=12f\n");
+  const auto points = [&](const char* t) { return (*std::get<Points>(s.read("c.points", t)))[1].y; };
+  EXPECT_NEAR(points("19f"), 6, 1e-9);
+  EXPECT_NEAR(points("25f"), 12, 1e-9);
+  EXPECT_NEAR(points("37f"), 24, 1e-9);
+}
+
+TEST(Filters, AndLayersMixLight) {
+  const LoadedFilm s(
+      "create b box\nset b.color black\nlayer l mix weight=0.5\non l set b.color white\n"
+      "create q{1..3} box\nspread q*.color from black to white\n");
+  // Half of the light: sRGB 0.7354 (by its definition: 1.055 0.5^(1/2.4) - 0.055).
+  const double half = 1.055 * std::pow(0.5, 1 / 2.4) - 0.055;
+  for (const char* target : {"b.color", "q2.color"}) expect_numbers(s, target, "1f", {half, half, half}, 1e-9);
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -137,5 +137,17 @@ TEST(Reader, NothingIsFine) {
   }
 }
 
+TEST(Sheets, ARowWithAPlusComesAfterTheOneAbove) {
+  const LoadedFilm s("create a sphere\na.radius\n  12f 1 linear\n  +12f 2\n  +0.5s 3\n  60f 4\n  +1f 5\n");
+  expect_numbers(s, {{"a.radius", "12f", {1}},
+                     {"a.radius", "18f", {1.5}},
+                     {"a.radius", "24f", {2}},
+                     {"a.radius", "36f", {3}},
+                     {"a.radius", "60f", {4}},
+                     {"a.radius", "61f", {5}}});
+  EXPECT_EQ(errors(read("create a sphere\na.radius\n  12f 1\na.radius\n  +12f 1\n")),
+            std::vector<std::string>{"5:3: there is no row above that this could come later than"});
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Operations on segments of tracks, by values worked out by hand.
+#include "betwixt/object.h"
+#include "betwixt/track.h"
 #include "commands/tracks.h"
 
 namespace betwixt {
@@ -30,6 +32,37 @@ TEST(Segments, OperationsOnValues) {
   expect_numbers(does("rotate b.position 1f..1f 0.25turn (0 0 2)"), "b.position", "1f", {-2, 1, 3});
   expect_numbers(does("clear b.position 5f"), "b.position", "5f", {4, 4.5, 5});
   expect_numbers(does("clear b.position 1f..5f"), "b.position", "1f", {7, 7, 7});
+}
+
+TEST(Segments, OperationsOnTimesAskForNoTypes) {
+  const std::string film =
+      "create man group\ncreate man/head sphere\ncreate man/arm box\nat 1f man/head.radius 1\n"
+      "at 24f man/head.radius 2\nat 12f hide man/arm\nat 6f man/arm.color red\nat 10f man/arm.color blue\n"
+      "at 5f man/arm.position (1 2 3)\nat 3f attach man/arm to man/head\n";
+  const LoadedFilm s(film + "move man/*.* 1f..72f by 2f\n");
+  expect_numbers(s, "man/head.radius", "26f", {2});
+  EXPECT_EQ(s.read("man/arm.display", "13f"), Value(true));
+  EXPECT_EQ(s.read("man/arm.display", "14f"), Value(false));
+  const LoadedFilm reversed(film +
+                            "reverse man/*.* 1f..24f\nclear man/arm.* 5f..6f\nextend man/*.* hold\n"
+                            "twerper man/*.* none\nfilter man/*.* delay by=1f\nstagger man/*.* by 1f\n"
+                            "copy man/*.* 1f..24f to 48f\nstretch man/*.* 1f..24f by 2\n");
+  (void)reversed;
+  const LoadedFilm cleared(film + "clear man/*.* 1f..24f\n");
+  for (const ObjectId id : objects(cleared.loaded.document))
+    EXPECT_TRUE(tracks(cleared.loaded.document, id).empty() || tracks(cleared.loaded.document, id)[0].events == 0);
+}
+
+TEST(Segments, OperationsOnValuesLeaveOutWhatHasNoneAndSayIt) {
+  const Loaded l = read(
+      "create b box\nat 1f b.position (1 2 3)\nat 1f b.color red\nat 1f hide b\n"
+      "translate b.{position,color,display} 1f..24f (0 1 0)\n");
+  EXPECT_EQ(errors(l), std::vector<std::string>{});
+  EXPECT_NE(said(l.diagnostics).find("left out, having other values than position: b.color, b.display"),
+            std::string::npos)
+      << said(l.diagnostics);
+  const auto found = find_targets("b.position", l.document);
+  EXPECT_EQ(std::get<Vec3>(Program::compile(l.document).read(found->front(), {})), (Vec3{1, 3, 3}));
 }
 
 }  // namespace

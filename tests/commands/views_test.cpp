@@ -213,7 +213,8 @@ hand, group
   hand.motion: 2 events 1f..48f, else linear, hold hold
     1f T(6 0) R(-1turn @ ball)
     48f still
-  beginning..end in spin
+  beginning..49f in swing spin
+  49f..end in spin
   beginning..end driven by swing
 ball, sphere
   position filter smooth width=0.25

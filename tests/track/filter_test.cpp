@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "track/track.h"
+
 namespace betwixt {
 namespace {
 
@@ -95,11 +97,11 @@ TEST(Filter, SmoothTakesAllThatIsNumbers) {
   const auto color = filtered<Color>(
       filter("smooth"),
       [](double t) {
-        return Color{t, 0.5, 1 - t};
+        return to_srgb({t, 0.5, 1 - t});
       },
       0.25);
-  EXPECT_NEAR(color.r, 0.25, 1e-12);
-  EXPECT_EQ(color.g, 0.5);
+  EXPECT_NEAR(to_linear(color.r), 0.25, 1e-12);  // means are of light, not of the numbers written
+  EXPECT_NEAR(to_linear(color.g), 0.5, 1e-12);
   const auto angles = filtered<Angles>(
       filter("smooth"),
       [](double t) {
@@ -281,9 +283,12 @@ TEST(Filter, LimitAndQuantise) {
                 filter("quantise"), [](double) { return 1e300; }, 0),
             1e300);
   const Quat q = from_angles({0.1, 0.2, 0.3});
-  EXPECT_EQ(filtered<Quat>(
-                filter("quantise"), [&](double) { return q; }, 0),
-            q);
+  Film turned([&](double) { return q; });  // it has no angles of its own, and that is said
+  for (const char* name : {"limit", "quantise"}) {
+    const auto made = apply(filter(name), turned, 0);
+    ASSERT_FALSE(made);
+    EXPECT_NE(made.error().message.find("an orientation has no angles"), std::string::npos);
+  }
 }
 
 // shows: G105

@@ -66,5 +66,29 @@ TEST(Twerpers, FitWhatTheyBlend) {
   EXPECT_TRUE(fits(Twerper::hold, Type::text));
 }
 
+// Orientations about one axis are numbers: squad through them goes as a smooth track does, whose speed has no jump. At
+// 0, 60, 120 degrees after 6 and 24 frames the parabola's slope at the middle is (10 * 24 + 2.5 * 6) / 30 degrees.
+TEST(Twerpers, SquadHasNoCornerBetweenUnevenTimes) {
+  Track t;
+  const auto put = [&](std::int64_t frame, double degrees) {
+    Event e;
+    e.time = {frame * 29'400'000};
+    e.value = axis_angle({0, 1, 0}, degrees * pi / 180);
+    e.twerper = Twerper::squad;
+    t.events.put(std::move(e));
+  };
+  put(1, 0), put(7, 60), put(31, 120);
+  CurveSet set;
+  const Curve c = set.add(t, Type::orientation);
+  const auto degrees = [&](double frame) {
+    double n[4];
+    set.evaluate(c, {std::llround(frame * 29'400'000)}, n);
+    return 2 * std::atan2(n[2], n[0]) * 180 / pi;
+  };
+  const double before = (degrees(7) - degrees(6.999)) / 0.001, after = (degrees(7.001) - degrees(7)) / 0.001;
+  EXPECT_NEAR(before, (10.0 * 24 + 2.5 * 6) / 30, 0.02);
+  EXPECT_NEAR(after, before, 0.02);
+}
+
 }  // namespace
 }  // namespace betwixt
