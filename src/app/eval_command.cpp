@@ -8,8 +8,9 @@
 #include <tuple>
 
 #include "app/command.h"
+#include "app/stats.h"
 #include "app/subcommand.h"
-#include "betwixt/program.h"
+#include "betwixt/evaluation.h"
 #include "language/json.h"
 #include "language/values.h"
 
@@ -19,7 +20,7 @@ namespace {
 struct EvalCall {
   std::string file;
   std::vector<std::string> times, targets;
-  bool json = false;
+  bool json = false, stats = false;
 };
 
 // What is as good as 0 beside the other numbers of a value is 0 for a reader: the sine of half a turn. (JSON says all.)
@@ -56,6 +57,20 @@ std::string plain(const Value& r, const Target& t, const Document& d) {
                      [&](ObjectId id) { return id ? d.name(id) : std::string(); });
 }
 
+// What whole frames at the times cost: the first one makes all, those after it what differs.
+void print_stats(const Program& program, const std::vector<std::pair<std::string, Time>>& times) {
+  Evaluation e(program);
+  Spending first, after;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Spending::Listening listening(i == 0 ? &first : &after);
+    e.to(times[i].second);
+  }
+  const auto stages = {Stage::tracks, Stage::procedures, Stage::environments, Stage::hierarchy, Stage::looks};
+  first.print("the first frame", stages);
+  if (times.size() > 1) after.print("a frame after it", stages);
+  print_sizes(program);
+}
+
 int eval(const EvalCall& call) {
   const auto document = open_script(call.file);
   if (!document) return wrong_input;
@@ -77,6 +92,7 @@ int eval(const EvalCall& call) {
       if (named.insert({t.object.index, t.function, t.component, t.velocity}).second) targets.push_back(t);
   }
   const Program program = Program::compile(*document);
+  if (call.stats) print_stats(program, times);
   Problems problems;
   const auto read = [&](Time t) {
     std::vector<std::string> said;
@@ -111,20 +127,22 @@ int eval(const EvalCall& call) {
 }
 
 const Enlisted enlisted_eval(eval, [](EvalCall& call) -> Subcommand {
-  return {.rank = 40,
-          .name = "eval",
-          .sentence = "prints values at times",
-          .takes = {script_parameter(call.file),
-                    targets_parameter(call.targets, "ball.position, wheel*.color, ball; all if none is named"),
-                    {.name = "--at",
-                     .value = "T[,T…]",
-                     .sentence = "the times: 24f, 2.5s, …",
-                     .into = &call.times,
-                     .required = true,
-                     .separated = true},
-                    flag("--json", "one JSON object", call.json)},
-          .example = "betwixt eval examples/bounce.bx --at 12f,24f ball.position --json",
-          .manual = "In JSON numbers are the shortest that read back the same; a world is 16 numbers, row by row."};
+  return {
+      .rank = 40,
+      .name = "eval",
+      .sentence = "prints values at times",
+      .takes = {script_parameter(call.file),
+                targets_parameter(call.targets, "ball.position, wheel*.color, ball; all if none is named"),
+                {.name = "--at",
+                 .value = "T[,T…]",
+                 .sentence = "the times: 24f, 2.5s, …",
+                 .into = &call.times,
+                 .required = true,
+                 .separated = true},
+                flag("--json", "one JSON object", call.json),
+                flag("--stats", "say where the time of a frame goes, and what document and program take", call.stats)},
+      .example = "betwixt eval examples/bounce.bx --at 12f,24f ball.position --json",
+      .manual = "In JSON numbers are the shortest that read back the same; a world is 16 numbers, row by row."};
 });
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/stats.h"
 #include "app/subcommand.h"
 #include "betwixt/film.h"
 #include "betwixt/program.h"
@@ -67,11 +68,16 @@ class Bar {
   bool drawn_ = false;
 };
 
-void print_stats(const FilmStats& s) {
+void print_stats(const FilmStats& s, const Spending& spent, const Program& program) {
   const auto each = [&](double seconds) { return 1000 * seconds / s.frames; };
   fmt::print(stderr,
              "painting {:.2f} s ({:.1f} ms a frame), encoding {:.2f} s ({:.1f} ms a frame), in all {:.1f} ms a frame\n",
              s.painting, each(s.painting), s.encoding, each(s.encoding), each(s.seconds));
+  spent.print("a frame",
+              {Stage::tracks, Stage::procedures, Stage::environments, Stage::hierarchy, Stage::looks, Stage::gather,
+               Stage::draw, Stage::read_back},
+              s.encoding);
+  print_sizes(program);
 }
 
 int render(const RenderCall& call) {
@@ -82,10 +88,12 @@ int render(const RenderCall& call) {
 
   const Program program = Program::compile(*document);
   Problems problems;
+  Spending spent;
   const auto new_painter = [&]() -> Result<Painter> {
     Result<std::unique_ptr<Renderer>> made = make_renderer(call.picture);
     if (!made) return made.error();
     return Painter([&, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Picture& out) {
+      const Spending::Listening listening(call.stats ? &spent : nullptr);
       const Frame frame = program.frame(frames->time(k));
       problems.say(frame.problems);
       return renderer->render(frame, out);
@@ -114,7 +122,7 @@ int render(const RenderCall& call) {
   if (!made) return complain(made.error(), wrong_call);
   fmt::print(stderr, "{} frame{} in {}, {}\n", made->frames, made->frames == 1 ? "" : "s", duration(made->seconds),
              call.out);
-  if (call.stats) print_stats(*made);
+  if (call.stats) print_stats(*made, spent, program);
   return all_done;
 }
 
@@ -123,18 +131,19 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
       .rank = 10,
       .name = "render",
       .sentence = "makes a film: " + film_endings() + " or numbered pictures",
-      .takes = joined({{script_parameter(call.file),
-                        output_parameter(call.out, "OUT",
-                                         "the film; its ending says what is made, frame-%04d.png: numbered pictures"),
-                        frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
-                       picture_parameters(call.picture),
-                       {{.name = "--jobs",
-                         .value = "N",
-                         .sentence = "pictures made at once; if not said, what suits this machine",
-                         .into = &call.jobs,
-                         .range = {{1, 256}}},
-                        flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
-                        flag("--stats", "say how long painting and encoding took", call.stats)}}),
+      .takes = joined(
+          {{script_parameter(call.file),
+            output_parameter(call.out, "OUT",
+                             "the film; its ending says what is made, frame-%04d.png: numbered pictures"),
+            frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
+           picture_parameters(call.picture),
+           {{.name = "--jobs",
+             .value = "N",
+             .sentence = "pictures made at once; if not said, what suits this machine",
+             .into = &call.jobs,
+             .range = {{1, 256}}},
+            flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
+            flag("--stats", "say where the time of a frame went, and what document and program take", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =
           "All but pictures need the program ffmpeg. A progress bar with frames per second and the time left is "

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/stages.h"
 #include "render/view.h"
 
 namespace betwixt {
@@ -141,6 +142,8 @@ void Canvas::finish(Picture& out) const {
     gl::use_texture(0, large_.color.id());
     gl::fill();
   }
+  if (StageTimes::listened()) glFinish();  // else what was drawn is waited for, and counted, below
+  const InStage stage(Stage::read_back);
   out.width = width_, out.height = height_;
   out.rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, last->framebuffer.id());

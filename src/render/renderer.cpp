@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/stages.h"
 #include "betwixt/render.h"
 #include "render/gl.h"
 #include "render/module.h"
@@ -31,6 +32,7 @@ class SurfacelessRenderer final : public Renderer {
     module_.reset();
   }
   Status render(const Frame& frame, Picture& out) override {
+    const InStage draw(Stage::draw);
     const gl::Current current(context_);
     return module_->draw(frame, out);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/stages.h"
 #include "exchange/geometry.h"
 
 namespace betwixt {
@@ -56,6 +57,7 @@ void make_ball(Thing& t, const Mat4& world, double pixels, Store& store) {
 }  // namespace
 
 std::vector<Thing> gather(const Frame& frame, int width, int height, Store& store, Purpose purpose, View& view) {
+  const InStage stage(Stage::gather);
   bool good = false;
   view = make_view(frame.camera, width, height, good);
   if (!good) return {};

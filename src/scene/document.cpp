@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/memory.h"
 #include "base/names.h"
 #include "scene/names.h"
 #include "track/curve.h"
@@ -76,6 +77,14 @@ ObjectId NameIndex::find(std::string_view name) const {
   const Shard& s = *shards_[Hash{}(name) % shards_.size()];
   const auto at = s.find(name);
   return at == s.end() ? ObjectId{} : at->second;
+}
+
+std::size_t NameIndex::bytes() const {
+  constexpr std::size_t node = sizeof(Shard::value_type) + sizeof(void*) + sizeof(std::size_t);
+  std::size_t sum = 0;
+  for (const Cow<Shard>& s : shards_)
+    if (s) sum += shared_bytes<Shard> + s->bucket_count() * sizeof(void*) + s->size() * node;
+  return sum;
 }
 
 const FunctionSpec& spec_of(const Scene& s, FunctionId f) {

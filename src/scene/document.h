@@ -86,6 +86,7 @@ class NameIndex {
   ObjectId find(std::string_view name) const;
   void put(const std::string& name, ObjectId id) { shard(name).edit()[name] = id; }
   void erase(const std::string& name) { shard(name).edit().erase(name); }
+  std::size_t bytes() const;  // of what it holds
   bool same(const NameIndex& other) const {
     return std::equal(shards_.begin(), shards_.end(), other.shards_.begin(),
                       [](const Cow<Shard>& a, const Cow<Shard>& b) { return a.same(b); });

@@ -152,6 +152,7 @@ class StepTrack {
   // As Program::next_change.
   std::optional<Time> next_change(Time t) const;
   void activities(std::vector<Activity>& out) const;  // as a curve's
+  std::size_t bytes() const;                          // of what it holds, but for what values hold elsewhere
 
  private:
   struct Key {

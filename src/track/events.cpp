@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "track/events.h"
 
+#include "base/memory.h"
+
 namespace betwixt {
 
 std::size_t Events::chunk_of(Time t) const {
@@ -69,6 +71,12 @@ std::vector<Event> Events::between(Time from, Time to) const {
   std::vector<Event> out;
   each_between(from, to, [&](const Event& e) { out.push_back(e); });
   return out;
+}
+
+std::size_t Events::bytes() const {
+  std::size_t sum = bytes_held(chunks_);
+  for (const Cow<Chunk>& c : chunks_) sum += shared_bytes<Chunk> + bytes_held(*c);
+  return sum;
 }
 
 bool operator==(const Events& a, const Events& b) {

@@ -52,6 +52,7 @@ class Events {
     }
     return n;
   }
+  std::size_t bytes() const;  // of what it holds, but for what values hold elsewhere
   friend bool operator==(const Events& a, const Events& b);
 
  private:

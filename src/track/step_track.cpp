@@ -4,6 +4,7 @@
 // Tracks of values that are not numbers.
 #include <algorithm>
 
+#include "base/memory.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -60,5 +61,7 @@ void StepTrack::activities(std::vector<Activity>& out) const {
   }
   if (keys_.size() > 1 && after_ >= Extrapolation::cycle) add_activity(out, first, {keys_.back().time.flicks, INT64_MAX});
 }
+
+std::size_t StepTrack::bytes() const { return bytes_held(keys_) + bytes_held(values_); }
 
 }  // namespace betwixt

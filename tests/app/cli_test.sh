@@ -115,6 +115,16 @@ for e in mp4 webm gif apng; do
   is "frames of $e" "$(frames film.$e)" 12
 done
 check 'stats' 0 'ms a frame' render bounce.bx -o film.mp4 $small --stats --jobs 2
+stages=$(grep -cE '^  (tracks|procedures|environments|hierarchy|looks|gather|draw|read back|other|encode) +[0-9]+\.[0-9]{3}$' <<<"$said")
+is 'stats say where the time of a frame went' "$stages" 10
+sizes() { sed -nE 's/^([0-9]+) events; bytes: document ([0-9]+) .*, program ([0-9]+) .*/\1 \2 \3/p' <<<"$said"; }
+read -r events document code < <(sizes)
+is 'stats count events' "$events" 5
+verdict 'stats say what document and program take' "$([ "$document" -gt $((5 * 64)) ] && [ "$code" -gt $((5 * 17)) ] && echo yes)" "$said"
+check 'stats of evaluating' 0 'a frame after it, in ms:' eval bounce.bx --at 1f,2f,9f ball.position --stats
+is 'stats of evaluating say where the time went' "$(grep -cE '^  (tracks|procedures|environments|hierarchy|looks|other) +[0-9]+\.[0-9]{3}$' <<<"$said")" 12
+is 'stats stay out of the answer' "$("$program" eval bounce.bx --at 1f ball.position --json --stats 2>/dev/null)" "$("$program" eval bounce.bx --at 1f ball.position --json 2>/dev/null)"
+check 'stats by another name' 2 "did you mean '--stats'?" eval bounce.bx --at 1f --statz
 check 'part by frames' 0 '5 frames in' render bounce.bx -o part.mp4 $small --frames 3f..7f
 check 'part by bare numbers' 0 '5 frames in' render bounce.bx -o part.mp4 $small --frames 3..7
 check 'part by seconds' 0 '7 frames in' render bounce.bx -o part.mp4 $small --frames 0s..0.25s

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How many bytes things hold beside themselves, as they ask for them; what an allocator adds is not counted.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace betwixt {
+
+template <class T, class A>
+std::size_t bytes_held(const std::vector<T, A>& v) {
+  return v.capacity() * sizeof(T);
+}
+// What shared things are kept in: the thing, a table of functions and two counts.
+template <class T>
+constexpr std::size_t shared_bytes = sizeof(T) + sizeof(void*) + 2 * sizeof(int);
+
+}  // namespace betwixt

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a document takes.
+#pragma once
+
+#include <cstddef>
+
+#include "betwixt/document.h"
+
+namespace betwixt {
+
+struct SceneSize {
+  std::size_t bytes = 0;   // of objects, their names, values, tracks and events; meshes and pictures are not counted
+  std::size_t events = 0;  // of tracks
+};
+SceneSize size_of(const Scene&);
+
+}  // namespace betwixt
