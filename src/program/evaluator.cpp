@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/stages.h"
 #include "program/placing.h"
 
 namespace betwixt {
@@ -149,6 +150,7 @@ bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
 }
 
 void Evaluator::evaluate_lives(Asking& asking, bool solids) {
+  const InStage stage(Stage::procedures);
   for (const Schedule::LiveSource& live : compiled_.schedule.lives) {
     if (solids && !live.solid) continue;
     if (live.binding->channels == 0) {
@@ -166,6 +168,7 @@ void Evaluator::evaluate_lives(Asking& asking, bool solids) {
 
 // Between ticks environments stand still.
 void Evaluator::environments(bool own_set) {
+  const InStage stage(Stage::environments);
   if (compiled_.sitings.empty()) return;
   const Scene& scene = compiled_.document.scene();
   const std::int64_t tick = scene.smooth_ticks ? now_.flicks : scene.ticks.whole(now_);
@@ -194,6 +197,7 @@ void Evaluator::stay() {
 }
 
 void Evaluator::to(Time t, Asking& asking, bool solids) {
+  const InStage stage(Stage::tracks);
   stay();
   collect(t.flicks);
   if (fresh_)
@@ -218,6 +222,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
 
 // The looks of marked drawables, and of those that borrow a marked one's form.
 void Evaluator::restyle(Asking& asking, bool solids) {
+  const InStage stage(Stage::looks);
   bool borrowed = false;
   for (const std::uint32_t d : marks_.all()) {
     if (!compiled_.draws(d) || !(marks_[d] & affects::form)) continue;

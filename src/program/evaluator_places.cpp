@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/stages.h"
 #include "program/evaluator.h"
 #include "program/placing.h"
 
@@ -182,6 +183,7 @@ void Evaluator::compose_below(std::uint32_t at) {
 }
 
 void Evaluator::places(Asking& asking) {
+  const InStage stage(Stage::hierarchy);
   if (rearrange_) arrange();
   rearrange_ = false;
   place_marked(asking);
