@@ -81,6 +81,8 @@ bool twerper(Command&, const Selected& to, Twerper& out, std::array<double, 4>& 
 // TIME, or A..B where a motion may follow.
 bool time_or_segment(Cursor&, Time& from, std::optional<Time>& until);
 bool one_time_only(Cursor&, std::string_view segment);
+// Whether an object can show a shape; an error of a geometry where it cannot.
+bool draws(Command&, const Target&, std::string_view about);
 // What stands behind a row's time.
 bool event(Command&, const Selected& to, Time);
 // How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]

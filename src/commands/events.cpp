@@ -140,6 +140,43 @@ bool goes_with(Command& k, const Selected& to, const Target& t, const Event& eve
   return true;
 }
 
+}  // namespace
+
+// Whether an object can show a shape.
+bool draws(Command& k, const Target& t, std::string_view about) {
+  const Object& o = k.scene.objects[t.object.index];
+  return t.function != fn::geometry || drawable(o.kind) ||
+         k.cursor.fail(ErrorCode::type,
+                       fmt::format("'{}', {}, draws nothing: its geometry would not be seen", o.name, a_kind(o.kind)),
+                       about, "what is drawn can show another shape: create NAME box");
+}
+
+namespace {
+
+// What `keep` does to an event that is there: it goes on otherwise, and stays what else it is.
+bool keep_there(Scene& s, const Target& t, const Event& event) {
+  bool all = true;
+  for (Track* track : edit_tracks(s, t)) {
+    const Event* there = track->events.find(event.time);
+    if (!there || there->keep || there->release) {
+      all = false;
+      continue;
+    }
+    Event other = *there;
+    other.twerper = event.twerper;
+    if (event.detail || other.detail) {
+      EventDetail& d = other.detail.edit();
+      d.bezier = event.detail->bezier;
+      if (event.detail->ease_in > Time{}) d.ease_in = event.detail->ease_in;
+      if (event.detail->ease_out > Time{}) d.ease_out = event.detail->ease_out;
+      if (event.detail->tangent_in) d.tangent_in = event.detail->tangent_in;
+      if (event.detail->tangent_out) d.tangent_out = event.detail->tangent_out;
+    }
+    track->events.put(std::move(other));
+  }
+  return all;
+}
+
 bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (to.type() == Type::attachment && !event.keep) {
@@ -147,6 +184,9 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
     for (const Target& t : to.targets) children.push_back(t.object);
     return attachment(k, children, std::get<Attachment>(event.value), event.time, about);
   }
+  if (to.spec->type == Type::shape)
+    for (const Target& t : to.targets)
+      if (!draws(k, t, about)) return false;
   withhold(k, to, event, about);
   for (const Target& t : to.targets) {
     if (to.spec->type == Type::aim && !event.keep && mixes_aims(s, t, event.value))
@@ -157,13 +197,14 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
     if (!goes_with(k, to, t, event, about)) return false;
   }
   const auto& direct = script.sheet.tracks;
-  if (&to == &script.sheet.on && !direct.empty()) {
+  if (&to == &script.sheet.on && !direct.empty() && !event.keep) {
     for (std::size_t i = 1; i < direct.size(); ++i) direct[i]->events.put(event);
     if (direct[0]->events.put(std::move(event)) && script.sheet.fresh)
       script.note(Severity::warning, "an earlier row of this sheet has the same time; this one replaces it", about);
     return true;
   }
-  for (const Target& t : to.targets) put_event(s, t, event);
+  for (const Target& t : to.targets)
+    if (!event.keep || !keep_there(s, t, event)) put_event(s, t, event);
   return true;
 }
 

@@ -79,6 +79,16 @@ void end_reign(Scene& s, ObjectId id, Time from, Time until) {
   }
 }
 
+// It ends where something takes hold of what falls.
+Laws until_caught(const Object& o, Time start, Laws laws) {
+  for (const AttachmentSpan& a : attachments(o)) {
+    if (a.from <= start || a.to.kind < AttachmentKind::hang) continue;
+    laws.delay = std::min(laws.delay, a.from - start);
+    laws.length = std::min(laws.length, std::max(a.from - start - laws.delay, Time{1}));
+  }
+  return laws;
+}
+
 bool fall(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view word;
@@ -130,7 +140,8 @@ bool fall(Command& k) {
                   fmt::format("{} is below the ground, y = {}: it does not fall", s.objects[id.index].name,
                               write_number(laws.ground)),
                   word, "ground=Y says where the ground is");
-    const std::vector<Mark> marks = path(*time, kinematics.position, kinematics.velocity, laws);
+    const std::vector<Mark> marks =
+        path(*time, kinematics.position, kinematics.velocity, until_caught(s.objects[id.index], *time, laws));
     const Time last = marks.back().time;
     end_reign(s, id, *time, last);
     for (int axis = 0; axis < 3; ++axis) {

@@ -119,7 +119,7 @@ bool reverse(Command& k) {
   Stretch on;
   if (!on_segment(k, on)) return false;
   return operate(k, on, [&](Track& t, Type type, int, bool velocity) -> Result<Changed> {
-    if (velocity)
+    if (velocity && !on.of.velocity)
       return fail(ErrorCode::type, "a track with velocities cannot be reversed",
                   "clear them first, or reverse the velocity alone");
     if (type == Type::motion)

@@ -83,6 +83,7 @@ bool set(Command& k) {
                   "couple A to B, attach A to B, hang A on B, detach A");
   if (!values(k).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
   for (const Target& t : to.targets) {
+    if (!draws(k, t, w)) return false;
     const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
     if (t.component >= 0 && slot && slot->set && std::holds_alternative<Procedure>(*slot->set))
       return c.fail(ErrorCode::type, "code computes the whole of it; it has no separate components", w);

@@ -86,28 +86,36 @@ struct Live {
   std::vector<LiveStrand> strands;  // the object's own first
 };
 
+// A value that is worked out: of a live, or of one component of it, at a time.
+struct Sought {
+  std::int32_t live = 0;
+  int component = -1;
+  std::int64_t time = 0;
+  friend auto operator<=>(const Sought&, const Sought&) = default;
+};
+
 // What one question leads to. Values found on the way are kept, unless a circle was cut to find them (R-T11).
 struct Asking {
   struct Taken {  // by an answer
     std::uint64_t cost = 0;
-    std::vector<std::int32_t> asked;  // lives, and itself where it is one: while one is open the answer may be another
+    std::vector<Sought> asked;  // on the way, and itself: while one of these is open the answer may be another
   };
   template <class T>
   struct Found {
     T value;
     Taken taken;
   };
-  std::vector<std::int32_t> open;   // lives being worked out
-  std::vector<std::int32_t> asked;  // lives that what is being worked out has taken so far
+  std::vector<Sought> open;         // being worked out
+  std::vector<Sought> asked;        // what that has taken so far
   std::size_t cut = SIZE_MAX;       // how deep in `open` the outermost cut reached
-  std::map<std::pair<std::int32_t, std::int64_t>, Found<Value>> found;
+  std::map<Sought, Found<Value>> found;
   std::map<std::int64_t, Found<std::shared_ptr<const Contacts>>> found_contacts;
   std::uint64_t cost = 0;
   std::vector<std::string> problems;
   std::vector<Target> read;  // what procedures looked at
 
   void say(std::string problem);
-  bool is_open(const Taken&) const;  // one of its lives is
+  bool is_open(const Taken&) const;  // one of what it asked is
   void take(const Taken&);           // once more, for what is being worked out now
 };
 
@@ -299,7 +307,10 @@ struct Program::Compiled {
   void evaluate(const CurveUse& use, Time t, double* out) const;
   // One binding alone: its numbers only.
   void evaluate(const Binding& b, Time t, Asking&, double* out) const;
-  Value live_value(std::int32_t live, Time t, Asking&) const;  // as the author writes values
+  // As the author writes values. `component`: that one alone, a number, where it can be worked out alone (parted());
+  // so one component may look at another.
+  Value live_value(std::int32_t live, Time t, Asking&, int component = -1) const;
+  bool parted(std::int32_t live, int component) const;
   // The rate of change per second, as the author would write it; nothing where that means nothing.
   std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&) const;
   bool said_velocity(const LivePart&, Time t, double* out) const;  // by a reign or by its curve; false: by neither

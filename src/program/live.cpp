@@ -50,7 +50,7 @@ void Asking::say(std::string problem) {
 
 bool Asking::is_open(const Taken& taken) const {
   return std::any_of(taken.asked.begin(), taken.asked.end(),
-                     [&](std::int32_t i) { return std::find(open.begin(), open.end(), i) != open.end(); });
+                     [&](const Sought& i) { return std::find(open.begin(), open.end(), i) != open.end(); });
 }
 
 void Asking::take(const Taken& taken) {
@@ -66,7 +66,7 @@ Working::Working(Asking& asking)
       first_(static_cast<std::ptrdiff_t>(asking.asked.size())) {}
 
 std::optional<Asking::Taken> Working::done() {
-  std::vector<std::int32_t>& asked = asking_.asked;
+  std::vector<Sought>& asked = asking_.asked;
   const auto first = asked.begin() + first_;
   std::sort(first, asked.end());
   asked.erase(std::unique(first, asked.end()), asked.end());
@@ -305,7 +305,19 @@ struct Worker {
     return written_value(spec_of(scene, b.function).type, n.data(), b.orientation);
   }
 
-  Value value(Time t) const {
+  const LivePart* part_of(int component) const {
+    for (const LivePart& part : live.strands[0].parts)
+      if (part.component == component) return &part;
+    return nullptr;
+  }
+
+  Value value(Time t, int component) const {
+    if (component >= 0) {
+      const FunctionSpec& spec = spec_of(scene, live.function);
+      const Value v = part_value(*part_of(component), t);
+      const auto* d = std::get_if<double>(&v);
+      return d ? Value(std::clamp(*d, spec.low, spec.high)) : v;
+    }
     Value v = strand_value(live.strands[0], live.strands[0].filters.size(), t);
     for (std::size_t i = 1; i < live.strands.size(); ++i) {  // in the order the layers were made
       const LiveStrand& s = live.strands[i];
@@ -330,14 +342,26 @@ std::size_t LivePart::piece_at(Time t) const {
   return at == pieces.begin() ? 0 : static_cast<std::size_t>(at - pieces.begin()) - 1;
 }
 
-Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking) const {
+bool Program::Compiled::parted(std::int32_t index, int component) const {
+  const Live& live = lives[static_cast<std::size_t>(index)];
+  if (component < 0 || live.strands.size() != 1 || !live.strands[0].filters.empty()) return false;
+  return std::any_of(live.strands[0].parts.begin(), live.strands[0].parts.end(),
+                     [&](const LivePart& part) { return part.component == component; });
+}
+
+Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
   const Worker worker{*this, live, asking};
-  const auto again = std::find(asking.open.begin(), asking.open.end(), index);
-  if (again != asking.open.end()) {  // it is being asked for already: now no procedure answers
-    asking.cut = std::min(asking.cut, static_cast<std::size_t>(again - asking.open.begin()));
-    asking.say(fmt::format("{} reads itself in a circle: inside, its last value without a procedure counts",
-                           document.name(Target{{live.object}, live.function, -1})));
+  const Sought key{index, component, t.flicks};
+  constexpr std::size_t deepest = 200;  // a memory of more steps would be an accumulation
+  const auto again = std::find(asking.open.begin(), asking.open.end(), key);
+  if (again != asking.open.end() || asking.open.size() >= deepest) {  // now no procedure answers
+    const bool circle = again != asking.open.end();
+    asking.cut = std::min(asking.cut, circle ? static_cast<std::size_t>(again - asking.open.begin()) : 0);
+    asking.say(document.name(Target{{live.object}, live.function, -1}) +
+               (circle ? " reads itself in a circle" : " reads itself at too many times, one through the other") +
+               ": inside, its last value without a procedure counts");
+    if (component >= 0) return worker.settled(*worker.part_of(component), t);
     const LiveStrand& own = live.strands[0];
     if (own.plain >= 0) return worker.strand_value(own, 0, t);
     if (own.parts.size() == 1 && own.parts[0].component < 0) return worker.settled(own.parts[0], t);
@@ -348,19 +372,18 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking) 
     }
     return v;
   }
-  const auto key = std::pair(index, t.flicks);
   if (const auto known = asking.found.find(key); known != asking.found.end()) {
     if (asking.is_open(known->second.taken)) {
       asking.found.erase(known);
-      return live_value(index, t, asking);
+      return live_value(index, t, asking, component);
     }
     asking.take(known->second.taken);
     return known->second.value;
   }
   Working working(asking);
-  asking.open.push_back(index);
-  asking.asked.push_back(index);
-  Value v = worker.value(t);
+  asking.open.push_back(key);
+  asking.asked.push_back(key);
+  Value v = worker.value(t, component);
   asking.open.pop_back();
   if (auto taken = working.done(); taken && asking.found.size() < 100'000)
     asking.found.emplace(key, Asking::Found<Value>{v, *std::move(taken)});

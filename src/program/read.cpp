@@ -62,6 +62,7 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
       if (a.from <= t) now = a.to;
     return now;
   }
+  if (b.live >= 0 && parted(b.live, target.component)) return live_value(b.live, t, asking, target.component);
   if (b.live >= 0) return part(live_value(b.live, t, asking), target.component);
   if (b.channels == 0) {
     if (type == Type::aim && b.steps >= 0) {

@@ -161,6 +161,44 @@ struct Oscillator {
   }
 };
 
+// A jump within a cell of the grid, found by halving: from straight pieces alone the weight would see it half a cell
+// off.
+struct Bend {
+  std::size_t cell = 0;
+  double at = 0;  // seconds from the cell's beginning, within it
+  Sample before, after;
+};
+std::vector<Bend> bends_of(Input& input, const Samples& s, double first, double cell) {
+  double low[4], high[4];
+  std::copy_n(s.at[0].n, 4, low), std::copy_n(s.at[0].n, 4, high);
+  for (const Sample& one : s.at)
+    for (int i = 0; i < one.count; ++i) low[i] = std::min(low[i], one.n[i]), high[i] = std::max(high[i], one.n[i]);
+  const auto apart = [&](const Sample& a, const Sample& b, double part) {
+    for (int i = 0; i < a.count; ++i)
+      if (std::abs(a.n[i] - b.n[i]) > part * (high[i] - low[i])) return true;
+    return false;
+  };
+  const auto looked = [&](double t) { return samples(input, t, 1, 1).at; };
+  std::vector<Bend> out;
+  for (std::size_t k = 0; k + 1 < s.at.size(); ++k) {
+    if (!apart(s.at[k], s.at[k + 1], 0.05)) continue;
+    const double begin = (first + static_cast<double>(k)) * cell;
+    Bend bend{k, 0, s.at[k], s.at[k + 1]};
+    double from = 0, to = cell;
+    for (int halving = 0; halving < 12; ++halving) {
+      const auto middle = looked(begin + (from + to) / 2);
+      if (middle.empty() || middle[0].count != bend.before.count) break;
+      const bool early = apart(bend.before, middle[0], 0.025), late = apart(middle[0], bend.after, 0.025);
+      if (early == late) break;  // no jump, or more than one: a slope
+      (early ? to : from) = (from + to) / 2;
+      (early ? bend.after : bend.before) = middle[0];
+    }
+    bend.at = (from + to) / 2;
+    if (to - from < cell / 1000) out.push_back(bend);
+  }
+  return out;
+}
+
 Value spring(const FilterCall& told, Input& input, double seconds) {
   constexpr double cells_per_swing = 48, time_constants = 12;  // (1 + 12) exp(-12) < 1e-4: the worst, damping 1
   const double frequency = told.number("frequency"), cell = 1 / (frequency * cells_per_swing);
@@ -171,12 +209,24 @@ Value spring(const FilterCall& told, Input& input, double seconds) {
   if (s.at.empty()) return look(input, seconds);
   const Oscillator::Step whole = mass.step(cell), rest = mass.step(seconds - last * cell);
   Sample out = s.at.front();
+  const std::vector<Bend> bends = bends_of(input, s, first, cell);
   for (int i = 0; i < out.count; ++i) {
     const double start = out.n[i];
     double x = 0, v = 0;  // from the start: a constant stays what it is to the last bit
+    auto bend = bends.begin();
     for (std::size_t k = 0; k + 1 < s.at.size(); ++k) {
       const double from = s.at[k].n[i] - start, to = s.at[k + 1].n[i] - start;
-      mass.advance(x, v, k + 2 < s.at.size() ? whole : rest, from, (to - from) / cell);
+      const bool all = k + 2 < s.at.size();
+      if (bend == bends.end() || bend->cell != k) {
+        mass.advance(x, v, all ? whole : rest, from, (to - from) / cell);
+        continue;
+      }
+      // Before the jump, the jump, behind it; as far as the time asked for.
+      const double ends = all ? cell : seconds - last * cell, before = bend->before.n[i] - start,
+                   after = bend->after.n[i] - start;
+      mass.advance(x, v, mass.step(std::min(ends, bend->at)), from, (before - from) / bend->at);
+      if (ends > bend->at) mass.advance(x, v, mass.step(ends - bend->at), after, (to - after) / (cell - bend->at));
+      ++bend;
     }
     out.n[i] = start + x;
   }

@@ -40,5 +40,20 @@ TEST(Events, ColoursBeyondBrightAreWarnedOf) {
   EXPECT_NE(said(s.loaded.diagnostics).find("write rgb(1 0 0)"), std::string::npos);
 }
 
+TEST(Events, KeepOnAnEventThatIsThereChangesHowItGoesOnOnly) {
+  for (const char* keep : {"a.radius\n  11f keep hold\n", "at 11f a.radius keep hold\n"}) {
+    const LoadedFilm s(std::string("create a sphere\na.radius\n  1f 1 linear\n  11f 4 linear\n  21f 2\n") + keep);
+    expect_numbers(s, {{"a.radius", "6f", {2.5}}, {"a.radius", "11f", {4}}, {"a.radius", "20f", {4}}});
+  }
+}
+
+TEST(Events, AGroupHasNoGeometryToShow) {
+  EXPECT_EQ(errors(read("create g group\ncreate b box\nset g.geometry shape(b)\n")),
+            std::vector<std::string>{"3:5: 'g', a group, draws nothing: its geometry would not be seen"});
+  const Loaded l = read("create g group\ncreate b box\nat 1f g.geometry shape(b)\n");
+  ASSERT_EQ(errors(l).size(), 1u);
+  EXPECT_NE(errors(l)[0].find("'g', a group, draws nothing: its geometry would not be seen"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -81,5 +81,13 @@ TEST(Fall, BelowTheGroundIsNoticed) {
   EXPECT_EQ(l.diagnostics[0].what.message, "b is below the ground, y = 2: it does not fall");
 }
 
+TEST(Fall, EndsWhereSomethingTakesHold) {
+  const LoadedFilm s(
+      "rate 24\ncreate hand group\ncreate ball sphere position=(0 10 0)\nat 13f attach ball to hand keep-world\n"
+      "at 1f fall ball\n");
+  expect_place(s, "ball", "13f", {0, 10 - 9.81 / 2 * 0.25, 0}, 1e-6);  // half a second
+  expect_place(s, "ball", "49f", {0, 10 - 9.81 / 2 * 0.25, 0}, 1e-6);
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -204,5 +204,25 @@ TEST(Procedures, DoNotTakeNamesThatLuaHas) {
   EXPECT_EQ(errors(read("procedure sine lua \"1\"\nprocedure exp twerper lua \"u\"\n")), std::vector<std::string>{});
 }
 
+// Only the same component at the same time is a circle.
+TEST(Procedures, SiblingsAndEarlierTimesAreNoCircles) {
+  const LoadedFilm s(
+      "rate 24\ncreate a sphere\nat 1f a.position.x = \"t * 2\"\n"
+      "at 1f a.position.y = \"value('.position.x') + 1\"\nat 1f a.position.z = \"value('.position.y') * 10\"\n"
+      "create e sphere\nset e.radius = \"t <= 0 and 1 or value('.radius', t - 1) * 2\"\n"
+      "create p sphere\ncreate q sphere\nset p.radius = \"t <= 0 and 3 or value('q.radius', t - 0.5)\"\n"
+      "set q.radius = \"value('p.radius', t - 0.5) + 1\"\n");
+  // At 49f, two seconds in: x = 4, y = 5, z = 50; doubled twice: 4; p from 3 by q's steps of a second each: 3 + 2.
+  expect_numbers(s, {{"a.position", "49f", {4, 5, 50}}, {"e.radius", "49f", {4}}, {"p.radius", "49f", {5}}});
+  EXPECT_TRUE(s.frame("49f").problems.empty()) << s.frame("49f").problems[0];
+}
+
+TEST(Procedures, AMemoryWithoutABeginningEnds) {
+  const LoadedFilm s("create a sphere\nset a.radius = \"value('.radius', t - 0.001) + 1\"\n");
+  const auto problems = s.frame("24f").problems;
+  ASSERT_FALSE(problems.empty());
+  EXPECT_NE(problems[0].find("a.radius"), std::string::npos) << problems[0];
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -65,5 +65,11 @@ TEST(Segments, OperationsOnValuesLeaveOutWhatHasNoneAndSayIt) {
   EXPECT_EQ(std::get<Vec3>(Program::compile(l.document).read(found->front(), {})), (Vec3{1, 3, 3}));
 }
 
+TEST(Segments, AVelocityAloneIsReversed) {
+  const LoadedFilm s(
+      "rate 24\ncreate b sphere\nb.radius.velocity\n  1f 1 linear\n  25f 3\nreverse b.radius.velocity 1f..25f\n");
+  expect_numbers(s, {{"b.radius.velocity", "1f", {3}}, {"b.radius.velocity", "13f", {2}}});
+}
+
 }  // namespace
 }  // namespace betwixt

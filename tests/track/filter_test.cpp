@@ -76,18 +76,22 @@ TEST(Filter, SmoothWeakensASineAsItsKernelSays) {
 }
 
 // shows: G105 G46
-TEST(Filter, SmoothAndSpringMakeAJumpTwiceDifferentiable) {
-  for (const char* name : {"smooth", "spring"}) {
-    const double h = 1e-4;
-    double highest = 0;
-    for (double t = 0.7; t < 1.6; t += h) {
-      const auto at = [&](double s) { return filtered(filter(name), jump, s); };
-      // The difference of neighbouring second derivatives is of the order of h, not of 1.
-      const double third = at(t + 2 * h) - 3 * at(t + h) + 3 * at(t) - at(t - h);
-      highest = std::max(highest, std::abs(third) / (h * h));
-    }
-    EXPECT_LT(highest, 2.0) << name;
+TEST(Filter, SmoothMakesAJumpTwiceDifferentiableAndSpringOnce) {
+  const double h = 1e-4;
+  double highest = 0, kink = 0;
+  for (double t = 0.7; t < 1.6; t += h) {
+    const auto at = [&](double s) { return filtered(filter("smooth"), jump, s); };
+    // The difference of neighbouring second derivatives is of the order of h, not of 1.
+    const double third = at(t + 2 * h) - 3 * at(t + h) + 3 * at(t) - at(t - h);
+    highest = std::max(highest, std::abs(third) / (h * h));
   }
+  EXPECT_LT(highest, 2.0);
+  // A weight on a spring is pulled at once, by (2 pi 2)² here; its speed has no jump.
+  for (double t = 0.98; t < 1.04; t += h) {
+    const auto at = [&](double s) { return filtered(filter("spring"), jump, s); };
+    kink = std::max(kink, std::abs(at(t + h) - 2 * at(t) + at(t - h)) / h);
+  }
+  EXPECT_LT(kink, 1.1 * 16 * pi * pi * h);
   EXPECT_EQ(filtered(filter("smooth"), jump, 0.7), 0);
   EXPECT_EQ(filtered(filter("smooth"), jump, 1.3), 1);
 }
@@ -390,6 +394,22 @@ TEST(Filter, NothingItIsToldOrAskedHarmsIt) {
   EXPECT_EQ(filtered(
                 filter("delay", {{"by", Text("soon")}}), [](double t) { return t; }, 1),
             0.75);
+}
+
+// The oscillator's own answer to a step, in closed form: 1 - exp(-d w t) (cos + d / sqrt(1 - d d) sin).
+TEST(Filter, SpringAnswersAStepAsTheOscillatorDoes) {
+  const double frequency = 2, damping = 0.3, w = 2 * pi * frequency, r = std::sqrt(1 - damping * damping);
+  for (const double when : {1.0, 1.003, 1.0077}) {
+    const auto step = [&](double t) { return t < when ? 0.0 : 1.0; };
+    double worst = 0;
+    for (double t = when - 0.1; t < when + 2; t += 0.013) {
+      const double since = std::max(0.0, t - when);
+      const double wanted =
+          1 - std::exp(-damping * w * since) * (std::cos(r * w * since) + damping / r * std::sin(r * w * since));
+      worst = std::max(worst, std::abs(filtered(filter("spring"), step, t) - wanted));
+    }
+    EXPECT_LT(worst, 2e-3) << when;
+  }
 }
 
 }  // namespace
