@@ -36,6 +36,7 @@ struct Factor {
                        // it stands
   Vec3 axis{0, 0, 1};  // rotate
   double angle = 0;    // rotate: all of it, whole turns too
+  double angle_rest = 0;  // rotate: what rounding took of it, so that many turns keep their fraction; texts have it
   friend bool operator==(const Factor&, const Factor&) = default;
 };
 
@@ -55,13 +56,13 @@ Result<Motion> parse_motion(std::string_view);
 // The shortest text that reads back the same.
 std::string to_string(const Motion&);
 
-// Errors (range) name the factor, counted from 1: a number that is none or endless, an axis without a direction, a
-// factor of zero or less under the exponential law.
+// Errors (range) name the factor, counted from 1: a number that is none or endless, an axis without a direction, more
+// turns than 2^53, a factor of zero or less under the exponential law.
 Status check(const Motion&);
 // Nothing but x and y change, and by x and y only.
 bool is_planar(const Motion&);
 
-// A(t), t any number. Of a motion that `check` passes.
+// A(t), t any number. Of a motion that `check` passes. Numbers beyond all doubles are infinite, and none is NaN.
 Mat4 at(const Motion&, double t);
 // A_k. Errors (range): steps below 1.
 Result<Mat4> frame(const Motion&, std::int64_t k, std::int64_t steps);
@@ -77,7 +78,7 @@ enum class Method : std::uint8_t {
   matrix,     // the points at rest times A_k, whose numbers go on from step to step
   geometric,  // pushes, growths and shears in place: for the eleven rows of the source's first table, with scalings by
               // the linear law. SR and ST meet the motion at its end only
-  differences,  // one constant matrix: where there is one
+  differences,  // one constant matrix: where there is one. In one step there is one for every string
   best,         // what costs least, for any string
 };
 std::string_view name_of(Method);
@@ -135,27 +136,5 @@ struct Printed {
   Cost geometric_after;                  // post-processing
 };
 std::optional<Printed> printed_costs(const Motion&);
-
-// ---- Lists of CSS transforms
-
-// "translate(10px, 20px) rotate(90deg) scale(2)" or "none" about `transform-origin` in pixels: the motion that a
-// browser shows from `none` to this list. Scalings are by the linear law. The numbers stay those of CSS, whose y points
-// down: there rotate(90deg) takes x to y, as here, and it is the page that shows this as clockwise. Errors: syntax,
-// name, type (a unit other than px, deg, grad, rad or turn; matrix(), skew(), perspective()), range; place.column and
-// place.length as above.
-Result<Motion> from_css(std::string_view list, Vec3 origin = {});
-
-// A browser that goes from `from` to `to`, with `transform-origin: 0 0`, shows the motion. `to` alone is its end only:
-// a centre is written as translate(centre) ... translate(-centre), and these stand still because both lists have them.
-// Errors: those of `check`; a scaling by the exponential law, the name of an object as a centre (type).
-struct CssLists {
-  std::string from, to;
-};
-Result<CssLists> to_css(const Motion&);
-
-// What a browser shows between two lists, at 0 the one, at 1 the other: function by function, the shorter list padded
-// with functions that do nothing. Errors (type): those of `to_css`; lists that do not match, rotations about different
-// axes, different origins. There a browser mixes matrices or takes the short way round.
-Result<Mat4> css_between(const Motion& from, const Motion& to, double t);
 
 }  // namespace betwixt

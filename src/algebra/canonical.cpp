@@ -6,7 +6,10 @@ namespace betwixt::algebra {
 
 bool merge(Block& into, const Block& b) {
   if (!(into.conformal() && b.conformal()) && !(into.diagonal() && b.diagonal())) return false;
-  into.turns += b.turns, into.log_x += b.log_x, into.log_y += b.log_y;
+  into.turns = into.turns + b.turns, into.log_x += b.log_x, into.log_y += b.log_y;
+  // Parts of a turn that no 2^-64ths make, and that undo each other: three thirds.
+  const Turns off = into.turns < Turns{} ? -into.turns : into.turns;
+  if (off.whole == 0 && off.part < 16) into.turns = {};
   return true;
 }
 

@@ -53,12 +53,12 @@ struct SineCosine {
   Number sine, cosine;
 };
 template <class Number>
-SineCosine<Number> circle(long double turns, long double k, long double n) {
+SineCosine<Number> circle(Turns turns, std::int64_t k, std::int64_t n) {
   const Turn at = turn(phase(turns, k, n));
   return {at.sine, at.cosine};
 }
 template <>
-inline SineCosine<Counted> circle<Counted>(long double turns, long double k, long double n) {
+inline SineCosine<Counted> circle<Counted>(Turns turns, std::int64_t k, std::int64_t n) {
   Counted::tally.functions += 2;
   const Turn at = turn(phase(turns, k, n));
   return {at.sine, at.cosine};

@@ -17,16 +17,15 @@ struct Shears {
 };
 // Of a rotation by these turns in a step.
 template <class Number>
-Shears<Number> shears(long double turns, std::int64_t steps) {
-  const auto n = static_cast<long double>(steps);
+Shears<Number> shears(Turns turns, std::int64_t steps) {
   // Half of the angle, which is less than half a turn either way.
-  const auto part = static_cast<std::int64_t>(phase(turns, 1, n));
+  const auto part = static_cast<std::int64_t>(phase(turns, 1, steps));
   const Number half(std::ldexp(static_cast<double>(part), -64) * pi);
-  return {-tangent(half), circle<Number>(turns, 1, n).sine};
+  return {-tangent(half), circle<Number>(turns, 1, steps).sine};
 }
 
-bool half_turn(long double turns, std::int64_t steps) {
-  const auto part = static_cast<std::int64_t>(phase(turns, 1, static_cast<long double>(steps)));
+bool half_turn(Turns turns, std::int64_t steps) {
+  const auto part = static_cast<std::int64_t>(phase(turns, 1, steps));
   return std::abs(std::ldexp(static_cast<double>(part), -63)) > 1 - 1e-9;
 }
 
@@ -48,12 +47,12 @@ class Scheme {
       return fail(ErrorCode::type, "the geometric method scales by the linear law",
                   "S(… linear), or the method `matrix`");
     if (!r_) return go_straight(), plan_;
-    long double all = 0, so_far = 0;
+    Turns all, so_far;
     for (const Factor& f : motion_.factors)
-      if (f.kind == Factor::Kind::rotate) all += planar_turns(f);
+      if (f.kind == Factor::Kind::rotate) all = all + planar_turns(f);
     for (const Factor& f : motion_.factors)
       if (f.kind == Factor::Kind::rotate &&
-          (half_turn(so_far += planar_turns(f), plan_.steps) || half_turn(all, plan_.steps)))
+          (half_turn(so_far = so_far + planar_turns(f), plan_.steps) || half_turn(all, plan_.steps)))
         return fail(ErrorCode::range, "half a turn in one step cannot be made of shears", "more steps");
     return turn(all), plan_;
   }
@@ -65,7 +64,7 @@ class Scheme {
     plan_.registers.push_back(reg);
     return static_cast<int>(plan_.registers.size()) - 1;
   }
-  int sheared(Number x, Number y, long double turns) {
+  int sheared(Number x, Number y, Turns turns) {
     const Shears<Number> by = shears<Number>(turns, plan_.steps);
     R reg{R::Kind::sheared, x, y, turns};
     reg.p = by.a, reg.q = by.b;
@@ -90,7 +89,7 @@ class Scheme {
     if (!s_) plan_.constants = {dx_, dy_};
   }
 
-  void turn(long double turns) {
+  void turn(Turns turns) {
     Block turned;
     turned.turns = turns;
     plan_.blocks = {turned};
@@ -126,12 +125,12 @@ class Scheme {
   void turn_arms() {
     const std::vector<Factor>& f = motion_.factors;
     int x = add({R::Kind::constant, Number(f[0].centre.x)}), y = add({R::Kind::constant, Number(f[0].centre.y)});
-    long double turns = 0;
+    Turns turns;
     for (std::size_t j = 0; j + 1 < f.size(); ++j) {
-      turns += planar_turns(f[j]);
+      turns = turns + planar_turns(f[j]);
       const Vec3 from = f[j].centre, to = f[j + 1].centre;
       const int arm = sheared(Number(to.x) - Number(from.x), Number(to.y) - Number(from.y), turns);
-      x = add({R::Kind::sum, {}, {}, 0, 0, x, arm}), y = add({R::Kind::sum, {}, {}, 0, 0, y, arm + 1});
+      x = add({R::Kind::sum, {}, {}, {}, 0, x, arm}), y = add({R::Kind::sum, {}, {}, {}, 0, y, arm + 1});
     }
     plan_.inputs = {x, y};
   }
@@ -151,7 +150,10 @@ std::string letters(const Motion& motion) {
   return s;
 }
 
-long double planar_turns(const Factor& f) { return turns_of(f.axis.z < 0 ? -f.angle : f.angle); }
+Turns planar_turns(const Factor& f) {
+  const Turns turns = turns_of(f.angle, f.angle_rest);
+  return f.axis.z < 0 ? -turns : turns;
+}
 
 template <class Number>
 Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
@@ -165,9 +167,30 @@ Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
   return Scheme<Number>(motion, steps, row).made();
 }
 
+namespace {
+
+// Without the turns that come out even at every step.
+Motion without_whole_turns(Motion motion, std::int64_t steps) {
+  std::erase_if(motion.factors, [&](const Factor& f) {
+    return f.kind == Factor::Kind::rotate && phase(planar_turns(f), 1, steps) == 0;
+  });
+  return motion;
+}
+
+// The one matrix of one step.
 template <class Number>
-Result<Plan<Number>> differences(const Motion& motion, std::int64_t steps) {
-  const Canonical<Number> string = canonical<Number>(motion, steps);
+Plan<Number> whole_step(const Motion& motion) {
+  const Mat4 m = at(motion, 1);
+  Plan<Number> plan;
+  plan.kernel = Kernel::matrix;
+  plan.constants = {m(0, 0), -m(0, 1), m(1, 0), m(1, 1), m(0, 3), m(1, 3)};
+  plan.whole_step = true;
+  return plan;
+}
+
+template <class Number>
+Result<Plan<Number>> same_steps(const Motion& motion, std::int64_t steps) {
+  const Canonical<Number> string = canonical<Number>(without_whole_turns(motion, steps), steps);
   const auto none = [](std::string why) {
     return fail(ErrorCode::type, "no one matrix makes all steps of this motion: " + why,
                 "the method `best` takes every string");
@@ -188,25 +211,35 @@ Result<Plan<Number>> differences(const Motion& motion, std::int64_t steps) {
   if (b.linear) return none("the steps of a scaling by the linear law are not alike");
   const Number drift_x = outer.drift_x + inner.drift_x, drift_y = outer.drift_y + inner.drift_y;
   const bool commutes =
-      b.turns == 0 && (b.log_x == 0 || drift_x == Number(0)) && (b.log_y == 0 || drift_y == Number(0));
+      b.turns.none() && (b.log_x == 0 || drift_x == Number(0)) && (b.log_y == 0 || drift_y == Number(0));
   if (!(outer.fixed() && inner.fixed()) && !commutes)
-    return none(b.turns != 0 ? "a way and a turn do not commute, so the root of the whole is an arc and not this path"
-                             : "a way and a scaling do not commute, so the root of the whole takes another path");
+    return none(!b.turns.none()
+                    ? "a way and a turn do not commute, so the root of the whole is an arc and not this path"
+                    : "a way and a scaling do not commute, so the root of the whole takes another path");
   plan.centre_x = inner.x, plan.centre_y = inner.y;
   plan.home_x = outer.x, plan.home_y = outer.y;
   plan.gain_x = drift_x, plan.gain_y = drift_y;
   plan.blocks = {b};
   const Number gx = exponential(Number(b.log_x) / n);
-  if (b.turns == 0) {
+  if (b.turns.none()) {
     const Number gy = b.log_y == b.log_x ? gx : exponential(Number(b.log_y) / n);
     plan.kernel = Kernel::stretch;
     plan.constants = {gx, gy, gx * inner.x + outer.x + drift_x, gy * inner.y + outer.y + drift_y};
     return plan;
   }
-  const auto at = circle<Number>(b.turns, 1, static_cast<long double>(steps));
+  const auto at = circle<Number>(b.turns, 1, steps);
   const Number c = gx * at.cosine, s = gx * at.sine;
   plan.kernel = Kernel::turn;
   plan.constants = {c, s, c * inner.x - s * inner.y + outer.x, s * inner.x + c * inner.y + outer.y};
+  return plan;
+}
+
+}  // namespace
+
+template <class Number>
+Result<Plan<Number>> differences(const Motion& motion, std::int64_t steps) {
+  auto plan = same_steps<Number>(motion, steps);
+  if (!plan && steps == 1) return whole_step<Number>(motion);
   return plan;
 }
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "algebra/turns.h"
+#include "algebra/rotation.h"
 #include "betwixt/algebra.h"
 
 namespace betwixt {
@@ -21,36 +22,51 @@ constexpr const char* letters[] = {"T", "R", "S"};
 double scale_at(double total, Law law, double t) {
   return law == Law::linear ? std::lerp(1.0, total, t) : std::pow(total, t);
 }
+// The same less one, which is not the difference where that is tiny.
+double growth_at(double total, Law law, double t) {
+  if (law == Law::linear || t == 1) return (total - 1) * t;
+  return std::expm1(t * std::log(total));
+}
+// Nothing is left of nothing, however often it is taken.
+double times(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
-Mat4 linear_part(const Factor& f, double t) {
-  if (f.kind == Kind::scale)
-    return scaling({scale_at(f.by.x, f.law, t), scale_at(f.by.y, f.law, t), scale_at(f.by.z, f.law, t)});
-  const algebra::Turn turn = algebra::turn(algebra::phase(algebra::turns_of(f.angle), t));
-  const Vec3 a = normalize(f.axis);
-  const double s = turn.sine, c = turn.cosine, v = 1 - c;
+Mat4 scaled(const Factor& f, double t) {
   Mat4 m;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m(i, j) = v * a[i] * a[j] + (i == j ? c : 0);
-  m(0, 1) -= s * a.z, m(0, 2) += s * a.y, m(1, 0) += s * a.z;
-  m(1, 2) -= s * a.x, m(2, 0) -= s * a.y, m(2, 1) += s * a.x;
+  for (int c = 0; c < 3; ++c) {
+    m(c, c) = scale_at(f.by[c], f.law, t);
+    m(c, 3) = -times(growth_at(f.by[c], f.law, t), f.centre[c]);
+  }
   return m;
+}
+
+algebra::Turns turns_of(const Factor& f) { return algebra::turns_of(f.angle, f.angle_rest); }
+// Fraction t of a rotation: what ends within its turn as `phase` says, if it is not small.
+template <class Phase>
+algebra::Turn turned(const Factor& f, double t, const Phase& phase) {
+  const double angle = f.angle * t;
+  return std::abs(angle) <= pi / 4 ? algebra::small_turn(angle) : algebra::turn(phase());
 }
 
 Mat4 matrix(const Factor& f, double t) {
   if (f.kind == Kind::translate) return translation(t * f.by);
-  Mat4 m = linear_part(f, t);
-  const Vec3 moved = f.centre - transform_vector(m, f.centre);
-  m(0, 3) = moved.x, m(1, 3) = moved.y, m(2, 3) = moved.z;
-  return m;
+  if (f.kind == Kind::scale) return scaled(f, t);
+  return algebra::rotated(turned(f, t, [&] { return algebra::phase(turns_of(f), t); }), f.axis, f.centre);
 }
 
-// Of affine matrices: what is endless in one number spoils no other.
+// Row by column, of affine matrices. What is endless in one number spoils no other, and is endless rather than no
+// number.
+double entry(const Mat4& a, const Mat4& b, int row, int column) {
+  const double own = column == 3 ? a(row, 3) : 0;
+  const double sum = a(row, 0) * b(0, column) + a(row, 1) * b(1, column) + a(row, 2) * b(2, column) + own;
+  if (std::isfinite(sum)) return sum;
+  double kept = own;
+  for (int i = 0; i < 3; ++i) kept += times(a(row, i), b(i, column));
+  return std::isnan(kept) ? std::numeric_limits<double>::infinity() : kept;
+}
 Mat4 after(const Mat4& a, const Mat4& b) {
   Mat4 r;
-  for (int i = 0; i < 3; ++i) {
-    for (int c = 0; c < 4; ++c) r(i, c) = a(i, 0) * b(0, c) + a(i, 1) * b(1, c) + a(i, 2) * b(2, c);
-    r(i, 3) += a(i, 3);
-  }
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < 4; ++c) r(i, c) = entry(a, b, i, c);
   return r;
 }
 
@@ -95,7 +111,10 @@ Status check(const Motion& motion) {
     }
     if (auto bad = endless(f.centre, "centre's"); !bad) return bad;
     if (f.kind == Kind::rotate) {
-      if (!std::isfinite(f.angle)) return about_factor(motion, i, "its angle is no finite number");
+      if (!std::isfinite(f.angle) || !std::isfinite(f.angle_rest))
+        return about_factor(motion, i, "its angle is no finite number");
+      if (!(std::abs(f.angle) < 2 * pi * algebra::most_turns))
+        return about_factor(motion, i, fmt::format("its angle has more than {} turns", algebra::most_turns));
       if (auto bad = endless(f.axis, "axis'"); !bad) return bad;
       if (length(f.axis) == 0) return about_factor(motion, i, "its axis has no direction");
       continue;
@@ -134,11 +153,8 @@ Result<Mat4> frame(const Motion& motion, std::int64_t k, std::int64_t steps) {
       product = after(product, matrix(f, t));
       continue;
     }
-    Factor part = f;
-    const std::uint64_t phase =
-        algebra::phase(algebra::turns_of(f.angle), static_cast<long double>(k), static_cast<long double>(steps));
-    part.angle = std::ldexp(static_cast<double>(static_cast<std::int64_t>(phase)), -63) * pi;
-    product = after(product, matrix(part, 1));
+    const algebra::Turn part = turned(f, t, [&] { return algebra::phase(turns_of(f), k, steps); });
+    product = after(product, algebra::rotated(part, f.axis, f.centre));
   }
   return product;
 }
@@ -154,7 +170,7 @@ Result<Motion> inverse(const Motion& motion) {
     if (f.kind == Kind::scale && !finite(f.by))
       return about_factor(motion, i, "what undoes this scaling is beyond all numbers");
     if (f.kind == Kind::translate) f.by = -f.by;
-    f.angle = -f.angle;
+    f.angle = -f.angle, f.angle_rest = -f.angle_rest;
     back.factors.push_back(std::move(f));
   }
   return back;

@@ -21,7 +21,7 @@ template <class Number>
 struct Term {
   bool drift = false;  // times k
   Number x{}, y{};
-  long double turns = 0;
+  Turns turns{};
   double log_x = 0, log_y = 0;
 
   bool like(const Term& o) const {
@@ -29,8 +29,8 @@ struct Term {
   }
   // Whether the block leaves it a term.
   bool takes(const Block& b) const {
-    if (b.linear) return !drift && turns == 0 && log_x == 0 && log_y == 0;
-    return b.turns == 0 || log_x == log_y;
+    if (b.linear) return !drift && turns.none() && log_x == 0 && log_y == 0;
+    return b.turns.none() || log_x == log_y;
   }
 };
 
@@ -61,7 +61,7 @@ class Horner {
         continue;
       }
       // Those that differed before differ now.
-      t.turns += b.turns, t.log_x += b.log_x, t.log_y += b.log_y;
+      t.turns = t.turns + b.turns, t.log_x += b.log_x, t.log_y += b.log_y;
       terms_.push_back(t);
     }
   }
@@ -81,7 +81,7 @@ class Horner {
   Pair product(const Block& b, Pair v) {
     if (b.linear)
       return {make_.product(make_.ramp(1, slope(b.slope_x)), v.x), make_.product(make_.ramp(1, slope(b.slope_y)), v.y)};
-    if (b.turns == 0)
+    if (b.turns.none())
       return {make_.product(make_.geometric(1, b.log_x), v.x), make_.product(make_.geometric(1, b.log_y), v.y)};
     const int c = make_.wave(1, 0, b.turns, b.log_x), s = make_.wave(0, 1, b.turns, b.log_x);
     return {make_.difference(make_.product(c, v.x), make_.product(s, v.y)),
@@ -92,14 +92,14 @@ class Horner {
   int axis(const std::vector<Term<Number>>& terms, bool y) {
     struct Part {
       bool drift;
-      long double turns;
+      Turns turns{};
       double log_growth;
       Number cosine, sine;  // what they are multiplied by
     };
     std::vector<Part> parts;
     for (const Term<Number>& t : terms) {
       const double log_growth = y ? t.log_y : t.log_x;
-      const Number cosine = y ? t.y : t.x, sine = t.turns == 0 ? Number(0) : y ? t.x : -t.y;
+      const Number cosine = y ? t.y : t.x, sine = t.turns.none() ? Number(0) : y ? t.x : -t.y;
       const auto like = std::find_if(parts.begin(), parts.end(), [&](const Part& p) {
         return p.drift == t.drift && p.turns == t.turns && p.log_growth == log_growth;
       });
@@ -111,12 +111,12 @@ class Horner {
     Number fixed = 0, drift = 0;
     int sum = make_.constant(0);
     for (const Part& p : parts) {
-      if (p.turns == 0 && p.log_growth == 0) {
+      if (p.turns.none() && p.log_growth == 0) {
         (p.drift ? drift : fixed) = p.cosine;
         continue;
       }
-      int c =
-          p.turns == 0 ? make_.geometric(p.cosine, p.log_growth) : make_.wave(p.cosine, p.sine, p.turns, p.log_growth);
+      int c = p.turns.none() ? make_.geometric(p.cosine, p.log_growth)
+                             : make_.wave(p.cosine, p.sine, p.turns, p.log_growth);
       if (p.drift) c = make_.product(make_.ramp(0, 1), c);
       sum = make_.sum(sum, c);
     }

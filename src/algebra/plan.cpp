@@ -27,7 +27,7 @@ std::array<int, 4> entries(Builder<Number>& make, const std::vector<Block>& bloc
   std::array<int, 4> m{make.constant(1), make.constant(0), make.constant(0), make.constant(1)};
   bool first = true;
   for (const Block& block : blocks) {
-    if (block.turns == 0) {
+    if (block.turns.none()) {
       const int gx = block.linear ? make.ramp(1, Number(block.slope_x) / n) : make.geometric(1, block.log_x);
       const int gy = block.linear ? make.ramp(1, Number(block.slope_y) / n) : make.geometric(1, block.log_y);
       m = {make.product(m[0], gx), make.product(m[1], gy), make.product(m[2], gx), make.product(m[3], gy)};
@@ -48,7 +48,7 @@ std::array<int, 4> entries(Builder<Number>& make, const std::vector<Block>& bloc
 template <class Number>
 bool by_law(Plan<Number>& plan, const Canonical<Number>& string, const Offset<Number>& inner, Pair o) {
   const Number n(static_cast<double>(plan.steps));
-  const auto turn = [&](const Block& b) { return circle<Number>(b.turns, 1, static_cast<long double>(plan.steps)); };
+  const auto turn = [&](const Block& b) { return circle<Number>(b.turns, 1, plan.steps); };
   const std::vector<Block>& l = plan.blocks;
   plan.inputs = {o.x, o.y};
   if (l.empty()) {
@@ -70,7 +70,7 @@ bool by_law(Plan<Number>& plan, const Canonical<Number>& string, const Offset<Nu
     plan.gain_y = string.offsets[0].drift_y + plan.slope_y * plan.centre_y;
     plan.centre_x = plan.centre_y = 0;
     plan.inputs.clear();
-  } else if (l.size() == 1 && l[0].turns == 0) {
+  } else if (l.size() == 1 && l[0].turns.none()) {
     plan.kernel = Kernel::grow;
     plan.constants = {exponential(Number(l[0].log_x) / n), exponential(Number(l[0].log_y) / n)};
   } else if (l.size() == 1 && l[0].log_x == 0) {

@@ -19,19 +19,19 @@
 namespace betwixt::algebra {
 
 std::string letters(const Motion&);       // "TRS"
-long double planar_turns(const Factor&);  // of a rotation, anticlockwise
+Turns planar_turns(const Factor&);        // of a rotation, anticlockwise
 
 // A turn, a growth by the exponential law, both at once where it grows alike in x and y (a conformal block), or a
 // growth by the linear law.
 struct Block {
-  long double turns = 0;        // of the whole motion
+  Turns turns{};                // of the whole motion
   double log_x = 0, log_y = 0;  // of the whole growth
   bool linear = false;          // the linear law: 1 + slope k/N
   double slope_x = 0, slope_y = 0;
 
-  bool identity() const { return turns == 0 && log_x == 0 && log_y == 0 && slope_x == 0 && slope_y == 0; }
+  bool identity() const { return turns.none() && log_x == 0 && log_y == 0 && slope_x == 0 && slope_y == 0; }
   bool conformal() const { return !linear && log_x == log_y; }
-  bool diagonal() const { return !linear && turns == 0; }
+  bool diagonal() const { return !linear && turns.none(); }
 };
 
 // Makes one block of two that stand together, where they are one.
@@ -71,7 +71,7 @@ struct Register {
   };
   Kind kind = Kind::constant;
   Number a{}, b{};
-  long double turns = 0;  // of the whole motion
+  Turns turns{};  // of the whole motion
   double log_growth = 0;
   int left = -1, right = -1;
   Number p{}, q{};
@@ -89,6 +89,7 @@ struct Plan {
   Number centre_x{}, centre_y{}, home_x{}, home_y{};
   std::vector<Block> blocks;  // L
   Number gain_x{}, gain_y{}, slope_x{}, slope_y{};
+  bool whole_step = false;  // one step is the whole motion: what lies beyond it is sought
 
   int per_point() const { return operations_per_point(kernel); }
   int per_step() const;  // of the registers
@@ -104,7 +105,8 @@ Plan<Number> compile(const Motion&, std::int64_t steps, Family, std::size_t poin
 template <class Number>
 Result<Plan<Number>> geometric(const Motion&, std::int64_t steps);
 
-// The source's method of differences: one constant A with A_k = A A_(k-1). Errors (type): there is none.
+// The source's method of differences: one constant A with A_k = A A_(k-1). Errors (type): there is none. There always
+// is where there is one step, and turns that are whole at every step are as good as none.
 template <class Number>
 Result<Plan<Number>> differences(const Motion&, std::int64_t steps);
 

@@ -19,7 +19,7 @@ namespace betwixt::algebra {
 template <class Number>
 class Builder {
  public:
-  explicit Builder(std::int64_t steps) : steps_(static_cast<double>(steps)) {}
+  explicit Builder(std::int64_t steps) : steps_(steps) {}
   using R = Register<Number>;
 
   int constant(Number a) { return add({R::Kind::constant, a}); }
@@ -30,7 +30,7 @@ class Builder {
     r.log_growth = log_growth;
     return add(r);
   }
-  int wave(Number a, Number b, long double turns, double log_growth) {
+  int wave(Number a, Number b, Turns turns, double log_growth) {
     if (a == Number(0) && b == Number(0)) return constant(0);
     R r{R::Kind::wave, a, b, turns};
     r.log_growth = log_growth;
@@ -41,18 +41,18 @@ class Builder {
     if (is(l, 1)) return r;
     if (is(r, 1)) return l;
     if (fixed(l) && fixed(r)) return constant(of(l) * of(r));
-    return add({R::Kind::product, {}, {}, 0, 0, std::min(l, r), std::max(l, r)});
+    return add({R::Kind::product, {}, {}, {}, 0, std::min(l, r), std::max(l, r)});
   }
   int sum(int l, int r) {
     if (is(l, 0)) return r;
     if (is(r, 0)) return l;
     if (fixed(l) && fixed(r)) return constant(of(l) + of(r));
-    return add({R::Kind::sum, {}, {}, 0, 0, std::min(l, r), std::max(l, r)});
+    return add({R::Kind::sum, {}, {}, {}, 0, std::min(l, r), std::max(l, r)});
   }
   int difference(int l, int r) {
     if (is(r, 0)) return l;
     if (fixed(l) && fixed(r)) return constant(of(l) - of(r));
-    return add({R::Kind::difference, {}, {}, 0, 0, l, r});
+    return add({R::Kind::difference, {}, {}, {}, 0, l, r});
   }
   bool is(int r, double x) const { return fixed(r) && of(r) == Number(x); }
   // Only those that lead to what is asked for.
@@ -79,12 +79,13 @@ class Builder {
   std::vector<R> finished() {
     for (R& r : registers_) {
       if (r.kind != R::Kind::geometric && r.kind != R::Kind::wave) continue;
-      const Number growth = r.log_growth == 0 ? Number(1) : exponential(Number(r.log_growth) / Number(steps_));
+      const Number growth =
+          r.log_growth == 0 ? Number(1) : exponential(Number(r.log_growth) / Number(static_cast<double>(steps_)));
       if (r.kind == R::Kind::geometric) {
         r.p = growth;
         continue;
       }
-      const Number cosine = circle<Number>(r.turns, 1, static_cast<long double>(steps_)).cosine;
+      const Number cosine = circle<Number>(r.turns, 1, steps_).cosine;
       r.p = Number(2) * cosine, r.q = 1;
       if (r.log_growth != 0) r.p = r.p * growth, r.q = growth * growth;
     }
@@ -103,9 +104,9 @@ class Builder {
     return place->second;
   }
 
-  double steps_;
+  std::int64_t steps_;
   std::vector<R> registers_;
-  std::map<std::tuple<int, double, double, long double, double, int, int>, int> known_;
+  std::map<std::tuple<int, double, double, Turns, double, int, int>, int> known_;
 };
 
 }  // namespace betwixt::algebra

@@ -23,11 +23,11 @@ LinearPart<Number> linear_at(const std::vector<Block>& blocks, std::int64_t k, s
       gx = Number(1) + part * Number(l.slope_x), gy = Number(1) + part * Number(l.slope_y);
     else if (l.log_x != 0 || l.log_y != 0)
       gx = exponential(part * Number(l.log_x)), gy = l.log_x == l.log_y ? gx : exponential(part * Number(l.log_y));
-    if (l.turns == 0) {
+    if (l.turns.none()) {
       m.a = m.a * gx, m.c = m.c * gx, m.b = m.b * gy, m.d = m.d * gy;
       continue;
     }
-    const auto at = circle<Number>(l.turns, static_cast<long double>(k), static_cast<long double>(steps));
+    const auto at = circle<Number>(l.turns, k, steps);
     const Number c = gx * at.cosine, s = gx * at.sine;
     m = {m.a * c + m.b * s, m.b * c - m.a * s, m.c * c + m.d * s, m.d * c - m.c * s, true};
   }
@@ -78,7 +78,6 @@ void Stepper<Number>::seek(std::int64_t k) {
 
 template <class Number>
 void Stepper<Number>::seek_registers() {
-  const auto steps = static_cast<long double>(plan_.steps);
   const auto at = [&](const Register<Constant>& r, std::int64_t k) -> Constant {
     using Kind = typename Register<Constant>::Kind;
     const Constant count(static_cast<double>(k));
@@ -88,7 +87,7 @@ void Stepper<Number>::seek_registers() {
     Constant growth = 1;
     if (r.log_growth != 0) growth = exponential(Constant(r.log_growth) * Constant(part));
     if (r.kind == Kind::geometric) return r.a * growth;
-    const auto turn = circle<Constant>(r.turns, static_cast<long double>(k), steps);
+    const auto turn = circle<Constant>(r.turns, k, plan_.steps);
     const Constant wave =
         r.kind == Kind::sheared ? r.a * turn.cosine - r.b * turn.sine : r.a * turn.cosine + r.b * turn.sine;
     return r.log_growth != 0 ? growth * wave : wave;
@@ -110,7 +109,7 @@ void Stepper<Number>::seek_registers() {
         break;
       case Kind::second: {
         const Register<Constant>& of = plan_.registers[i - 1];
-        const auto turn = circle<Constant>(of.turns, static_cast<long double>(k_), steps);
+        const auto turn = circle<Constant>(of.turns, k_, plan_.steps);
         registers_[i] = as<Number>(k_ == 0 ? of.b : of.a * turn.sine + of.b * turn.cosine);
         break;
       }
@@ -217,11 +216,11 @@ void Stepper<Number>::seek_points() {
       v_[i] = as<Number>(k_ == 0 ? plan_.home_y : plan_.home_y + k * d.y);
     }
   }
-  placed_ = k_ == 0 || k_ == plan_.steps;
+  placed_ = k_ == 0 || by_closed_form();
   if (k_ == 0) {
     out_x_ = rest_x_, out_y_ = rest_y_;
   } else if (placed_) {
-    place(betwixt::at(motion_, 1));
+    place_by_closed_form();
   } else if (from_rest()) {
     run(kernel);
   } else if (swung) {
@@ -242,12 +241,13 @@ void Stepper<Number>::step() {
   else
     step_registers();
   run(plan_.kernel);
-  placed_ = k_ == plan_.steps;
-  if (placed_) place(betwixt::at(motion_, 1));
+  placed_ = by_closed_form();
+  if (placed_) place_by_closed_form();
 }
 
 template <class Number>
-void Stepper<Number>::place(const Mat4& m) {
+void Stepper<Number>::place_by_closed_form() {
+  const Mat4 m = *betwixt::frame(motion_, k_, plan_.steps);
   for (std::size_t i = 0; i < rest_x_.size(); ++i) {
     const double x = value(rest_x_[i]), y = value(rest_y_[i]);
     out_x_[i] = static_cast<Number>(m(0, 0) * x + m(0, 1) * y + m(0, 3));

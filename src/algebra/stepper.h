@@ -47,7 +47,8 @@ class Stepper {
   void seek_points();
   void step_registers();
   void gather_inputs();
-  void place(const Mat4&);  // draws the points at rest moved by it
+  void place_by_closed_form();  // draws the points at rest moved by A_k
+  bool by_closed_form() const { return k_ == plan_.steps || plan_.whole_step; }
   void run(Kernel);
   Arrays<Number> arrays();
   bool in_place() const { return !uses(plan_.kernel).drawn; }

@@ -55,8 +55,10 @@ struct MotionReader : algebra::Cursor {
     const std::string_view w = next_word();
     return w == "nan" || w == "NaN" || w == "inf" || w == "infinity" || w == "Infinity";
   }
+  // A number with one of the units, or none.
   template <std::size_t n>
-  bool number(double& out, const Unit (&units)[n], const char* kind, bool unit_needed = false) {
+  bool number(double& out, const Unit (&units)[n], const char* kind, bool unit_needed = false,
+              const Unit** used = nullptr) {
     space();
     const std::size_t from = at;
     if (peek() == '+') ++at;
@@ -77,7 +79,10 @@ struct MotionReader : algebra::Cursor {
     if (name.empty() && (!unit_needed || out == 0)) return true;
     for (const Unit& u : units)
       if (name == u.name) {
-        out = out * u.of / u.divisor;
+        if (used != nullptr)
+          *used = &u;
+        else
+          out = out * u.of / u.divisor;
         return true;
       }
     std::string known;
@@ -159,8 +164,22 @@ struct MotionReader : algebra::Cursor {
     f.by = {n[0], n[1], n[2]};
     return true;
   }
+  bool angle(Factor& f) {
+    const std::size_t from = (space(), at);
+    const Unit* unit = nullptr;
+    double count = 0;
+    if (!number(count, angle_units, "angle", true, &unit)) return false;
+    if (unit == nullptr) return true;  // nothing, whatever its unit
+    const std::string_view digits = text.substr(from, at - from - unit->name.size());
+    const auto read = algebra::read_angle(digits, count, *unit);
+    if (!read)
+      return fail(from, at, ErrorCode::range,
+                  fmt::format("'{}' has more than {} turns", text.substr(from, at - from), algebra::most_turns));
+    f.angle = read->radians, f.angle_rest = read->rest;
+    return true;
+  }
   bool rotate(Factor& f) {
-    if (!number(f.angle, angle_units, "angle", true)) return false;
+    if (!angle(f)) return false;
     if (accept('@') && !centre(f)) return false;
     space();
     const std::size_t from = at;
@@ -261,19 +280,6 @@ bool Cursor::fail(std::size_t from, std::size_t to, ErrorCode code, std::string 
 
 std::string written(double x) { return fmt::format("{}", x == 0 ? 0.0 : x); }
 
-std::string angle_text(double radians) {
-  std::string best = written(radians) + "rad";
-  for (const Unit& u : {angle_units[2], angle_units[0]}) {
-    const double count = radians * u.divisor / u.of;
-    // Neighbours too: what was written as 90 may come back one bit beside it.
-    for (const double n : {count, std::round(count * 1e9) / 1e9}) {
-      std::string text = written(n) + std::string(u.name);
-      if (n * u.of / u.divisor == radians && text.size() <= best.size()) best = std::move(text);
-    }
-  }
-  return best;
-}
-
 }  // namespace algebra
 
 Result<Motion> parse_motion(std::string_view text) {
@@ -299,7 +305,7 @@ std::string to_string(const Motion& motion) {
     if (f.kind == Kind::translate) {
       s += "T(" + written(f.by, f.by.z == 0 ? 2 : 3);
     } else if (f.kind == Kind::rotate) {
-      s += "R(" + angle_text(f.angle) + centre_text(f, 2);
+      s += "R(" + angle_text({f.angle, f.angle_rest}) + centre_text(f, 2);
       if (f.axis != Vec3{0, 0, 1}) s += " axis " + written(f.axis, 3);
     } else {
       const int count = f.by == Vec3{f.by.x, f.by.x, f.by.x} ? 1 : f.by.z == 1 ? 2 : 3;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "algebra/turns.h"
 #include "betwixt/result.h"
 
 namespace betwixt::algebra {
@@ -32,7 +33,16 @@ struct Cursor {
 
 // The shortest that reads back the same; zero has no sign.
 std::string written(double);
-// The same with its unit, deg, turn or rad, whichever makes it shortest.
-std::string angle_text(double radians);
+
+// As a Factor holds it: what rounding takes of many turns is in the rest.
+struct Angle {
+  double radians = 0, rest = 0;
+  friend bool operator==(const Angle&, const Angle&) = default;
+};
+Angle angle_of(Turns);
+// Of a number as it is written, "1e3" or "-.5", and its value. None: it is beyond all counting.
+std::optional<Angle> read_angle(std::string_view number, double value, const Unit&);
+// The shortest that reads back the same, in deg, turn or rad.
+std::string angle_text(Angle);
 
 }  // namespace betwixt::algebra

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "algebra/precise.h"
@@ -58,6 +59,84 @@ TEST(Motion, OfManyTurnsIsAsExactAsOfOne) {
     EXPECT_EQ(at(parsed(text), 1), Mat4()) << text;
   EXPECT_EQ(at(parsed("R(90deg)"), 1)(0, 0), 0);
   EXPECT_EQ(at(parsed("R(1e9turn)"), 0.25)(1, 0), 0);
+}
+
+// However many turns stand before it, a written fraction of a turn is that fraction.
+TEST(Motion, OfManyTurnsKeepsTheirFraction) {
+  struct Ended {
+    const char* text;
+    std::int64_t k, steps;
+    double turns;  // of the last turn, worked out by hand
+  };
+  for (const Ended& e :
+       {Ended{"R(123456789.12345turn)", 1, 1, 0.12345}, Ended{"R(123456789.12345turn)", 1, 2, 0.561725},
+        Ended{"R(123456789.12345turn)", 2, 3, 0.0823}, Ended{"R(-123456789.12345turn)", 1, 1, -0.12345},
+        Ended{"R(44444444404.442deg)", 1, 1, 4.442 / 360}, Ended{"R(1e15turn)", 1, 1, 0},
+        Ended{"R(1e15turn)", 1, 3, 1.0 / 3}, Ended{"R(1000000000000000.125turn)", 1, 1, 0.125},
+        Ended{"R(1.2345678912345e8turn)", 1, 1, 0.12345}, Ended{"R(0.7000000001turn)", 1, 1, 0.7000000001}}) {
+    const double cosine = std::cos(2 * pi * e.turns), sine = std::sin(2 * pi * e.turns);
+    const auto m = frame(parsed(e.text), e.k, e.steps);
+    EXPECT_NEAR((*m)(0, 0), cosine, 1e-15) << e.text << " at " << e.k;
+    EXPECT_NEAR((*m)(1, 0), sine, 1e-15) << e.text << " at " << e.k;
+    if (e.steps == 3) continue;  // no third is a double
+    const Mat4 sought = at(parsed(e.text), static_cast<double>(e.k) / static_cast<double>(e.steps));
+    EXPECT_NEAR(sought(0, 0), cosine, 1e-15) << e.text;
+    EXPECT_NEAR(sought(1, 0), sine, 1e-15) << e.text;
+  }
+  for (const char* text : {"R(123456789.123turn)", "R(-44444444404.442deg)", "R(1000000000000000.0003turn)"}) {
+    EXPECT_EQ(to_string(parsed(text)), text);
+    EXPECT_EQ(*inverse(*inverse(parsed(text))), parsed(text));
+  }
+  std::mt19937 random(21);
+  for (int round = 0; round < 2000; ++round) {
+    std::string text = "R(" + std::to_string(random() % 1000) + std::to_string(random()) + "." +
+                       std::to_string(random()) + "e" + std::to_string(static_cast<int>(random() % 5) - 3);
+    text += std::array{"turn)", "deg)", "rad)"}[random() % 3];
+    EXPECT_EQ(parsed(to_string(parsed(text))), parsed(text)) << text << " as " << to_string(parsed(text));
+  }
+  const auto error = parse_motion("T(1 0) R(1e16turn)");
+  ASSERT_FALSE(error);
+  EXPECT_EQ(error.error().message, "'1e16turn' has more than 9007199254740992 turns");
+  EXPECT_EQ(error.error().place.column, 10);
+  EXPECT_FALSE(check({{rotate_by(1e17)}}));
+}
+
+// Every method too.
+TEST(Motion, OfManyTurnsGoesFromStepToStepAsExactly) {
+  const double x = 1, y = 0;
+  for (const Method m : {Method::matrix, Method::geometric, Method::differences, Method::best}) {
+    auto steps = Steps<double>::make(parsed("R(123456789.12345turn)"), 7, m, {&x, 1}, {&y, 1});
+    ASSERT_TRUE(steps);
+    for (int k = 1; k <= 5; ++k) {
+      steps->step();
+      const double turns = std::fmod(k * 123456789.0, 7) / 7 + k * 0.12345 / 7;
+      EXPECT_NEAR(steps->x()[0], std::cos(2 * pi * turns), 1e-13) << name_of(m) << " at " << k;
+      EXPECT_NEAR(steps->y()[0], std::sin(2 * pi * turns), 1e-13) << name_of(m) << " at " << k;
+    }
+  }
+}
+
+// About a centre far away what moves little still moves.
+TEST(Motion, AboutAFarCentreLosesNothing) {
+  const auto off = [](const char* text, double t) {
+    const Vec3 p = translation_of(at(parsed(text), t));
+    const auto q = precise::moved(parsed(text), static_cast<long long>(t * 4), 4, {0, 0, 0});
+    double most = 0;
+    for (int c = 0; c < 3; ++c)
+      if (q.at(c) != 0) most = std::max(most, std::abs(p[c] / q.at(c) - 1));
+    return most;
+  };
+  for (const char* text : {"R(1e-6deg @ 1e9 0)", "R(-3e-7rad @ 1e7 -2e8 3 axis 1 2 3)", "S(1.0000000001 @ 1e8 -1e9)",
+                           "S(0.999999999 1.000000000001 @ 1e8 1e8 linear)"})
+    for (const double t : {0.25, 0.5, 1.0}) EXPECT_LE(off(text, t), 1e-13) << text << " at " << t;
+}
+
+TEST(Motion, BeyondAllNumbersIsEndlessAndNeverNoNumber) {
+  for (const char* text :
+       {"S(1e300) T(1e300 0)", "S(1e300 @ 0 1) T(-1e300 1e300) S(1e-300)", "T(1e300 0) R(90deg) S(1e200)",
+        "S(1e-300 @ 1e300 0) S(1e300)", "R(1rad @ 1e308 1e308) S(1e308 linear)"})
+    for (const double t : {-3.0, -1.0, 0.5, 2.0, 1e300})
+      for (const double x : at(parsed(text), t).m) EXPECT_FALSE(std::isnan(x)) << text << " at " << t;
 }
 
 TEST(Motion, BeginsAtRestAndEndsWithItsTotals) {

@@ -96,6 +96,21 @@ TEST(Steps, OfTheSourceGoWhereTheMotionIs) {
       EXPECT_LE(worst(parsed(text), 50, Method::differences, seeking), 1e-12) << text;
 }
 
+// What the source excepts itself: turns that come out even at every step, and one step.
+TEST(Steps, ByDifferencesWhereTurnsAreWholeOrThereIsOneStep) {
+  for (const char* text :
+       {"R(10turn) T(1 1)", "R(-20turn @ 3 4) S(2 3 @ 1 1)", "T(1 2) R(30turn @ 1 0) T(0 5) R(10turn)"})
+    for (const bool seeking : {false, true})
+      EXPECT_LE(worst(parsed(text), 10, Method::differences, seeking), 1e-12) << text;
+  EXPECT_FALSE(Steps<double>::make(parsed("R(10turn) T(1 1)"), 20, Method::differences, {}, {}));
+  for (const char* text :
+       {"R(0.3turn) T(1 1)", "S(2 3) R(1rad @ 1 2)", "S(2 3 linear) T(1 0)", "R(180deg) S(2 3 @ 1 1)"}) {
+    EXPECT_LE(worst(parsed(text), 1, Method::differences), 1e-13) << text;
+    EXPECT_LE(worst(parsed(text), 1, Method::differences, true), 1e-13) << text;
+    EXPECT_EQ(count_operations(parsed(text), 1, Method::differences, 1000)->step, (Cost{8, 0})) << text;
+  }
+}
+
 // Two rows of the source's table meet the motion at its end, and leave it on the way.
 TEST(Steps, OfTheSourceMayMeetTheEndOnly) {
   for (const char* text : {"S(3 0.5 @ 1 2 linear) T(6 1)", "S(3 0.5 @ 1 2 linear) R(250deg @ 1 2)"}) {

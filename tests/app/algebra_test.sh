@@ -54,6 +54,41 @@ for method in matrix geometric best; do
 done
 algebra 'S(2 3 linear) R(180deg)' --steps 2 --method geometric --points 1,0
 has 'right at the end only' "$err" 'meets the motion at its end, and leaves it in between'
+# By (g - 1) k/N times the chord from where the turn has a point to where it takes it, worked out by complex numbers.
+algebra 'S(-3 2 @ 5 -5 linear) R(0.9turn)' --steps 240 --method geometric --at 240 --points -9.93,1.17
+has 'how far beside' "$err" 'leaves it in between: by up to 42.9206366272655'
+algebra 'R(24turn) T(24 0)' --method differences --at 7 --points 1,0
+same 'turns that are whole at each step' 7 8 0
+algebra 'R(180deg) T(1 0)' --steps 1 --method differences --at 1 --points 1,0
+same 'one step' 1 -2 0
+algebra 'R(123456789.12345turn)' --steps 1 --at 1
+same 'a fraction of many turns' 1 0.7139596077037439 0.7001868883144814
+algebra 'R(1e15turn @ 3 4)' --steps 8 --points 1,2 --at 3,8
+same 'very many turns' 3 1 2  8 1 2
+
+# What a browser shows between two lists, and what is no motion.
+algebra --css 'translateX(10px) rotate(0deg)' --to 'translateX(30px) rotate(720deg)' --steps 4 --at 1 --points 1,0
+same 'two lists' 1 14 0
+algebra --css 'rotate(720deg)' --to 'scale(3)' --steps 2 --at 1 --points 1,0
+same 'two lists that differ' 1 2 0
+has 'say so' "$err" 'from function 1 on the lists differ: matrices are mixed, and whole turns are lost'
+algebra --css 'rotateX(90deg)' --to 'rotateY(90deg)' --steps 2 --at 0
+has 'two axes' "$err" 'function 1 turns about two axes: it goes the short way, and whole turns are lost'
+algebra --css 'matrix(1, 1, 0, 0, 0, 0)' --to 'none' --steps 4 --at 1,2 --points 1,0
+same 'a flat matrix' 1 1 1  2 1 0
+has 'jumps' "$err" 'one list is shown up to half way, then the other'
+algebra --css 'skewX(45deg)' --steps 1 --at 1 --points 0,2
+same 'a skew' 1 2 2
+algebra --css 'perspective(100px) translateZ(50px)' --steps 2 --points 10,0,0 --at 0,2
+same 'a perspective' 0 10 0 0  2 20 0 100
+algebra --css 'translate(50%, calc(25% + 1in))' --size 200,40 --steps 1 --at 1 --points 0,0
+is 'of a size' "$(tail -n 1 <<<"$out")" '1       100 106'
+algebra --css 'scale(2)' --to 'scale(3)' --under 'scale(2)' --steps 1 --at 0,1 --points 1,0
+same 'added' 0 4 0  1 6 0
+algebra --css 'scale(2)' --to 'scale(3)' --under 'scale(2)' --accumulate --steps 1 --at 0,1 --points 1,0
+same 'accumulated' 0 3 0  1 4 0
+algebra --css 'scale(1)' --to 'scale(3)' --origin 10,0 --steps 1 --at 1 --points 11,0 --json
+is 'as JSON' "$out" '{"steps":1,"frames":[{"k":1,"points":[[13,0]],"matrix":[3,0,0,0,0,3,0,0,0,0,1,0,-20,0,0,1]}]}'
 
 algebra 'T(5 3) R(1rad @ 1 4)' --json --steps 2 --at 0,2 --points 1,4 --count
 verdict 'JSON' "$(python3 - "$out" <<'P' && echo yes
@@ -73,6 +108,14 @@ algebra 'R(1rad @ 1 4) S(2 3 @ 5 2)' --count
 has 'counts' "$out" 'matrix       8Np + 31         8Np + 16     8Np + 16'
 has 'counts by the linear law' "$out" 'geometric: with the scalings by the linear law'
 has 'counts of the source' "$out" 'geometric    16Np             16Np         16Np'
+has 'counts before' "$out" 'matrix       35               2Np + 33, 20 f            0'
+has 'counts afterwards' "$out" 'geometric    6Np + 6          6Np + 9, 3 f              2Np'
+algebra 'T(1 0) R(1rad)' --count
+verdict 'no law without a scaling' "$([[ $out != *'linear law'* ]] && echo yes)" "$out"
+algebra 'R(1rad) R(1rad @ 1 0) R(1rad @ 2 0)' --count
+has 'arms' "$out" 'row R…R, n = 3 of'
+algebra 'S(2 3 linear) R(180deg)' --count --steps 2 --points 1,0
+has 'counts, and how far beside' "$out" 'geometric: right at the end only, on the way up to 1.118033988749895 beside'
 
 refused 'no motion' 1 'motion:1:8: error: a motion is a string of T(…), R(…) and S(…)' 'T(1 0) X(2)'
 has 'with a caret' "$err" '         ^'
@@ -95,5 +138,14 @@ refused 'a lesson as a plot' 1 'a lesson is a .html, not "x.svg"' 'T(1 0)' --les
 refused 'no origin' 2 "--origin: 'x' is no point" 'rotate(90deg)' --css --origin x
 refused 'counts in space' 1 'operations are counted in the plane only' 'T(1 0 1)' --count
 refused 'no CSS of growth' 1 'S' 'S(2)' --to-css
-refused 'no CSS' 1 'motion:1:1: error:' --css 'skew(10deg)'
+refused 'no CSS' 1 'motion:1:8: error:' --css 'skew(10em)'
+refused 'no CSS at the end' 1 "to:1:1: error: 'spin' is no CSS transform" --css 'none' --to 'spin(1deg)'
+refused 'no CSS without its size' 1 'px, or the size of what is moved: percentages are of it' --css 'translateX(5%)'
+refused 'no size' 2 "--size: '5' is no size" --css 'translateX(5%)' --size 5
+refused 'no method for lists' 2 'these lists are no motion, and have frames only' --css none --to 'scale(2)' --count
+refused 'behind the eye' 1 'frame 0: a point is behind the eye' --css 'perspective(1px)' --to none --points 0,0,5 --at 0
+refused 'beyond all numbers' 1 'frame 48: a place beyond all numbers' 'S(1e300)' --at 48
+refused 'beyond all numbers as JSON' 1 'frame 1: a place beyond all numbers' 'T(1e300 0) S(1e300)' --steps 1 --at 1 --json --points 1e300,0
+refused 'beyond all numbers by steps' 1 'a place beyond all numbers' 'S(1e300)' --method best --at 48
+refused 'too many turns' 1 "'1e16turn' has more than 9007199254740992 turns" 'R(1e16turn)'
 summary

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "betwixt/algebra.h"
+#include "betwixt/css.h"
 #include "betwixt/program.h"
 
 using namespace betwixt;

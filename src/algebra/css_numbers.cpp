@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "algebra/css_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "betwixt/math.h"
+
+namespace betwixt::algebra {
+namespace {
+
+constexpr Unit css_angles[] = {{"deg", pi, 180}, {"grad", pi, 200}, {"rad", 1, 1}, {"turn", 2 * pi, 1}};
+// An inch is 96 pixels.
+constexpr Unit css_lengths[] = {{"px", 1, 1},    {"in", 96, 1}, {"cm", 9600, 254}, {"mm", 960, 254},
+                                {"q", 240, 254}, {"pt", 4, 3},  {"pc", 16, 1}};
+constexpr std::string_view worked_out_here[] = {"calc", "min", "max", "clamp"};
+constexpr int deepest = 100;
+
+char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool in_word(char c) {
+  return is_digit(c) || (small(c) >= 'a' && small(c) <= 'z') || c == '-' || c == '_' || (c & 0x80) != 0;
+}
+
+template <std::size_t n>
+const Unit* unit_named(const Unit (&units)[n], std::string_view name) {
+  const auto found = std::find_if(units, units + n, [&](const Unit& u) { return same_in_css(name, u.name); });
+  return found == units + n ? nullptr : found;
+}
+
+}  // namespace
+
+bool same_in_css(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) { return small(p) == small(q); });
+}
+
+void CssNumbers::space() {
+  for (;;) {
+    while (at < text.size() && std::string_view(" \t\r\n\f").find(text[at]) != std::string_view::npos) ++at;
+    if (text.substr(at, 2) != "/*") return;
+    at = std::min(text.find("*/", at + 2), text.size() - 2) + 2;
+  }
+}
+
+std::string_view CssNumbers::word() {
+  const std::size_t from = at;
+  while (at < text.size() && in_word(text[at])) ++at;
+  return text.substr(from, at - from);
+}
+
+// As CSS has it: no point without a digit behind it, and 1em is 1 with a unit.
+bool CssNumbers::number(double& out) {
+  const std::size_t from = at;
+  std::size_t end = at + (peek() == '+' || peek() == '-');
+  const std::size_t first = end;
+  const auto c = [&](std::size_t i) { return i < text.size() ? text[i] : '\0'; };
+  const auto digits = [&] {
+    while (is_digit(c(end))) ++end;
+  };
+  digits();
+  if (c(end) == '.' && is_digit(c(end + 1))) ++end, digits();
+  if (end == first) {
+    const std::string_view name = word();
+    if (!name.empty() && peek() == '(')
+      return fail(from, at, ErrorCode::type, fmt::format("{}() is not worked out here", name),
+                  "write the number; calc(), min(), max() and clamp() are");
+    return fail(from, std::max(at, from + 1), ErrorCode::syntax, "a number is wanted here");
+  }
+  if (small(c(end)) == 'e' &&
+      (is_digit(c(end + 1)) || ((c(end + 1) == '+' || c(end + 1) == '-') && is_digit(c(end + 2)))))
+    end += 2, digits();
+  const std::size_t plus = peek() == '+';
+  const auto read = std::from_chars(text.data() + from + plus, text.data() + end, out);
+  at = end;
+  return read.ec == std::errc() || too_large(from);
+}
+
+bool CssNumbers::too_large(std::size_t from) {
+  return fail(from, at, ErrorCode::range,
+              fmt::format("'{}' is too large or too small a number", text.substr(from, at - from)));
+}
+
+// What stands behind a number: a unit, or nothing.
+std::string_view CssNumbers::unit() {
+  if (peek() != '%') return word();
+  return text.substr(at++, 1);
+}
+
+// So many of a unit of length.
+bool CssNumbers::pixels(double& number, std::string_view name, std::size_t from, std::size_t unit_from,
+                        Part percent_of) {
+  if (name == "%" && percent_of != Part::none) {
+    const auto& whole = percent_of == Part::width ? width : height;
+    if (!whole)
+      return fail(unit_from, at, ErrorCode::type, "'%' is not a unit of length here",
+                  "px, or the size of what is moved: percentages are of it");
+    number = number / 100 * *whole;
+  } else if (const Unit* u = unit_named(css_lengths, name)) {
+    number = number * u->of / u->divisor;
+  } else {
+    return fail(unit_from, at, ErrorCode::type, fmt::format("'{}' is not a unit of length here", name),
+                name == "%" ? "px: along z nothing has a size" : "px: what others come to depends on the page");
+  }
+  return std::isfinite(number) || too_large(from);
+}
+
+bool CssNumbers::length(double& out, Part percent_of) {
+  if (at_function()) return worked_out(out, Type::length, percent_of);
+  const std::size_t from = at;
+  if (!number(out)) return false;
+  const std::size_t unit_from = at;
+  const std::string_view name = unit();
+  if (name.empty() && out == 0) return true;
+  if (name.empty())
+    return fail(from, at, ErrorCode::type, fmt::format("a length needs its unit: {}", text.substr(from, at - from)),
+                "px");
+  return pixels(out, name, from, unit_from, percent_of);
+}
+
+bool CssNumbers::angle(Angle& out) {
+  if (at_function()) return worked_out(out.radians, Type::angle, Part::none);
+  const std::size_t from = at;
+  double count = 0;
+  if (!number(count)) return false;
+  const std::size_t unit_from = at;
+  const std::string_view name = unit();
+  if (name.empty() && count == 0) return true;
+  if (const Unit* u = unit_named(css_angles, name)) {
+    const auto read = read_angle(text.substr(from, unit_from - from), count, *u);
+    if (read) out = *read;
+    return read || too_large(from);
+  }
+  return fail(name.empty() ? from : unit_from, at, ErrorCode::type,
+              name.empty() ? fmt::format("an angle needs its unit: {}", text.substr(from, at - from))
+                           : fmt::format("'{}' is not a unit of angle", name),
+              "units are deg, grad, rad, turn");
+}
+
+bool CssNumbers::plain(double& out) {
+  if (at_function()) return worked_out(out, Type::number, Part::none);
+  if (!number(out)) return false;
+  const std::size_t unit_from = at;
+  const std::string_view name = unit();
+  return name.empty() ||
+         fail(unit_from, at, ErrorCode::type, fmt::format("a number without a unit is wanted here, not '{}'", name),
+              name == "%" ? "50% is 0.5" : "");
+}
+
+// ---- What is worked out
+
+bool CssNumbers::at_function() const {
+  std::size_t end = at;
+  while (end < text.size() && in_word(text[end])) ++end;
+  return end < text.size() && text[end] == '(' &&
+         std::any_of(std::begin(worked_out_here), std::end(worked_out_here),
+                     [&](std::string_view name) { return same_in_css(text.substr(at, end - at), name); });
+}
+
+bool CssNumbers::worked_out(double& out, Type wanted, Part percent_of) {
+  constexpr const char* names[] = {"a number without a unit", "a length", "an angle"};
+  const std::size_t from = at;
+  Value v;
+  if (!function(v, percent_of)) return false;
+  if (v.type != wanted)
+    return fail(from, at, ErrorCode::type,
+                fmt::format("{} is wanted here, and this comes to {}", names[static_cast<int>(wanted)],
+                            names[static_cast<int>(v.type)]));
+  out = v.number;
+  if (wanted == Type::angle && !(std::abs(out) < 2 * pi * most_turns)) return too_large(from);
+  return std::isfinite(out) || too_large(from);
+}
+
+bool CssNumbers::function(Value& out, Part percent_of) {
+  const std::size_t from = at;
+  const std::string_view name = word();
+  ++at;  // '('
+  if (++depth_ > deepest) return fail(from, at, ErrorCode::range, fmt::format("no more than {} brackets", deepest));
+  const bool read = arguments(name, from, out, percent_of);
+  --depth_;
+  return read;
+}
+
+// Up to the ')' and past it.
+bool CssNumbers::arguments(std::string_view name, std::size_t from, Value& out, Part percent_of) {
+  Value values[3];
+  std::size_t count = 0;
+  const std::size_t most = same_in_css(name, "calc") ? 1 : same_in_css(name, "clamp") ? 3 : 0;
+  for (;; ++at) {
+    Value& v = values[most == 3 ? std::min<std::size_t>(count, 2) : 0];
+    Value next;
+    if (!sum(next, percent_of)) return false;
+    if (count > 0 && next.type != values[0].type)
+      return fail(from, at, ErrorCode::type, fmt::format("{}() of values of different kinds", name));
+    if (count == 0 || most != 0)
+      v = next;
+    else
+      v.number = same_in_css(name, "min") ? std::min(v.number, next.number) : std::max(v.number, next.number);
+    ++count;
+    if (peek() != ',' || count == most) break;
+  }
+  if (at == text.size()) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
+  if (peek() != ')')
+    return fail(at, at + 1, ErrorCode::syntax, most == 1 ? "')' is wanted here" : "',' or ')' is wanted here");
+  ++at;
+  if (most == 3 && count < 3) return fail(from, at, ErrorCode::syntax, "clamp() takes the least, the value, the most");
+  out = values[0];
+  if (most == 3) out.number = std::max(values[0].number, std::min(values[1].number, values[2].number));
+  return true;
+}
+
+bool CssNumbers::sum(Value& out, Part percent_of) {
+  space();
+  if (!term(out, percent_of)) return false;
+  for (;;) {
+    const bool apart = at > 0 && std::string_view(" \t\r\n\f/").find(text[at - 1]) != std::string_view::npos;
+    const std::size_t sign_at = at;
+    const char sign = peek();
+    if (sign != '+' && sign != '-') return true;
+    ++at;
+    // As CSS has it: 1 -2 are two numbers.
+    if (!apart || std::string_view(" \t\r\n\f/").find(peek()) == std::string_view::npos)
+      return fail(sign_at, at, ErrorCode::syntax, fmt::format("blanks on both sides of '{}' are wanted", sign));
+    space();
+    Value next;
+    if (!term(next, percent_of)) return false;
+    if (next.type != out.type)
+      return fail(sign_at, at, ErrorCode::type, "numbers, lengths and angles cannot be added to each other");
+    out.number += sign == '+' ? next.number : -next.number;
+  }
+}
+
+bool CssNumbers::term(Value& out, Part percent_of) {
+  if (!value(out, percent_of)) return false;
+  for (space(); peek() == '*' || peek() == '/'; space()) {
+    const std::size_t sign_at = at;
+    const bool quotient = text[at++] == '/';
+    space();
+    Value next;
+    if (!value(next, percent_of)) return false;
+    if (next.type != Type::number && (quotient || out.type != Type::number))
+      return fail(sign_at, at, ErrorCode::type,
+                  quotient ? "what divides is a number without a unit" : "one of both is a number without a unit");
+    if (quotient && next.number == 0) return fail(sign_at, at, ErrorCode::range, "nothing can be divided by 0");
+    if (out.type == Type::number) out.type = next.type;
+    out.number = quotient ? out.number / next.number : out.number * next.number;
+  }
+  return true;
+}
+
+bool CssNumbers::value(Value& out, Part percent_of) {
+  const std::size_t from = at;
+  if (peek() == '(') {
+    ++at;
+    if (++depth_ > deepest) return fail(from, at, ErrorCode::range, fmt::format("no more than {} brackets", deepest));
+    if (!sum(out, percent_of)) return false;
+    --depth_;
+    if (peek() != ')') return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
+    ++at;
+    return true;
+  }
+  if (at_function()) return function(out, percent_of);
+  if (!number(out.number)) return false;
+  const std::size_t unit_from = at;
+  const std::string_view name = unit();
+  if (name.empty()) return true;
+  if (const Unit* u = unit_named(css_angles, name)) {
+    out = {out.number * u->of / u->divisor, Type::angle};
+    return true;
+  }
+  out.type = Type::length;
+  return pixels(out.number, name, from, unit_from, percent_of);
+}
+
+}  // namespace betwixt::algebra

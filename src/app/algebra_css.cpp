@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt algebra --css: what a browser shows between two lists, or between `none` and one that is no motion.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/algebra.h"
+#include "app/command.h"
+#include "language/values.h"
+
+namespace betwixt::algebra_command {
+namespace {
+
+struct Lists {
+  CssList from, to;
+};
+
+// What is read, in `list`; the exit code where that cannot be.
+int read_list(const std::string& text, const Call& call, const char* name, CssList& list) {
+  const auto size = read_size(call);
+  if (!size) return complain(size.error(), wrong_call);
+  const auto read = parse_css(text, *size);
+  if (!read) return complain_about(text, read.error(), name);
+  list = *read;
+  return all_done;
+}
+
+int read_lists(const Call& call, Lists& lists) {
+  CssList first, second, under;
+  int code = read_list(call.motion, call, call.css_to.empty() ? "motion" : "from", first);
+  if (code == all_done) code = read_list(call.css_to, call, "to", second);
+  if (code == all_done) code = read_list(call.css_under, call, "under", under);
+  if (code != all_done) return code;
+  // One list alone is the end, and the beginning is none.
+  if (call.css_to.empty()) std::swap(first, second);
+  const auto over = [&](const CssList& list) {
+    if (call.accumulate) return css_accumulated(under, list);
+    CssList both = under;
+    both.insert(both.end(), list.begin(), list.end());
+    return both;
+  };
+  lists = {over(first), over(second)};
+  return all_done;
+}
+
+// Nothing of it leaves the plane z = 0.
+bool planar(const CssList& list) {
+  using Kind = CssFunction::Kind;
+  return std::all_of(list.begin(), list.end(), [](const CssFunction& f) {
+    if (f.kind == Kind::translate) return f.by.z == 0;
+    if (f.kind == Kind::rotate) return f.axis.x == 0 && f.axis.y == 0;
+    return f.kind != Kind::matrix || (f.matrix(2, 0) == 0 && f.matrix(2, 1) == 0 && f.matrix(2, 3) == 0);
+  });
+}
+
+// What browsers do not do function by function.
+void say_what_is_lost(const CssBetween& now) {
+  const auto say = [](const std::string& what) { fmt::print(stderr, "betwixt: notice: {}\n", what); };
+  if (now.mixed != 0)
+    say(fmt::format("from function {} on the lists differ: matrices are mixed, and whole turns are lost", now.mixed));
+  if (now.short_way != 0)
+    say(fmt::format("function {} turns about two axes: it goes the short way, and whole turns are lost",
+                    now.short_way));
+  if (now.jumps) say("a matrix is flat and cannot be mixed: one list is shown up to half way, then the other");
+}
+
+Status see(const Mat4& m, double k, const std::vector<Point>& rest, Shown& shown) {
+  shown.matrix = m;
+  for (std::size_t p = 0; p < rest.size(); ++p) {
+    const Vec3 at = rest[p].at;
+    const double w = m(3, 0) * at.x + m(3, 1) * at.y + m(3, 2) * at.z + m(3, 3);
+    if (w <= 0) return fail(ErrorCode::range, fmt::format("frame {}: a point is behind the eye", write_number(k)));
+    shown.points[p].at = 1 / w * transform_point(m, at);
+    if (!finite(shown.points[p].at) || !finite(m))
+      return fail(ErrorCode::range, fmt::format("frame {}: a place beyond all numbers", write_number(k)));
+  }
+  return Nothing{};
+}
+
+}  // namespace
+
+bool beyond_motions(const Call& call) {
+  if (!call.css_to.empty() || !call.css_under.empty()) return true;
+  const auto size = read_size(call);
+  return size && !from_css(call.motion, {}, *size);
+}
+
+Result<std::optional<CssSize>> read_size(const Call& call) {
+  if (call.size.empty()) return std::optional<CssSize>();
+  const auto size = read_points(call.size);
+  if (!size || size->size() != 1 || (*size)[0].numbers != 2)
+    return fail(ErrorCode::syntax, fmt::format("--size: '{}' is no size", call.size.substr(0, 60)),
+                "as in --size 100,50");
+  return std::optional(CssSize{(*size)[0].at.x, (*size)[0].at.y});
+}
+
+int show_css(const Call& call, const Asked& given) {
+  Lists lists;
+  if (const int code = read_lists(call, lists); code != all_done) return code;
+  if (call.lesson || call.count || call.inverse || call.to_css || given.method)
+    return complain(fail(ErrorCode::type, "these lists are no motion, and have frames only",
+                         "methods, counts, inverses and lessons are of translations, rotations and scalings"),
+                    wrong_call);
+  Asked asked = given;
+  if (!planar(lists.from) || !planar(lists.to))
+    for (Point& p : asked.points) p.numbers = 3;
+  const CssBetween any = css_between(lists.from, lists.to, 0);
+  say_what_is_lost(any);
+  std::string head;
+  if (any.mixed != 0) head += fmt::format("\"mixed\":{},", any.mixed);
+  if (any.short_way != 0) head += fmt::format("\"short_way\":{},", any.short_way);
+  if (any.jumps) head += "\"jumps\":true,";
+  return show_frames(call, asked, head, "", [&](double k, Shown& shown) {
+    const Mat4 m = css_between(lists.from, lists.to, k / static_cast<double>(call.steps)).matrix;
+    return see(translation(asked.origin) * m * translation(-asked.origin), k, asked.points, shown);
+  });
+}
+
+}  // namespace betwixt::algebra_command
