@@ -58,6 +58,7 @@ class Evaluation {
   const std::vector<Light>& lights() const;
   const Camera& camera() const;
   const std::vector<std::string>& problems() const;  // as Frame's
+  const std::vector<Frame::CodeError>& errors() const;
 
   Frame frame() const;  // all of it as a value
 

@@ -59,6 +59,11 @@ struct Frame {
   // Procedures that erred or did not end, each named once with the reason; what they should have given is the value
   // that the track has without them.
   std::vector<std::string> problems;
+  // Those of them in which code of the author's errs. `source`: the code as it was written, to be found in the script.
+  struct CodeError {
+    std::string message, source;
+  };
+  std::vector<CodeError> errors;
 };
 
 }  // namespace betwixt

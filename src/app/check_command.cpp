@@ -5,33 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
+#include "app/code_errors.h"
 #include "app/command.h"
 #include "app/subcommand.h"
 #include "base/names.h"
-#include "betwixt/program.h"
 #include "scene/document.h"
 
 namespace betwixt {
 namespace {
-
-// What only frames tell: what procedures, twerpers and filters do wrong, attachments that are left out. Some frames of
-// the film, both ends among them, for two seconds at most.
-std::vector<std::string> problems_of(const Document& document) {
-  constexpr int looks = 60;
-  const auto stop = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-  const Program program = Program::compile(document);
-  const auto [first, last] = document.range();
-  std::vector<std::string> said;
-  for (int k = 0, n = std::min(looks, document.frame_count()); k < n && std::chrono::steady_clock::now() < stop; ++k) {
-    const Time t = n > 1 ? Time{first.flicks + (last - first).flicks / (n - 1) * k} : first;
-    for (std::string& p : program.frame(t).problems)
-      if (std::find(said.begin(), said.end(), p) == said.end()) said.push_back(std::move(p));
-  }
-  return said;
-}
 
 // Environments that something stands in but nobody ever animates, and one of those that do.
 std::map<std::string, std::string> idle_environments(const Scene& s) {
@@ -75,11 +58,14 @@ int check(const std::string& file) {
     errors += d.severity == Severity::error;
     warnings += d.severity == Severity::warning;
   }
-  if (errors == 0)
-    for (const std::string& p : problems_of(loaded.document)) {
-      fmt::print(stderr, "{}: warning: {}\n", file, p);
-      ++warnings;
-    }
+  if (errors == 0) {
+    const auto [first, last] = loaded.document.range();
+    const Findings found =
+        look_through(Program::compile(loaded.document), file, first, last, loaded.document.frame_count());
+    for (const Diagnostic& d : found.errors) std::fputs(to_string(d).c_str(), stderr);
+    for (const std::string& p : found.warnings) fmt::print(stderr, "{}: warning: {}\n", file, p);
+    errors += found.errors.size(), warnings += found.warnings.size();
+  }
   if (errors == 0) say_idle_environments(file, loaded.document.scene());
   if (errors + warnings > 0)
     fmt::print(stderr, "{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));

@@ -44,6 +44,7 @@ Result<FrameList> read_frames(const std::string& text, const Document&);
 class Problems {
  public:
   void say(const std::vector<std::string>&);
+  void known(const std::string& problem) { said_.insert(problem); }  // it has been said
 
  private:
   std::mutex mutex_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "app/code_errors.h"
 #include "app/command.h"
 #include "app/subcommand.h"
 #include "base/files.h"
@@ -14,7 +15,7 @@ namespace {
 struct FrameCall {
   std::string file, at, out;
   RenderOptions picture;
-  bool keep_old = false;
+  bool keep_old = false, keep_going = false;
 };
 
 int frame(const FrameCall& call) {
@@ -31,7 +32,10 @@ int frame(const FrameCall& call) {
   if (!renderer) return complain(renderer.error(), wrong_call);
   Picture picture;
   const Frame made = Program::compile(*document).frame(*time);
-  Problems().say(made.problems);
+  Findings found;
+  add_findings(found, made, call.file);
+  if (stopped_by(found, call.keep_going)) return wrong_input;
+  Problems().say(found.warnings);
   if (Status s = (*renderer)->render(made, picture); !s) return complain(s.error(), wrong_input);
   if (Status s = write_png(call.out, picture, !call.keep_old); !s) return complain(s.error(), wrong_call);
   return all_done;
@@ -49,7 +53,8 @@ const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
                              .required = true},
                             output_parameter(call.out, "PICTURE", "the picture")},
                            picture_parameters(call.picture),
-                           {flag("--no-overwrite", "leave a picture alone that is there already", call.keep_old)}}),
+                           {flag("--no-overwrite", "leave a picture alone that is there already", call.keep_old),
+                            keep_going_flag(call.keep_going)}}),
           .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
 });
 

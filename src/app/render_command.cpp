@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/code_errors.h"
 #include "app/command.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
@@ -22,7 +23,7 @@ struct RenderCall {
   std::string file, out, frames;
   RenderOptions picture;
   int jobs = 0;
-  bool keep_old = false, stats = false;
+  bool keep_old = false, keep_going = false, stats = false;
 };
 
 // "1.9 s", "4 min 12 s", "2 h 05 min"
@@ -87,7 +88,11 @@ int render(const RenderCall& call) {
   if (!frames) return complain(frames.error(), wrong_call);
 
   const Program program = Program::compile(*document);
+  const Time last = frames->time(frames->count - 1);
+  const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
+  if (stopped_by(found, call.keep_going)) return wrong_input;
   Problems problems;
+  for (const Diagnostic& d : found.errors) problems.known(d.what.message);
   Spending spent;
   const auto new_painter = [&]() -> Result<Painter> {
     Result<std::unique_ptr<Renderer>> made = make_renderer(call.picture);
@@ -143,6 +148,7 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
              .into = &call.jobs,
              .range = {{1, 256}}},
             flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
+            keep_going_flag(call.keep_going),
             flag("--stats", "say where the time of a frame went, and what document and program take", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =

@@ -147,7 +147,7 @@ int priced(lua_State* l) {
 }
 
 int push_answer(lua_State* l, const std::string& target, const Result<Value>& r) {
-  if (!r) return fail_with(l, r.error().message);
+  if (!r) return fail_with(l, r.error().message + (r.error().hint.empty() ? "" : "; " + r.error().hint));
   if (!push(l, *r)) return fail_with(l, "'" + target + "' has a value that Lua has no word for");
   return 1;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 
+#include "base/names.h"
 #include "procedure/machine.h"
 #include "procedure/nested.h"
 
@@ -168,11 +169,29 @@ class Lua final : public Routine {
     return status;
   }
 
+  // "(global 'nosuch')": what has a name like that.
+  static std::string near_global(lua_State* l, std::string_view why) {
+    constexpr std::string_view before = "(global '";
+    const auto at = why.find(before);
+    if (at == std::string_view::npos) return {};
+    const std::string_view name =
+        why.substr(at + before.size(), why.find('\'', at + before.size()) - at - before.size());
+    std::vector<std::string> known;
+    lua_pushglobaltable(l);
+    for (lua_pushnil(l); lua_next(l, -2) != 0; lua_pop(l, 1))
+      if (lua_type(l, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(l, -2));
+    lua_pop(l, 1);
+    std::sort(known.begin(), known.end());
+    const std::string near = did_you_mean(name, {known.begin(), known.end()});
+    return near.empty() ? near : "; " + near;
+  }
+
   Error said(lua_State* l, int status) const {
     if (status == LUA_ERRMEM) return fail(ErrorCode::range, lua::too_much_memory);
     if (lua_type(l, -1) != LUA_TSTRING) return fail(ErrorCode::type, "it ended with an error that is no text");
     const std::string_view why = lua_tostring(l, -1);
-    return fail(ErrorCode::type, plain(why, has_lines(source) && !why.ends_with(Nested::error().message)));
+    return fail(ErrorCode::type,
+                plain(why, has_lines(source) && !why.ends_with(Nested::error().message)) + near_global(l, why));
   }
 };
 

@@ -112,9 +112,11 @@ struct Asking {
   std::map<std::int64_t, Found<std::shared_ptr<const Contacts>>> found_contacts;
   std::uint64_t cost = 0;
   std::vector<std::string> problems;
+  std::vector<Frame::CodeError> errors;
   std::vector<Target> read;  // what procedures looked at
 
   void say(std::string problem);
+  void err(std::string problem, const std::string& source);  // of the author's code
   bool is_open(const Taken&) const;  // one of what it asked is
   void take(const Taken&);           // once more, for what is being worked out now
 };

@@ -14,6 +14,7 @@ struct Whole {
   Evaluator evaluator;
   std::vector<Light> lights;
   std::vector<std::string> problems;
+  std::vector<Frame::CodeError> errors;
 
   void to(Time);
   Frame frame() const;
@@ -29,6 +30,7 @@ void Whole::to(Time t) {
   compiled.say(failed, asking);
   problems = compiled.notices;
   problems.insert(problems.end(), asking.problems.begin(), asking.problems.end());
+  errors = std::move(asking.errors);
 }
 
 Frame Whole::frame() const {
@@ -42,6 +44,7 @@ Frame Whole::frame() const {
   if (scene.background) f.background = to_linear(*scene.background);
   for (auto& [when, text] : compiled.document.notes(f.time, f.time)) f.notes.push_back(text);
   f.problems = problems;
+  f.errors = errors;
   return f;
 }
 
@@ -139,6 +142,7 @@ const std::shared_ptr<const Picture>& Evaluation::texture(std::uint32_t number) 
 std::span<const std::uint32_t> Evaluation::changed() const { return state_->evaluator().changed; }
 const std::vector<Light>& Evaluation::lights() const { return state_->now.whole->lights; }
 const std::vector<std::string>& Evaluation::problems() const { return state_->now.whole->problems; }
+const std::vector<Frame::CodeError>& Evaluation::errors() const { return state_->now.whole->errors; }
 const Camera& Evaluation::camera() const {
   if (!state_->camera) state_->camera = state_->evaluator().camera();
   return *state_->camera;

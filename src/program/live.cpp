@@ -48,6 +48,12 @@ void Asking::say(std::string problem) {
     problems.push_back(std::move(problem));
 }
 
+void Asking::err(std::string problem, const std::string& source) {
+  const std::size_t before = problems.size();
+  say(problem);
+  if (problems.size() > before) errors.push_back({std::move(problem), source});
+}
+
 bool Asking::is_open(const Taken& taken) const {
   return std::any_of(taken.asked.begin(), taken.asked.end(),
                      [&](const Sought& i) { return std::find(open.begin(), open.end(), i) != open.end(); });
@@ -125,8 +131,9 @@ struct Worker {
     const auto answer = p.code->value(talk, {}, cost);
     asking.cost += cost;
     const auto say = [&](const std::string& why) {
-      asking.say(fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component),
-                             p.code->source.substr(0, 60), why));
+      asking.err(fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component),
+                             p.code->source.substr(0, 60), why),
+                 p.code->source);
       return std::nullopt;
     };
     if (!answer) return say(answer.error().message);
@@ -282,7 +289,8 @@ struct Worker {
     Through input(*this, s, stage - 1, f.component);
     const auto made = apply(f, input, t.seconds());
     const auto pass = [&](const std::string& why) {
-      asking.say(fmt::format("{}: the filter '{}' is left out: {}", name(f.component), f.name, why));
+      std::string said = fmt::format("{}: the filter '{}' is left out: {}", name(f.component), f.name, why);
+      f.code ? asking.err(std::move(said), f.code->source) : asking.say(std::move(said));
       return plain;
     };
     if (!made) return pass(made.error().message);

@@ -25,8 +25,9 @@ Value place_in(const Mat4& m, int component) {
 
 void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const {
   for (const auto& [i, why] : failed.all)
-    asking.say("the twerper '" + (*document.scene().procedures)[i].name +
-               "' gives no number, and is linear there: " + why);
+    asking.err(
+        "the twerper '" + (*document.scene().procedures)[i].name + "' gives no number, and is linear there: " + why,
+        (*document.scene().procedures)[i].code->source);
 }
 
 Value Program::Compiled::read(const Target& target, Time t, Asking& asking) const {

@@ -82,14 +82,20 @@ a.radius
   9f 2
 at 150f a.position.x = "lost.x"
 BX
-check 'check looks at frames' 0 "procs.bx: warning: the twerper 'broken' gives no number" check procs.bx
+check 'check looks at frames' 1 "procs.bx:3:31: error: the twerper 'broken' gives no number" check procs.bx
 has 'and says the target' "$said" 'a.position.x: the procedure "lost.x" gives no value'
-has 'each once' "$said" '0 errors, 2 warnings'
+has 'each once' "$said" '2 errors, 0 warnings'
+check 'render stops before the first picture' 1 'procs.bx:7:25: error: a.position.x: the procedure "lost.x"' render procs.bx -o procs.gif
+verdict 'and makes nothing' "$([ ! -e procs.gif ] && echo yes)" 'it is there'
+check 'unless it is to go on' 0 'procs.bx:7:25: warning: a.position.x' render procs.bx --frames 149f..151f --size 64x36 --keep-going -o procs.gif
+verdict 'and makes the film' "$([ -s procs.gif ] && echo yes)" 'it is not there'
+check 'frame stops too' 1 'nothing was made; --keep-going' frame procs.bx --at 150f -o procs.png
+check 'and goes on where that is wanted' 0 '' frame procs.bx --at 150f --size 64x36 --keep-going -o procs.png
 printf 'create a sphere\nset a.radius = "(function() while true do end end)()"\nrange 1f 5000f\n' >slow.bx
 SECONDS=0
-check 'check ends soon' 0 'stopped: it took more than' check slow.bx
+check 'check ends soon' 1 'stopped: it took more than' check slow.bx
 verdict 'within seconds' "$([ $SECONDS -lt 8 ] && echo yes)" "$SECONDS s"
-rm procs.bx slow.bx
+rm procs.bx slow.bx procs.gif procs.png
 check 'help of a subcommand' 0 'betwixt render examples/bounce.bx' help render
 check 'help alone' 0 '  contacts ' help
 check 'help alone says where to go on' 0 'betwixt help WORD explains a word of the language' help
