@@ -4,6 +4,9 @@
 
 #include <hwy/cache_control.h>
 
+#include "base/large_pages.h"
+#include "timing.h"
+
 // This file is compiled once for each kind of machine.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "copying.cpp"
@@ -41,6 +44,17 @@ HWY_EXPORT(copy_here);
 void copy_past_caches(const double* from, double* to, std::size_t count) {
   HWY_DYNAMIC_DISPATCH(copy_here)(from, to, count);
   hwy::FlushStream();
+}
+
+std::vector<double> copy_rates() {
+  constexpr std::size_t size = std::size_t{12} << 20;
+  std::vector<double, LargePages<double>> from(size, 1), to(size);
+  std::vector<double> rate;
+  for (int i = 0; i < 40; ++i)
+    rate.push_back(2e-6 * sizeof(double) * size /
+                   milliseconds([&] { copy_past_caches(from.data(), to.data(), size); }));
+  insist(to == from, "a copy");
+  return rate;
 }
 
 }  // namespace betwixt

@@ -28,12 +28,6 @@ constexpr std::size_t count = 1'000'000;
 constexpr std::int64_t begun = 120;  // by then all have
 constexpr int rounds = 10, ticks_a_round = 60, seeks = 200;
 
-void insist(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "wrong: %s\n", what);
-  std::exit(1);
-}
-
 struct Spread {
   double least, median;
 };
@@ -47,17 +41,6 @@ std::size_t allocated() {
   return info.uordblks + info.hblkhd;
 }
 
-// What one core can do just now: gigabytes a second read and written by a copy of large arrays, past the caches.
-std::vector<double> copying() {
-  constexpr std::size_t size = std::size_t{12} << 20;
-  std::vector<double, LargePages<double>> from(size, 1), to(size);
-  std::vector<double> rate;
-  for (int i = 0; i < 40; ++i)
-    rate.push_back(2e-6 * sizeof(double) * size /
-                   milliseconds([&] { copy_past_caches(from.data(), to.data(), size); }));
-  insist(to == from, "a copy");
-  return rate;
-}
 // Read and written for an update, were each form as frequent as the others.
 double bytes_an_update() {
   using environments::Form;
@@ -301,7 +284,7 @@ int main() {
   fmt::print("{:34} {:8.1f} {:8.1f}\n", "  times as long", b.least / a.least, b.median / a.median);
   print("seek of all", near);
   print("seek of all, up to 1e9 ticks", far);
-  const std::vector<double> copies = copying();
+  const std::vector<double> copies = copy_rates();
   const double best = *std::max_element(copies.begin(), copies.end());
   fmt::print(
       "one core copies {:.1f} GB/s just now (median {:.1f}); an update reads and writes {:.0f} bytes: {:.2f} ns\n",

@@ -1,179 +1,172 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a frame costs: objects that move by keys, objects that rest, a tree whose root moves, one event edited among a
-// million. Values are compared with those of a program that was never anywhere else.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+// What a frame costs, beside plain code for the same work, turn about:
+//   bench_frames ROW [ROUNDS]   keys, random, shared, rest, move, tree, edit
+// Values are compared with those of the plain code, and bit by bit with those of an evaluation that was nowhere else.
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <random>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "betwixt/evaluation.h"
 #include "betwixt/language.h"
-#include "betwixt/session.h"
+#include "edits.h"
+#include "plain.h"
+#include "scenes.h"
 #include "timing.h"
 
 using namespace betwixt;
 
 namespace {
 
-void insist(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "wrong: %s\n", what);
-  std::exit(1);
-}
+Time time_of(double frame) { return Rate{60, 1}.frame(frame); }
 
 struct Film {
   explicit Film(const std::string& text)
-      : document(load_text(text, "bench.bx").document), program(Program::compile(document)) {}
+      : document(load_text(text, "bench.bx").document), program(Program::compile(document)), now(program) {}
   Document document;
   Program program;
+  Evaluation now;
 };
 
-// Position, rotation and scale of each of `objects`, 60 keys each over 600 frames.
-std::string keyed(int objects, bool shared) {
-  std::mt19937 random(7);
-  const auto any = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  std::string text = "rate 60\nrange 1f 600f\n";
-  auto out = std::back_inserter(text);
-  for (int k = 0; k < objects; ++k) {
-    fmt::format_to(out, "create b{} box\n", k);
-    for (const char* function : {"position", "rotation", "scale"}) {
-      fmt::format_to(out, "b{}.{}\n", k, function);
-      for (int i = 0; i < 60; ++i) {
-        const double frame = 1 + 10 * i + (shared || i == 0 || i == 59 ? 0 : any(80) / 10.0 - 4);
-        if (function[0] == 'r')
-          fmt::format_to(out, "  {}f ({}deg {}deg {}deg)\n", frame, any(360), any(360), any(360));
-        else
-          fmt::format_to(out, "  {}f ({} {} {})\n", frame, any(900) / 100.0, any(900) / 100.0, 1 + any(900) / 100.0);
-      }
+bool near(const Mat4& a, const Mat4& b) {
+  for (std::size_t i = 0; i < 16; ++i)
+    if (!(std::abs(a.m[i] - b.m[i]) < 1e-9 * (1 + std::abs(b.m[i])))) return false;
+  return true;
+}
+
+// What is compared now and then.
+void check(const Film& film, const std::vector<Mat4>& plain) {
+  Evaluation alone(film.program);
+  alone.to(film.now.time());
+  const auto worlds = film.now.worlds();
+  insist(worlds.size() == plain.size(), "as many worlds");
+  insist(std::memcmp(worlds.data(), alone.worlds().data(), worlds.size_bytes()) == 0,
+         "a world that is asked for alone");
+  for (std::size_t i = 0; i < plain.size(); ++i) insist(near(worlds[i], plain[i]), "a world of the plain code");
+}
+
+// Goes through the frames, ours and plainly, and says what one takes, in units of so many nanoseconds.
+void play(int rounds, Film& film, const std::vector<double>& frames, double unit, const std::function<void()>& begin,
+          const std::function<void(double)>& plain, const std::vector<Mat4>& worlds) {
+  std::vector<Time> times;
+  for (const double f : frames) times.push_back(time_of(f));
+  const double steps = static_cast<double>(frames.size() - 1);
+  for (int round = 0; round < rounds; ++round) {
+    film.now.to(times[0]);
+    const double ours = milliseconds([&] {
+      for (std::size_t k = 1; k < times.size(); ++k) film.now.to(times[k]);
+    });
+    begin();
+    plain(frames[0]);
+    const double theirs = milliseconds([&] {
+      for (std::size_t k = 1; k < frames.size(); ++k) plain(frames[k]);
+    });
+    check(film, worlds);
+    report("betwixt", 1e6 * ours / steps / unit);
+    report("plain", 1e6 * theirs / steps / unit);
+  }
+}
+
+// ---- Position, rotation and scale of 1,000 objects by keys
+
+void keyed(int rounds, scenes::Times times, bool forward) {
+  constexpr int count = 1000;
+  Film film(scenes::keyed(count, times, scenes::Blend::smooth));
+  std::vector<plain::Object> objects(count);
+  for (int k = 0; k < count; ++k)
+    for (int f = 0; f < scenes::functions; ++f) {
+      plain::Track& track = objects[static_cast<std::size_t>(k)].tracks[static_cast<std::size_t>(f)];
+      for (int i = 0; i < scenes::keys; ++i)
+        track.add(scenes::frame_of(times, k, f, i), (f == 1 ? pi / 180 : 1.0) * scenes::value_of(k, f, i));
+      track.compile();
     }
-  }
-  return text;
+  std::vector<Mat4> worlds(count);
+  const auto begin = [&] {
+    for (auto& o : objects)
+      for (auto& t : o.tracks) t.rewind();
+  };
+  const auto go = [&](double frame) {
+    for (std::size_t k = 0; k < count; ++k) worlds[k] = forward ? objects[k].forward(frame) : objects[k].seek(frame);
+  };
+  play(rounds, film, forward ? scenes::forward_frames() : scenes::random_frames(), count, begin, go, worlds);
 }
 
-std::string boxes(int count, int moving) {
-  std::string text = fmt::format("rate 60\nrange 1f 600f\ncreate b{{1..{}}} box\n", count);
-  auto out = std::back_inserter(text);
+// ---- Boxes of which some move
+
+void boxes(int rounds, int count, int moving) {
+  constexpr double milliseconds = 1e6;
+  Film film(scenes::boxes(count, moving));
+  plain::Nodes nodes;
+  nodes.parent.assign(static_cast<std::size_t>(count), -1);
+  nodes.own.resize(nodes.parent.size()), nodes.world.resize(nodes.parent.size()),
+      nodes.moved.resize(nodes.parent.size());
+  std::vector<plain::Track> tracks(static_cast<std::size_t>(moving));
   for (int k = 1; k <= moving; ++k)
-    fmt::format_to(out, "b{}.position\n  1f ({} 0 0)\n  300f ({} 5 0)\n  600f (0 0 1)\n", k * (count / moving), k, k);
-  return text;
+    for (int i = 0; i < 3; ++i)
+      tracks[static_cast<std::size_t>(k - 1)].add(i == 0 ? 1 : 300 * i, scenes::box_key(k, i));
+  for (auto& t : tracks) t.compile();
+  const auto begin = [&] {
+    for (auto& t : tracks) t.rewind();
+  };
+  const auto go = [&](double frame) {
+    for (std::size_t k = 0; k < tracks.size(); ++k) {
+      const std::size_t node = (k + 1) * static_cast<std::size_t>(count / moving) - 1;
+      nodes.own[node] = translation(tracks[k].forward(frame));
+      nodes.moved[node] = 1;
+    }
+    nodes.update();
+  };
+  auto frames = scenes::forward_frames();
+  frames.resize(50);
+  play(rounds, film, frames, milliseconds, begin, go, nodes.world);
 }
 
-// A tree of ten children each, the root of which moves.
-std::string tree(int count) {
-  std::string text = "rate 60\nrange 1f 600f\ncreate n0 box\n";
-  auto out = std::back_inserter(text);
-  for (int k = 1; k < count; ++k)
-    fmt::format_to(out, "create n{} box position=(1 0.5 0)\ncouple n{} to n{}\n", k, k, (k - 1) / 10);
-  return text + "n0.position\n  1f (0 0 0)\n  300f (1 5 0)\n  600f (0 0 1)\n";
-}
+// ---- A tree whose root moves
 
-// The worlds at some times are those of an evaluation that was never anywhere else.
-void check(const Film& film, Evaluation& e, const std::vector<Time>& times) {
-  for (std::size_t k = 0; k < times.size(); k += times.size() / 3) {
-    e.to(times[k]);
-    Evaluation alone(film.program);
-    alone.to(times[k]);
-    insist(e.worlds().size() == alone.worlds().size() &&
-               std::memcmp(e.worlds().data(), alone.worlds().data(), e.worlds().size_bytes()) == 0,
-           "a world");
-  }
-}
-
-void print(const char* what, std::vector<double> all, const char* unit) {
-  std::sort(all.begin(), all.end());
-  fmt::print("{:44} {:12.1f} {:12.1f}  {}\n", what, all.front(), all[all.size() / 2], unit);
-}
-
-void row(const char* what, const Film& film, const std::vector<Time>& times, double per, const char* unit) {
-  Evaluation e(film.program);
-  check(film, e, times);
-  std::vector<double> all;
-  for (int round = 0; round < 9; ++round) {
-    e.to(times[0]);
-    all.push_back(1e6 * milliseconds([&] {
-                    for (std::size_t k = 1; k < times.size(); ++k) e.to(times[k]);
-                  }) /
-                  (per * static_cast<double>(times.size() - 1)));
-  }
-  print(what, all, unit);
-}
-
-// One event changed in a document of a million: the command (kept in a file before it is answered), the program, the
-// frame.
-void edits() {
-  std::string text = "rate 24\nrange 1f 1000f\n";
-  auto out = std::back_inserter(text);
-  for (int k = 0; k < 1000; ++k) {
-    fmt::format_to(out, "create ball{} sphere radius=0.5\nball{}.position\n", k, k);
-    for (int f = 1; f <= 1000; ++f)
-      fmt::format_to(out, "  {}f ({} {:.2f} {})\n", f, k * 0.25, (k * 37 + f * 101) % 2001 * 0.01, (f % 50) * 0.5);
-  }
-  const auto path = std::filesystem::temp_directory_path() / fmt::format("bench-{}.bx", std::random_device{}());
-  std::ofstream(path, std::ios::binary) << text;
-  Session session;
-  session.open(path.string());
-  Program program = Program::compile(session.document());
-  Evaluation e(program);
-  const Time t = session.document().rate().frame(500);
-  e.to(t);
-  std::vector<double> command, compiling, frame, together;
-  for (int k = 0; k < 15; ++k) {
-    const std::string line = fmt::format("at 500f ball{}.position (1 {} 3)", 60 * k, k);
-    command.push_back(milliseconds([&] { insist(session.enter(line).done, "a command"); }));
-    compiling.push_back(milliseconds([&] { program = Program::compile(session.document(), program); }));
-    frame.push_back(milliseconds([&] {
-      e.use(program);
-      e.to(t);
-    }));
-    together.push_back(command.back() + compiling.back() + frame.back());
-    insist(e.changed().size() == 1 && translation_of(e.worlds()[e.changed()[0]]) == Vec3{1, 1.0 * k, 3},
-           "what was edited");
-  }
-  session.enter("quit");
-  session = Session();
-  for (const auto& entry : std::filesystem::directory_iterator(path.parent_path()))
-    if (entry.path().filename().string().find(path.stem().string()) != std::string::npos)
-      std::filesystem::remove(entry.path());
-  print("one event of a million changed: command", command, "ms");
-  print("  program", compiling, "ms");
-  print("  frame", frame, "ms");
-  print("  together", together, "ms");
-}
-
-std::vector<Time> forward(int count) {
-  std::vector<Time> out;
-  for (int k = 0; k < count; ++k) out.push_back(Rate{60, 1}.frame(2 + k));
-  return out;
-}
-std::vector<Time> anywhere(int count) {
-  std::mt19937_64 random(3);
-  std::vector<Time> out;
-  for (int k = 0; k < count; ++k) out.push_back(Rate{60, 1}.frame(1 + static_cast<double>(random() % 5990) / 10));
-  return out;
+void tree(int rounds) {
+  constexpr std::size_t count = 100'000;
+  Film film(scenes::tree(count));
+  plain::Nodes nodes;
+  nodes.parent.resize(count), nodes.world.resize(count), nodes.moved.resize(count);
+  for (std::size_t k = 0; k < count; ++k) nodes.parent[k] = k == 0 ? -1 : static_cast<int>((k - 1) / 10);
+  nodes.own.assign(count, translation({1, 0.5, 0}));
+  plain::Track root;
+  for (int i = 0; i < 3; ++i) root.add(i == 0 ? 1 : 300 * i, scenes::box_key(1, i));
+  root.compile();
+  const auto go = [&](double frame) {
+    nodes.own[0] = translation(root.forward(frame));
+    nodes.moved[0] = 1;
+    nodes.update();
+  };
+  auto frames = scenes::forward_frames();
+  frames.resize(20);
+  play(
+      rounds, film, frames, count, [&] { root.rewind(); }, go, nodes.world);
 }
 
 }  // namespace
 
-int main() {
-  fmt::print("{:44} {:>12} {:>12}\n", "", "minimum", "median");
-  {
-    const Film hand(keyed(1000, false)), shared(keyed(1000, true));
-    row("position, rotation, scale: forward", hand, forward(500), 1000, "ns an object");
-    row("position, rotation, scale: any time", hand, anywhere(500), 1000, "ns an object");
-    row("the same, keys at shared times: forward", shared, forward(500), 1000, "ns an object");
+int main(int count, char** words) {
+  using scenes::Times;
+  const std::map<std::string, std::function<void(int)>> rows{
+      {"keys", [](int n) { keyed(n, Times::by_hand, true); }},
+      {"random", [](int n) { keyed(n, Times::by_hand, false); }},
+      {"shared", [](int n) { keyed(n, Times::shared, true); }},
+      {"rest", [](int n) { boxes(n, 100'000, 0); }},
+      {"move", [](int n) { boxes(n, 100'000, 1000); }},
+      {"move-fewer", [](int n) { boxes(n, 10'000, 1000); }},
+      {"tree", tree},
+      {"edit", edits},
+  };
+  const auto row = rows.find(count > 1 ? words[1] : "");
+  if (row == rows.end()) {
+    std::fputs("usage: bench_frames ROW [ROUNDS], a ROW being one of:", stderr);
+    for (const auto& r : rows) std::fprintf(stderr, " %s", r.first.c_str());
+    std::fputs("\n", stderr);
+    return 2;
   }
-  row("100,000 boxes rest", Film(boxes(100'000, 1)), forward(50), 1e6, "ms a frame, one of them moves");
-  row("100,000 boxes, 1,000 move", Film(boxes(100'000, 1000)), forward(50), 1e6, "ms a frame");
-  row("a tree of 100,000, its root moves", Film(tree(100'000)), forward(20), 1e5, "ns a node");
-  edits();
+  row->second(count > 2 ? std::atoi(words[2]) : 5);
 }

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The scene of spheres.py in Blender's Workbench: blender -b -P bench/spheres_blender.py -- MODE SAMPLES OUT
+# The scene of spheres.py in Blender's Workbench: blender -b -P bench/spheres_blender.py -- MODE SAMPLES OUT [COLUMNS ROWS]
 #   MODE pictures: every frame is drawn and thrown away; film: drawn and encoded to OUT (H.264); still: frame 30 to OUT.
 #   SAMPLES: Workbench's antialiasing: OFF, FXAA, 5, 8 (its own choice), 11, 16, 32.
 # The last line says "SECONDS frames N spheres N seconds S".
@@ -15,7 +15,8 @@ from mathutils import Vector
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import spheres
 
-mode, samples, out = sys.argv[sys.argv.index("--") + 1:][:3]
+mode, samples, out, *grid = sys.argv[sys.argv.index("--") + 1:]
+grid = [int(n) for n in grid] or [spheres.COLUMNS, spheres.ROWS]
 
 
 def up(v):
@@ -46,13 +47,13 @@ def material(name, color):
     return m
 
 
-bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16, radius=spheres.RADIUS)
+bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16, radius=spheres.RADIUS * spheres.size_of(grid[0]))
 model = bpy.context.object
 bpy.ops.object.shade_smooth()
 ball = model.data
 ball.materials.append(None)
 bpy.data.objects.remove(model)
-for name, color, events in spheres.spheres():
+for name, color, events in spheres.spheres(*grid):
     s = put(name, ball, events[0][1])
     s.material_slots[0].link = "OBJECT"  # one mesh for all, a material for each
     s.material_slots[0].material = material(name, color)
