@@ -118,13 +118,15 @@ bool stretch(Command& k) {
 bool reverse(Command& k) {
   Stretch on;
   if (!on_segment(k, on)) return false;
-  return operate(k, on, [&](Track& t, Type type, int, bool velocity) -> Result<Changed> {
+  return operate(k, on, [&](Track& t, Type type, int component, bool velocity) -> Result<Changed> {
     if (velocity && !on.of.velocity)
       return fail(ErrorCode::type, "a track with velocities cannot be reversed",
                   "clear them first, or reverse the velocity alone");
     if (type == Type::motion)
       return fail(ErrorCode::type, "a motion cannot be reversed",
                   "write what undoes it: betwixt algebra --inverse tells");
+    const bool part = component >= 0 || on.of.component >= 0;
+    if (!velocity) own_tangents(t, on.segment, part ? component_track_type(type) : type, part);
     return reverse_segment(t, on.segment);
   });
 }

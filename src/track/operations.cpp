@@ -133,6 +133,28 @@ Result<Changed> stretch_segment(Track& track, Segment s, double factor) {
   return put_back(track, s, std::move(events));
 }
 
+void own_tangents(Track& track, Segment s, Type type, bool component) {
+  auto inside = track.events.between(s.from, s.to);
+  if (inside.size() < 2 || !row_of(type).tangents || track.global != Twerper::unset) return;
+  CurveSet set;
+  const Curve curve = set.add(track, type, component);
+  const auto own = [&](Event& from, Event& to) {
+    CubicSegment g;
+    if (from.keep || to.keep || resolve(track, from, type, curve.orientation) != Twerper::smooth) return;
+    if (!set.cubic(curve, from.time.flicks, g)) return;
+    const double rate = static_cast<double>(flicks_per_second) / g.length;
+    double out[4] = {}, in[4] = {};
+    for (std::size_t i = 0; i < curve.channels; ++i)
+      out[i] = rate * g.c[1][i], in[i] = rate * (g.c[1][i] + 2 * g.c[2][i] + 3 * g.c[3][i]);
+    from.twerper = Twerper::hermite;
+    from.detail.edit().tangent_out = with_numbers(from.value, out);
+    to.detail.edit().tangent_in = with_numbers(to.value, in);
+  };
+  if (track.events.front().time < s.from) own(inside[0], inside[1]);
+  if (track.events.back().time > s.to) own(inside[inside.size() - 2], inside.back());
+  for (Event& e : inside) track.events.put(std::move(e));
+}
+
 Result<Changed> reverse_segment(Track& track, Segment s) {
   auto events = track.events.between(s.from, s.to);
   const auto holds = [&](const Event& e) {

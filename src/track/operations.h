@@ -29,6 +29,9 @@ Result<Changed> move_segment(Track&, Segment, Time by);
 Result<Changed> stretch_segment(Track&, Segment, double factor);
 // Last comes first; in-betweens run the same way back.
 Result<Changed> reverse_segment(Track&, Segment);
+// What a smooth track's first and last in-betweens of the segment owe to events outside it become tangents of their
+// own: so they stay as they are whoever stands beside them. `component`: of the type, the track is that of one.
+void own_tangents(Track&, Segment, Type, bool component);
 
 // `by`: a number for every component, or one for each. Tangents are scaled too.
 Result<Changed> scale_segment(Track&, Segment, const Value& by);

@@ -71,5 +71,19 @@ TEST(Segments, AVelocityAloneIsReversed) {
   expect_numbers(s, {{"b.radius.velocity", "1f", {3}}, {"b.radius.velocity", "13f", {2}}});
 }
 
+// What lies inside is the mirror of what it was, whoever stands outside.
+TEST(Segments, ReversingAPartBendsNothingInside) {
+  const std::string film =
+      "create b sphere\nb.position\n  1f (0 9 0)\n  5f (1 0 0)\n  9f (4 1 0)\n  17f (2 7 1)\n  19f (9 0 3)\n  30f (0 0 "
+      "-20)\n"
+      "create c sphere\nc.rotation.x\n  1f 0deg\n  5f 90deg\n  9f 20deg\n  19f 50deg\n  30f 0deg\n";
+  const LoadedFilm was(film), is(film + "reverse b.position 5f..19f\nreverse c.rotation.x 5f..19f\n");
+  for (double f = 5; f <= 19; f += 0.5) {
+    const std::string back = fmt::format("{}f", 24 - f), now = fmt::format("{}f", f);
+    expect_numbers(is, "b.position", now, was.numbers("b.position", back), 1e-9);
+    expect_numbers(is, "c.rotation.x", now, was.numbers("c.rotation.x", back), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace betwixt
