@@ -143,6 +143,11 @@ std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bo
 struct Between {
   std::size_t a = 0, b = 0;  // into StepTrack::values()
   double s = 0;
+  // Where the blend looks at the neighbours too: those, and what each of the four counts (before, a, b, after). Of
+  // points only, as many everywhere.
+  std::size_t before = 0, after = 0;
+  std::array<double, 4> weights{};
+  bool splines = false;
 };
 class StepTrack {
  public:
@@ -161,6 +166,8 @@ class StepTrack {
     std::uint8_t twerper = 0;
     DetailBox detail;
   };
+  void spline(std::size_t key, double s, Between&) const;
+
   std::vector<Key> keys_;
   std::vector<Value> values_;
   Extrapolation before_ = Extrapolation::hold, after_ = Extrapolation::hold;

@@ -168,5 +168,23 @@ TEST(Values, ReadBackWhatIsWritten) {
   EXPECT_EQ(load_text(write(d), "again").document, d);
 }
 
+// Each point's number goes as a track of that number does.
+TEST(Values, PointsGoByTheirTwerpers) {
+  for (const char* twerper : {"smooth", "bspline", "hermite", "linear"}) {
+    const LoadedFilm s(
+        fmt::format("create p polyline\np.points\n  1f ((0 0 0) (1 0 0)) {0}\n  7f ((0 5 0) (1 2 0)) {0}\n"
+                    "  9f ((3 1 0) (1 7 0)) {0}\n  25f ((0 0 1) (9 0 0))\n"
+                    "create a sphere\na.position.y\n  1f 0 {0}\n  7f 5 {0}\n  9f 1 {0}\n  25f 0\n"
+                    "create b sphere\nb.position.y\n  1f 0 {0}\n  7f 2 {0}\n  9f 7 {0}\n  25f 0\n",
+                    twerper));
+    for (double f = 0; f < 27; f += 0.75) {
+      const std::string t = fmt::format("{}f", f);
+      const auto points = *std::get<Points>(s.read("p.points", t));
+      EXPECT_NEAR(points[0].y, s.numbers("a.position.y", t)[0], 1e-12) << twerper << " " << t;
+      EXPECT_NEAR(points[1].y, s.numbers("b.position.y", t)[0], 1e-12) << twerper << " " << t;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace betwixt
