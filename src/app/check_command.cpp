@@ -11,6 +11,8 @@
 #include "app/command.h"
 #include "app/subcommand.h"
 #include "base/names.h"
+#include "betwixt/object.h"
+#include "betwixt/track.h"
 #include "scene/document.h"
 
 namespace betwixt {
@@ -48,6 +50,24 @@ void say_idle_environments(const std::string& file, const Scene& s) {
   }
 }
 
+// A bspline comes near its events only: beside another twerper, which goes through them, it jumps.
+void say_torn_splines(const std::string& file, const Document& document) {
+  for (const ObjectId id : objects(document))
+    for (const TrackView& track : tracks(document, id)) {
+      if (!track.twerper.empty()) continue;  // one for all
+      const auto all = events(document, track.target);
+      const auto spline = [&](const EventView& e) {
+        return (e.twerper.empty() ? track.unsaid : e.twerper) == "bspline";
+      };
+      for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+        if (spline(all[i - 1]) == spline(all[i])) continue;
+        fmt::print(stderr, "{}: notice: {} jumps at {}, where bspline meets another twerper\n  twerper {} bspline\n",
+                   file, document.name(track.target), format_time(all[i].time, document), document.name(track.target));
+        break;
+      }
+    }
+}
+
 std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 int check(const std::string& file) {
@@ -66,7 +86,7 @@ int check(const std::string& file) {
     for (const std::string& p : found.warnings) fmt::print(stderr, "{}: warning: {}\n", file, p);
     errors += found.errors.size(), warnings += found.warnings.size();
   }
-  if (errors == 0) say_idle_environments(file, loaded.document.scene());
+  if (errors == 0) say_idle_environments(file, loaded.document.scene()), say_torn_splines(file, loaded.document);
   if (errors + warnings > 0)
     fmt::print(stderr, "{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));
   else

@@ -91,11 +91,13 @@ check 'unless it is to go on' 0 'procs.bx:7:25: warning: a.position.x' render pr
 verdict 'and makes the film' "$([ -s procs.gif ] && echo yes)" 'it is not there'
 check 'frame stops too' 1 'nothing was made; --keep-going' frame procs.bx --at 150f -o procs.png
 check 'and goes on where that is wanted' 0 '' frame procs.bx --at 150f --size 64x36 --keep-going -o procs.png
+printf 'create a sphere\na.radius\n  1f 1 bspline\n  9f 4 smooth\n  17f 1\n' >torn.bx
+check 'a torn spline is noticed' 0 'a.radius jumps at 9f, where bspline meets another twerper' check torn.bx
 printf 'create a sphere\nset a.radius = "(function() while true do end end)()"\nrange 1f 5000f\n' >slow.bx
 SECONDS=0
 check 'check ends soon' 1 'stopped: it took more than' check slow.bx
 verdict 'within seconds' "$([ $SECONDS -lt 8 ] && echo yes)" "$SECONDS s"
-rm procs.bx slow.bx procs.gif procs.png
+rm torn.bx procs.bx slow.bx procs.gif procs.png
 check 'help of a subcommand' 0 'betwixt render examples/bounce.bx' help render
 check 'help alone' 0 '  contacts ' help
 check 'help alone says where to go on' 0 'betwixt help WORD explains a word of the language' help
