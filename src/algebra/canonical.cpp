@@ -30,6 +30,7 @@ Canonical<Number> canonical(const Motion& motion, std::int64_t steps) {
     Block b;
     if (f.kind == Factor::Kind::rotate) {
       b.turns = planar_turns(f);
+      if (phase(b.turns, 1, steps) == 0) continue;  // whole at every step, and as good as none
     } else if (f.law == Factor::Law::linear) {
       b.linear = true;
       b.slope_x = value(Number(f.by.x) - Number(1)), b.slope_y = value(Number(f.by.y) - Number(1));

@@ -169,14 +169,6 @@ Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
 
 namespace {
 
-// Without the turns that come out even at every step.
-Motion without_whole_turns(Motion motion, std::int64_t steps) {
-  std::erase_if(motion.factors, [&](const Factor& f) {
-    return f.kind == Factor::Kind::rotate && phase(planar_turns(f), 1, steps) == 0;
-  });
-  return motion;
-}
-
 // The one matrix of one step.
 template <class Number>
 Plan<Number> whole_step(const Motion& motion) {
@@ -190,7 +182,7 @@ Plan<Number> whole_step(const Motion& motion) {
 
 template <class Number>
 Result<Plan<Number>> same_steps(const Motion& motion, std::int64_t steps) {
-  const Canonical<Number> string = canonical<Number>(without_whole_turns(motion, steps), steps);
+  const Canonical<Number> string = canonical<Number>(motion, steps);
   const auto none = [](std::string why) {
     return fail(ErrorCode::type, "no one matrix makes all steps of this motion: " + why,
                 "the method `best` takes every string");

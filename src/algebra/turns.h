@@ -91,8 +91,7 @@ inline Turns exact_turns(double angle) {
 // Of an angle in radians and what rounding took of it. Where it is not known what that was, parts of a turn down to
 // thousandths of a degree are meant by all angles that round to theirs, so that 90deg and 1000000000turn end exactly.
 inline Turns turns_of(double angle, double rest = 0) {
-  const Turns exact = exact_turns(angle);
-  if (rest != 0) return exact + exact_turns(rest);
+  if (rest != 0) return exact_turns(angle) + exact_turns(rest);
   const long double turns = angle / (2 * std::numbers::pi_v<long double>), rounding = std::abs(turns) * 0x1p-53L;
   for (const std::int64_t parts : {4, 360, 1000, 360'000}) {
     const auto of = static_cast<long double>(parts);
@@ -100,7 +99,7 @@ inline Turns turns_of(double angle, double rest = 0) {
     const long double meant = std::round(turns * of);
     if (std::abs(turns - meant / of) <= 3 * rounding) return fraction(static_cast<std::int64_t>(meant), parts);
   }
-  return exact;
+  return exact_turns(angle);
 }
 
 // Where fraction t of so many turns ends within its turn.

@@ -103,6 +103,8 @@ TEST(Steps, ByDifferencesWhereTurnsAreWholeOrThereIsOneStep) {
     for (const bool seeking : {false, true})
       EXPECT_LE(worst(parsed(text), 10, Method::differences, seeking), 1e-12) << text;
   EXPECT_FALSE(Steps<double>::make(parsed("R(10turn) T(1 1)"), 20, Method::differences, {}, {}));
+  // No other method does more than that.
+  EXPECT_EQ(count_operations(parsed("R(10turn) T(1 1)"), 10, Method::best, 1000)->step, (Cost{2, 0}));
   for (const char* text :
        {"R(0.3turn) T(1 1)", "S(2 3) R(1rad @ 1 2)", "S(2 3 linear) T(1 0)", "R(180deg) S(2 3 @ 1 1)"}) {
     EXPECT_LE(worst(parsed(text), 1, Method::differences), 1e-13) << text;

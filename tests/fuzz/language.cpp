@@ -42,9 +42,18 @@ static void motion(std::string_view text) {
   }
 }
 
+// A list of CSS is read, mixed and accumulated, whatever it is.
+static void css(std::string_view text) {
+  const auto list = parse_css(text, CssSize{100, 50});
+  if (!list) return insist(list.error().place.column > 0, "an error of a list has a place");
+  css_between({}, *list, 0.3), css_between(*list, *list, 2);
+  css_between({}, css_accumulated(*list, *list), -1);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   motion(text);
+  css(text);
   const Loaded loaded = load_text(text, "fuzz.bx");
   for (const Diagnostic& d : loaded.diagnostics) insist(!to_string(d).empty(), "a diagnostic has words");
 
