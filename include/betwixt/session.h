@@ -30,6 +30,11 @@ class Session {
     std::function<Status(const Document&, const std::string& target, const std::string& file)> plot;
     std::function<Status(const Document&, const std::string& frames)> play;
     std::function<Status(const std::string& file)> load;
+    // How `play` draws: style, samples or size; without a value, what they are. Says it.
+    std::function<Result<std::string>(const std::string& what, const std::string& value)> picture;
+    std::vector<std::string> styles;  // that there are: for completion
+    // The same as `ask`, of what a line means: empty where lines come faster than anybody reads.
+    std::function<std::optional<std::string>(const std::string& question)> ask_about_line;
   };
   // Commands of a session that ended without saving.
   enum class Earlier { ask, recover, discard };

@@ -46,29 +46,34 @@ Result<Time> read_time(const std::string& text, const Document& document, const 
   return e;
 }
 
-Result<FrameList> read_frames(const std::string& text, const Document& document) {
+Result<FrameList> read_frames(const std::string& text, const Document& document, const std::string& option) {
   FrameList frames;
   frames.rate = document.rate();
   auto [first, last] = document.range();
   if (!text.empty()) {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos)
-      return fail(ErrorCode::range, fmt::format("--frames: \"{}\" is no segment", text), "such as 1f..24f");
-    const auto from = read_time(text.substr(0, dots), document, "--frames");
+      return fail(ErrorCode::range, fmt::format("{}: \"{}\" is no segment", option, text), "such as 1f..24f");
+    const auto from = read_time(text.substr(0, dots), document, option);
     if (!from) return from.error();
-    const auto to = read_time(text.substr(dots + 2), document, "--frames");
-    if (!to) return to.error();
-    first = *from, last = *to;
-    if (last < first) return fail(ErrorCode::range, fmt::format("--frames: \"{}\" ends before it begins", text));
+    first = *from;
+    if (const std::string end = text.substr(dots + 2); !end.empty()) {
+      const auto to = read_time(end, document, option);
+      if (!to) return to.error();
+      last = *to;
+    } else if (last < first) {
+      return fail(ErrorCode::range, fmt::format("{}: the film ends before {}", option, text.substr(0, dots)));
+    }
+    if (last < first) return fail(ErrorCode::range, fmt::format("{}: \"{}\" ends before it begins", option, text));
   }
   const double number = frames.rate.frame_number(first);
   const double count = std::floor(frames.rate.frame_number(last) - number + 1e-6) + 1;
   if (count > most_frames)
     return fail(ErrorCode::range,
                 fmt::format("{:.0f} frames are too many for one film; at most {:.0f}", count, most_frames),
-                "name some: --frames A..B");
-  if (std::abs(number) > 1e9) return fail(ErrorCode::range, "--frames: too far from the beginning");
-  frames.first = first;
+                fmt::format("name some: {} A..B", option));
+  if (std::abs(number) > 1e9) return fail(ErrorCode::range, option + ": too far from the beginning");
+  frames.first = first, frames.last = last;
   frames.count = std::max(1, static_cast<int>(count));
   frames.number = static_cast<int>(std::floor(number));
   frames.on_grid = number == std::floor(number);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "betwixt/language.h"
+#include "betwixt/render.h"
 
 namespace betwixt {
 
@@ -30,15 +31,15 @@ Result<Time> read_time(const std::string& text, const Document&, const std::stri
 
 // The frames of a film: the k-th one's time.
 struct FrameList {
-  Time first;
+  Time first, last;  // of the segment; the last frame may be before its end
   int count = 1;
   int number = 1;       // of the first frame
   bool on_grid = true;  // the first frame is a whole one
   Rate rate;
   Time time(int k) const { return on_grid ? rate.frame(number + k) : first + rate.span(k); }
 };
-// `text`: "A..B", or empty for the document's own range.
-Result<FrameList> read_frames(const std::string& text, const Document&);
+// `text`: "A..B", "A.." to the end of the film, or empty for the document's own range. Errors name what was said.
+Result<FrameList> read_frames(const std::string& text, const Document&, const std::string& option = "--frames");
 
 // Says on standard error what procedures did wrong, each thing once. From any thread.
 class Problems {
@@ -59,6 +60,9 @@ void release_stops();  // they end the program again
 // What the shell does with a document. `frames`: "A..B", or empty for all.
 Status plot_document(const Document&, const std::vector<std::string>& targets, const std::string& frames,
                      const std::string& out);
-Status play_document(const Document&, const std::string& frames);
+// What keys have changed of how it is drawn stays in `picture`.
+Status play_document(const Document&, const std::string& frames, RenderOptions& picture);
+// Sets a style, a number of samples or a size, and says what it is then. Errors: range, name.
+Result<std::string> change_picture(RenderOptions&, const std::string& what, const std::string& value);
 
 }  // namespace betwixt

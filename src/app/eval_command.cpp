@@ -11,6 +11,7 @@
 #include "app/stats.h"
 #include "app/subcommand.h"
 #include "betwixt/evaluation.h"
+#include "editor/plain_values.h"
 #include "language/json.h"
 #include "language/values.h"
 
@@ -22,40 +23,6 @@ struct EvalCall {
   std::vector<std::string> times, targets;
   bool json = false, stats = false;
 };
-
-// What is as good as 0 beside the other numbers of a value is 0 for a reader: the sine of half a turn. (JSON says all.)
-Value without_dust(Value r) {
-  constexpr double dust = 1e-14;
-  const auto clean = [](const std::vector<double*>& all, double largest) {
-    for (const double* n : all) largest = std::max(largest, std::abs(*n));
-    for (double* n : all)
-      if (std::abs(*n) < dust * largest) *n = 0;
-  };
-  std::vector<double*> all;
-  if (const auto* matrix = std::get_if<Matrix>(&r)) {  // what turns and what moves are of different sizes
-    Mat4 m = **matrix;
-    for (std::size_t i = 0; i < 12; ++i) all.push_back(&m.m[i]);
-    clean(all, 0);
-    clean({&m.m[12], &m.m[13], &m.m[14]}, 1);
-    return Matrix(m);
-  }
-  if (auto* p = std::get_if<Vec3>(&r)) all = {&p->x, &p->y, &p->z};
-  if (auto* a = std::get_if<Angles>(&r)) all = {&a->xyz.x, &a->xyz.y, &a->xyz.z};
-  if (auto* q = std::get_if<Quat>(&r)) all = {&q->w, &q->x, &q->y, &q->z};
-  clean(all, 0);
-  return r;
-}
-
-// As it would be written in a script.
-std::string plain(const Value& r, const Target& t, const Document& d) {
-  if (const auto* m = std::get_if<Matrix>(&r)) return write_matrix(**m);
-  if (const auto* n = std::get_if<double>(&r); n && t.query()) return write_number(*n);
-  if (const auto* b = std::get_if<bool>(&r); b && t.query()) return *b ? "on" : "off";
-  if (const auto* names = std::get_if<Names>(&r); names && t.query())
-    return fmt::format("({})", fmt::join(**names, " "));
-  return write_value(r, spec_of(d.scene(), t.function), t.component,
-                     [&](ObjectId id) { return id ? d.name(id) : std::string(); });
-}
 
 // What whole frames at the times cost: the first one makes all, those after it what differs.
 void print_stats(const Program& program, const std::vector<std::pair<std::string, Time>>& times) {
@@ -121,7 +88,7 @@ int eval(const EvalCall& call) {
     const auto values = read(t);
     for (std::size_t k = 0; k < targets.size(); ++k)
       fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(targets[k]), width,
-                 plain(without_dust(values[k]), targets[k], *document));
+                 plain_value(values[k], targets[k], *document));
   }
   return all_done;
 }

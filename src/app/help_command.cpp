@@ -50,13 +50,12 @@ int say(const std::string& text) {
 int help(const HelpCall& call) {
   if (!call.print.empty()) return say(to_print(call.print));
   if (call.word.empty()) return say(overview());
-  std::vector<std::string_view> known;
+  std::vector<std::string_view> known = words_with_help();
   for (const Subcommand& s : subcommands())
     if (s.name == call.word && s.name != "help") return say(help_of(s));
   Scene words;
   adopt_plugins(words);
   if (const std::string text = help_text(call.word, words); !text.empty()) return say(text);
-  for (const HelpEntry& e : help_entries()) known.push_back(e.word);
   for (const Subcommand& s : subcommands()) known.push_back(s.name);
   return complain(
       fail(ErrorCode::name, fmt::format("there is no help about '{}'", call.word), did_you_mean(call.word, known)),

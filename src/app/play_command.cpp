@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "base/utf8.h"
 #include "betwixt/program.h"
 #include "editor/controls.h"
+#include "editor/describe.h"
 #include "scene/document.h"
 
 namespace betwixt {
@@ -27,6 +29,7 @@ struct PlayCall {
   std::string file, frames, listen, record;
   RenderOptions picture{960, 540, 1};  // a character blends its pixels anyway
   bool terminal = false, loop = false, overwrite = false;
+  std::string said = "--frames";  // how whoever calls says the frames
 };
 
 double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
@@ -62,7 +65,7 @@ class Playhead {
 class Player {
  public:
   // `live`: what controls say; null: nobody listens.
-  Player(const Document& document, const PlayCall& call, const FrameList& frames, Terminal& terminal, LiveInput* live)
+  Player(const Document& document, PlayCall& call, const FrameList& frames, Terminal& terminal, LiveInput* live)
       : document_(document),
         program_(Program::compile(document)),
         call_(call),
@@ -132,9 +135,35 @@ class Player {
         return head_.jump(0);
       case Key::end:
         return step(frames_.count);
+      case Key::style:
+      case Key::samples:
+      case Key::larger:
+      case Key::smaller:
+        return alter(key);
       case Key::quit:
         quit_ = true;
     }
+  }
+
+  // Another style, other samples or another size, at once.
+  void alter(Key key) {
+    RenderOptions& p = call_.picture;
+    const auto next = [](const auto& all, const auto& now) {
+      const auto at = std::find(std::begin(all), std::end(all), now);
+      return at == std::end(all) || at + 1 == std::end(all) ? *std::begin(all) : *(at + 1);
+    };
+    if (key == Key::style) {
+      std::vector<std::string> names;
+      for (const Style& s : styles()) names.emplace_back(s.name);
+      p.style = next(names, p.style);
+    }
+    if (key == Key::samples) p.samples = next(std::array{1, 4, 9, 16}, p.samples);
+    const bool grows = key == Key::larger && p.width <= 4096 && p.height <= 4096;
+    const bool shrinks = key == Key::smaller && p.width >= 32 && p.height >= 32;
+    if (grows) p.width *= 2, p.height *= 2;
+    if (shrinks) p.width /= 2, p.height /= 2;
+    renderer_.reset();
+    altered_ = fmt::format("{} {}x{} {}", p.style, p.width, p.height, p.samples);
   }
 
   // The largest box of cells of the film's own shape, in the middle; a row is left for the status line.
@@ -190,11 +219,14 @@ class Player {
   // Notes that playing has passed, or that stand exactly where was jumped to.
   void listen(int k) {
     if (k == heard_) return;
-    const bool passed = head_.playing() && k > heard_ && heard_ >= 0;
-    const Time to = frames_.time(k), from = passed ? frames_.time(heard_) + Time{1} : to;
+    const bool passed = (head_.playing() || k == head_.last()) && k > heard_;
+    std::optional<Time> after;
+    if (passed) after = heard_ < 0 ? frames_.first - Time{1} : frames_.time(heard_);
     heard_ = k;
     if (!passed) note_.clear();
-    for (const auto& [time, words] : document_.notes(from, to)) note_ = words, noted_ = Clock::now();
+    const Time to = k == head_.last() ? std::max(frames_.time(k), frames_.last) : frames_.time(k);
+    if (std::string words = notes_shown(document_, after, to); !words.empty())
+      note_ = std::move(words), noted_ = Clock::now();
     if (since(noted_) > 3 && head_.playing()) note_.clear();
   }
 
@@ -205,8 +237,9 @@ class Player {
     if (dropped_ > 0) left += fmt::format("  {} dropped", dropped_);
     if (live_) left += "  " + (said_.empty() ? "listening" : legible(said_));
     if (live_ && live_->ignored() > 0) left += fmt::format("  {} ignored", live_->ignored());
-    if (!note_.empty()) left += "  \"" + note_ + "\"";
-    const std::string keys = terminal_.has_keys() ? "space pause  arrows step  home end  q quit " : "";
+    if (!altered_.empty()) left += "  " + altered_;
+    if (!note_.empty()) left += "  " + note_;
+    const std::string keys = terminal_.has_keys() ? "space pause  arrows step  s style  q quit " : "";
     const std::size_t columns = static_cast<std::size_t>(size_.columns);
     std::string line;
     for (const char c : left) line += static_cast<unsigned char>(c) < 32 ? ' ' : c;
@@ -228,7 +261,7 @@ class Player {
 
   Document document_;
   Program program_;
-  const PlayCall& call_;
+  PlayCall& call_;  // keys change its picture
   const FrameList& frames_;
   Terminal& terminal_;
   LiveInput* const live_;
@@ -240,7 +273,7 @@ class Player {
   int shown_ = -1, heard_ = -1, dropped_ = 0;
   bool stale_ = false;  // what is shown is not what the document says by now
   std::size_t turned_ = 0;
-  std::string note_, said_, last_drawn_;
+  std::string note_, said_, last_drawn_, altered_;
   Clock::time_point noted_ = Clock::now();
 };
 
@@ -272,8 +305,8 @@ Status write_recording(const Document& document, const std::string& place, bool 
   return write_whole(place, write(document), overwrite);
 }
 
-Status play(const Document& document, const PlayCall& call) {
-  const Result<FrameList> frames = read_frames(call.frames, document);
+Status play(const Document& document, PlayCall& call) {
+  const Result<FrameList> frames = read_frames(call.frames, document, call.said);
   if (!frames) return frames.error();
   const Result<std::string> place = record_place(document, call);
   if (!place) return place.error();
@@ -301,7 +334,7 @@ Status play(const Document& document, const PlayCall& call) {
   return played;
 }
 
-int play(const PlayCall& call) {
+int play(PlayCall& call) {
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   if (Status played = play(*document, call); !played) return complain(played.error(), wrong_call);
@@ -310,10 +343,13 @@ int play(const PlayCall& call) {
 
 }  // namespace
 
-Status play_document(const Document& document, const std::string& frames) {
+Status play_document(const Document& document, const std::string& frames, RenderOptions& picture) {
   PlayCall call;
-  call.frames = frames;
-  return play(document, call);
+  call.frames = frames.empty() || frames.find("..") != std::string::npos ? frames : frames + "..";
+  call.said = "play", call.picture = picture;
+  const Status played = play(document, call);
+  picture = call.picture;
+  return played;
 }
 
 namespace {
@@ -330,20 +366,21 @@ std::vector<Parameter> live_parameters(PlayCall& call) {
 }
 
 const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
-  return {.rank = 30,
-          .name = "play",
-          .sentence = "plays in the terminal, in real time",
-          .takes = joined({{script_parameter(call.file),
-                            flag("--terminal", "in the terminal; in this version that is always so", call.terminal),
-                            frames_parameter(call.frames)},
-                           picture_parameters(call.picture),
-                           {flag("--loop", "again and again", call.loop)},
-                           live_parameters(call)}),
-          .note =
-              "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, q "
-              "quits.",
-          .example = "betwixt play examples/bounce.bx --terminal --loop",
-          .manual = "Frames are dropped rather than slowed down."};
+  return {
+      .rank = 30,
+      .name = "play",
+      .sentence = "plays in the terminal, in real time",
+      .takes = joined({{script_parameter(call.file),
+                        flag("--terminal", "in the terminal; in this version that is always so", call.terminal),
+                        frames_parameter(call.frames)},
+                       picture_parameters(call.picture),
+                       {flag("--loop", "again and again", call.loop)},
+                       live_parameters(call)}),
+      .note =
+          "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, s and a "
+          "change style and samples (anti-aliasing), + and - the size, q quits.",
+      .example = "betwixt play examples/bounce.bx --terminal --loop",
+      .manual = "Frames are dropped rather than slowed down."};
 });
 
 }  // namespace

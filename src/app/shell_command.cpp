@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <histedit.h>
 #include <signal.h>
+#include <sys/ioctl.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -201,7 +203,8 @@ class Keyboard : public Input {
     }
     std::string more = common.substr(std::min(typed, common.size()));
     const bool inside = line->cursor < line->lastchar && *line->cursor != ' ';  // the word goes on behind it
-    if (all.size() == 1 && !inside && !wants_dot(before, common)) more += ' ';
+    const bool open = common.ends_with('=');                                    // its value follows
+    if (all.size() == 1 && !inside && !open && !wants_dot(before, common)) more += ' ';
     if (!more.empty()) return el_insertstr(edit_, more.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
     constexpr std::size_t shown = 200;
     fmt::print("\n{}{}\n", fmt::join(all.begin(), all.begin() + static_cast<long>(std::min(shown, all.size())), "  "),
@@ -212,9 +215,9 @@ class Keyboard : public Input {
 
   // Whether an object's name is but the beginning of a target there.
   bool wants_dot(const std::string& before, const std::string& word) const {
-    static constexpr std::string_view takes_objects[] = {"remove", "rename", "hang", "attach", "couple",   "detach",
-                                                         "letgo",  "look",   "show", "hide",   "fall",     "alias",
-                                                         "create", "on",     "list", "use",    "describe", "help"};
+    static constexpr std::string_view takes_objects[] = {
+        "remove", "rename", "hang",   "attach", "couple", "detach", "letgo",    "look", "show", "hide",
+        "fall",   "alias",  "create", "on",     "list",   "use",    "describe", "help", "eval"};
     if (!session_.document().find(word)) return false;
     std::istringstream words(before);
     std::string verb;
@@ -230,6 +233,41 @@ class Keyboard : public Input {
   std::string prompt_;
   bool cancelled_ = false;
 };
+
+// One key that is pressed; 0 where nobody presses any more.
+char pressed_key() {
+  termios before{};
+  if (::tcgetattr(STDIN_FILENO, &before) != 0) return 0;
+  termios t = before;
+  t.c_lflag &= static_cast<tcflag_t>(~(ECHO | ICANON));
+  ::tcsetattr(STDIN_FILENO, TCSADRAIN, &t);
+  char key = 0;
+  listen_for_cancel();
+  if (::read(STDIN_FILENO, &key, 1) != 1) key = 0;
+  ::tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
+  return key;
+}
+
+// Text for a person, a page at a time where it is longer than the terminal.
+void page(std::string_view text) {
+  winsize w{};
+  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &w) == 0 && w.ws_row > 2;
+  const std::size_t rows = known ? w.ws_row - 1 : 23;
+  const auto lines = [](std::string_view s) { return static_cast<std::size_t>(std::count(s.begin(), s.end(), '\n')); };
+  while (lines(text) > rows) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < rows; ++i) end = text.find('\n', end) + 1;
+    std::fwrite(text.data(), 1, end, stdout);
+    text.remove_prefix(end);
+    fmt::print("-- {} more: space goes on, q ends --",
+               lines(text) == 1 ? "1 line" : fmt::format("{} lines", lines(text)));
+    std::fflush(stdout);
+    const char key = pressed_key();
+    fmt::print("\r\x1b[K");
+    if (key == 0 || key == 'q' || key == 'Q') return;
+  }
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
 
 // One logical line: more is read while a bracket or a """ is open.
 std::optional<std::string> read_line(Input& in, const std::string& prompt) {
@@ -258,13 +296,20 @@ int shell(const ShellCall& call) {
     return plot_document(d, {target}, "", to);
   };
   doors.load = [](const std::string& file) { return use_plugin(file); };
-  doors.play = [](const Document& d, const std::string& frames) {
-    const Status played = play_document(d, frames);
+  RenderOptions picture{960, 540, 1};
+  doors.play = [&picture](const Document& d, const std::string& frames) {
+    const Status played = play_document(d, frames, picture);
     release_stops();
     return played;
   };
+  doors.picture = [&picture](const std::string& what, const std::string& value) {
+    return change_picture(picture, what, value);
+  };
+  for (const Style& s : styles()) doors.styles.emplace_back(s.name);
+  const bool terminal = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+  if (terminal) doors.ask_about_line = doors.ask;
   Session session(std::move(doors), load_options());
-  if (isatty(STDIN_FILENO) && isatty(STDOUT_FILENO))
+  if (terminal)
     in = std::make_unique<Keyboard>(session);
   else
     in = std::make_unique<Pipe>();
@@ -273,7 +318,10 @@ int shell(const ShellCall& call) {
   bool wrong = false;
   const auto say = [&](const Session::Answer& a, bool acknowledge) {
     wrong = wrong || a.refused;
-    std::fputs(a.said.c_str(), a.refused && !person ? stderr : stdout);
+    if (person)
+      page(a.said);
+    else
+      std::fputs(a.said.c_str(), a.refused ? stderr : stdout);
     if (a.done && acknowledge && !person) std::fputs("ok\n", stdout);
     std::fflush(stdout);
   };

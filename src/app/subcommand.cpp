@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/command.h"
+#include "base/names.h"
 #include "betwixt/language.h"
 
 namespace betwixt {
@@ -91,6 +92,31 @@ Parameter file_option(const std::string& name, const std::string& value, const s
 
 Parameter flag(const std::string& name, const std::string& sentence, bool& given) {
   return {.name = name, .sentence = sentence, .into = &given};
+}
+
+Result<std::string> change_picture(RenderOptions& to, const std::string& what, const std::string& value) {
+  RenderOptions made = to;
+  if (what == "size" && !value.empty())
+    if (Status s = read_size(value, made); !s) return s.error();
+  if (what == "style" && !value.empty()) {
+    std::vector<std::string_view> names;
+    for (const Style& s : styles()) names.push_back(s.name);
+    if (std::find(names.begin(), names.end(), value) == names.end()) {
+      const std::string near = did_you_mean(value, names);
+      return fail(ErrorCode::name, fmt::format("there is no style '{}'", value),
+                  near.empty() ? fmt::format("styles are {}", fmt::join(names, ", ")) : near);
+    }
+    made.style = value;
+  }
+  if (what == "samples" && !value.empty()) {
+    if (value != "1" && value != "4" && value != "9" && value != "16")
+      return fail(ErrorCode::range, fmt::format("'{}' is no number of samples: 1, 4, 9 or 16", value));
+    made.samples = std::stoi(value);
+  }
+  to = made;
+  return what == "size"    ? fmt::format("size {}x{}\n", to.width, to.height)
+         : what == "style" ? fmt::format("style {}\n", to.style)
+                           : fmt::format("samples {}\n", to.samples);
 }
 
 std::vector<Parameter> picture_parameters(RenderOptions& to) {

@@ -14,7 +14,22 @@
 
 namespace betwixt {
 
-enum class Key { space, left, right, shift_left, shift_right, up, down, home, end, quit };
+enum class Key {
+  space,
+  left,
+  right,
+  shift_left,
+  shift_right,
+  up,
+  down,
+  home,
+  end,
+  style,
+  samples,
+  larger,
+  smaller,
+  quit
+};
 
 struct TerminalSize {
   int columns = 80, rows = 24;

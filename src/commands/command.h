@@ -45,6 +45,8 @@ struct Verb {
 bool carry_out(Command&);
 // Nothing may follow.
 bool finish(Cursor&);
+// Why what stands behind `on LAYER` cannot.
+bool on_no_layer(Cursor&, std::string_view verb);
 // on or off, and nothing more; whoever says anything else is told `otherwise`.
 bool on_or_off(Cursor&, const char* otherwise, bool& out);
 

@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "commands/roads.h"
 #include "procedure/lua.h"
 #include "scene/names.h"
 #include "track/curve.h"
@@ -74,7 +75,7 @@ bool rate_of_change(Command& k, const Selected& to, Value& out) {
         if (!c.number(v[i])) return false;
       if (v == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; 0 0 0 has none", c.since(start));
     }
-    if (!c.angle(angle) || !c.close()) return false;
+    if (!values(k).angle(angle) || !c.close()) return false;
     out = angle * normalize(v);
     return true;
   }
@@ -87,7 +88,7 @@ bool rate_of_change(Command& k, const Selected& to, Value& out) {
                        "as in axis(0 1 0, 90deg) or euler(0 90deg 0)");
   if (!c.open()) return false;
   for (int i = 0; i < 3; ++i)
-    if (!c.angle(v[i])) return false;
+    if (!values(k).angle(v[i])) return false;
   if (!c.close()) return false;
   out = spin || type == Type::orientation ? Value(v) : Value(Angles{v});
   return true;
@@ -225,7 +226,8 @@ bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>
   }
   if (!found) {
     if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");
-    const std::string near = did_you_mean(w, twerper_words(s));
+    const std::string_view leads = road(w);
+    const std::string near = leads.empty() ? did_you_mean(w, twerper_words(s)) : std::string(leads);
     return c.fail(ErrorCode::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
                   near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
   }

@@ -154,7 +154,8 @@ ValueReader values(Command& k) {
           [&k](FunctionId f, std::string& path, std::string_view about) { return asset(k, f, path, about); },
           [&k](std::string message, std::string_view about, std::string hint) {
             k.script.note(Severity::warning, std::move(message), about, std::move(hint));
-          }};
+          },
+          [&k](std::string_view place, std::string instead) { k.script.respell(place, std::move(instead)); }};
 }
 
 namespace {

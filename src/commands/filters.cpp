@@ -95,7 +95,7 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
     if (angles) {
       if (!c.open()) return false;
       for (int i = 0; i < 3; ++i)
-        if (!c.angle(three[i])) return false;
+        if (!values(k).angle(three[i])) return false;
       if (!c.close()) return false;
     } else if (!values(k).vector(3, three)) {
       return false;
@@ -103,7 +103,7 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
     out = three;
   } else {
     double d = 0;
-    if (angles ? !c.angle(d) : !number_or_length(c, known && known->time, d)) return false;
+    if (angles ? !values(k).angle(d) : !number_or_length(c, known && known->time, d)) return false;
     out = d;
     if (known && !(d >= known->low && d <= known->high))
       return c.fail(ErrorCode::range,

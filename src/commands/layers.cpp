@@ -57,9 +57,7 @@ bool on_layer(Command& k) {
     return c.fail_here(ErrorCode::syntax, "a command is missing here", "as in on sway set ball.position (0 1 0)");
   const std::string_view verb = c.peek_word();
   const Verb* known = find_verb(verb);
-  if (verb.find('.') == std::string_view::npos && !(known && known->flags & Verb::layered))
-    return c.fail(ErrorCode::syntax, fmt::format("'{}' works on no layer", verb.substr(0, 40)), verb,
-                  "on a layer go events, set, filters and track operations");
+  if (verb.find('.') == std::string_view::npos && !(known && known->flags & Verb::layered)) return on_no_layer(c, verb);
   Command layered{s, c, time, id, script};
   if (time && verb.find('.') != std::string_view::npos) {  // at T on LAYER TARGET VALUE
     const std::string_view w = c.next_word();
@@ -78,6 +76,11 @@ constexpr Verb layers_rows[] = {
 };
 
 }  // namespace
+
+bool on_no_layer(Cursor& c, std::string_view verb) {
+  return c.fail(ErrorCode::syntax, fmt::format("'{}' works on no layer", verb.substr(0, 40)), verb,
+                "on a layer go events, set, show, hide, filters and track operations");
+}
 
 std::span<const Verb> layers_verbs() { return layers_rows; }
 

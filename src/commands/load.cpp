@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/names.h"
 #include "commands/command.h"
 #include "commands/reader.h"
@@ -49,13 +51,28 @@ void look_at_blends(const Scene& s, Diagnostics& out) {
   }
 }
 
+// Notes that nobody will ever see: said once, of the first.
+void look_at_notes(const Scene& s, Diagnostics& out) {
+  if (!s.range || s.notes->empty() || !s.notes_shown) return;
+  const auto outside = [&](const auto& note) { return note.first < s.range->first || note.first > s.range->second; };
+  const auto first = std::find_if(s.notes->begin(), s.notes->end(), outside);
+  if (first == s.notes->end()) return;
+  out.push_back(
+      {Severity::notice,
+       fail(ErrorCode::range, fmt::format("the note at {} is outside the range, {} to {}: it never plays",
+                                          format_time(first->first, s.rate), format_time(s.range->first, s.rate),
+                                          format_time(s.range->second, s.rate))),
+       {},
+       0});
+}
+
 template <class Read>
 Loaded load(const LoadOptions& options, Read&& read) {
   Scene scene;
   Diagnostics diagnostics;
   Script script(scene, diagnostics, options);
   read(scene, script);
-  if (!has_errors(diagnostics)) look_at_blends(scene, diagnostics);
+  if (!has_errors(diagnostics)) look_at_blends(scene, diagnostics), look_at_notes(scene, diagnostics);
   return {Document(std::make_shared<const Scene>(std::move(scene))), std::move(diagnostics)};
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "commands/roads.h"
 #include "procedure/lua.h"
 
 namespace betwixt {
@@ -131,6 +132,7 @@ bool create(Command& k) {
                     fmt::format("animate {} every 1t by rotate(6deg, z)", word.substr(0, 40)));
     if (!kind) {
       std::string hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
+      if (hint.empty()) hint = road(kind_word);
       if (hint.empty()) {
         hint = "kinds are";
         for (auto k : kind_names) hint += " " + std::string(k);

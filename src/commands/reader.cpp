@@ -9,6 +9,7 @@
 
 #include "base/names.h"
 #include "commands/list_rows.h"
+#include "commands/roads.h"
 #include "commands/verbs.h"
 #include "language/line_words.h"
 
@@ -54,12 +55,10 @@ bool no_command(Command& k, std::string_view w, const char* start) {
   if (w.starts_with("//") || w.starts_with(";"))
     return fail(ErrorCode::syntax, "a comment starts with '#' and a space");
   const std::string message = fmt::format("there is no command '{}'", said);
-  if (w == "mirror")
-    return fail(ErrorCode::name, message,
-                "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)");
   c.space();
   if (c.peek() == '=')
     return fail(ErrorCode::name, message, fmt::format("names for many objects are made by: alias {} = …", said));
+  if (const std::string_view leads = road(w); !leads.empty()) return fail(ErrorCode::name, message, std::string(leads));
   std::vector<std::string_view> words = verb_words();
   for (const NamedProcedure& p : *s.procedures)
     if (p.role == Role::command) words.push_back(p.name);
@@ -128,9 +127,13 @@ void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
     e = fail(ErrorCode::syntax, "this bracket is never closed");
     c.where = {c.brackets[std::min(static_cast<std::size_t>(c.depth), c.brackets.size()) - 1], 1};
   }
+  const std::string_view whole(line_start, static_cast<std::size_t>(one.end - line_start));
+  const bool followed = !script.live && script.failed.contains(name_missed(e));
   const bool ignored = e.code == ErrorCode::type && s.policy == Policy::ignore;
   if (ignored) e.message = "ignored: " + e.message;
-  script.report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
+  for (std::string& name : ignored ? std::vector<std::string>() : names_made(whole))
+    script.failed.insert(std::move(name));
+  if (!followed) script.report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
   c.at = next;
 }
 
@@ -216,6 +219,23 @@ bool carry_out(Command& k) {
   if (open_sheet(k, w)) return true;
   script.sheet.breaks();
   return false;
+}
+
+std::vector<std::string> names_made(std::string_view line) {
+  static constexpr std::string_view makers[] = {"create", "layer", "alias", "define", "procedure", "animate", "make"};
+  Cursor c(line);
+  const std::string_view verb = c.next_word(), word = c.next_word();
+  if (word.empty() || std::find(std::begin(makers), std::end(makers), verb) == std::end(makers)) return {};
+  auto names = expand_braces(word, 10'000);
+  return names ? *std::move(names) : std::vector<std::string>();
+}
+
+std::string_view name_missed(const Error& e) {
+  if (e.code != ErrorCode::name) return {};
+  const std::string_view message = e.message;
+  const auto close = message.rfind('\''), open = message.rfind('\'', close - 1);
+  if (close == std::string_view::npos || close == 0 || open == std::string_view::npos) return {};
+  return message.substr(open + 1, close - open - 1);
 }
 
 void read_text(Scene& s, Script& script, std::string_view text, const std::string& name) {

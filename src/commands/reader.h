@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "commands/script.h"
 
@@ -18,5 +19,10 @@ void read_text(Scene&, Script&, std::string_view text, const std::string& name);
 
 // One logical line of a live author: a command, or a row of the sheet that an earlier one left open.
 void read_line(Scene&, Script&, std::string_view line, const std::string& name);
+
+// The names that a line would have made, had it not been refused; and the name that an error of a name is about. Where
+// they are the same, the one follows from the other.
+std::vector<std::string> names_made(std::string_view line);
+std::string_view name_missed(const Error&);
 
 }  // namespace betwixt

@@ -38,6 +38,13 @@ void Script::stamp(const Scene& s, std::string_view place, std::string_view befo
   stamps.push_back({at, place.size(), fmt::format("{}{}t{}", before, s.ticks.whole(*options.now), behind)});
 }
 
+void Script::respell(std::string_view place, std::string instead) {
+  if (!spells_out) return;
+  const auto at = static_cast<std::size_t>(place.data() - source.text.data());
+  std::erase_if(stamps, [&](const Stamp& s) { return s.at >= at; });  // parts of it
+  stamps.push_back({at, place.size(), std::move(instead)});
+}
+
 std::string Script::stamped() const {
   std::string line(source.text);
   for (auto s = stamps.rbegin(); s != stamps.rend(); ++s) line.replace(s->at, s->length, s->text);

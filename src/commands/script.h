@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -123,9 +124,14 @@ struct Script : SoFar {
     std::string text;
   };
   std::vector<Stamp> stamps;
+  bool spells_out = false;  // what the policy made of values stands there too, as values that mean it
+  void respell(std::string_view place, std::string instead);
   const char* verb = nullptr;  // of the command that is carried out
   void stamp(const Scene&, std::string_view place, std::string_view before, std::string_view behind);
   std::string stamped() const;
+
+  // Names that lines would have made which were refused: what lines below lack then is said once.
+  std::set<std::string, std::less<>> failed;
 
   int errors = 0;
   bool given_up = false;  // there are so many that the rest is not said

@@ -68,13 +68,14 @@ bool operate_and_say(Command& k, const Stretch& on, const Work& work, bool along
 bool given_factors(Command& k, const Stretch& on, Value& out) {
   Cursor& c = k.cursor;
   c.space();
-  if (c.peek() != '(') {
+  const bool one = std::holds_alternative<double>(row_of(on.type()).example());
+  if (c.peek() != '(' || (one && values(k).translates())) {
     double d = 0;
     if (!values(k).scalar(d)) return false;
     out = d;
     return true;
   }
-  if (std::holds_alternative<double>(row_of(on.type()).example()))
+  if (one)
     return c.fail_here(ErrorCode::type, fmt::format("one number is wanted here: this is {}", to_string(on.type())));
   Vec3 v;
   if (!values(k).vector(component_count(on.type()) == 2 ? 2 : 3, v)) return false;
@@ -154,7 +155,7 @@ bool rotate(Command& k) {
   Stretch on;
   double angle = 0;
   Vec3 axis, centre;
-  if (!on_values(k, on) || !c.angle(angle) || !values(k).axis(axis)) return false;
+  if (!on_values(k, on) || !values(k).angle(angle) || !values(k).axis(axis)) return false;
   if (c.accept('@') && !values(k).vector(3, centre, Unit::metres)) return false;
   const Type type = on.of.spec ? on.type() : Type::vector;
   if (!row_of(type).rotates)

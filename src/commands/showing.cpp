@@ -50,7 +50,8 @@ bool display(Command& k) {
   std::vector<ObjectId> found;
   if (!objects(k, word, found) || !finish(c)) return false;
   for (ObjectId id : found) {
-    const Target t{id, fn::display, -1};
+    Target t{id, fn::display, -1};
+    t.layer = layer;
     if (!time) {
       set_value(s, t, on);
       continue;
@@ -67,9 +68,9 @@ constexpr Verb showing_rows[] = {
     {"look", "at TIME look through CAMERA", "From this time on the film is seen through a camera.",
      "at 24f look through eye", Verb::timed, look},
     {"show", "show A or at TIME show A", "Shows objects, from a time on or for the whole film.", "at 12f show ball",
-     Verb::timed, display<true>},
+     Verb::timed | Verb::layered, display<true>},
     {"hide", "hide A or at TIME hide A", "Hides objects, from a time on or for the whole film.", "at 24f hide ball",
-     Verb::timed, display<false>},
+     Verb::timed | Verb::layered, display<false>},
     {"note", "at TIME note \"…\"", "A remark at a time; it shows while the film plays.",
      "at 24f note \"first bounce ends\"", Verb::timed, note_command},
     {"notes", "notes on or notes off", "Whether notes show while the film plays.", "notes off", 0, notes},

@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "commands/roads.h"
 #include "scene/names.h"
 
 namespace betwixt {
@@ -174,9 +175,10 @@ bool no_function(const Search& q, ObjectId id) {
   const Object& o = q.scene().objects[id.index];
   auto names = function_names(q.scene(), o.kind);
   names.push_back("world");
+  const std::string near = did_you_mean(q.words.function, names);
   return q.fail(ErrorCode::name,
                 fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), q.words.function.substr(0, 40)),
-                q.words.function, did_you_mean(q.words.function, names));
+                q.words.function, near.empty() ? std::string(road(q.words.function)) : near);
 }
 
 bool all_of(const Search& q, const std::vector<ObjectId>& objects) {

@@ -25,9 +25,11 @@ bool at(Command& k) {
   Command timed{s, c, from, layer, script};
   c.space();
   const char* start = c.at;
-  const std::string_view w = c.word();
-  if (w.empty()) return c.fail_here(ErrorCode::syntax, "a target or a command is missing here");
-  if (w.find('.') != std::string_view::npos) {
+  const bool sets = c.accept_word("set");  // at T set TARGET VALUE is at T TARGET VALUE
+  const std::string_view w = c.next_word();
+  if (w.empty())
+    return c.fail_here(ErrorCode::syntax, sets ? "a target is missing here" : "a target or a command is missing here");
+  if (sets || w.find('.') != std::string_view::npos) {
     Selected to;
     if (!targets(timed, w, to)) return false;
     if (!to.spec) return pass_over(k, start);
@@ -37,10 +39,8 @@ bool at(Command& k) {
   }
   if (until) return one_time_only(c, segment);
   c.at = start;
-  if (w == "set")
-    return c.fail(ErrorCode::syntax, "'set' has no time; with 'at', write the target and its value", w,
-                  "as in at 24f ball.color red");
   const Verb* verb = find_verb(w);
+  if (verb && layer && verb->flags & Verb::timed && !(verb->flags & Verb::layered)) return on_no_layer(c, w);
   if (verb && verb->flags & Verb::timed) return carry_out(timed);
   if (verb) return c.fail(ErrorCode::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
   if (const auto why = not_of_a_script(w); !why.empty())
@@ -56,10 +56,11 @@ bool set(Command& k) {
   Selected to;
   if (!targets(k, w, to)) return false;
   if (!to.spec) return pass_over(k, w.data());
+  if (time) return event(k, to, *time);
   Value v;
   c.space();
   // A live host puts something into an environment as it is now, not as it was before (R-E9).
-  if (!time && script.options.now && to.type() == Type::names) {
+  if (script.options.now && to.type() == Type::names) {
     script.stamp(s, {script.verb, static_cast<std::size_t>(w.data() - script.verb)}, "at ", " ");
     c.ticks_read = true;
     return event(k, to, *script.options.now);
@@ -159,7 +160,7 @@ bool extend(Command& k) {
 
 constexpr Verb tracks_rows[] = {
     {"set", "set TARGET VALUE, as in set ball.color red", "The value of a function while its track has no events.",
-     "set ball.color red", Verb::layered, set},
+     "set ball.color red", Verb::timed | Verb::layered, set},
     {"at", "at TIME TARGET VALUE or at TIME COMMAND", "Gives a command its time, or puts one event on a track.",
      "at 12f ball.radius 2 ease-in=4f", Verb::layered, at},
     {"twerper", "twerper TARGET NAME [in=light|srgb]; none gives every event its own again",

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "commands/verbs.h"
 #include "editor/help.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
+#include "language/colors.h"
 #include "track/filter.h"
 
 namespace betwixt {
@@ -15,42 +17,109 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// A line up to its last word, and that.
+// A line up to its last word, and that. `at TIME` and `on LAYER` are taken off its words.
 struct Begun {
   Words words;
   std::string verb;  // may be empty
   std::string_view last;
+  std::string key;  // a value is due behind key=
+  bool timed = false, layered = false;
   bool row = false, in_list = false;
+  std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }  // among the words behind the verb
 };
 
-void functions(const Scene& s, std::string_view last, Words& all) {
-  const std::string_view object = last.substr(0, last.find('.'));
-  for (const ObjectId id : select(s, object))
-    for (const auto f : function_names(s, s.objects[id.index].kind)) all.push_back(fmt::format("{}.{}", object, f));
+// What follows by a verb alone, at a place behind it.
+struct Following {
+  std::string_view verb;
+  std::size_t place;
+  std::string_view words;  // with blanks between
+};
+constexpr Following following[] = {
+    {"policy", 0, "translate ignore ask"},
+    {"notes", 0, "on off"},
+    {"record", 0, "on off"},
+    {"background", 0, "none"},
+    {"extend", 1, "hold linear cycle bounce"},
+    {"extend", 2, "before after"},
+    {"twerper", 2, "in=light in=srgb"},
+    {"layer", 1, "add mix"},
+    {"procedure", 1, "twerper filter command lua"},
+    {"procedure", 2, "lua"},
+    {"create", 1, "like"},
+    {"look", 0, "through"},
+    {"couple", 1, "to"},
+    {"attach", 1, "to"},
+    {"hang", 1, "on"},
+    {"couple", 3, "keep-world"},
+    {"attach", 3, "keep-world"},
+    {"hang", 3, "keep-world"},
+    {"copy", 2, "to"},
+    {"copy", 4, "on shift times"},
+    {"copy", 6, "on shift times"},
+    {"copy", 8, "on shift times"},
+    {"move", 2, "by"},
+    {"stretch", 2, "by"},
+    {"stagger", 1, "by"},
+    {"stagger", 3, "random"},
+    {"spread", 1, "from"},
+    {"spread", 3, "to"},
+    {"samples", 0, "1 4 9 16"},
+};
+
+void split(std::string_view words, char between, Words& all) {
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(between), words.size());
+    all.emplace_back(words.substr(0, end));
+    words.remove_prefix(std::min(words.size(), end + 1));
+  }
 }
 
-bool fits_here(const HelpEntry& e, const Begun& b) {
-  const bool verb = e.group == HelpGroup::verb && is_verb(e.word);
-  const bool first = verb || e.group == HelpGroup::shell;
-  if (b.in_list) return e.group == HelpGroup::row && b.words.empty();
-  if (b.verb == "help") return e.group != HelpGroup::verb || verb;
-  if (b.words.empty() && !b.row) return first;
-  if (b.verb == "create") return e.group == HelpGroup::kind && b.words.size() == 2;
-  if (!b.row && b.verb != "at" && b.verb != "twerper") return false;
-  return e.group == HelpGroup::twerper || (b.verb == "at" && b.words.size() == 2 && first);
+// The words of a line; what stands in brackets is one with what stands before them.
+Words whole_words(std::string_view text) {
+  Words all;
+  long open = 0;
+  for (std::string& w : line_words(text)) {
+    if (open > 0)
+      all.back() += " " + w;
+    else
+      all.push_back(std::move(w));
+    open =
+        std::count(all.back().begin(), all.back().end(), '(') - std::count(all.back().begin(), all.back().end(), ')');
+  }
+  return all;
+}
+
+// Behind the first dot of a target: functions; behind the second: components.
+void parts_of_target(const Document& d, std::string_view last, bool asking, Words& all) {
+  const Scene& s = d.scene();
+  const std::size_t dot = last.find('.');
+  const std::string_view object = last.substr(0, dot);
+  const std::size_t behind = last.find('.', dot + 1);
+  for (const ObjectId id : select(s, object)) {
+    const Kind kind = s.objects[id.index].kind;
+    if (behind == std::string_view::npos) {
+      for (const auto f : function_names(s, kind)) all.push_back(fmt::format("{}.{}", object, f));
+      for (const char* query : {"world", "touching", "in-view"})
+        if (asking) all.push_back(fmt::format("{}.{}", object, query));
+      continue;
+    }
+    const std::string_view name = last.substr(dot + 1, behind - dot - 1);
+    const std::string whole(last.substr(0, behind));
+    const auto f = find_function(s, kind, name);
+    const Type type = f ? spec_of(s, *f).type : Type::vector;
+    if (!f && !(asking && name == "world")) continue;
+    const bool below = last.substr(behind + 1).find('.') != std::string_view::npos;  // behind a component
+    if (!below)
+      for (int i = 0; i < component_count(type); ++i)
+        all.push_back(fmt::format("{}.{}", whole, component_name(type, i)));
+    if (f && row_of(type).rate)
+      all.push_back(fmt::format("{}.velocity", below ? last.substr(0, last.rfind('.')) : std::string_view(whole)));
+  }
 }
 
 void own_words(const Scene& s, Role role, Words& all) {
   for (const NamedProcedure& p : *s.procedures)
     if (p.role == role) all.push_back(p.name);
-}
-
-void names_and_words(const Document& d, const Begun& b, Words& all) {
-  for (const HelpEntry& e : help_entries())
-    if (fits_here(e, b)) all.emplace_back(e.word);
-  if (b.verb != "help" && !(b.verb == "create" && b.words.size() < 3))
-    for (const std::string& name : d.names()) all.push_back(name);
-  if (b.row || b.verb == "at" || b.verb == "twerper") own_words(d.scene(), Role::twerper, all);
 }
 
 void filters(const Scene& s, Words& all) {
@@ -64,26 +133,166 @@ void files(Words& all) {
   for (const auto& e : std::filesystem::directory_iterator(".", why)) all.push_back(e.path().filename().string());
 }
 
+void objects_of(const Scene& s, Kind kind, Words& all) {
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (!s.objects[i].removed && s.objects[i].kind == kind) all.push_back(s.objects[i].name);
+}
+
+// A word that a value of a function can begin with.
+void value_words(const Document& d, const FunctionSpec& spec, Words& all) {
+  const auto words = [&](std::string_view these) { split(these, ' ', all); };
+  split(spec.words, '|', all);
+  switch (spec.type) {
+    case Type::color: {
+      const auto named = color_names();
+      all.insert(all.end(), named.begin(), named.end());
+      return words("rgb hsv");
+    }
+    case Type::boolean:
+      return words("on off");
+    case Type::rotation:
+    case Type::orientation:
+      return words("euler axis quat");
+    case Type::shape:
+      return words("shape none");
+    case Type::attachment:
+      return words("attach couple hang detach letgo");
+    case Type::motion:
+      return words("T R S");
+    case Type::names:
+      words("none");
+      return objects_of(d.scene(), Kind::environment, all);
+    case Type::aim:
+      words("none");
+      for (const std::string& name : d.names()) all.push_back(name);
+      return;
+    default:
+      return;
+  }
+}
+
+// How an event goes on.
+void ways(const Scene& s, Type type, Words& all) {
+  for (const TwerperRow& t : twerpers())
+    if (const auto known = find_twerper(t.name); known && fits(*known, type)) all.emplace_back(t.name);
+  own_words(s, Role::twerper, all);
+  split("ease-in= ease-out= cut", ' ', all);
+  if (row_of(type).tangents) split("tangent= tangent-in= tangent-out=", ' ', all);
+}
+
+// Behind an event's target: a value, and behind that how it goes on.
+void event_words(const Document& d, const std::string& target, bool value_due, Words& all) {
+  const auto found = find_targets(target, d);
+  if (!found || found->empty() || found->front().query()) return;
+  const Target& t = found->front();
+  FunctionSpec spec = spec_of(d.scene(), t.function);
+  if (t.component >= 0) spec.type = component_type(spec.type);
+  if (!value_due) return ways(d.scene(), spec.type, all);
+  if (t.velocity) all.emplace_back("release");
+  if (!t.velocity) value_words(d, spec, all);
+  all.emplace_back("keep");
+}
+
+void behind_key(const Document& d, const Begun& b, Words& all) {
+  const Kind kind = b.words.size() > 2 ? find_kind(b.words[2]).value_or(Kind::sphere) : Kind::sphere;
+  if (b.verb == "create")
+    if (const auto f = find_function(d.scene(), kind, b.key)) value_words(d, spec_of(d.scene(), *f), all);
+}
+
+void parameters(const Document& d, const Begun& b, Words& all) {
+  if (b.verb == "create" && b.place() >= 2)
+    if (const auto kind = find_kind(b.words[2]))
+      for (const auto name : function_names(d.scene(), *kind)) all.push_back(fmt::format("{}=", name));
+  if (b.verb == "filter" && b.place() >= 2)
+    if (const FilterSpec* f = find_filter(b.words[2]))
+      for (const FilterParameter& p : f->parameters) all.push_back(fmt::format("{}=", p.name));
+  if (b.verb == "fall" && b.place() >= 1) split("delay= gravity= ground= bounce= for", ' ', all);
+}
+
+// The word that a command, or a word of the shell, begins with.
+void first_words(const Begun& b, Words& all) {
+  const unsigned wanted = (b.timed ? Verb::timed : 0u) | (b.layered && !b.timed ? Verb::layered : 0u);
+  for (const std::string_view w : verb_words(wanted)) all.emplace_back(w);
+  if (b.timed || b.layered) return;
+  for (const HelpEntry& e : help_entries())
+    if (e.group == HelpGroup::shell) all.emplace_back(e.word);
+}
+
+void words_of_help(Words& all) {
+  for (const HelpEntry& e : help_entries())
+    if (e.group != HelpGroup::verb || is_verb(e.word)) all.emplace_back(e.word);
+}
+
+// Whether the verb's words are said by it alone; else names of objects may stand there too.
+bool by_verb(const Document& d, const Begun& b, const Session::Doors& doors, Words& all) {
+  const Scene& s = d.scene();
+  const std::size_t before = all.size();
+  for (const Following& f : following)
+    if (f.verb == b.verb && f.place == b.place()) split(f.words, ' ', all);
+  if (b.verb == "create" && b.place() == 1)
+    for (const KindRow& k : kinds()) all.emplace_back(k.name);
+  if (b.verb == "define" && b.place() == 1)
+    for (const std::string_view w : type_words()) all.emplace_back(w);
+  if (b.verb == "background") value_words(d, spec_of(s, fn::color), all);
+  if (b.verb == "filter" && b.place() == 1) filters(s, all);
+  if (b.verb == "twerper" && b.place() == 1) ways(s, Type::vector, all), all.emplace_back("none");
+  if (b.verb == "look" && b.place() == 1) objects_of(s, Kind::camera, all);
+  if (b.verb == "on" && b.place() == 0) objects_of(s, Kind::layer, all);
+  if (b.verb == "style") all.insert(all.end(), doors.styles.begin(), doors.styles.end());
+  if (b.verb == "help") words_of_help(all);
+  if (b.verb == "save" || b.verb == "open" || b.verb == "use" || b.verb == "load") files(all);
+  parameters(d, b, all);
+  return all.size() > before || (b.verb == "create" && b.place() < 2);
+}
+
+void offered(const Document& d, const Begun& b, const std::string& sheet, const Session::Doors& doors, Words& all) {
+  if (!b.key.empty()) return behind_key(d, b, all);
+  if (b.in_list && b.words.empty()) {
+    for (const HelpEntry& e : help_entries())
+      if (e.group == HelpGroup::row) all.emplace_back(e.word);
+    return;
+  }
+  if (b.row && !b.in_list && !b.words.empty()) return event_words(d, sheet, b.words.size() == 1, all);
+  if (b.words.empty()) first_words(b, all);
+  const bool target = b.verb.find('.') != std::string::npos;
+  if (b.timed && target) return event_words(d, b.verb, b.words.size() == 1, all);
+  if (b.verb == "set" && b.place() >= 1) return event_words(d, b.words[1], b.place() == 1, all);
+  if (by_verb(d, b, doors, all)) return;
+  for (const std::string& name : d.names()) all.push_back(name);
+}
+
+// Takes `at TIME` and `on LAYER` off.
+void take_off(Begun& b) {
+  while (b.words.size() >= 2 && (b.words[0] == "at" || b.words[0] == "on")) {
+    (b.words[0] == "at" ? b.timed : b.layered) = true;
+    b.words.erase(b.words.begin(), b.words.begin() + 2);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> Session::complete(std::string_view line) const {
   Begun b;
   const std::size_t blank_at = line.find_last_of(" \t,(=");
   b.last = blank_at == std::string_view::npos ? line : line.substr(blank_at + 1);
-  b.words = line_words(line.substr(0, line.size() - b.last.size()));
-  if (!b.words.empty()) b.verb = b.words[0];
+  const std::string_view before = line.substr(0, line.size() - b.last.size());
+  b.words = whole_words(before);
+  if (before.ends_with('=') && !b.words.empty()) {
+    b.key = b.words.back().substr(0, b.words.back().size() - 1);
+    b.words.pop_back();
+  }
   const auto& sheet = state_->editor.now().script.left;
   b.row = sheet && !line.empty() && (indented(line) || starts_like_time(line[0]));
   b.in_list = b.row && !sheet->sheet.list.empty();
+  if (!b.row) take_off(b);
+  if (!b.words.empty()) b.verb = b.words[0];
+  static constexpr std::string_view askers[] = {"eval", "plot", "describe"};
+  const bool asking = std::find(std::begin(askers), std::end(askers), b.verb) != std::end(askers);
   Words all;
   if (b.last.find('.') != std::string_view::npos)
-    functions(document().scene(), b.last, all);
-  else if (b.verb == "filter" && b.words.size() == 2)
-    filters(document().scene(), all);
-  else if (b.verb == "save" || b.verb == "open" || b.verb == "use" || b.verb == "load")
-    files(all);
+    parts_of_target(document(), b.last, asking, all);
   else
-    names_and_words(document(), b, all);
+    offered(document(), b, sheet ? sheet->pattern : "", state_->doors, all);
   std::erase_if(all, [&](const std::string& w) { return !w.starts_with(b.last); });
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());

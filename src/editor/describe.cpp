@@ -10,6 +10,7 @@
 #include "betwixt/language.h"
 #include "betwixt/program.h"
 #include "editor/help.h"
+#include "editor/plain_values.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -34,43 +35,78 @@ std::size_t events_of(const Object& o, ObjectId layer) {
   return n;
 }
 
-// A value as it would be written in a script.
-std::string written(const Value& v, const Target& t, const Document& d) {
-  if (const auto* m = std::get_if<Matrix>(&v)) return write_matrix(**m);
-  return write_value(v, spec_of(d.scene(), t.function), t.component,
-                     [&](ObjectId id) { return id ? d.name(id) : std::string(); });
-}
-
 Error no_object(const Document& d, const std::string& word) {
   const auto names = d.names();
   return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
               did_you_mean(word, {names.begin(), names.end()}));
 }
 
+// From when on it hangs on what, and when that ends.
+std::string attachment_lines(const Document& d, const Object& o) {
+  std::string said;
+  for (const AttachmentSpan& a : attachments(o)) {
+    if (!a.to.parent && a.from == from_the_beginning) continue;
+    static constexpr std::string_view how[] = {"is detached", "is let go", "hangs on", "is attached to",
+                                               "is coupled to"};
+    said += fmt::format("  {}", how[static_cast<std::size_t>(a.to.kind)]);
+    if (a.to.parent) said += " " + d.name(a.to.parent);
+    if (a.from != from_the_beginning)
+      said += fmt::format(" {} {}", a.to.parent ? "from" : "at", format_time(a.from, d));
+    said += a.to.keep_world ? ", keep-world\n" : "\n";
+  }
+  return said;
+}
+
+void add_manner(const Strand& strand, const Scene& s, std::vector<std::string>& all) {
+  const auto put = [&](const Track& t) {
+    if (t.global != Twerper::unset) all.push_back("twerper " + twerper_name(s, t.global));
+    const auto extends = [&](Extrapolation e, const char* where) {
+      if (e != Extrapolation::hold)
+        all.push_back(fmt::format("extend {}{}", extrapolation_names[static_cast<std::size_t>(e)], where));
+    };
+    if (t.before == t.after) return extends(t.after, "");
+    extends(t.before, " before"), extends(t.after, " after");
+  };
+  put(*strand.track);
+  for (const auto& c : strand.components) put(*c);
+}
+
+// All that makes the value of a function, in brief: what its own line ends with.
+std::string in_brief(const Document& d, const Object& o, FunctionId f) {
+  std::vector<std::string> all;
+  for (const Slot& slot : o.slots) {
+    if (slot.function != f) continue;
+    if (slot.layer) {
+      all.push_back("layer " + d.name(slot.layer));
+      continue;
+    }
+    if (const std::size_t n = events_of(slot); n > 0) all.push_back(counted(n, "event"));
+    if (slot.set && std::holds_alternative<Procedure>(*slot.set)) all.emplace_back("a procedure");
+    add_manner(slot, d.scene(), all);
+    if (const std::size_t n = events_of(slot.velocity); n > 0) all.push_back("velocity " + counted(n, "event"));
+    for (const Filter& filter : slot.filters) all.push_back("filter " + filter.name);
+  }
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 std::string object_lines(const Document& d, ObjectId id, const Program& program) {
   const Object& o = d.scene().objects[id.index];
-  std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind));
-  for (const AttachmentSpan& a : attachments(o)) {
-    if (!a.to.parent) continue;
-    static constexpr std::string_view how[] = {"", "", "hangs on", "is attached to", "is coupled to"};
-    said += fmt::format("  {} {}", how[static_cast<std::size_t>(a.to.kind)], d.name(a.to.parent));
-    if (a.from != from_the_beginning) said += fmt::format(" from {}", format_time(a.from, d));
-    said += "\n";
-  }
+  std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind)) + attachment_lines(d, o);
   const Time first = d.range().first;
   std::vector<std::string_view> at_rest;
   for (const std::string_view name : function_names(d.scene(), o.kind)) {
     const auto f = find_function(d.scene(), o.kind, name);
     if (!f || *f == fn::attachment) continue;
     const Slot* slot = o.find(*f);
-    if (!slot || (!slot->set && events_of(*slot) == 0)) {
+    const std::string brief = in_brief(d, o, *f);
+    if (brief.empty() && (!slot || !slot->set)) {
       at_rest.push_back(name);
       continue;
     }
     const Target t{id, *f, -1};
-    said += fmt::format("  {:16} {}", name, written(program.read(t, first), t, d));
-    if (const std::size_t n = events_of(*slot); n > 0)
-      said += fmt::format(" at {}; {}", format_time(first, d), counted(n, "event"));
+    said += fmt::format("  {:16} {}", name, plain_value(program.read(t, first), t, d));
+    if (!brief.empty()) said += fmt::format(" at {}; {}", format_time(first, d), brief);
     said += "\n";
   }
   if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
@@ -83,20 +119,21 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
   return said;
 }
 
+// A target's rows, and below them what else makes its value.
 std::string track_lines(const Document& d, const Target& t) {
   std::string said;
   if (t.query()) return said;
-  const FunctionSpec& spec = spec_of(d.scene(), t.function);
-  for (const Track* track : tracks_of(d.scene(), t))
-    track->events.each([&](const Event& e) {
-      const bool whole = !std::holds_alternative<double>(e.value) || spec.type == Type::scalar;
-      said += fmt::format("  {:8} ", format_time(e.time, d));
-      said += e.keep ? "keep" : write_value(e.value, spec, whole ? t.component : 0, [&](ObjectId id) {
-        return id ? d.name(id) : std::string();
-      });
-      if (e.twerper != Twerper::unset) said += " " + twerper_name(d.scene(), e.twerper);
-      said += "\n";
-    });
+  const std::string rows = write_rows(d, t), besides = write_besides(d, t);
+  for (std::string_view rest = rows; !rest.empty();) {
+    const std::size_t end = rest.find('\n'), time = rest.find_first_not_of(' '), space = rest.find(' ', time);
+    said += fmt::format("  {:8}{}", rest.substr(time, space - time), rest.substr(space, end + 1 - space));
+    rest.remove_prefix(end + 1);
+  }
+  for (std::string_view rest = besides; !rest.empty();) {
+    const std::size_t end = rest.find('\n') + 1;
+    said += fmt::format("  {}", rest.substr(0, end));
+    rest.remove_prefix(end);
+  }
   return said;
 }
 
@@ -162,8 +199,8 @@ Result<std::string> describe(const Document& d, const std::string& word) {
     for (const Target& t : *targets) {
       const std::string events = track_lines(d, t);
       said += d.name(t);
-      if (const std::string now = written(program.read(t, first), t, d); events.empty() && !now.empty())
-        said += "  " + now;
+      const bool rows = !t.query() && !write_rows(d, t).empty();
+      if (const std::string now = plain_value(program.read(t, first), t, d); !rows && !now.empty()) said += "  " + now;
       said += "\n" + events;
     }
     return said;
@@ -181,13 +218,20 @@ std::string list_notes(const Document& d) {
   return said.empty() ? "there are no notes\n" : said;
 }
 
+std::string notes_shown(const Document& d, std::optional<Time> after, Time now) {
+  std::string said;
+  if (!d.scene().notes_shown) return said;
+  for (const auto& [time, words] : d.notes(after ? *after + Time{1} : now, now))
+    said += fmt::format("{}\"{}\"", said.empty() ? "" : " ", words);
+  return said;
+}
+
 Result<std::string> look_up(const Document& d, const std::string& word) {
   if (word.empty()) return help_overview(d.scene());
   if (const std::string text = help_text(word, d.scene()); !text.empty()) return text;
   if (const ObjectId id = d.find(word); id)
     return fmt::format("{} is an object of this film: describe {}\n", word, word);
-  std::vector<std::string_view> known;
-  for (const HelpEntry& e : help_entries()) known.push_back(e.word);
+  const std::vector<std::string_view> known = words_with_help();
   return fail(ErrorCode::name, fmt::format("there is no help about '{}'", word.substr(0, 60)),
               did_you_mean(word, known));
 }

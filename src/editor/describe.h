@@ -4,6 +4,7 @@
 // What there is to see in a document, in words: for the shell, and for hosts of a server.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "betwixt/document.h"
@@ -15,6 +16,9 @@ Result<std::string> list_objects(const Document&, const std::string& pattern);
 // What an object is, has and hangs on; of a target, its events. Errors: name.
 Result<std::string> describe(const Document&, const std::string& word);
 std::string list_notes(const Document&);
+// The notes that playing says at a time: all that stand behind the time that was shown before, or, none, those that
+// stand exactly there. In quotes, one behind the other; nothing where the film says `notes off`.
+std::string notes_shown(const Document&, std::optional<Time> after, Time now);
 // All that is known about a word; "": all words. Errors: name.
 Result<std::string> look_up(const Document&, const std::string& word);
 

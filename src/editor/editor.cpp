@@ -22,7 +22,7 @@ Diagnostics Editor::begin(std::string text, const std::string& name) {
   return all;
 }
 
-Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<Time> now) const {
+Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<Time> now, bool translated) const {
   Deed deed;
   const bool row = from.script.left && indented(line);
   if (row) deed.sheet = from.script.left->opener;
@@ -30,14 +30,18 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   LoadOptions options = options_;
   options.now = now;
   Script script(scene, deed.said, options, from.script, home_);
+  script.spells_out = translated;
+  const Policy policy = scene.policy;
+  if (translated) scene.policy = Policy::translate;
   read_line(scene, script, line, home_.name);
+  if (translated) scene.policy = policy;
   for (Diagnostic& d : deed.said)
     if (d.what.place.file == home_.name) d.what.place.file.clear();
   deed.done = !has_errors(deed.said);
   if (!deed.done) return deed;
   deed.line = script.stamped();
   if (!row) deed.line.erase(0, deed.line.find_first_not_of(" \t\r,"));  // in a history it must not look like a row
-  deed.stamped = !row && !script.stamps.empty();
+  deed.stamped = !row && !translated && !script.stamps.empty();
   if (!row && !script.verb) script.left = from.script.left;  // a remark closes no sheet
   deed.opens = !row && script.verb && script.left;
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), script};

@@ -62,7 +62,8 @@ class Editor {
 
   // A line as somebody says it: a command, or a row of the sheet that is open. `now`: the time at which commands
   // happen that are said by a live host (LoadOptions::now).
-  Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}) const;
+  // `translated`: values that mean nothing where they stand are translated, and the deed's line says what came of it.
+  Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}, bool translated = false) const;
 
   // The sink's errors.
   Status take(Point after, Step step);

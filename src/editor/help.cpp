@@ -12,6 +12,7 @@
 
 #include "commands/list_rows.h"
 #include "commands/plugins.h"
+#include "commands/roads.h"
 #include "commands/verbs.h"
 
 namespace betwixt {
@@ -42,16 +43,37 @@ constexpr HelpEntry other_words[] = {
      "attach A to B keep-world", "at 20f attach ball to hand keep-world"},
 };
 
-constexpr std::pair<HelpGroup, std::string_view> groups[] = {
-    {shell, "Words of the shell"},
-    {verb, "Commands"},
-    {row, "Rows of display lists (make NAME)"},
-    {kind, "Kinds of objects (create NAME KIND …)"},
-    {function, "Functions (NAME.function)"},
-    {twerper, "Twerpers (from one event to the next)"},
-    {filter, "Filters (filter TARGET NAME …)"},
-    {option, "Words of events and attachments"},
+struct GroupRow {
+  HelpGroup group;
+  std::string_view word, title;  // `word`: help WORD lists it
 };
+constexpr GroupRow groups[] = {
+    {shell, "shell", "Words of the shell"},
+    {verb, "commands", "Commands"},
+    {row, "rows", "Rows of display lists (make NAME)"},
+    {kind, "kinds", "Kinds of objects (create NAME KIND …)"},
+    {function, "functions", "Functions (NAME.function)"},
+    {twerper, "twerpers", "Twerpers (from one event to the next)"},
+    {filter, "filters", "Filters (filter TARGET NAME …)"},
+    {option, "options", "Words of events and attachments"},
+};
+
+void list_group(const GroupRow& row, std::string& out) {
+  out += fmt::format("{}\n", row.title);
+  for (const HelpEntry& e : help_entries())
+    if (e.group == row.group) out += fmt::format("  {:16} {}\n", e.word, e.sentence);
+}
+
+// Where a word leads that is none here.
+std::string signpost(const Road& r) {
+  std::string out = fmt::format("{}: {}\n", r.word, r.leads);
+  std::string_view rest = r.see;
+  for (std::size_t end = 0; !rest.empty(); rest.remove_prefix(std::min(rest.size(), end + 1))) {
+    end = std::min(rest.find(' '), rest.size());
+    out += fmt::format("{}help {}", rest.size() == r.see.size() ? "  see: " : ", ", rest.substr(0, end));
+  }
+  return out + "\n";
+}
 
 constexpr std::string_view what(HelpGroup g) {
   return g == shell      ? "a word of the shell"
@@ -108,21 +130,30 @@ std::span<const HelpEntry> help_entries() {
   return all;
 }
 
+std::vector<std::string_view> words_with_help() {
+  std::vector<std::string_view> all;
+  for (const HelpEntry& e : help_entries()) all.push_back(e.word);
+  for (const Road& r : roads()) all.push_back(r.word);
+  for (const GroupRow& g : groups) all.push_back(g.word);
+  return all;
+}
+
 std::string help_overview(const Scene& scene, bool of_the_shell) {
   std::string out =
       "A line is a command; a line that is only a target (ball.position) opens a sheet, whose rows are indented:\n"
       "  TIME VALUE [TWERPER] [ease-in=LENGTH] [ease-out=LENGTH]\n";
-  for (const auto& [group, title] : groups) {
-    if (group == shell && !of_the_shell) continue;
-    out += fmt::format("\n{}\n", title);
-    for (const HelpEntry& e : help_entries())
-      if (e.group == group) out += fmt::format("  {:16} {}\n", e.word, e.sentence);
+  for (const GroupRow& group : groups) {
+    if (group.group == shell && !of_the_shell) continue;
+    out += "\n";
+    list_group(group, out);
   }
   if (!scene.defined->empty() || !scene.procedures->empty()) out += "\nOf this film and of plug-ins\n";
   for (const FunctionSpec& f : *scene.defined)
     out += fmt::format("  {:16} A function: {}.\n", f.name, to_string(f.type));
   for (const NamedProcedure& p : *scene.procedures) out += fmt::format("  {:16} {}\n", p.name, about(p));
-  return out + "\nhelp WORD says more and gives an example.\n";
+  return out +
+         "\nhelp WORD says more and gives an example; help commands, help kinds, help twerpers … list a part of "
+         "this.\n";
 }
 
 std::string help_text(std::string_view word, const Scene& scene) {
@@ -135,6 +166,10 @@ std::string help_text(std::string_view word, const Scene& scene) {
     if (letter == word)
       out = fmt::format("{}, a factor of a motion: {}\n  example: at 1f..48f ball.motion T(6 0) R(-1turn @ ball)\n",
                         letter, sentence);
+  for (const GroupRow& group : groups)
+    if (group.word == word) list_group(group, out);
+  for (const Road& r : roads())
+    if (r.word == word) out += signpost(r);
   for (const HelpEntry& e : help_entries()) {
     if (e.word != word) continue;
     if (!out.empty()) out += "\n";

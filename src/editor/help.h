@@ -23,6 +23,7 @@ struct HelpEntry {
 };
 
 std::span<const HelpEntry> help_entries();
+std::vector<std::string_view> words_with_help();  // and those that lead to them: for near misses
 std::vector<HelpEntry> shell_entries();  // beside their bodies
 
 // All words by groups, a line each; the film's own words too.

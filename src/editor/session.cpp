@@ -6,6 +6,7 @@
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "commands/reader.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
 
@@ -42,9 +43,10 @@ std::string Session::State::text() const {
 
 // Which of the choices is answered; none where nobody answers.
 std::optional<std::size_t> Session::State::choose(const std::string& question,
-                                                  const std::vector<std::string_view>& choices) const {
-  for (std::string q = question; doors.ask;) {
-    const auto answer = doors.ask(q);
+                                                  const std::vector<std::string_view>& choices,
+                                                  const Asking& ask) const {
+  for (std::string q = question; ask;) {
+    const auto answer = ask(q);
     if (!answer) break;
     if (*answer == called_off) {  // the choice that changes nothing is the last, but where no choice is
       if (choices.back() == "show") break;
@@ -73,6 +75,8 @@ std::string Session::State::told(const Diagnostics& all, std::string_view line) 
   std::string said;
   for (Diagnostic d : all) {
     if (d.what.place.file.empty() && d.what.place.line != 0) d.what.place.file = "line", d.what.place.line += first - 1;
+    if (const auto made = failed.find(name_missed(d.what)); made != failed.end())
+      d.what.hint = fmt::format("line {}, which should have made it, was refused", made->second);
     if (d.what.hint.empty() && d.what.message.starts_with("there is no command")) {
       std::vector<std::string_view> known;
       for (const Word& w : words()) known.push_back(w.word);
@@ -81,6 +85,22 @@ std::string Session::State::told(const Diagnostics& all, std::string_view line) 
     said += to_string(d);
   }
   return said;
+}
+
+// What somebody who is asked wants of a value that means nothing where it stands (policy ask): its translation, or that
+// the line is ignored. None: nobody is asked, or there is nothing to choose.
+std::optional<bool> Session::State::asked_about(const Deed& refused, std::string_view line) const {
+  const auto meaningless = [](const Diagnostic& d) {
+    return d.severity == Severity::error && d.what.code == ErrorCode::type;
+  };
+  if (!doors.ask_about_line || document().scene().policy != Policy::ask) return std::nullopt;
+  if (!std::any_of(refused.said.begin(), refused.said.end(), meaningless)) return std::nullopt;
+  const Deed other = editor.carry_out(editor.now(), line, {}, true);
+  if (!other.done || other.line == trimmed(line)) return std::nullopt;
+  const std::string question =
+      fmt::format("{}translate it to '{}', or ignore the line? ", told(refused.said, line), trimmed(other.line));
+  const auto chosen = choose(question, {"translate", "ignore"}, doors.ask_about_line);
+  return chosen == std::size_t{0};
 }
 
 Session::Answer Session::State::command(std::string_view line) {
@@ -92,14 +112,37 @@ Session::Answer Session::State::command(std::string_view line) {
   const SaidLine said = look_at(line);
   if (said.several) return refused("one line at a time, please");
   Deed deed = editor.carry_out(editor.now(), line);
+  if (const auto meant = deed.done ? std::nullopt : asked_about(deed, line)) {
+    if (!*meant) return {false, false, false, "ignored\n"};
+    deed = editor.carry_out(editor.now(), line, {}, true);
+  }
   Answer answer{deed.done, false, !deed.done, told(deed.said, line)};
   if (!deed.done) {
     if (!row) sheet_refused = meant_a_sheet(said.words);
+    for (std::string& name : names_made(line)) failed[std::move(name)] = lines;
     return answer;
   }
   if (Status s = editor.take(std::move(deed.after), {{std::move(deed.line)}, {}}); !s) return refused(s.error());
   tally.command(), sheet_refused = false;
+  answer.said += tried(said.words, line);
   return answer;
+}
+
+// What code does wrong since a line was said: at the film's ends and at the line's own time. Each thing once.
+std::string Session::State::tried(const Words& words, std::string_view line) {
+  if (line.find('"') == std::string_view::npos && document().scene().procedures->empty()) return {};
+  const auto [first, last] = document().range();
+  std::vector<Time> times{first, last};
+  for (const std::string& w : words)
+    if (starts_like_time(w[0]))
+      if (const Result<Time> t = parse_time(w, document())) times.push_back(*t);
+  program = Program::compile(document(), program);
+  std::string said;
+  for (const Time t : times)
+    for (const std::string& p : program.frame(t).problems)
+      if (problems.insert(p).second)
+        said += to_string(Diagnostic{Severity::warning, {ErrorCode::syntax, p, {}, {"line", lines, 1, 0}}, {}, 0});
+  return said;
 }
 
 Session::Answer Session::State::undo(const Words&) {

@@ -7,13 +7,16 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "betwixt/program.h"
 #include "betwixt/session.h"
 #include "editor/editor.h"
 #include "editor/journal.h"
@@ -53,6 +56,9 @@ struct Session::State {
   bool sheet_refused = false;  // rows below a refused line have nowhere to go
   bool ended = false;
   int lines = 0;  // that were entered
+  Program program;                                 // of the last document in which code was tried
+  std::set<std::string> problems;                  // of code, that were told
+  std::map<std::string, int, std::less<>> failed;  // names that refused lines would have made, and those lines
 
   const Document& document() const { return editor.now().document; }
   bool sheet_open() const { return editor.now().script.left != nullptr; }
@@ -63,10 +69,17 @@ struct Session::State {
   Answer enter(std::string_view line);
   Answer command(std::string_view line);
   std::string told(const Diagnostics& all, std::string_view line) const;
+  std::string tried(const Words& words, std::string_view line);
   Answer only_looks() const;
   Answer undo(const Words& = {});
   Answer redo(const Words& = {});
-  std::optional<std::size_t> choose(const std::string& question, const std::vector<std::string_view>& choices) const;
+  using Asking = decltype(Doors::ask);
+  std::optional<bool> asked_about(const Deed& refused, std::string_view line) const;
+  std::optional<std::size_t> choose(const std::string& question, const std::vector<std::string_view>& choices) const {
+    return choose(question, choices, doors.ask);
+  }
+  std::optional<std::size_t> choose(const std::string& question, const std::vector<std::string_view>& choices,
+                                    const Asking& ask) const;
 
   // session_files.cpp: what is kept where
   enum class Leave { stay, go, keep };
@@ -103,6 +116,8 @@ struct Session::State {
   Answer notes(const Words&);
   Answer plot(const Words&);
   Answer play(const Words&);
+  Answer eval(const Words&);
+  Answer picture(const Words&);
   Answer stop(const Words&);
   Answer load(const Words&);
 };

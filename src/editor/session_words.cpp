@@ -7,6 +7,7 @@
 
 #include "editor/describe.h"
 #include "editor/help.h"
+#include "editor/plain_values.h"
 #include "editor/session_state.h"
 
 namespace betwixt {
@@ -35,8 +36,16 @@ std::span<const Session::State::Word> Session::State::words() {
       {"notes", "notes", "Without a word, lists the notes and their times.", "notes", 0, &State::notes},
       {"plot", "plot TARGET [-> FILE.svg]", "Draws values against time, in an SVG file.",
        "plot ball.position -> ball.svg", any_number, &State::plot},
-      {"play", "play [A..B]", "Plays the film, or a part of it, in the terminal; q comes back.", "play 1f..24f", 1,
-       &State::play},
+      {"play", "play [A..B], or play A to the end", "Plays the film, or a part of it, in the terminal; q comes back.",
+       "play 1f..24f", 1, &State::play},
+      {"eval", "eval TARGET… [at T[,T…]]",
+       "Says what values are at times; of an object, all of it that is not at rest.", "eval ball.position at 13f",
+       any_number, &State::eval},
+      {"style", "style [NAME]", "How play draws from now on: shaded, wireframe or hidden-line.", "style wireframe", 1,
+       &State::picture},
+      {"samples", "samples [1|4|9|16]", "How many samples a pixel play takes from now on: more is smoother.",
+       "samples 4", 1, &State::picture},
+      {"size", "size [WxH]", "How many pixels play draws from now on.", "size 640x360", 1, &State::picture},
       {"stop", "stop", "Ends the playing.", "stop", 0, &State::stop},
       {"save", "save [FILE]", "Writes the author's text as it was and below it what has been done since.",
        "save film.bx", 1, &State::save_word},
@@ -44,8 +53,9 @@ std::span<const Session::State::Word> Session::State::words() {
        1, &State::reopen},
       {"load", "load FILE", "Loads a plug-in; its words are then used like all others.", "load ./swirl.so", 1,
        &State::load},
-      {"quit", "quit", "Ends the session; asks first where something is not saved. Ctrl-D is the same.", "quit", 0,
-       &State::quit},
+      {"quit", "quit", "Ends the session; asks first where something is not saved. exit and Ctrl-D are the same.",
+       "quit", 0, &State::quit},
+      {"exit", "exit", "The same as quit.", "exit", 0, &State::quit},
   };
   return all;
 }
@@ -68,6 +78,29 @@ Answer Session::State::list(const Words& w) { return answer_of(list_objects(docu
 Answer Session::State::describe(const Words& w) { return answer_of(betwixt::describe(document(), argument(w))); }
 Answer Session::State::notes(const Words&) { return done(list_notes(document())); }
 Answer Session::State::stop(const Words&) { return refused("nothing is playing", "while a film plays, q stops it"); }
+
+Answer Session::State::picture(const Words& w) {
+  if (!doors.picture) return refused("nothing can be played here");
+  return answer_of(doors.picture(w[0], argument(w)));
+}
+
+// TARGET … [at] T[,T…]
+Answer Session::State::eval(const Words& w) {
+  std::vector<std::string> patterns;
+  std::vector<std::pair<std::string, Time>> times;
+  for (std::size_t i = 1; i < w.size(); ++i) {
+    if (w[i] == "at" && i + 1 < w.size()) continue;
+    if (!starts_like_time(w[i][0])) {
+      patterns.push_back(w[i]);
+      continue;
+    }
+    const Result<Time> t = parse_time(w[i], document());
+    if (!t) return refused(t.error());
+    times.emplace_back(w[i], *t);
+  }
+  if (times.empty()) times.emplace_back(format_time(document().range().first, document()), document().range().first);
+  return answer_of(values_at(document(), patterns, times));
+}
 
 Answer Session::State::play(const Words& w) {
   if (!doors.play) return refused("nothing can be played here");

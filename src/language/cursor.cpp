@@ -275,9 +275,9 @@ bool Cursor::time_or_length(Time& out, bool length) {
   }
   if (u.empty())
     return fail(
-        ErrorCode::syntax, fmt::format("a {} needs a unit", length ? "length of time" : "time"), since(start),
+        ErrorCode::type, fmt::format("a {} needs a unit", length ? "length of time" : "time"), since(start),
         fmt::format("write {0}f for {1}, or {0}s for seconds", since(start), length ? "frames" : "a frame number"));
-  return fail(ErrorCode::syntax, fmt::format("'{}' is not a unit of time", u), u,
+  return fail(ErrorCode::type, fmt::format("'{}' is not a unit of time", u), u,
               "units are f (frames), s, ms and t (ticks)");
 }
 

@@ -83,7 +83,7 @@ bool ValueReader::motion(Moves& out) {
     const std::string_view about = quoted.empty() ? text.substr(at, f.about.size()) : c.since(start);
     Cursor name(f.about);
     ObjectId id;
-    ValueReader reader{name, scene, {}, {}};
+    ValueReader reader{name, scene, {}, {}, {}};
     if (scene.aliases->contains(f.about))
       return c.fail(ErrorCode::name, fmt::format("'{}' is an alias: a centre is one object, by its own name", f.about),
                     about);

@@ -54,7 +54,7 @@ struct FactorReader {
   bool rotate() {
     double angle = 0;
     Vec3 axis{0, 0, 1};
-    if (!values.c.angle(angle) || !values.axis(axis)) return false;
+    if (!values.angle(angle) || !values.axis(axis)) return false;
     matrix = rotation(axis_angle(axis, angle));
     return true;
   }

@@ -28,7 +28,7 @@ struct TypedReader {
   }
   bool angle(Value& out) {
     double d = 0;
-    return c.angle(d) && (component >= 0 || in_range(d)) && (out = d, true);
+    return values.angle(d) && (component >= 0 || in_range(d)) && (out = d, true);
   }
   bool vector(Value& out) {
     Vec3 v;
@@ -40,6 +40,13 @@ struct TypedReader {
     return true;
   }
   bool truth(Value& out) {
+    double number = 0;
+    if (values.translates() && values.looks_like_number()) {  // 0 is off
+      if (!values.scalar(number)) return false;
+      out = number != 0;
+      values.translate(start, number != 0 ? "on" : "off");
+      return true;
+    }
     const std::string_view w = c.word();
     if (w != "on" && w != "off") return wanted(w);
     out = w == "on";
@@ -71,7 +78,11 @@ struct TypedReader {
   }
   bool text(Value& out) {
     std::string s;
-    if (spec.words.empty() || c.peek() == '"') {  // quotes are welcome round a word too
+    if (spec.words.empty() && values.looks_like_number()) {
+      if (!values.translates()) return c.fail_here(ErrorCode::type, "a text in double quotes is missing here");
+      s = c.word();
+      values.translate(start, write_text(s));
+    } else if (spec.words.empty() || c.peek() == '"') {  // quotes are welcome round a word too
       if (!c.text(s)) return false;
     } else {
       s = c.word();

@@ -8,10 +8,13 @@
 
 #include "base/names.h"
 #include "language/colors.h"
+#include "language/line_words.h"
 #include "track/curve.h"
 
 namespace betwixt {
 namespace {
+
+constexpr const char* colors_look_like = "colours look like gold, #ffcc00, rgb(1 0.8 0) or hsv(48deg 1 1)";
 
 std::string_view since(const char* start, const Cursor& c) { return c.since(start); }
 
@@ -36,23 +39,26 @@ Color from_hsv(double turns, double s, double v) {
 bool ValueReader::scalar(double& out, Unit unit) {
   c.space();
   const char* start = c.at;
-  if (c.peek() == '(' && scene.policy == Policy::translate) {  // a vector for a number: its length
-    Vec3 v;
-    if (!vector(3, v)) return false;
-    out = length(v);
-    return true;
-  }
+  if (translates() && meant_as_number(start, out)) return true;
   if (c.peek() == '(') return c.fail(ErrorCode::type, "a number is wanted here, not a vector", {c.at, 1});
   if (c.peek() == '"')
     return c.fail_here(ErrorCode::type, "a number is wanted here, not a text",
                        "without quotes; behind '=' quotes hold a procedure");
+  if (const std::string_view w = c.peek_word(); w == "on" || w == "off")
+    return c.fail(ErrorCode::type, fmt::format("'{}' is not a number", w), w);
   if (!c.number(out)) return false;
-  if (c.peek() == '%' && c.at > start)
+  if (c.peek() == '%' && c.at > start) {
+    if (translates()) return ++c.at, out /= 100, translate(start, write_number(out)), true;
     return c.fail(ErrorCode::type, "a part of 1 is wanted here, not a percentage", since(start, c),
                   fmt::format("write {}", write_number(out / 100)));
+  }
   const std::string_view u = c.unit();
   if (u.empty()) return true;
   const double metres = u == "m" ? 1 : u == "cm" ? 0.01 : u == "mm" ? 0.001 : 0;
+  if (translates() && (unit == Unit::none || metres == 0)) {  // a length in metres, an angle in degrees
+    const double one = metres != 0 ? metres : u == "deg" ? 1 : u == "rad" ? 180 / pi : u == "turn" ? 360 : 0;
+    if (one != 0) return out *= one, translate(start, write_number(out)), true;
+  }
   if (unit == Unit::none || metres == 0)
     return c.fail(ErrorCode::type,
                   unit == Unit::none ? fmt::format("a plain number is wanted here, without '{}'", u)
@@ -64,6 +70,43 @@ bool ValueReader::scalar(double& out, Unit unit) {
   return true;
 }
 
+// A vector for a number is its length, on and off are 1 and 0.
+bool ValueReader::meant_as_number(const char* start, double& out) {
+  if (c.peek() == '(') {
+    Vec3 v;
+    if (!vector(3, v)) return false;
+    out = length(v);
+  } else if (c.accept_word("on")) {
+    out = 1;
+  } else if (c.accept_word("off")) {
+    out = 0;
+  } else {
+    return false;
+  }
+  translate(start, write_number(out));
+  return true;
+}
+
+// Translated, a number without a unit is in degrees.
+bool ValueReader::angle(double& radians) {
+  c.space();
+  const char* start = c.at;
+  if (!translates()) return c.angle(radians);
+  double degrees = 0;
+  bool meant = meant_as_number(start, degrees);
+  if (!meant && !c.error && looks_like_number()) meant = c.number(degrees) && c.unit().empty();
+  if (c.error) return false;
+  if (!meant) return c.at = start, c.angle(radians);
+  radians = degrees * (pi / 180);
+  if (degrees != 0) translate(start, write_number(degrees) + "deg");
+  return true;
+}
+
+bool ValueReader::looks_like_number() const {
+  const std::string_view w = c.peek_word();
+  return !w.empty() && (w[0] == '-' || w[0] == '+' || w[0] == '.' || (w[0] >= '0' && w[0] <= '9'));
+}
+
 bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   c.space();
   const char* start = c.at;
@@ -72,12 +115,10 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
       return c.fail_here(ErrorCode::syntax,
                          numbers == 3 ? "a vector (x y z) is missing here" : "a pair (x y) is missing here");
     double d = 0;
-    const std::string_view w = c.peek_word();
-    const bool plain = !w.empty() && (w[0] == '-' || w[0] == '+' || w[0] == '.' || (w[0] >= '0' && w[0] <= '9'));
-    if (!plain)
+    if (!looks_like_number())
       return c.fail_here(ErrorCode::type, fmt::format("a vector (x y{}) is wanted here", numbers == 3 ? " z" : ""));
     if (!scalar(d, unit)) return false;
-    if (scene.policy != Policy::translate) {
+    if (!translates()) {
       // Three numbers without brackets, or one for all.
       const std::string_view about = since(start, c);
       Vec3 all{d, d, d};
@@ -91,14 +132,20 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
                     fmt::format("write {}", write_vector(n == numbers ? all : Vec3{d, d, d}, numbers)));
     }
     out = {d, d, numbers == 3 ? d : 0};
+    translate(start, write_vector(out, numbers));
     return true;
   }
   if (!c.open()) return false;
-  for (int i = 0; i < numbers; ++i) {
+  out = {};
+  int given = 0;  // translated, a pair is a vector in the plane, and a vector a pair without its third
+  for (int i = 0; i < (translates() ? 3 : numbers); ++i) {
     c.space();
-    if (c.peek() == ')')
-      return c.fail(ErrorCode::syntax, fmt::format("{} numbers are wanted here, not {}", numbers, i),
+    if (c.peek() == ')') {
+      if (i >= 2 && translates()) break;
+      return c.fail(ErrorCode::type, fmt::format("{} numbers are wanted here, not {}", numbers, i),
                     {start, static_cast<std::size_t>(c.at + 1 - start)});
+    }
+    ++given;
     double d = 0;
     if (!c.number(d)) return false;
     const std::string_view u = c.unit();
@@ -111,8 +158,11 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   }
   c.space();
   if (c.at < c.end && c.peek() != ')')
-    return c.fail_here(ErrorCode::syntax, fmt::format("only {} numbers are wanted here", numbers));
-  return c.close();
+    return c.fail_here(ErrorCode::type, fmt::format("only {} numbers are wanted here", numbers));
+  if (numbers == 2) out.z = 0;
+  if (!c.close()) return false;
+  if (given != numbers) translate(start, write_vector(out, numbers));
+  return true;
 }
 
 bool ValueReader::color(Color& out) {
@@ -134,6 +184,14 @@ bool ValueReader::color(Color& out) {
     Vec3 v;
     if (!vector(3, v)) return false;
     out = {v.x, v.y, v.z};
+    return true;
+  }
+  if (looks_like_number()) {
+    double grey = 0;
+    if (translates() && !scalar(grey)) return false;
+    if (!translates()) return c.fail_here(ErrorCode::type, "a colour is wanted here, not a number", colors_look_like);
+    out = {grey, grey, grey};
+    translate(start, "rgb" + write_vector({grey, grey, grey}));
     return true;
   }
   const std::string_view w = c.word();
@@ -171,8 +229,7 @@ bool ValueReader::color(Color& out) {
   if (w.empty())
     return c.fail_here(ErrorCode::syntax, c.at_line_end() ? "a colour is missing here" : "this is not a colour");
   std::string hint = did_you_mean(w, color_names());
-  return c.fail(ErrorCode::name, fmt::format("there is no colour '{}'", w), w,
-                hint.empty() ? "colours look like gold, #ffcc00, rgb(1 0.8 0) or hsv(48deg 1 1)" : hint);
+  return c.fail(ErrorCode::name, fmt::format("there is no colour '{}'", w), w, hint.empty() ? colors_look_like : hint);
 }
 
 bool ValueReader::axis(Vec3& out) {
@@ -194,6 +251,14 @@ bool ValueReader::axis(Vec3& out) {
 bool ValueReader::orientation(Value& out, bool angles) {
   c.space();
   const char* start = c.at;
+  if (translates() && looks_like_number()) {  // a number for a rotation: each of its angles
+    double each = 0;
+    if (!angle(each)) return false;
+    out = angles ? Value(Angles{{each, each, each}}) : Value(from_angles({each, each, each}));
+    const std::string degrees = write_number(each * 180 / pi);
+    translate(start, fmt::format("euler({0}deg {0}deg {0}deg)", degrees));
+    return true;
+  }
   const std::string_view w = c.peek() == '(' ? std::string_view("euler") : c.word();
   if (w == "euler" || w == "axis" || w == "quat") {
     c.space();
@@ -203,7 +268,7 @@ bool ValueReader::orientation(Value& out, bool angles) {
     Vec3 a;
     if (!c.open()) return false;
     for (int i = 0; i < 3; ++i)
-      if (!c.angle(a[i])) return false;
+      if (!angle(a[i])) return false;
     if (!c.close()) return false;
     if (angles)
       out = Angles{a};
@@ -224,7 +289,7 @@ bool ValueReader::orientation(Value& out, bool angles) {
         if (!c.number(a[i])) return false;
       if (a == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; 0 0 0 has none", since(axis_at, c));
     }
-    if (!c.angle(turn) || !c.close()) return false;
+    if (!angle(turn) || !c.close()) return false;
     if (std::abs(turn) > pi * (1 + 1e-9) && warn)
       warn("an orientation knows no more than half a turn; the shorter way round is taken", since(start, c),
            "euler(x y z) counts whole turns");
@@ -241,7 +306,9 @@ bool ValueReader::orientation(Value& out, bool angles) {
     out = std::abs(l - 1) < 1e-12 ? q : Quat{q.w / l, q.x / l, q.y / l, q.z / l};
     return true;
   }
-  return c.fail(ErrorCode::syntax, w.empty() ? "a rotation is missing here" : fmt::format("'{}' is not a rotation", w),
+  const bool number = !w.empty() && (starts_like_time(w[0]));
+  return c.fail(number ? ErrorCode::type : ErrorCode::syntax,
+                w.empty() ? "a rotation is missing here" : fmt::format("'{}' is not a rotation", w),
                 w.empty() ? std::string_view(start, 0) : w,
                 "rotations look like euler(0 90deg 0), axis(0 1 0, 90deg) or quat(1 0 0 0)");
 }

@@ -23,12 +23,21 @@ struct ValueReader {
   // Reads the file that a value names; gives the path to keep. Null: files are not read.
   std::function<bool(FunctionId, std::string& path, std::string_view about)> file;
   std::function<void(std::string message, std::string_view about, std::string hint)> warn;
+  // What the policy has made of a value that meant nothing as it stood, as it would be written. Null: nobody asks.
+  std::function<void(std::string_view place, std::string instead)> translated;
 
   // A value for a function, or for one component of it.
   bool value(const FunctionSpec& spec, int component, Value& out, FunctionId f = 0xffff);
   bool color(Color& out);
   bool vector(int numbers, Vec3& out, Unit unit = Unit::none);
   bool scalar(double& out, Unit unit = Unit::none);
+  bool angle(double& radians);
+  bool meant_as_number(const char* start, double& out);
+  bool looks_like_number() const;
+  bool translates() const { return scene.policy == Policy::translate; }
+  void translate(const char* start, std::string instead) {
+    if (translated) translated(c.since(start), std::move(instead));
+  }
   bool orientation(Value& out, bool angles);
   bool points(Points& out);
   bool point(Vec3& out);       // (x y) or (x y z)
@@ -51,6 +60,10 @@ std::string write_vector(Vec3, int numbers = 3);
 std::string write_angle(double radians);     // in degrees, if that reads back to the same; else in radians
 std::string write_matrix(const Mat4&);       // row by row
 std::string write_rows(const DisplayList&);  // indented lines
+// What a script says of a target: its rows (of a component, that part of the whole one's), and all else that makes its
+// value, a command or a sheet each: what is set below events, twerper, extend, velocity, filters, layers.
+std::string write_rows(const Document&, const Target&);
+std::string write_besides(const Document&, const Target&);
 std::string write_value(const Value&, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of);
 

@@ -111,6 +111,12 @@ struct Writer {
       else
         t.events.each([&](const Event& e) { row(e, spec, target.component); });
     }
+    manner(t, target);
+  }
+
+  // The one twerper of a track, and what it does outside its events.
+  void manner(const Track& t, const Target& target) {
+    const std::string name = document.name(target), layer = on(target.layer);
     if (t.global != Twerper::unset || t.srgb) {
       out += layer + "twerper " + name + " " +
              (t.global == Twerper::unset    ? "none"
@@ -123,6 +129,44 @@ struct Writer {
     if (t.before == t.after) return;
     out += layer + fmt::format("extend {} {} before\n", name, extrapolation_names[static_cast<std::size_t>(t.before)]);
     out += layer + fmt::format("extend {} {} after\n", name, extrapolation_names[static_cast<std::size_t>(t.after)]);
+  }
+
+  void rows(const Target& t) {
+    const FunctionSpec& spec = spec_of(s, t.function);
+    for (const Track* track : tracks_of(s, t)) {
+      if (spec.type == Type::motion && !t.velocity)
+        motions(*track, spec);
+      else
+        track->events.each([&](const Event& e) { row(e, spec, t.component); });
+    }
+  }
+
+  // What is said of a function, but for the rows of `but`.
+  void besides(const Target& but) {
+    for (const Slot& slot : s.objects[but.object.index].slots) {
+      if (slot.function != but.function) continue;
+      Target t{but.object, slot.function};
+      t.layer = slot.layer;
+      const bool own = !slot.layer;
+      const Events& rows = slot.track->events;
+      const bool counts = !slot.components.empty() || (!rows.empty() && rows.front().time > Time{});  // before its rows
+      if (slot.set && (!own || counts)) late(but.object.index, slot);
+      own ? manner(slot, t, but.component) : strand(slot, t);
+      t.velocity = true;
+      own&& but.velocity ? manner(slot.velocity, t, but.component) : strand(slot.velocity, t);
+      for (const Filter& f : slot.filters)
+        if (but.component < 0 || f.component < 0 || f.component == but.component)
+          filter(f, {but.object, slot.function, f.component}, slot.layer);
+    }
+  }
+
+  // How the tracks of a strand go on, without their rows.
+  void manner(const Strand& of, Target t, int component) {
+    manner(*of.track, t);
+    for (std::size_t k = 0; k < of.components.size(); ++k) {
+      t.component = static_cast<int>(k);
+      if (component < 0 || component == t.component) manner(*of.components[k], t);
+    }
   }
 
   void settings() {
@@ -333,6 +377,18 @@ struct Writer {
 };
 
 }  // namespace
+
+std::string write_rows(const Document& document, const Target& target) {
+  Writer w{document.scene(), document, {}};
+  w.rows(target);
+  return std::move(w.out);
+}
+
+std::string write_besides(const Document& document, const Target& target) {
+  Writer w{document.scene(), document, {}};
+  w.besides(target);
+  return std::move(w.out);
+}
 
 std::string write(const Document& document) {
   Writer w{document.scene(), document, {}};

@@ -71,7 +71,8 @@ const FunctionSpec function_rows[] = {
      .rest = Vec3{},
      .unit = Unit::metres,
      .place = true,
-     .sentence = "Added to its position while it hangs on, or is attached or coupled to, another.",
+     .sentence =
+         "The point of its parent, in the parent's own space, that its position counts from while that holds it.",
      .written = "a vector",
      .example = "set ball.attach-position (0 1 0)"},
     {.name = "color",

@@ -195,6 +195,12 @@ if command -v script >/dev/null; then
   is 'play ends by itself where nobody can press a key' "$?" 0
   verdict 'play puts the screen back' "$(tail -c 200 played | grep -q $'\e\[?25h\e\[?1049l' && echo yes)" "$(tail -c 100 played | od -c | tail -8)"
   verdict 'play tells the note' "$(grep -q '"falling"' played && echo yes)" 'no note'
+  printf 'range 1f 3f\ncreate b sphere\nat 2f note "one"\nat 2f note "two"\nat 2.5f note "three"\n' >notes.bx
+  { cat notes.bx; echo 'notes off'; } >off.bx
+  script -qec "'$program' play notes.bx --size 16x9 </dev/null" played >/dev/null </dev/null
+  verdict 'play tells all notes' "$(grep -q '"one" "two"' played && grep -q '"three"' played && echo yes)" 'not all'
+  script -qec "'$program' play off.bx --size 16x9 </dev/null" played >/dev/null </dev/null
+  verdict 'notes off' "$(grep -q '"one"' played || echo yes)" 'a note'
   script -qec "'$program' render bounce.bx -o bar.mp4 $small --frames 1f..600f" bar </dev/null >/dev/null
   is 'render on a terminal' "$?" 0
   verdict 'a progress bar' "$(grep -q 'frames/s' bar && echo yes)" "$(cat bar)"

@@ -47,6 +47,14 @@ session 'no name' 1 'has no name yet' '' 'rate 25' save quit discard
 session 'a folder' 1 'only a file' . quit
 session 'no folder' 1 'no folder' none/film.bx quit
 session 'help' 0 'usage: copy TARGET' '' 'help copy'
+session 'play names what was said' 1 "error: play: 'x' is not a time" film.bx 'play x'
+session 'play from behind the end' 1 'play: the film ends before 99f' film.bx 'play 99f'
+session 'a style' 1 "did you mean 'wireframe'?" film.bx 'style wirefram'
+session 'samples' 1 "'3' is no number of samples: 1, 4, 9 or 16" film.bx 'samples 3'
+session 'what they are' 0 'size 320x180' film.bx 'size 320x180' 'size'
+session 'where it is' 0 'ball is at     (1 0 0)' film.bx 'eval ball at 13f'
+session 'exit' 0 '' film.bx exit
+session 'a batch is asked nothing' 1 'a number is wanted here, not a vector' film.bx 'set ball.radius (3 4 0)' 'list' quit
 session 'list' 0 'ball  sphere' film.bx 'list b*'
 printf 'rate 25\n\377\n' | "$program" shell >out 2>&1
 has 'bytes that are no text' "$(cat out)" 'not a text'
@@ -145,6 +153,15 @@ film.bx*>'
   screen send-keys Up Up Enter
   shown 'recalled' '> set ball.radius 2
 film.bx*>'
+  screen send-keys 'help' Enter
+  shown 'help comes in pages' 'more: space goes on, q ends'
+  screen send-keys q
+  shown 'and ends' 'film.bx*>'
+  screen send-keys 'set ball.radius (3 4 0)' Enter
+  shown 'a value that means nothing' "translate it to 'set ball.radius 5', or ignore the line?"
+  screen send-keys 'ignore' Enter
+  shown 'ignored' 'ignored
+film.bx*>'
   # The picture, a change, and the picture again. What is typed before the prompt is there may be dropped.
   prompted() { for _ in $(seq 50); do [[ "$(screen capture-pane -p)" == *"$1"$'\nfilm.bx*>' ]] && return; sleep 0.1; done; }
   picture() { # in its colours
@@ -163,6 +180,17 @@ film.bx*>'
   screen send-keys 'undo' Enter
   prompted 'undone: hide ball'
   is 'terminal: and seen again' "$(picture)" "$with"
+  screen send-keys 'style wireframe' Enter
+  prompted 'style wireframe'
+  verdict 'terminal: another style' "$([ "$(picture)" != "$with" ] && echo yes)" "$with"
+  screen send-keys 'play 1f' Enter
+  wait_for '= 1/'
+  screen send-keys s
+  shown 'a key for the style' 'hidden-line 960x540 1'
+  screen send-keys q
+  prompted 'play 1f'
+  screen send-keys 'style' Enter
+  shown 'and it stays' 'style hidden-line'
   screen send-keys C-d
   shown 'Ctrl-D is guarded' '2 commands are not saved: save, discard or stay?'
   screen send-keys C-c

@@ -132,7 +132,13 @@ TEST(Errors, ValuesAndEvents) {
            {"at 5f", 6, "a target or a command is missing here"},
            {"at 5f ball", 7, "a target or a command is wanted here, not 'ball'"},
            {"at 5f rate 24", 7, "'rate' has no time: it holds for the whole film"},
-           {"at 5f set ball.radius 1", 7, "'set' has no time; with 'at', write the target and its value"},
+           {"at 5f set", 10, "a target is missing here"},
+           {"at 5f set ball", 11, "'ball' is not a target", "a target is an object and a function"},
+           {"at 5f ball.radius 1 ease=4f", 21, "there is no twerper 'ease'", "behind an event's value, ease-in=4f"},
+           {"set ball.opacity 1", 10, "'ball', a sphere, has no function 'opacity'", "transparency goes the other way"},
+           {"set ball.colour red", 10, "'ball', a sphere, has no function 'colour'", "did you mean 'color'?"},
+           {"create b cube", 10, "there is no kind 'cube'", "box is one"},
+           {"loop ball.position", 1, "there is no command 'loop'", "extend ball.position cycle repeats a track"},
            {"at 5f at 6f note \"a\"", 7, "'at' has no time: it holds for the whole film"},
            {"at 5f ball.radius", 18, "a number is missing here"},
            {"at 5f ball.radius 1 liner", 21, "there is no twerper 'liner'", "did you mean 'linear'?"},
@@ -157,6 +163,21 @@ TEST(Errors, ValuesAndEvents) {
            {"extend ball.radius cycle during", 26, "'during' is not expected here"},
        })
     expect_case(k);
+}
+
+// What a refused line would have made is missed below it; that is said once, by that line.
+TEST(Errors, OfARefusedLineAreSaidOnce) {
+  EXPECT_EQ(
+      errors(read("create ball sphre\nset ball.radius 2\nball.position\n  1f (0 0 0)\nattach ball to ball\n"
+                  "create twin like ball\nset twin.radius 1\ncreate {a,b} box size=2\nhide b\nlayer up\n"
+                  "on up at 3f hide ball\nset bal.radius 3\nprocedure p lua \"(\"\nalias all = \nset all.radius 1\n")),
+      (std::vector<std::string>{"1:13: there is no kind 'sphre'", "8:23: a vector is wanted here, not one number",
+                                "10:9: add or mix is missing here", "12:5: there is no object 'bal'",
+                                "13:17: unexpected symbol near <eof>"}));
+  // What was there already stays; a later line that makes it ends the matter.
+  EXPECT_EQ(
+      errors(read("create ball sphre\nset ball.radius 1\ncreate ball sphere\nset ball.radus 1\n")),
+      (std::vector<std::string>{"1:13: there is no kind 'sphre'", "4:10: 'ball', a sphere, has no function 'radus'"}));
 }
 
 // shows: G94

@@ -111,8 +111,8 @@ TEST_F(Files, WhatCannotBeRead) {
   for (const char* bad : {"film/bad.obj", "film/bad.glb", "film/bad.png"}) put(bad, "\x01\x02 not a mesh");
   const Loaded l = load();
   const auto m = messages(l);
-  ASSERT_EQ(m.size(), 6u) << said(l.diagnostics);
-  for (int i = 0; i < 6; ++i)
+  ASSERT_EQ(m.size(), 5u) << said(l.diagnostics);  // the last line is about what the one before it should have made
+  for (int i = 0; i < 5; ++i)
     EXPECT_TRUE(m[static_cast<std::size_t>(i)].starts_with(fmt::format("{}:", i + 1))) << said(l.diagnostics);
   EXPECT_EQ(l.document.names().size(), 0u);
 }

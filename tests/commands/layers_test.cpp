@@ -46,6 +46,29 @@ TEST(Layers, TurnOrientations) {
   }
 }
 
+// shows: G58
+TEST(Layers, ShortFormsGoWhereTheirLongOnesDo) {
+  const std::string head = "create b sphere\ncreate eye camera\nlayer over mix\n";
+  for (const auto& [brief, whole] : {std::pair("on over hide b", "on over set b.display off"),
+                                     {"on over show b", "on over set b.display on"},
+                                     {"on over at 5f hide b", "on over at 5f b.display off"},
+                                     {"at 5f on over hide b", "on over at 5f b.display off"},
+                                     {"at 5f set b.radius 2 linear", "at 5f b.radius 2 linear"},
+                                     {"on over at 5f set b.radius 2", "on over at 5f b.radius 2"},
+                                     {"at 5f on over set b.radius 2", "on over at 5f b.radius 2"},
+                                     {"at 5f set b.position.velocity (1 0 0)", "at 5f b.position.velocity (1 0 0)"},
+                                     {"at 1f..5f set b.motion T(1 0)", "at 1f..5f b.motion T(1 0)"},
+                                     {"at 5f set b.radius = \"t\"", "at 5f b.radius = \"t\""}}) {
+    const LoadedFilm a(head + brief + "\n"), b(head + whole + "\n");
+    EXPECT_TRUE(a.loaded.document == b.loaded.document) << brief;
+    EXPECT_FALSE(a.loaded.document == read(head).document) << brief;
+  }
+  const LoadedFilm seen(head + "on over at 5f hide b\n");
+  expect_numbers(seen, {{"b.display", "4f", {1}}, {"b.display", "5f", {0}}});
+  EXPECT_EQ(errors(read(head + "on over at 5f look through eye\n")),
+            (std::vector<std::string>{"4:15: 'look' works on no layer"}));
+}
+
 // shows: G22 G27
 TEST(Layers, UnknownNamesAreSaid) {
   const auto message = [](const std::string& line) {

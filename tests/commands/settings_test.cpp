@@ -28,5 +28,56 @@ TEST(Settings, PolicyDecidesWhatAMeaninglessValueGets) {
             (std::vector<std::string>{"2:14: a number is wanted here, not a vector"}));
 }
 
+// shows: G27
+TEST(Settings, PolicyTranslatesTypesUnitsAndSizes) {
+  const LoadedFilm s(
+      "policy translate\ncreate b sphere\ncreate p plane\ncreate eye camera\ncreate word text text=\"a\"\n"
+      "set b.rotation.x 90\nset b.radius 45deg\nset p.rotation 10\nset p.size (3 4 5)\nset b.position (1 2)\n"
+      "set b.shininess 25%\nset b.color 0.5\nset b.display 0\nset word.text 5\nset eye.fov 60\nset p.shininess on\n"
+      "set word.rotation axis(z, 90)\nset b.transparency 50cm\n"
+      "at 1f p.position 7\nspread p.position.{x,y} from 1 to (0 3 4)\n");
+  expect_numbers(s, "b.rotation", "1f", {pi / 2, 0, 0});
+  expect_numbers(s, "p.rotation", "1f", {pi / 18, pi / 18, pi / 18});
+  expect_numbers(s, "b.radius", "1f", {45});
+  expect_numbers(s, "p.size", "1f", {3, 4, 0});
+  expect_numbers(s, "b.position", "1f", {1, 2, 0});
+  expect_numbers(s, "b.shininess", "1f", {0.25});
+  expect_numbers(s, "b.transparency", "1f", {0.5});
+  expect_numbers(s, "b.color", "1f", {0.5, 0.5, 0.5});
+  expect_numbers(s, "b.display", "1f", {0});
+  expect_numbers(s, "p.shininess", "1f", {1});
+  expect_numbers(s, "eye.fov", "1f", {pi / 3});
+  expect_numbers(s, "word.rotation", "1f", {std::sqrt(0.5), 0, 0, std::sqrt(0.5)});
+  EXPECT_EQ(s.text("word.text", "1f"), "5");
+}
+
+// shows: G27
+TEST(Settings, PolicyIgnoresTypesUnitsAndSizes) {
+  for (const char* line :
+       {"set b.rotation.x 90", "set b.radius 45deg", "set b.rotation 10", "set b.position (1 2)",
+        "set b.position (1 2 3 4)", "set b.color 0.5", "set b.display 0", "set b.shininess 25%", "set word.text 5",
+        "at 3f b.position 7", "copy a*.position 1f..9f to 9f on c*.position", "rotate b.rotation 1f..9f 90 y",
+        "copy b.radius 1f..9f to 9f shift 2deg", "create d sphere radius=on", "move b.radius 1f..9f by 2deg"}) {
+    const std::string head =
+        "create b sphere\ncreate a{1..3} sphere\ncreate c{1..2} sphere\ncreate word text text=\"a\"\n"
+        "at 1f b.radius 1\nat 1f a*.position (1 1 1)\n";
+    const Loaded before = read(head + "policy ignore\n"), after = read(head + "policy ignore\n" + line + "\n");
+    ASSERT_EQ(after.diagnostics.size(), 1u) << line << "\n" << said(after.diagnostics);
+    EXPECT_TRUE(after.diagnostics[0].severity == Severity::warning) << line << "\n" << said(after.diagnostics);
+    EXPECT_TRUE(after.document == before.document) << line;
+    EXPECT_EQ(errors(read(head + line + "\n")).size(), 1u) << line;
+  }
+}
+
+// What only looks at a note, or at its time, is told where it never comes.
+// shows: G91
+TEST(Settings, NotesBelongToTheRange) {
+  EXPECT_EQ(LoadedFilm("create b sphere\nat 12f b.radius 2\nat 30f note \"last\"\n").loaded.document.frame_count(), 30);
+  const Loaded cut = read("range 1f 20f\nat 12f note \"seen\"\nat 30f note \"never\"\n");
+  ASSERT_EQ(cut.diagnostics.size(), 1u);
+  EXPECT_EQ(cut.diagnostics[0].severity, Severity::notice);
+  EXPECT_EQ(cut.diagnostics[0].what.message, "the note at 30f is outside the range, 1f to 20f: it never plays");
+}
+
 }  // namespace
 }  // namespace betwixt

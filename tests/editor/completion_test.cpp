@@ -41,5 +41,56 @@ TEST(Session, CompletesFiltersAndTwerpersWhereTheyStand) {
   }
 }
 
+// shows: G22
+TEST(Session, CompletesWhatCanFollow) {
+  const Folder folder;
+  Session::Doors doors;
+  doors.styles = {"shaded", "wireframe"};
+  Session s = opened(folder, small_film, std::move(doors));
+  expect_done(s, "layer sway add");
+  using Words = std::vector<std::string>;
+  for (const auto& [line, words] : std::vector<std::pair<std::string, Words>>{
+           {"policy ", {"ask", "ignore", "translate"}},
+           {"notes o", {"off", "on"}},
+           {"extend ball.position ", {"bounce", "cycle", "hold", "linear"}},
+           {"extend ball.position cycle ", {"after", "before"}},
+           {"layer up ", {"add", "mix"}},
+           {"look ", {"through"}},
+           {"look through ", {"eye"}},
+           {"attach ball t", {"to"}},
+           {"on ", {"sway"}},
+           {"on sway ext", {"extend"}},
+           {"on sway crea", {}},
+           {"at 5f fal", {"fall"}},
+           {"at 5f crea", {}},
+           {"set ball.color gol", {"gold", "goldenrod"}},
+           {"set ball.color rg", {"rgb"}},
+           {"at 3f ball.color nav", {"navajowhite", "navy"}},
+           {"at 3f set ball.display o", {"off", "on"}},
+           {"background tea", {"teal"}},
+           {"create x sphere color=teal rad", {"radius="}},
+           {"create x sphere color=tea", {"teal"}},
+           {"create x sphere material=", {"glow", "matte", "metal", "plastic"}},
+           {"set ball.position.v", {"ball.position.velocity"}},
+           {"set ball.position.", {"ball.position.velocity", "ball.position.x", "ball.position.y", "ball.position.z"}},
+           {"eval ball.wor", {"ball.world"}},
+           {"set ball.wor", {}},
+           {"at 5f ball.radius 2 ease", {"ease-in=", "ease-out="}},
+           {"at 5f ball.color red sl", {}},
+           {"at 5f ball.position (1 2 3) ben", {}},
+           {"at 5f ball.position (1 2 3) sm", {"smooth"}},
+           {"at 5f ball.position.velocity re", {"release"}},
+           {"at 5f ball.attachment co", {"couple"}},
+           {"filter ball.position smooth w", {"width="}},
+           {"style ", {"shaded", "wireframe"}},
+           {"samples ", {"1", "16", "4", "9"}},
+           {"define heat num", {"number"}},
+       })
+    EXPECT_EQ(s.complete(line), words) << line;
+  expect_done(s, "ball.color");
+  EXPECT_EQ(s.complete("  3f cornf"), (Words{"cornflowerblue"}));
+  EXPECT_EQ(s.complete("3f red lin"), (Words{"linear"}));
+}
+
 }  // namespace
 }  // namespace betwixt

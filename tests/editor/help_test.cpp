@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "commands/plugins.h"
+#include "commands/roads.h"
 #include "commands/verbs.h"
 #include "editor/author.h"
 #include "support/small_film.h"
@@ -49,6 +50,35 @@ TEST(Help, ExamplesRun) {
       const auto answer = s.enter(line);
       EXPECT_TRUE(answer.done) << e.word << ": " << line << "\n" << answer.said;
     }
+  }
+}
+
+// Words from elsewhere lead to those that are there; none of them is one itself.
+TEST(Help, RoadsLeadToWords) {
+  const auto has_help = [](std::string_view w) {
+    return std::any_of(help_entries().begin(), help_entries().end(), [&](const HelpEntry& e) { return e.word == w; });
+  };
+  for (const Road& r : roads()) {
+    EXPECT_FALSE(has_help(r.word)) << r.word;
+    std::istringstream see{std::string(r.see)};
+    int words = 0;
+    for (std::string w; see >> w; ++words) EXPECT_TRUE(has_help(w)) << r.word << " leads to " << w;
+    EXPECT_GT(words, 0) << r.word;
+    EXPECT_TRUE(help_text(r.word, Scene()).starts_with(fmt::format("{}: {}", r.word, r.leads)));
+  }
+  for (const char* word : {"loop", "ease", "path", "opacity", "alpha", "sheet", "time", "rgb"})
+    EXPECT_FALSE(road(word).empty()) << word;
+  EXPECT_EQ(help_text("opacity", Scene()),
+            "opacity: transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5\n"
+            "  see: help transparency\n");
+}
+
+// shows: G22
+TEST(Help, GroupsAreListed) {
+  EXPECT_TRUE(help_text("twerpers", Scene()).starts_with("Twerpers (from one event to the next)\n  hold  "));
+  for (const char* group : {"shell", "commands", "rows", "kinds", "functions", "filters", "options"}) {
+    const std::string text = help_text(group, Scene());
+    EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 5) << group;
   }
 }
 

@@ -120,6 +120,106 @@ TEST(Session, LayersAreListedWithWhatIsOnThem) {
   EXPECT_EQ(s.enter("  1f (0 0 0)").said, "error: this row has no sheet: the line that should open it was refused\n");
 }
 
+// shows: G22
+TEST(Session, SaysWhatValuesAreAtTimes) {
+  const Folder folder;
+  Session s = opened(folder, author);
+  EXPECT_EQ(s.enter("eval ball.position.x at 24f").said, "ball.position.x  8\n");
+  EXPECT_EQ(s.enter("eval ball.position 1f,24f").said,
+            "1f (0 s)\n  ball.position  (0 10 0)\n24f (0.9583333333333334 s)\n  ball.position  (8 10 0)\n");
+  EXPECT_EQ(s.enter("eval ball.position").said, "ball.position  (0 10 0)\n");
+  EXPECT_TRUE(
+      s.enter("eval ball at 24f")
+          .said.ends_with("ball.world     matrix(1 0 0 8 0 1 0 10 0 0 1 0 0 0 0 1)\nball is at     (8 10 0)\n"));
+  EXPECT_EQ(s.enter("eval bal at 1f").said, "error: there is no object 'bal'\n  did you mean 'ball'?\n");
+  EXPECT_TRUE(s.enter("eval ball at 12x").refused);
+  EXPECT_EQ(s.unsaved(), 0u);
+  expect_done(s, "set ball.radius = \"nix.y\"");
+  EXPECT_NE(s.enter("eval ball.radius at 1f").said.find("warning: ball.radius: the procedure"), std::string::npos);
+}
+
+TEST(Session, ExitIsQuit) {
+  const Folder folder;
+  EXPECT_TRUE(opened(folder).enter("exit").quit);
+}
+
+// shows: G7 G13
+TEST(Session, TheWayOfDrawingIsAWord) {
+  const Folder folder;
+  std::string told;
+  Session::Doors doors;
+  doors.picture = [&](const std::string& what, const std::string& value) -> Result<std::string> {
+    if (value == "cubist") return fail(ErrorCode::name, "there is no style 'cubist'");
+    told += what + " " + value + "; ";
+    return std::string("as said\n");
+  };
+  Session s = opened(folder, author, std::move(doors));
+  for (const char* line : {"style wireframe", "samples 16", "size 320x180", "style"})
+    EXPECT_EQ(s.enter(line).said, "as said\n") << line;
+  EXPECT_EQ(told, "style wireframe; samples 16; size 320x180; style ; ");
+  EXPECT_TRUE(s.enter("style cubist").refused);
+  EXPECT_TRUE(s.enter("style shaded now").refused);
+  EXPECT_EQ(s.unsaved(), 0u);
+}
+
+// shows: G27
+TEST(Session, PolicyAskAsks) {
+  const Folder folder;
+  std::string asked;
+  Session::Doors doors;
+  doors.ask_about_line = answering({"t", "ignore", "translate", std::string(Session::called_off)}, &asked).ask;
+  Session s = opened(folder, author, std::move(doors));
+  EXPECT_TRUE(s.enter("set ball.radius (3 4 0)").done);
+  EXPECT_NE(asked.find("a number is wanted here, not a vector"), std::string::npos);
+  EXPECT_TRUE(asked.ends_with("translate it to 'set ball.radius 5', or ignore the line? ")) << asked;
+  const std::string before = s.text();
+  EXPECT_TRUE(before.ends_with("\nset ball.radius 5\n"));
+  EXPECT_EQ(s.enter("set ball.rotation.x 90").said, "ignored\n");
+  EXPECT_EQ(s.text(), before);
+  expect_done(s, "ball.color");
+  expect_done(s, "  3f 0.25 linear");  // a row stays a row, and what follows on it stays
+  EXPECT_TRUE(s.text().ends_with("ball.color\n  3f rgb(0.25 0.25 0.25) linear\n")) << s.text();
+  const auto off = s.enter("  5f 1");
+  EXPECT_FALSE(off.done || off.refused);
+  // Nothing is asked where no translation helps, or where another policy is said.
+  asked.clear();
+  EXPECT_TRUE(s.enter("set ball.radius 2kg").refused);
+  expect_done(s, "policy translate");
+  expect_done(s, "set ball.radius (3 4 0)");
+  EXPECT_TRUE(s.text().ends_with("\nset ball.radius (3 4 0)\n"));
+  EXPECT_EQ(asked, "");
+  EXPECT_FALSE(has_errors(load_text(s.text(), "film.bx").diagnostics));
+  // Nobody is there: a batch.
+  Session batch = opened(folder, author, answering({"translate"}));
+  EXPECT_TRUE(batch.enter("set ball.radius (3 4 0)").refused);
+}
+
+// Code that errs is told at once, with the line that says it; and once.
+TEST(Session, CodeIsTriedAsItIsSaid) {
+  const Folder folder;
+  Session s = opened(folder, author);
+  expect_done(s, "show ball");
+  const auto said = s.enter("at 9f ball.radius = \"nix.y\"");
+  EXPECT_TRUE(said.done);
+  EXPECT_TRUE(said.said.starts_with("line:2:1: warning: ball.radius: the procedure \"nix.y\" gives no value"))
+      << said.said;
+  EXPECT_EQ(s.enter("hide ball").said, "");
+  expect_done(s, "procedure worse filter lua \"input() + nix\"");
+  EXPECT_TRUE(s.enter("filter ball.position.y worse").said.starts_with("line:5:1: warning: ")) << s.enter("list").said;
+  EXPECT_EQ(s.enter("set ball.shininess = \"0.5\"").said, "");
+}
+
+TEST(Session, WhatARefusedLineShouldHaveMade) {
+  const Folder folder;
+  Session s = opened(folder);
+  EXPECT_TRUE(s.enter("create ball sphre").refused);
+  EXPECT_NE(s.enter("set ball.radius 2").said.find("line 1, which should have made it, was refused"),
+            std::string::npos);
+  expect_done(s, "create ball sphere");
+  expect_done(s, "set ball.radius 2");
+  EXPECT_EQ(s.enter("set ball.radus 2").said.find("was refused"), std::string::npos);
+}
+
 // shows: G59
 TEST(Session, RenamingKeepsWhatAPatternOfAnAliasMeant) {
   const LoadedFilm s(

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/roads.h"
+
+#include <algorithm>
+
+namespace betwixt {
+namespace {
+
+constexpr std::string_view to_repeat =
+    "extend ball.position cycle repeats a track, copy ball.position 1f..24f to 24f times 3 a part of it";
+constexpr std::string_view to_ease =
+    "behind an event's value, ease-in=4f slows down before it and ease-out=4f starts slowly behind it";
+constexpr std::string_view to_fade = "transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5";
+constexpr std::string_view to_blend =
+    "a twerper says how a track goes on from an event to the next: at 12f ball.radius 2 linear";
+constexpr std::string_view to_event = "an event is a value at a time: at 12f ball.radius 2, or a row of a sheet";
+constexpr std::string_view to_sheet =
+    "a line that is only a target, as in ball.position, opens a sheet; rows go below it: TIME VALUE [TWERPER]";
+constexpr std::string_view to_time =
+    "times are 24f (frame 24; frame 1 is the beginning), 2.5s, 500ms, 90t (ticks) or 00:01:02.5; 1f..24f is a segment";
+constexpr std::string_view to_color = "colours are gold, #ffcc00, #fc0, rgb(1 0.8 0) or hsv(48deg 1 1)";
+constexpr std::string_view to_target =
+    "a target is an object and a function, as in ball.position, or a component of it, ball.position.x";
+constexpr std::string_view to_hold =
+    "couple, attach and hang join an object to another, letgo and detach end that: at 20f attach ball to hand";
+constexpr std::string_view to_make = "create makes an object, create b like a makes a copy of one";
+constexpr std::string_view to_compute = "a value can be computed, in Lua: set ball.radius = \"1 + 0.1 * math.sin(t)\"";
+constexpr std::string_view to_show = "hide ball and show ball, from a time on with at 24f hide ball";
+constexpr std::string_view to_film = "a film is made outside the shell: betwixt render film.bx -o film.mp4";
+constexpr std::string_view to_turn = "rotation turns: set ball.rotation euler(0 90deg 0), or axis(y 90deg)";
+constexpr std::string_view to_angle = "angles have a unit: 90deg, 1.57rad or 0.25turn";
+constexpr std::string_view to_many = "a pattern names many: wheel*.position, wheel{1..4}; alias gives them one name";
+constexpr std::string_view to_place =
+    "position is where a thing is; ball.world, which can be asked for, with all it hangs on";
+
+constexpr Road all_roads[] = {
+    {"loop", to_repeat, "extend copy"},
+    {"repeat", to_repeat, "extend copy"},
+    {"cycle", to_repeat, "extend copy"},
+    {"bounce", "extend ball.position bounce plays a track back and forth; at 12f fall ball lets it fall and bounce",
+     "extend fall"},
+    {"ease", to_ease, "ease-in ease-out"},
+    {"easing", to_ease, "ease-in ease-out"},
+    {"ease-in-out", to_ease, "ease-in ease-out"},
+    {"path", "a path is a track of positions: at 1f ball.position (0 0 0) smooth, and so on; smooth goes through all",
+     "smooth bspline motion"},
+    {"spline", "smooth goes through its events, bspline past them, hermite has tangents", "smooth bspline hermite"},
+    {"opacity", to_fade, "transparency"},
+    {"alpha", to_fade, "transparency"},
+    {"fade", to_fade, "transparency"},
+    {"visible", to_show, "show hide display"},
+    {"visibility", to_show, "show hide display"},
+    {"invisible", to_show, "show hide display"},
+    {"interpolate", to_blend, "twerper linear smooth"},
+    {"interpolation", to_blend, "twerper linear smooth"},
+    {"tween", to_blend, "twerper linear smooth"},
+    {"event", to_event, "at"},
+    {"keyframe", to_event, "at"},
+    {"key", to_event, "at"},
+    {"sheet", to_sheet, "at"},
+    {"row", to_sheet, "at"},
+    {"track", to_sheet, "at twerper extend"},
+    {"target", to_target, "set at"},
+    {"component", to_target, "set at"},
+    {"object", to_make, "create"},
+    {"clone", to_make, "create"},
+    {"duplicate", to_make, "create"},
+    {"like", to_make, "create"},
+    {"time", to_time, "at rate ticks"},
+    {"frame", to_time, "at rate ticks"},
+    {"frames", to_time, "at rate ticks"},
+    {"second", to_time, "at rate ticks"},
+    {"seconds", to_time, "at rate ticks"},
+    {"segment", to_time, "range copy"},
+    {"fps", "rate says how many frames a second has: rate 25", "rate"},
+    {"duration", "range says what part of time is the film: range 1f 72f", "range"},
+    {"length", "range says what part of time is the film: range 1f 72f", "range"},
+    {"colour", to_color, "color"},
+    {"colours", to_color, "color"},
+    {"colors", to_color, "color"},
+    {"rgb", to_color, "color"},
+    {"hsv", to_color, "color"},
+    {"parent", to_hold, "couple attach hang letgo"},
+    {"child", to_hold, "couple attach hang letgo"},
+    {"mirror", "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)", "scale"},
+    {"circle", "disc is a flat one, sphere a ball: create ball sphere", "disc sphere"},
+    {"ball", "sphere is a ball: create ball sphere", "sphere"},
+    {"cube", "box is one: create b box", "box"},
+    {"rectangle", "plane is one: create p plane size=(2 1)", "plane"},
+    {"line", "polyline is one: create l polyline points=((0 0) (1 1))", "polyline"},
+    {"model", "mesh shows a file: create cow mesh file=\"cow.obj\"", "mesh"},
+    {"gravity", "fall lets a thing fall: at 12f fall ball ground=0.5", "fall"},
+    {"random", "noise and wobble are filters; stagger … random 7 shuffles", "noise wobble stagger"},
+    {"shake", "noise and wobble are filters: filter ball.position noise", "noise wobble"},
+    {"turn", to_turn, "rotation rotate"},
+    {"angle", to_angle, "rotation"},
+    {"euler", to_turn, "rotation"},
+    {"axis", to_turn, "rotation"},
+    {"quat", to_turn, "rotation"},
+    {"deg", to_angle, "rotation"},
+    {"rad", to_angle, "rotation"},
+    {"if", to_compute, "procedure"},
+    {"for", to_many, "alias procedure"},
+    {"while", to_compute, "procedure"},
+    {"variable", to_compute, "procedure"},
+    {"lua", to_compute, "procedure"},
+    {"pattern", to_many, "alias"},
+    {"where", to_place, "position world eval"},
+    {"render", to_film, "play"},
+    {"export", to_film, "play"},
+    {"print", "eval says values at times: eval ball.position at 13f", "eval"},
+    {"font-size", "size of a text is its em in metres: set title.size 2", "size"},
+};
+
+}  // namespace
+
+std::span<const Road> roads() { return all_roads; }
+
+std::string_view road(std::string_view word) {
+  const auto at =
+      std::find_if(std::begin(all_roads), std::end(all_roads), [&](const Road& r) { return r.word == word; });
+  return at == std::end(all_roads) ? std::string_view() : at->leads;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is shown of a film, and asked of it, in words.
+#include "editor/describe.h"
+
+#include "editor/author.h"
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+std::string described(const std::string& film, const std::string& word) {
+  const LoadedFilm s(film);
+  const auto said = describe(s.loaded.document, word);
+  return said ? *said : said.error().message;
+}
+
+// shows: G22 G104
+TEST(Describe, AllThatMakesAValue) {
+  const std::string film =
+      "create ball sphere position=(0 1 0)\nlayer sway add\nball.position\n  2f (0 0 0) linear ease-out=2f\n"
+      "  9f (1 0 0) cut (2 0 0)\ntwerper ball.position smooth\nextend ball.position cycle\n"
+      "filter ball.position limit high=5\nat 5f ball.position.velocity (1 0 0)\non sway at 3f ball.position (0 1 0)\n"
+      "on sway set ball.radius 1\n";
+  EXPECT_EQ(described(film, "ball.position"),
+            "ball.position\n  2f       (0 0 0) linear ease-out=2f\n  9f       (1 0 0) cut (2 0 0)\n"
+            "  set ball.position (0 1 0)\n  twerper ball.position smooth\n  extend ball.position cycle\n"
+            "  ball.position.velocity\n    5f (1 0 0)\n  filter ball.position limit high=5\n"
+            "  on sway ball.position\n    3f (0 1 0)\n");
+  const std::string ball = described(film, "ball");
+  EXPECT_NE(ball.find("at 1f; 2 events, twerper smooth, extend cycle, velocity 1 event, filter limit, layer sway\n"),
+            std::string::npos)
+      << ball;
+  EXPECT_NE(ball.find("  radius           2 at 1f; layer sway\n"), std::string::npos) << ball;
+}
+
+// shows: G22
+TEST(Describe, WhatAnObjectHangsOnAndWhenThatEnds) {
+  EXPECT_TRUE(
+      described("create a sphere\ncreate b box\nat 5f attach a to b keep-world\nat 9f letgo a\nat 12f detach a\n", "a")
+          .starts_with(
+              "a, a sphere\n  is attached to b from 5f, keep-world\n  is let go at 9f\n  is detached at 12f\n"));
+}
+
+TEST(Describe, WhatCanOnlyBeAsked) {
+  const std::string film = "create a sphere\ncreate b sphere\ncreate eye camera position=(0 0 9)\n";
+  EXPECT_EQ(described(film, "a.touching"), "a.touching  (b)\n");
+  EXPECT_EQ(described(film, "a.in-view"), "a.in-view  on\n");
+  EXPECT_EQ(described(film, "a.world.x"), "a.world.x  0\n");
+}
+
+// shows: G91 R-T13
+TEST(Notes, AreShownAsPlayingPassesThem) {
+  const std::string film = "rate 10\nat 3f note \"a\"\nat 3.5f note \"b\"\nat 4f note \"c\"\nat 9f note \"d\"\n";
+  const LoadedFilm s(film), off(film + "notes off\n");
+  const auto at = [&](int frame) { return s.loaded.document.rate().frame(frame); };
+  const Document& d = s.loaded.document;
+  EXPECT_EQ(notes_shown(d, at(3), at(4)), "\"b\" \"c\"");
+  EXPECT_EQ(notes_shown(d, at(2), at(9)), "\"a\" \"b\" \"c\" \"d\"");
+  EXPECT_EQ(notes_shown(d, {}, at(3)), "\"a\"");  // a jump
+  EXPECT_EQ(notes_shown(d, {}, at(5)), "");
+  EXPECT_EQ(notes_shown(d, at(4), at(8)), "");
+  EXPECT_EQ(notes_shown(off.loaded.document, at(2), at(9)), "");
+}
+
+}  // namespace
+}  // namespace betwixt
