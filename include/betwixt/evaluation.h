@@ -9,6 +9,7 @@
 // Room: program
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -54,6 +55,13 @@ class Evaluation {
   // The drawables of which anything differs since the last `to`, in order; all after the first one, and where `use` has
   // brought other drawables.
   std::span<const std::uint32_t> changed() const;
+  // For who does not see every `to`: whether `changed` is all that differs from what he saw last.
+  struct Revision {
+    std::uint64_t program = 0;  // another one after each `use`; no two evaluations have the same
+    std::uint64_t times = 0;    // how often `to` was called since
+    friend bool operator==(const Revision&, const Revision&) = default;
+  };
+  Revision revision() const;
 
   const std::vector<Light>& lights() const;
   const Camera& camera() const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "betwixt/evaluation.h"
 
+#include <atomic>
 #include <cstring>
 
 #include "program/evaluator.h"
@@ -81,7 +82,12 @@ struct Evaluation::State {
   Played now;
   std::optional<Played> before;  // what another program gave last; the next time is compared with it
   mutable std::optional<Camera> camera;
+  Revision revision{next_program(), 0};
 
+  static std::uint64_t next_program() {
+    static std::atomic<std::uint64_t> programs{0};
+    return ++programs;
+  }
   const Evaluator& evaluator() const { return now.whole->evaluator; }
   void compare();
 };
@@ -95,6 +101,7 @@ void Evaluation::to(Time t) {
   State& s = *state_;
   s.now.whole->to(t);
   s.camera.reset();
+  ++s.revision.times;
   if (s.before) s.compare();
 }
 
@@ -126,6 +133,7 @@ void Evaluation::use(const Program& program) {
   State& s = *state_;
   if (!s.evaluator().fresh()) s.before = std::move(s.now);
   s.now = State::Played(program);
+  s.revision = {State::next_program(), 0};
 }
 
 const Program& Evaluation::program() const { return state_->now.program; }
@@ -140,6 +148,7 @@ const std::shared_ptr<const Picture>& Evaluation::texture(std::uint32_t number) 
   return state_->now.program.compiled().textures[number];
 }
 std::span<const std::uint32_t> Evaluation::changed() const { return state_->evaluator().changed; }
+Evaluation::Revision Evaluation::revision() const { return state_->revision; }
 const std::vector<Light>& Evaluation::lights() const { return state_->now.whole->lights; }
 const std::vector<std::string>& Evaluation::problems() const { return state_->now.whole->problems; }
 const std::vector<Frame::CodeError>& Evaluation::errors() const { return state_->now.whole->errors; }

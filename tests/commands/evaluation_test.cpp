@@ -122,6 +122,20 @@ TEST(Evaluation, OtherDrawablesHaveAllChanged) {
   EXPECT_EQ(two.loaded.document.name(e.drawables()[1]), "c");
 }
 
+// Who has missed a time sees it.
+TEST(Evaluation, RevisionsCountTimesAndTellProgramsApart) {
+  const LoadedFilm s("create a sphere\n");
+  Evaluation e(s.program), f(s.program);
+  const auto first = e.revision();
+  EXPECT_NE(first.program, f.revision().program);
+  e.to({}), e.to({}), e.to({1});
+  EXPECT_EQ(e.revision().program, first.program);
+  EXPECT_EQ(e.revision().times, first.times + 3);
+  e.use(s.program);
+  EXPECT_NE(e.revision().program, first.program);
+  EXPECT_NE(e.revision().program, f.revision().program);
+}
+
 // What nobody sees is not worked out; that a twerper errs there is said all the same.
 TEST(Evaluation, TwerpersThatErrAreNamedWhereverTheyStand) {
   const LoadedFilm s(
