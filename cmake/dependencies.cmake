@@ -5,6 +5,7 @@
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(fmt REQUIRED)
+find_package(meshoptimizer REQUIRED)
 pkg_check_modules(HWY REQUIRED QUIET IMPORTED_TARGET libhwy)
 pkg_check_modules(BULLET REQUIRED QUIET IMPORTED_TARGET bullet)
 pkg_check_modules(EGL REQUIRED QUIET IMPORTED_TARGET egl epoxy)

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "betwixt/frame.h"
+#include "betwixt/evaluation.h"
 #include "betwixt/result.h"
 
 namespace betwixt {
@@ -27,12 +27,16 @@ struct Style {
 };
 const std::vector<Style>& styles();
 
-// One renderer belongs to one thread. The same frame gives the same picture.
+// One renderer belongs to one thread. The same frame gives the same picture, whatever was drawn before. What a picture
+// shares with the one before it is kept: where nothing differs at all, nothing is drawn.
 class Renderer {
  public:
   virtual ~Renderer() = default;
   // Draws into `out`, resizing it where needed.
   virtual Status render(const Frame&, Picture& out) = 0;
+  // The picture of its frame(), for playing: what has not changed is not looked at, if every `to` is followed by a
+  // picture.
+  virtual Status render(const Evaluation&, Picture& out) = 0;
 };
 
 // Errors: range (options out of bounds), name (no such style), machine (no graphics to be had).

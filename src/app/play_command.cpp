@@ -68,6 +68,7 @@ class Player {
   Player(const Document& document, PlayCall& call, const FrameList& frames, Terminal& terminal, LiveInput* live)
       : document_(document),
         program_(Program::compile(document)),
+        evaluation_(program_),
         call_(call),
         frames_(frames),
         terminal_(terminal),
@@ -106,6 +107,7 @@ class Player {
     }
     if (turned_ == before) return;
     program_ = Program::compile(document_, program_);
+    evaluation_.use(program_);
     stale_ = true;
   }
   static std::string in_words(const LiveMessage& m) {
@@ -204,7 +206,8 @@ class Player {
     std::string out = "\x1b[?2026h";  // terminals that know this show the whole at once
     if (k != shown_ || stale_) {
       stale_ = false;
-      if (Status s = renderer_->render(program_.frame(frames_.time(k)), picture_); !s) return s;
+      evaluation_.to(frames_.time(k));
+      if (Status s = renderer_->render(evaluation_, picture_); !s) return s;
       if (head_.playing() && shown_ >= 0 && k > shown_ + 1) dropped_ += k - shown_ - 1;
       shown_ = k;
       const Box b = box(size_);
@@ -261,6 +264,7 @@ class Player {
 
   Document document_;
   Program program_;
+  Evaluation evaluation_;
   PlayCall& call_;  // keys change its picture
   const FrameList& frames_;
   Terminal& terminal_;

@@ -97,11 +97,12 @@ int render(const RenderCall& call) {
   const auto new_painter = [&]() -> Result<Painter> {
     Result<std::unique_ptr<Renderer>> made = make_renderer(call.picture);
     if (!made) return made.error();
-    return Painter([&, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Picture& out) {
+    const auto evaluation = std::make_shared<Evaluation>(program);
+    return Painter([&, evaluation, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Picture& out) {
       const Spending::Listening listening(call.stats ? &spent : nullptr);
-      const Frame frame = program.frame(frames->time(k));
-      problems.say(frame.problems);
-      return renderer->render(frame, out);
+      evaluation->to(frames->time(k));
+      problems.say(evaluation->problems());
+      return renderer->render(*evaluation, out);
     });
   };
   FilmOptions options;

@@ -31,8 +31,8 @@ class TerminalScreen final : public Screen {
  public:
   TerminalScreen(std::unique_ptr<Terminal> terminal, std::unique_ptr<Renderer> renderer)
       : terminal_(std::move(terminal)), renderer_(std::move(renderer)) {}
-  Status draw(const Frame& frame) override {
-    if (Status s = renderer_->render(frame, picture_); !s) return s;
+  Status draw(const Evaluation& e) override {
+    if (Status s = renderer_->render(e, picture_); !s) return s;
     const TerminalSize size = terminal_->size();
     if (!(size == size_)) text_ = "\x1b[2J", size_ = size;
     const double shape = static_cast<double>(picture_.width) / picture_.height / size.cell_aspect;
@@ -61,9 +61,9 @@ class WindowScreen final : public Screen {
  public:
   WindowScreen(std::unique_ptr<Window> window, std::unique_ptr<Renderer> renderer)
       : window_(std::move(window)), renderer_(std::move(renderer)) {}
-  Status draw(const Frame& frame) override {
+  Status draw(const Evaluation& e) override {
     if (window_->closed()) return Nothing{};
-    if (Status s = renderer_->render(frame, picture_); !s) return s;
+    if (Status s = renderer_->render(e, picture_); !s) return s;
     window_->draw(picture_);
     return Nothing{};
   }

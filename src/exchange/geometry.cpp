@@ -9,6 +9,7 @@
 
 #include "exchange/outlines.h"
 #include "exchange/shapes.h"
+#include "exchange/simplify.h"
 #include "scene/kinds.h"
 #include "scene/primitives.h"
 
@@ -22,13 +23,15 @@ std::size_t mixed(std::size_t h, Vec3 with) { return mixed(mixed(mixed(h, with.x
 // What a mesh is made from.
 struct Key {
   Shape shape;
-  int detail = 1;
+  Detail detail;
   friend bool operator==(const Key&, const Key&) = default;
 };
 struct KeyHash {
   std::size_t operator()(const Key& k) const {
     const Shape& s = k.shape;
-    std::size_t h = mixed(static_cast<std::size_t>(s.kind), static_cast<std::size_t>(k.detail));
+    std::size_t h =
+        mixed(static_cast<std::size_t>(s.kind), static_cast<std::size_t>(2 * k.detail.around + k.detail.even));
+    h = mixed(h, std::hash<const Mesh*>{}(s.mesh.get()));
     h = mixed(h, s.size);
     for (const auto measure : shape_measures) h = mixed(h, s.*measure);
     for (const Vec3 p : *s.points) h = mixed(h, p);
@@ -72,7 +75,7 @@ std::optional<Mat4> stretch(Vec3 s) {
   return scaling(s);
 }
 
-Mesh made(const KindRow& row, const Shape& s, int detail) {
+Mesh made(const KindRow& row, const Shape& s, const Detail& detail) {
   return row.fill == Fill::outline ? fill(outline_of(s), row.deep ? s.depth : 0) : row.mesh(s, detail);
 }
 
@@ -93,20 +96,23 @@ Outline outline_of(const Shape& s) {
   return outline;
 }
 
-Geometry realise(const Shape& shape, int detail) {
+Geometry realise(const Shape& shape, const Detail& detail) {
   static const auto empty = std::make_shared<const Mesh>();
   static Held held;
   const KindRow& row = row_of(shape.kind);
   if (row.fill == Fill::nothing) return {empty, {}};
-  if (row.fill == Fill::file) return {shape.mesh ? shape.mesh : empty, {}};
+  if (row.fill == Fill::file) return {shape.mesh ? simplified(shape.mesh, detail) : empty, {}};
   Geometry g;
-  Key key{shape, row.detailed ? std::clamp(detail, 0, 2) : 1};
+  Key key{shape, row.detailed ? detail : Detail{}};
   if (row.measures) {
-    const auto local = stretch(row.measures(shape));
+    const Vec3 m = row.measures(shape);
+    const auto local = stretch(m);
     if (!local) return {empty, {}};
     g.local = *local;
     key.shape = {};  // all of the kind share a mesh
     key.shape.kind = shape.kind;
+    // They are round about y.
+    if (row.detailed && !detail.even) key.detail.around = detail.around_thin(m.x / std::max({m.x, m.y / 2, m.z}));
   }
   g.mesh = held.get(key, [&] { return made(row, key.shape, key.detail); });
   return g;

@@ -80,7 +80,7 @@ std::string obstacle(const Shape& a, const Shape& b, const Mesh& from, const Mes
 
 }  // namespace
 
-Geometry realise_blend(const Shape& a, const Shape& b, double s, int detail) {
+Geometry realise_blend(const Shape& a, const Shape& b, double s, const Detail& detail) {
   if (s == 0 || a == b || !std::isfinite(s)) return realise(a, detail);
   if (s == 1) return realise(b, detail);
   if (has_outline(a) && has_outline(b)) {
@@ -88,8 +88,8 @@ Geometry realise_blend(const Shape& a, const Shape& b, double s, int detail) {
     return {std::make_shared<const Mesh>(outline_between(a, b, s)), {}};
   }
   if (same_but_measures(a, b)) return realise(between(a, b, s), detail);
-  const Geometry from = realise(a, detail), to = realise(b, detail);
-  if (!obstacle(a, b, *from.mesh, *to.mesh).empty()) return s < 1 ? from : to;
+  const Geometry from = realise(a), to = realise(b);  // all of their vertices
+  if (!obstacle(a, b, *from.mesh, *to.mesh).empty()) return realise(s < 1 ? a : b, detail);
   return {std::make_shared<const Mesh>(between(from, to, s)), {}};
 }
 

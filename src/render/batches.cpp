@@ -11,80 +11,102 @@
 namespace betwixt {
 namespace {
 
-Instance instance_of(const Thing& t, const Mat4& m) {
-  Instance r{};
-  std::array<Vec3, 3> c;
-  double scale = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 4; ++k) r.rows[static_cast<std::size_t>(4 * i + k)] = static_cast<float>(m(i, k));
-    c[static_cast<std::size_t>(i)] = {m(0, i), m(1, i), m(2, i)};
+struct Member {
+  double depth = 0;
+  std::uint32_t thing = 0;
+  friend bool operator<(const Member& a, const Member& b) {
+    return std::tie(a.depth, a.thing) < std::tie(b.depth, b.thing);
   }
-  // The inverse transpose but for its length: the cross products of the columns.
-  std::array<Vec3, 3> n = {cross(c[1], c[2]), cross(c[2], c[0]), cross(c[0], c[1])};
-  for (const Vec3& v : n) scale = std::max(scale, length(v));
-  scale = scale > 0 ? (t.mirrored ? -1 : 1) / scale : 0;
-  for (std::size_t i = 0; i < 9; ++i) r.normal[i] = static_cast<float>(scale * n[i / 3][static_cast<int>(i % 3)]);
-  const Item& item = *t.item;
-  for (int i = 0; i < 3; ++i)
-    r.color[static_cast<std::size_t>(i)] = static_cast<float>(std::clamp(item.color[i], 0.0, 1e4));
-  r.color[3] = static_cast<float>(1 - std::clamp(item.transparency, 0.0, 1.0));
-  r.look = {static_cast<float>(std::clamp(item.shininess, 0.0, 1.0)), static_cast<float>(item.material)};
-  return r;
-}
+};
+
+struct Group {
+  Member nearest{std::numeric_limits<double>::infinity(), 0};
+  std::vector<Member> members;
+};
 
 }  // namespace
 
-Batches batches_of(std::span<const Thing* const> things, bool coarse) {
-  struct Group {
-    double depth = std::numeric_limits<double>::infinity();
-    std::size_t order = 0;
-    std::vector<const Thing*> members;
-  };
-  using Key = std::tuple<const StoredMesh*, const Picture*, bool, bool>;
+Batches batches_of(const Things& things, std::span<const std::uint32_t> numbers) {
+  using Key = std::tuple<const StoredMesh*, const StoredTexture*, bool, bool>;
   std::map<Key, std::size_t> index;
   std::vector<Group> groups;
-  const auto mesh_of = [coarse](const Thing& t) { return coarse ? t.coarse : t.mesh; };
-  for (const Thing* t : things) {
-    const Key key{mesh_of(*t), coarse ? nullptr : t->item->texture.get(), t->mirrored, t->closed};
-    const auto [at, fresh] = index.try_emplace(key, groups.size());
-    if (fresh) groups.push_back({.order = groups.size(), .members = {}});
-    Group& g = groups[at->second];
-    g.depth = std::min(g.depth, t->depth);
-    g.members.push_back(t);
+  std::optional<Key> latest;
+  std::size_t at = 0;
+  for (const std::uint32_t i : numbers) {
+    const Thing& t = things[i];
+    if (const Key key{t.mesh, t.texture.get(), t.mirrored, t.closed}; !latest || *latest != key) {
+      latest = key;
+      const auto [place, fresh] = index.try_emplace(key, groups.size());
+      if (fresh) groups.emplace_back();
+      at = place->second;
+    }
+    groups[at].members.push_back({t.depth, i});
+    groups[at].nearest = std::min(groups[at].nearest, groups[at].members.back());
   }
-  std::sort(groups.begin(), groups.end(),
-            [](const Group& a, const Group& b) { return std::tie(a.depth, a.order) < std::tie(b.depth, b.order); });
+  std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.nearest < b.nearest; });
   Batches r;
-  r.instances.reserve(things.size());
+  r.order.reserve(numbers.size());
   for (Group& g : groups) {
-    std::stable_sort(g.members.begin(), g.members.end(),
-                     [](const Thing* a, const Thing* b) { return a->depth < b->depth; });
-    const Thing& one = *g.members.front();
+    std::sort(g.members.begin(), g.members.end());
+    const Thing& one = things[g.members.front().thing];
     r.batches.push_back(
-        {mesh_of(one), one.item->texture, one.mirrored, one.closed, one.ball, r.instances.size(), g.members.size()});
-    for (const Thing* t : g.members) r.instances.push_back(instance_of(*t, coarse ? t->coarse_local : t->local));
+        {one.mesh, one.texture.get(), one.mirrored, one.closed, one.ball, r.order.size(), g.members.size()});
+    for (const Member& m : g.members) r.order.push_back(m.thing);
   }
   return r;
 }
 
-Batches sorted_singles(std::span<const Thing* const> things) {
-  std::vector<const Thing*> order(things.begin(), things.end());
-  std::stable_sort(order.begin(), order.end(), [](const Thing* a, const Thing* b) { return a->depth > b->depth; });
+Batches sorted_singles(const Things& things, std::span<const std::uint32_t> numbers) {
   Batches r;
-  for (const Thing* t : order) {
-    r.batches.push_back({t->mesh, t->item->texture, t->mirrored, t->closed, t->ball, r.instances.size(), 1});
-    r.instances.push_back(instance_of(*t, t->local));
+  r.order.assign(numbers.begin(), numbers.end());
+  std::stable_sort(r.order.begin(), r.order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return things[a].depth > things[b].depth; });
+  for (std::size_t k = 0; k < r.order.size(); ++k) {
+    const Thing& t = things[r.order[k]];
+    r.batches.push_back({t.mesh, t.texture.get(), t.mirrored, t.closed, t.ball, k, 1});
   }
   return r;
 }
 
-void send_instances(const gl::Buffer& buffer, const std::vector<Instance>& instances) {
-  glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)), instances.data(),
-               GL_STREAM_DRAW);
+void Instances::set(std::vector<Instance> all) {
+  sent_ = std::move(all);
+  order_.clear();
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(sent_.size() * sizeof(Instance)), sent_.data(), GL_STREAM_DRAW);
 }
 
-void bind_instances(const gl::Buffer& buffer, std::size_t first) {
+void Instances::send(std::size_t first, std::size_t end) const {
+  glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * sizeof(Instance)),
+                  static_cast<GLsizeiptr>((end - first) * sizeof(Instance)), &sent_[first]);
+}
+
+void Instances::set(const Things& things, const std::vector<std::uint32_t>& order) {
+  constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+  const bool few = !things.all_changed() && 4 * things.changed().size() < order.size();
+  if (!few || order != order_ || place_.size() != things.all().size()) {
+    std::vector<Instance> all;
+    all.reserve(order.size());
+    for (const std::uint32_t i : order) all.push_back(things[i].instance);
+    set(std::move(all));
+    order_ = order;
+    place_.assign(things.all().size(), nowhere);
+    for (std::size_t k = 0; k < order.size(); ++k) place_[order[k]] = static_cast<std::uint32_t>(k);
+    return;
+  }
+  std::vector<std::uint32_t> places;
+  for (const std::uint32_t i : things.changed())
+    if (place_[i] != nowhere) places.push_back(place_[i]), sent_[place_[i]] = things[i].instance;
+  std::sort(places.begin(), places.end());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
+  for (std::size_t k = 0; k < places.size();) {
+    const std::size_t first = k;
+    while (++k < places.size() && places[k] == places[k - 1] + 1) {
+    }
+    send(places[first], places[k - 1] + 1);
+  }
+}
+
+void Instances::bind(std::size_t first) const {
   static constexpr struct {
     GLint count;
     std::size_t offset;
@@ -92,7 +114,7 @@ void bind_instances(const gl::Buffer& buffer, std::size_t first) {
                 {4, offsetof(Instance, rows) + 32},   {3, offsetof(Instance, normal)},
                 {3, offsetof(Instance, normal) + 12}, {3, offsetof(Instance, normal) + 24},
                 {4, offsetof(Instance, color)},       {2, offsetof(Instance, look)}};
-  glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   GLuint attribute = at_instance;
   for (const auto& f : fields) {
     glEnableVertexAttribArray(attribute);
@@ -105,13 +127,14 @@ void bind_instances(const gl::Buffer& buffer, std::size_t first) {
 
 void set_facing(bool mirrored, bool upside_down) { glFrontFace(mirrored != upside_down ? GL_CW : GL_CCW); }
 
-void draw_triangles(const Batch& b, const gl::Buffer& instances, bool upside_down) {
+void draw_triangles(const Batch& b, const Instances& instances, bool upside_down) {
   if (b.mesh->parts.empty()) return;
+  Store::need_triangles(*b.mesh);
   (b.closed && !b.ball ? glEnable : glDisable)(GL_CULL_FACE);
   set_facing(b.mirrored, upside_down);
   glBindVertexArray(b.mesh->triangles.id());
-  bind_instances(instances, b.first);
-  for (const MeshPart& p : b.mesh->parts)
+  instances.bind(b.first);
+  for (const StoredPart& p : b.mesh->parts)
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(p.count), GL_UNSIGNED_INT,
                             reinterpret_cast<const void*>(p.first * sizeof(std::uint32_t)),
                             static_cast<GLsizei>(b.count));

@@ -10,37 +10,42 @@
 
 namespace betwixt {
 
-// What goes to the graphics interface for each thing.
-struct Instance {
-  std::array<float, 12> rows;   // mesh space to eye space, row by row
-  std::array<float, 9> normal;  // the same for normals, column by column; of about unit size
-  std::array<float, 4> color;   // linear light and opacity
-  std::array<float, 2> look;    // shininess, Material
-};
-
 struct Batch {
   StoredMesh* mesh = nullptr;
-  std::shared_ptr<const Picture> texture;  // the items' own
+  const StoredTexture* texture = nullptr;  // the things' own
   bool mirrored = false, closed = false, ball = false;
   std::size_t first = 0, count = 0;  // instances
+  friend bool operator==(const Batch&, const Batch&) = default;
 };
 
 struct Batches {
   std::vector<Batch> batches;
-  std::vector<Instance> instances;
+  std::vector<std::uint32_t> order;  // the thing of each instance
 };
 
-// The nearest first, so that what is hidden is seldom shaded; equally near ones in their own order.
-Batches batches_of(std::span<const Thing* const>, bool coarse);
+// Of the things of these numbers. The nearest first, so that what is hidden is seldom shaded; equally near ones in
+// their own order.
+Batches batches_of(const Things&, std::span<const std::uint32_t>);
 // Farthest first, each a batch of its own.
-Batches sorted_singles(std::span<const Thing* const>);
+Batches sorted_singles(const Things&, std::span<const std::uint32_t>);
 
-// Sends the instances into `buffer`, whose memory is used again.
-void send_instances(const gl::Buffer& buffer, const std::vector<Instance>&);
-// Points the program's inputs at the first-th instance; the mesh's vertex array is bound.
-void bind_instances(const gl::Buffer&, std::size_t first);
+// Instances in graphics memory, in the order in which they are drawn. What stays where it was is not sent again.
+class Instances {
+ public:
+  void set(const Things&, const std::vector<std::uint32_t>& order);
+  void set(std::vector<Instance> all);
+  // Points the program's inputs at the first-th instance; the mesh's vertex array is bound.
+  void bind(std::size_t first) const;
+
+ private:
+  void send(std::size_t first, std::size_t end) const;
+  gl::Buffer buffer_ = gl::new_buffer();
+  std::vector<Instance> sent_;
+  std::vector<std::uint32_t> order_, place_;  // the thing of each instance, and the other way round
+};
+
 // Draws all triangles of a batch with the program that is set; `closed` ones from outside only.
-void draw_triangles(const Batch&, const gl::Buffer& instances, bool upside_down);
+void draw_triangles(const Batch&, const Instances&, bool upside_down);
 // Which way round triangles are seen from outside; in pictures that are drawn upside down it is the other way.
 void set_facing(bool mirrored, bool upside_down);
 

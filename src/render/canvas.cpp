@@ -123,25 +123,26 @@ void Canvas::write_linear() const {
   if (can_write_encoded_) glEnable(GL_FRAMEBUFFER_SRGB_EXT);
 }
 
-void Canvas::finish(Picture& out) const {
+void Canvas::finish() const {
   write_linear();
-  const gl::Target* last = &large_;
   if (corners_.framebuffer.id() != 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, corners_.framebuffer.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, large_.framebuffer.id());
     glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);
   }
-  if (side_ > 1) {
-    last = &pixels_;
-    pixels_.bind();
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glUseProgram(average_.id());
-    gl::use_texture(0, large_.color.id());
-    gl::fill();
-  }
+  if (side_ == 1) return;
+  pixels_.bind();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glUseProgram(average_.id());
+  gl::use_texture(0, large_.color.id());
+  gl::fill();
+}
+
+void Canvas::read(Picture& out) const {
+  const gl::Target* const last = side_ > 1 ? &pixels_ : &large_;
   if (StageTimes::listened()) glFinish();  // else what was drawn is waited for, and counted, below
   const InStage stage(Stage::read_back);
   out.width = width_, out.height = height_;

@@ -34,8 +34,10 @@ class Canvas {
   bool can_write_encoded() const { return can_write_encoded_; }
   // Fills what is still empty with the gradient, where the frame has no background of its own.
   void draw_behind(const std::optional<Vec3>& background, const Gradient&) const;
-  // Averages the samples in linear light and reads the picture.
-  void finish(Picture& out) const;
+  // Averages the samples in linear light.
+  void finish() const;
+  // Reads the picture that was finished last.
+  void read(Picture& out) const;
 
  private:
   void write_encoded() const;

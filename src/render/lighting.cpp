@@ -15,7 +15,7 @@ std::vector<Lighting::One> rig(const View& view) {
   right = normalize(right, {1, 0, 0});
   const Vec3 up{0, 1, 0}, toward_eye = cross(right, up);
   const auto sun = [&](double x, double y, double z, Vec3 color) {
-    return Lighting::One{true, normalize(x * right + y * up + z * toward_eye), color, 1};
+    return Lighting::One{true, normalize(x * right + y * up + z * toward_eye), color, 1, {}};
   };
   return {sun(-0.55, 0.95, 0.6, {0.86, 0.83, 0.78}), sun(0.9, 0.35, 0.55, {0.13, 0.15, 0.19}),
           sun(0.35, 0.6, -0.9, {0.3, 0.32, 0.36})};
@@ -33,19 +33,19 @@ double importance(const Lighting::One& l, Vec3 center) {
 
 }  // namespace
 
-Lighting lighting_of(const Frame& frame, const View& view, Vec3 center) {
+Lighting lighting_of(const std::vector<Light>& lights, const View& view, Vec3 center) {
   Lighting r;
   r.sky = {0.2, 0.215, 0.24}, r.ground = {0.1, 0.09, 0.08};
-  if (frame.lights.empty()) {
+  if (lights.empty()) {
     r.lights = rig(view);
     return r;
   }
-  for (const Light& l : frame.lights) {
+  for (const Light& l : lights) {
     if (!finite(l.color) || !finite(l.position) || !finite(l.direction) || std::isnan(l.range)) continue;
     if (!l.sun && !(l.range > 0)) continue;
     const Vec3 color = gain * Vec3{std::max(l.color.x, 0.0), std::max(l.color.y, 0.0), std::max(l.color.z, 0.0)};
     r.lights.push_back({l.sun, l.sun ? normalize(-l.direction, {0, 1, 0}) : l.position - view.eye, color,
-                        std::clamp(l.range, 1e-9, 1e15)});
+                        std::clamp(l.range, 1e-9, 1e15), l.position});
   }
   std::stable_sort(r.lights.begin(), r.lights.end(),
                    [center](const auto& a, const auto& b) { return importance(a, center) > importance(b, center); });

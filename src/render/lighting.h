@@ -23,12 +23,13 @@ struct Lighting {
     Vec3 place;  // eye space: where a lamp is, or the direction towards a sun
     Vec3 color;
     double range = 1;
+    Vec3 world;  // a lamp's place in the world
   };
   std::vector<One> lights;  // the most important first, `most` at most; that one casts the shadow
   Vec3 sky, ground;         // ambient light from above and below
 };
 
 // `center`: what the picture is about, in eye space.
-Lighting lighting_of(const Frame&, const View&, Vec3 center);
+Lighting lighting_of(const std::vector<Light>&, const View&, Vec3 center);
 
 }  // namespace betwixt

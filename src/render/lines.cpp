@@ -78,8 +78,8 @@ void Lines::set(const View& view, int side) {
   glUniform1f(gl::uniform(program_, "reach"), 0.5F * s * line_width + 0.5F);
 }
 
-void Lines::draw(const Batch& batch, const gl::Buffer& instances, Store& store) const {
-  store.need_edges(*batch.mesh);
+void Lines::draw(const Batch& batch, const Instances& instances) const {
+  Store::need_edges(*batch.mesh);
   if (batch.mesh->edge_count == 0) return;
   glUseProgram(program_.id());
   glEnable(GL_DEPTH_TEST);
@@ -89,7 +89,7 @@ void Lines::draw(const Batch& batch, const gl::Buffer& instances, Store& store) 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBindVertexArray(batch.mesh->edges.id());
-  bind_instances(instances, batch.first);
+  instances.bind(batch.first);
   glDrawElementsInstanced(GL_TRIANGLES, batch.mesh->edge_count, GL_UNSIGNED_INT, nullptr,
                           static_cast<GLsizei>(batch.count));
   glDepthMask(GL_TRUE);

@@ -12,7 +12,7 @@ class Lines {
  public:
   static Result<Lines> create();
   void set(const View&, int side);  // `side`: pixels drawn for one of the picture, along a side
-  void draw(const Batch&, const gl::Buffer& instances, Store&) const;
+  void draw(const Batch&, const Instances&) const;
 
  private:
   gl::Program program_;

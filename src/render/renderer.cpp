@@ -34,12 +34,29 @@ class SurfacelessRenderer final : public Renderer {
   Status render(const Frame& frame, Picture& out) override {
     const InStage draw(Stage::draw);
     const gl::Current current(context_);
-    return module_->draw(frame, out);
+    seen_ = {};
+    const FrameColumns laid_out(frame);
+    module_->draw(laid_out.columns(), out);
+    return Nothing{};
+  }
+  Status render(const Evaluation& evaluation, Picture& out) override {
+    const InStage draw(Stage::draw);
+    const gl::Current current(context_);
+    Columns columns = columns_of(evaluation);
+    const Evaluation::Revision now = evaluation.revision();
+    if (now.program == seen_.program && seen_.times > 0) {
+      if (now.times == seen_.times) columns.changed.emplace();
+      if (now.times == seen_.times + 1) columns.changed = evaluation.changed();
+    }
+    seen_ = now;
+    module_->draw(columns, out);
+    return Nothing{};
   }
 
  private:
   gl::Context context_;
   std::unique_ptr<Module> module_;
+  Evaluation::Revision seen_;  // of the picture before
 };
 
 // How many letters must be changed, added or dropped to get from `a` to `b`.

@@ -19,52 +19,51 @@ class Shaded final : public Module {
         surfaces_(std::move(surfaces)),
         shadow_(std::move(shadow)),
         lines_(std::move(lines)),
-        line_instances_(gl::new_buffer()) {}
+        things_(Purpose::surfaces, canvas_.width(), canvas_.height()) {}
 
-  Status draw(const Frame& frame, Picture& out) override {
-    store_.next_frame();
-    View view;
-    const std::vector<Thing> things = gather(frame, canvas_.width(), canvas_.height(), store_, Purpose::surfaces, view);
-    std::vector<const Thing*> solid, glass, casters, hairlines;
-    for (const Thing& t : things) {
-      const bool surface = !t.mesh->parts.empty();
-      if (t.visible) (!surface ? hairlines : t.transparent ? glass : solid).push_back(&t);
-      if (surface && t.item->material != Material::glow) casters.push_back(&t);
-    }
-    const Lighting lighting = lighting_of(frame, view, {});
-    const bool shadows = !casters.empty() && !lighting.lights.empty();
-    if (shadows) shadow_.draw(casters, lighting.lights.front());
-    canvas_.begin(frame.background);
+  void draw(const Columns& columns, Picture& out) override {
+    const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);
+    if (other_things || other_scenery) draw_anew();
+    canvas_.read(out);
+  }
+
+ private:
+  void draw_anew() {
+    std::vector<std::uint32_t> solid, glass, hairlines;
+    for (std::uint32_t i = 0; i < things_.all().size(); ++i)
+      if (const Thing& t = things_[i]; t.visible) (!t.surface ? hairlines : t.transparent ? glass : solid).push_back(i);
+    const View& view = things_.view();
+    const Lighting lighting = lighting_of(scenery_.lights, view, {});
+    if (!lighting.lights.empty()) shadow_.update(things_, lighting.lights.front());
+    canvas_.begin(scenery_.background);
     surfaces_.set(view, lighting, &shadow_);
     surfaces_.write_encoded(canvas_.can_write_encoded());
-    surfaces_.draw_opaque(solid, store_);
-    canvas_.draw_behind(frame.background, gradient);
+    surfaces_.draw_opaque(things_, solid);
+    canvas_.draw_behind(scenery_.background, gradient);
     if (!hairlines.empty() || !glass.empty()) {
       canvas_.write_linear();
       draw_hairlines(view, hairlines);
       surfaces_.write_encoded(false);
-      surfaces_.draw_transparent(glass, store_);
+      surfaces_.draw_transparent(things_, glass);
     }
-    canvas_.finish(out);
-    return Nothing{};
+    canvas_.finish();
   }
-
- private:
   // Meshes that have edges but no triangles.
-  void draw_hairlines(const View& view, const std::vector<const Thing*>& things) {
-    if (things.empty()) return;
-    const Batches batches = batches_of(things, false);
-    send_instances(line_instances_, batches.instances);
+  void draw_hairlines(const View& view, const std::vector<std::uint32_t>& hairlines) {
+    if (hairlines.empty()) return;
+    const Batches batches = batches_of(things_, hairlines);
+    line_instances_.set(things_, batches.order);
     lines_.set(view, canvas_.side());
-    for (const Batch& b : batches.batches) lines_.draw(b, line_instances_, store_);
+    for (const Batch& b : batches.batches) lines_.draw(b, line_instances_);
   }
 
   Canvas canvas_;
   Surfaces surfaces_;
   Shadow shadow_;
   Lines lines_;
-  gl::Buffer line_instances_;
-  Store store_;
+  Instances line_instances_;
+  Things things_;
+  Scenery scenery_;
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "render/shadow.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 #include "render/balls.h"
 
@@ -60,15 +62,16 @@ Ball around(const Ball& a, const Ball& b) {
 }
 
 // What the map must show finely: all casters but those that dwarf the rest (grounds and walls), whose own shadows
-// nobody misses.
-Ball subject(const std::vector<const Thing*>& casters) {
-  std::vector<const Thing*> by_size = casters;
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [](const Thing* a, const Thing* b) { return a->bounds.radius() < b->bounds.radius(); });
-  Ball all{by_size.front()->bounds.center, by_size.front()->bounds.radius()};
-  for (const Thing* t : by_size) {
-    if (t->bounds.radius() > 4 * all.radius) break;
-    all = around(all, {t->bounds.center, t->bounds.radius()});
+// nobody misses. Relative to `anchor`.
+Ball subject(const Things& things, const std::vector<std::uint32_t>& casters, Vec3 anchor) {
+  std::vector<std::pair<double, std::uint32_t>> by_size;
+  for (const std::uint32_t i : casters) by_size.emplace_back(things[i].bounds.radius(), i);
+  std::sort(by_size.begin(), by_size.end());
+  const auto ball = [&](const auto& one) { return Ball{things[one.second].bounds.center - anchor, one.first}; };
+  Ball all = ball(by_size.front());
+  for (const auto& one : by_size) {
+    if (one.first > 4 * all.radius) break;
+    all = around(all, ball(one));
   }
   return all;
 }
@@ -98,7 +101,6 @@ Result<Shadow> Shadow::create() {
     *to = *std::move(program);
   }
   s.target_ = *std::move(target);
-  s.instances_ = gl::new_buffer();
   glBindTexture(GL_TEXTURE_2D, s.target_.depth.id());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
@@ -107,32 +109,35 @@ Result<Shadow> Shadow::create() {
   return s;
 }
 
-void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One& light) {
-  target_.bind();
-  glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  if (casters.empty()) return;
-  Ball ball = subject(casters);
+// The map's view. Positions are relative to the lamp, or for suns to a place by the middle of what is shown, which
+// jumps by steps, so that f32 is enough for what is small and far from the world's origin.
+void Shadow::look(const Things& things, const Lighting::One& light, Vec3 anchor) {
+  Ball ball = subject(things, casters_, anchor);
   perspective_ = !light.sun;
   Mat4 projection;
   if (light.sun) {
     // Measured and placed in steps, so that edges do not swim while things move about.
     ball.radius = std::exp2(std::ceil(std::log2(ball.radius) * 4) / 4) * 1.02;
     texel_ = 2 * ball.radius / map_size;
-    Mat4 view = looking({0, 0, 0}, light.place);
-    const Vec3 c = transform_point(view, ball.center);
+    Vec3 step = 1 / ball.radius * ball.center;
+    for (int i = 0; i < 3; ++i) step[i] = std::round(step[i]) * ball.radius;
+    origin_ = anchor + step;
+    const Mat4 view = looking({0, 0, 0}, light.place);
+    const Vec3 c = transform_point(view, ball.center), shift = transform_point(view, step);
     double low = c.z - ball.radius, high = c.z + ball.radius;
-    for (const Thing* t : casters) {
-      const double z = transform_point(view, t->bounds.center).z, r = t->bounds.radius();
+    for (const std::uint32_t i : casters_) {
+      const Bounds& b = things[i].bounds;
+      const double z = transform_point(view, b.center - anchor).z, r = b.radius();
       high = std::max(high, z + r), low = std::min(low, z - r);
     }
     projection(0, 0) = projection(1, 1) = 1 / ball.radius;
-    projection(0, 3) = -std::round(c.x / texel_) * texel_ / ball.radius;
-    projection(1, 3) = -std::round(c.y / texel_) * texel_ / ball.radius;
-    projection(2, 2) = -2 / (high - low), projection(2, 3) = (high + low) / (high - low);
-    clip_ = projection * view;
+    projection(0, 3) = (shift.x - std::round(c.x / texel_) * texel_) / ball.radius;
+    projection(1, 3) = (shift.y - std::round(c.y / texel_) * texel_) / ball.radius;
+    projection(2, 2) = -2 / (high - low), projection(2, 3) = (high + low - 2 * shift.z) / (high - low);
+    map_clip_ = projection * view;
   } else {
-    const Vec3 back = light.place - ball.center;
+    origin_ = light.world;
+    const Vec3 back = (light.world - anchor) - ball.center;
     const double d = std::max(length(back), 1e-9);
     const double tangent =
         d > ball.radius ? std::min(ball.radius / std::sqrt(d * d - ball.radius * ball.radius), 2.5) : 2.5;
@@ -141,14 +146,82 @@ void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One&
     projection(0, 0) = projection(1, 1) = 1 / tangent;
     projection(2, 2) = -(far + near) / (far - near), projection(2, 3) = -2 * far * near / (far - near);
     projection(3, 2) = -1, projection(3, 3) = 0;
-    clip_ = projection * looking(light.place, normalize(back, {0, 1, 0}));
+    map_clip_ = projection * looking({0, 0, 0}, normalize(back, {0, 1, 0}));
   }
+}
+
+bool Shadow::update(Things& things, const Lighting::One& light) {
+  const Vec3 eye = things.view().eye;
+  // A whole kilometre by the eye: steps are measured from there, and they stay while the eye moves about.
+  Vec3 anchor;
+  for (int i = 0; i < 3; ++i) anchor[i] = 1000 * std::round(eye[i] / 1000);
+  const Made now{things.casters(), light.sun, light.sun ? light.place : light.world, light.range, anchor};
+  if (!made_ || !(*made_ == now)) {
+    made_ = now;
+    casters_.clear();
+    for (std::uint32_t i = 0; i < things.all().size(); ++i)
+      if (things[i].casts && length(things[i].bounds.center - anchor) < 1e15) casters_.push_back(i);
+    if (!casters_.empty()) {
+      look(things, light, anchor);
+      draw(things, light);
+    }
+  }
+  if (casters_.empty()) return false;
+  clip_ = map_clip_ * translation(eye - origin_);
+  return true;
+}
+
+// Those that let some light through, or those that let none.
+void Shadow::draw_some(Things& things, bool veils) {
+  struct Group {
+    Batch batch;
+    std::vector<Instance> instances;
+  };
+  std::map<std::tuple<const StoredMesh*, bool, bool>, Group> groups;
+  for (const std::uint32_t i : casters_) {
+    const Thing& t = things[i];
+    if (t.transparent != veils || t.look.transparency >= 0.5) continue;  // what lets half of it through casts none
+    Mat4 world = t.world;
+    for (int k = 0; k < 3; ++k) world(k, 3) -= origin_[k];
+    const Vec3 center = t.bounds.center - origin_;
+    const double away = perspective_ ? std::max(length(center) - t.size, 0.1 * t.size) : 1;
+    const double texels = t.size / (away * texel_);
+    const bool ball = t.round && (!perspective_ || length(center) > 2 * t.bounds.radius());
+    Mat4 local = scaling({t.shape->radius, t.shape->radius, t.shape->radius});
+    StoredMesh* mesh = nullptr;
+    if (ball) {
+      mesh = things.store().disc(texels).get();
+    } else {
+      // Softened, a shadow's edge may be off by a good part of a texel.
+      const Form::Realised& cast = t.form->at(Detail::for_pixels(0.4 * texels), things.store());
+      mesh = cast.mesh.get(), local = cast.local;
+    }
+    Group& g = groups[{mesh, t.mirrored, t.closed}];
+    g.batch = {mesh, nullptr, t.mirrored, t.closed, ball, 0, g.batch.count + 1};
+    g.instances.push_back(instance_of(t, world * local));
+  }
+  std::vector<Instance> all;
+  for (auto& [key, g] : groups) {
+    g.batch.first = all.size();
+    all.insert(all.end(), g.instances.begin(), g.instances.end());
+  }
+  instances_.set(std::move(all));
+  for (const auto& [key, g] : groups) {
+    glUseProgram(veils ? veils_.id() : g.batch.ball ? balls_.id() : meshes_.id());
+    draw_triangles(g.batch, instances_, false);
+  }
+}
+
+void Shadow::draw(Things& things, const Lighting::One& light) {
+  target_.bind();
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  const Vec3 at = light.sun ? light.place : Vec3{};
   for (const auto* program : {&meshes_, &balls_, &veils_}) {
     glUseProgram(program->id());
-    glUniformMatrix4fv(gl::uniform(*program, "clip"), 1, GL_FALSE, to_float(clip_).data());
-    const Vec3 p = light.place;
-    glUniform4f(gl::uniform(*program, "light"), static_cast<float>(p.x), static_cast<float>(p.y),
-                static_cast<float>(p.z), light.sun ? 0 : 1);
+    glUniformMatrix4fv(gl::uniform(*program, "clip"), 1, GL_FALSE, to_float(map_clip_).data());
+    glUniform4f(gl::uniform(*program, "light"), static_cast<float>(at.x), static_cast<float>(at.y),
+                static_cast<float>(at.z), light.sun ? 0 : 1);
   }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
@@ -156,17 +229,7 @@ void Shadow::draw(const std::vector<const Thing*>& casters, const Lighting::One&
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5F, 2.0F);
   glCullFace(GL_FRONT);  // closed things cast by their far side: what faces the light is never in its own shadow
-  for (const bool veils : {false, true}) {
-    std::vector<const Thing*> some;
-    for (const Thing* t : casters)
-      if (t->transparent == veils) some.push_back(t);
-    const Batches batches = batches_of(some, true);
-    send_instances(instances_, batches.instances);
-    for (const Batch& b : batches.batches) {
-      glUseProgram(veils ? veils_.id() : b.ball ? balls_.id() : meshes_.id());
-      draw_triangles(b, instances_, false);
-    }
-  }
+  for (const bool veils : {false, true}) draw_some(things, veils);
   glCullFace(GL_BACK);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }

@@ -10,8 +10,6 @@
 namespace betwixt {
 namespace {
 
-constexpr std::uint64_t kept_frames = 8;
-
 using Floats = std::vector<float>;
 
 template <class T>
@@ -45,14 +43,14 @@ Floats interleave(const Mesh& mesh) {
   return out;
 }
 
-std::vector<MeshPart> parts_of(const Mesh& mesh) {
+std::vector<StoredPart> parts_of(const Mesh& mesh, Store& store) {
   const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
   if (!indices_fit(mesh.triangles, mesh.positions.size()) || all < 3) return {};
   if (mesh.parts.empty()) return {{0, all, {1, 1, 1}, nullptr}};
-  std::vector<MeshPart> parts;
-  for (MeshPart p : mesh.parts) {
-    p.first = std::min(p.first, all), p.count = std::min(p.count, all - p.first);
-    if (p.count > 0) parts.push_back(p);
+  std::vector<StoredPart> parts;
+  for (const MeshPart& p : mesh.parts) {
+    const std::uint32_t first = std::min(p.first, all), count = std::min(p.count, all - first);
+    if (count > 0) parts.push_back({first, count, p.color, p.texture ? store.texture(p.texture) : nullptr});
   }
   return parts;
 }
@@ -111,40 +109,49 @@ bool has_holes(const Picture& p) {
 
 }  // namespace
 
-void Store::next_frame() {
-  ++frame_;
-  latest_ = nullptr;
-  const auto old = [this](const auto& entry) { return entry.second.used + kept_frames < frame_; };
-  std::erase_if(meshes_, old);
-  std::erase_if(textures_, old);
+template <class Source, class Stored>
+std::weak_ptr<Stored>& Store::Kept<Source, Stored>::at(const Source* source) {
+  if (all.size() > limit) {
+    std::erase_if(all, [](const auto& entry) { return entry.second.expired(); });
+    limit = std::max<std::size_t>(64, 2 * all.size());
+  }
+  return all[source];
 }
 
-StoredMesh& Store::mesh(const std::shared_ptr<const Mesh>& mesh) {
-  if (latest_ != nullptr && latest_->mesh == mesh) return *latest_;
-  StoredMesh& m = meshes_[mesh.get()];
-  latest_ = &m;
-  m.used = frame_;
-  if (m.mesh != nullptr) return m;
-  m.mesh = mesh;
-  m.box = mesh->box();
-  m.parts = parts_of(*mesh);
-  if (m.parts.empty()) return m;
+std::shared_ptr<StoredMesh> Store::mesh(const std::shared_ptr<const Mesh>& mesh) {
+  if (latest_ != nullptr && latest_->mesh == mesh) return latest_;
+  auto& place = meshes_.at(mesh.get());
+  latest_ = place.lock();
+  if (latest_ != nullptr) return latest_;
+  latest_ = std::make_shared<StoredMesh>();
+  latest_->mesh = mesh;
+  latest_->box = mesh->box();
+  latest_->parts = parts_of(*mesh, *this);
+  latest_->see_through = std::any_of(latest_->parts.begin(), latest_->parts.end(), [](const StoredPart& p) {
+    return p.texture != nullptr && p.texture->see_through;
+  });
+  place = latest_;
+  return latest_;
+}
+
+void Store::need_triangles(StoredMesh& m) {
+  if (m.parts.empty() || m.triangles.id() != 0) return;
   m.triangles = gl::new_vertex_array();
   glBindVertexArray(m.triangles.id());
   m.vertices = gl::new_buffer();
-  send(GL_ARRAY_BUFFER, m.vertices.id(), interleave(*mesh));
+  send(GL_ARRAY_BUFFER, m.vertices.id(), interleave(*m.mesh));
   m.indices = gl::new_buffer();
-  send(GL_ELEMENT_ARRAY_BUFFER, m.indices.id(), mesh->triangles);
+  send(GL_ELEMENT_ARRAY_BUFFER, m.indices.id(), m.mesh->triangles);
   floats_at(at_position, 3, 8, 0);
   floats_at(at_normal, 3, 8, 3);
   floats_at(at_uv, 2, 8, 6);
-  return m;
 }
 
-StoredMesh& Store::disc(int detail) {
+const std::shared_ptr<StoredMesh>& Store::disc(double radius) {
+  const std::size_t detail = radius < 4 ? 0 : radius < 20 ? 1 : radius < 150 ? 2 : 3;
   auto& mesh = discs_[detail];
-  if (mesh == nullptr) mesh = std::make_shared<const Mesh>(regular_polygon(16U << detail));
-  return this->mesh(mesh);
+  if (mesh == nullptr) mesh = this->mesh(std::make_shared<const Mesh>(regular_polygon(8U << detail)));
+  return mesh;
 }
 
 void Store::need_edges(StoredMesh& m) {
@@ -173,14 +180,14 @@ void Store::need_edges(StoredMesh& m) {
   m.edge_count = static_cast<GLsizei>(indices.size());
 }
 
-const StoredTexture& Store::texture(const std::shared_ptr<const Picture>& picture) {
-  StoredTexture& t = textures_[picture.get()];
-  t.used = frame_;
-  if (t.picture == nullptr) {
-    t.picture = picture;
-    t.texture = send_texture(*picture);
-    t.see_through = has_holes(*picture);
-  }
+std::shared_ptr<const StoredTexture> Store::texture(const std::shared_ptr<const Picture>& picture) {
+  auto& place = textures_.at(picture.get());
+  if (auto known = place.lock()) return known;
+  auto t = std::make_shared<StoredTexture>();
+  t->picture = picture;
+  t->texture = send_texture(*picture);
+  t->see_through = has_holes(*picture);
+  place = t;
   return t;
 }
 

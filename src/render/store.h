@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Meshes and textures that live in the graphics memory: sent once, dropped when a few frames went by without them.
+// Meshes and textures that live in the graphics memory: sent once, when they are first drawn, and kept as long as
+// somebody holds them.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -17,17 +19,22 @@ struct StoredTexture {
   std::shared_ptr<const Picture> picture;
   gl::Texture texture;
   bool see_through = false;  // has a pixel that is not solid
-  std::uint64_t used = 0;
+};
+
+struct StoredPart {
+  std::uint32_t first = 0, count = 0;  // as MeshPart's
+  std::array<float, 3> color{1, 1, 1};
+  std::shared_ptr<const StoredTexture> texture;  // may be null
 };
 
 struct StoredMesh {
   std::shared_ptr<const Mesh> mesh;
   Box box;
-  std::vector<MeshPart> parts;  // at least one where there are triangles; all within bounds
+  std::vector<StoredPart> parts;  // at least one where there are triangles; all within bounds
+  bool see_through = false;       // one has a texture that is
   gl::VertexArray triangles, edges;
   gl::Buffer vertices, indices, edge_vertices, edge_indices;
   GLsizei edge_count = 0;
-  std::uint64_t used = 0;
 };
 
 // Where a program finds its inputs: of a mesh's vertices, of an edge's corners, and the first one of an instance's.
@@ -43,20 +50,26 @@ enum Attribute : GLuint {
 
 class Store {
  public:
-  void next_frame();  // forgets what was not used for a while
-  StoredMesh& mesh(const std::shared_ptr<const Mesh>&);
-  const StoredTexture& texture(const std::shared_ptr<const Picture>&);
-  // A regular polygon on the unit circle: what balls are drawn with (see balls.h). `detail` 0 to 2.
-  StoredMesh& disc(int detail);
-  // Sends what draws the edges as broad lines: four corners an edge, each knowing both ends.
-  void need_edges(StoredMesh&);
+  std::shared_ptr<StoredMesh> mesh(const std::shared_ptr<const Mesh>&);
+  std::shared_ptr<const StoredTexture> texture(const std::shared_ptr<const Picture>&);
+  // A regular polygon on the unit circle: what balls are drawn with (see balls.h), for those that reach so many pixels.
+  const std::shared_ptr<StoredMesh>& disc(double radius);
+
+  // Sends the triangles; what draws the edges as broad lines: four corners an edge, each knowing both ends.
+  static void need_triangles(StoredMesh&);
+  static void need_edges(StoredMesh&);
 
  private:
-  std::unordered_map<const Mesh*, StoredMesh> meshes_;
-  std::unordered_map<const Picture*, StoredTexture> textures_;
-  std::uint64_t frame_ = 0;
-  StoredMesh* latest_ = nullptr;
-  std::shared_ptr<const Mesh> discs_[3];
+  // What somebody holds, by what it was made from. The others are forgotten whenever it has doubled.
+  template <class Source, class Stored>
+  struct Kept {
+    std::unordered_map<const Source*, std::weak_ptr<Stored>> all;
+    std::size_t limit = 64;
+    std::weak_ptr<Stored>& at(const Source*);
+  };
+  Kept<Mesh, StoredMesh> meshes_;
+  Kept<Picture, const StoredTexture> textures_;
+  std::shared_ptr<StoredMesh> latest_, discs_[4];
 };
 
 }  // namespace betwixt

@@ -188,7 +188,6 @@ Result<Surfaces> Surfaces::create() {
     look->part_color = gl::uniform(look->program, "part_color");
     gl::set_samplers(look->program, {{"shadow", shadow_unit}, {"picture", picture_unit}});
   }
-  s.instances_ = gl::new_buffer();
   return s;
 }
 
@@ -224,10 +223,10 @@ void Surfaces::set(const View& view, const Lighting& lighting, const Shadow* sha
   if (shadow != nullptr) gl::use_texture(shadow_unit, shadow->map());
 }
 
-void Surfaces::draw_parts(const Batch& batch, Store& store) {
-  for (const MeshPart& part : batch.mesh->parts) {
-    const auto& picture = batch.texture != nullptr ? batch.texture : part.texture;
-    const GLuint texture = picture != nullptr ? store.texture(picture).texture.id() : 0;
+void Surfaces::draw_parts(const Batch& batch) {
+  for (const StoredPart& part : batch.mesh->parts) {
+    const StoredTexture* const picture = batch.texture != nullptr ? batch.texture : part.texture.get();
+    const GLuint texture = picture != nullptr ? picture->texture.id() : 0;
     const Look& look = batch.ball ? balls_ : texture != 0 ? textured_ : plain_;
     if (texture != 0) gl::use_texture(picture_unit, texture);
     glUseProgram(look.program.id());
@@ -245,9 +244,9 @@ void Surfaces::write_encoded(bool encoded) const {
   }
 }
 
-void Surfaces::draw_opaque(const std::vector<const Thing*>& things, Store& store) {
-  const Batches batches = batches_of(things, false);
-  send_instances(instances_, batches.instances);
+void Surfaces::draw_opaque(const Things& things, std::span<const std::uint32_t> numbers) {
+  const Batches batches = batches_of(things, numbers);
+  solid_.set(things, batches.order);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -258,16 +257,17 @@ void Surfaces::draw_opaque(const std::vector<const Thing*>& things, Store& store
       glEnable(GL_CULL_FACE);
     else
       glDisable(GL_CULL_FACE);
+    Store::need_triangles(*b.mesh);
     set_facing(b.mirrored, true);
     glBindVertexArray(b.mesh->triangles.id());
-    bind_instances(instances_, b.first);
-    draw_parts(b, store);
+    solid_.bind(b.first);
+    draw_parts(b);
   }
 }
 
-void Surfaces::draw_transparent(const std::vector<const Thing*>& things, Store& store) {
-  const Batches batches = sorted_singles(things);
-  send_instances(instances_, batches.instances);
+void Surfaces::draw_transparent(const Things& things, std::span<const std::uint32_t> numbers) {
+  const Batches batches = sorted_singles(things, numbers);
+  glass_.set(things, batches.order);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
@@ -275,18 +275,19 @@ void Surfaces::draw_transparent(const std::vector<const Thing*>& things, Store& 
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   for (const Batch& b : batches.batches) {
     if (b.mesh->parts.empty()) continue;
+    Store::need_triangles(*b.mesh);
     set_facing(b.mirrored, true);
     glBindVertexArray(b.mesh->triangles.id());
-    bind_instances(instances_, b.first);
+    glass_.bind(b.first);
     if (b.closed) {
       glEnable(GL_CULL_FACE);
       glCullFace(GL_FRONT);
-      draw_parts(b, store);
+      draw_parts(b);
       glCullFace(GL_BACK);
     } else {
       glDisable(GL_CULL_FACE);
     }
-    draw_parts(b, store);
+    draw_parts(b);
   }
   glDepthMask(GL_TRUE);
 }

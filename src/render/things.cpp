@@ -3,25 +3,40 @@
 #include "render/things.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/stages.h"
-#include "exchange/geometry.h"
 
 namespace betwixt {
 namespace {
 
 constexpr double largest = 1e15;  // metres; squares of f32 stay finite
-// Pixels across, for surfaces and for lines.
-constexpr double coarse_below[] = {28, 150}, fine_above[] = {220, 800};
 
-bool usable(const Item& item) {
-  return item.shape != nullptr && finite(item.world) && finite(item.color) && std::isfinite(item.transparency) &&
-         std::isfinite(item.shininess) && std::isfinite(item.blend) && item.transparency < 1;
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-Geometry geometry_of(const Item& item, int detail) {
-  const bool between = item.toward != nullptr && item.blend != 0;
-  return between ? realise_blend(*item.shape, *item.toward, item.blend, detail) : realise(*item.shape, detail);
+bool same_camera(const Camera& a, const Camera& b) {
+  return same_bits(a.world, b.world) && a.orthographic == b.orthographic && same_bits(a.fov, b.fov) &&
+         same_bits(a.height, b.height);
+}
+
+// But for what the numbers stand for.
+bool same_look(Evaluation::Look a, const Evaluation::Look& b) {
+  a.shape = b.shape, a.toward = b.toward, a.texture = b.texture;
+  return a == b;
+}
+
+template <class Find>
+auto found(std::uint32_t number, const Find& find) {
+  return number == Evaluation::Look::none ? std::decay_t<decltype(find(number))>() : find(number);
+}
+
+bool usable(const Thing& t) {
+  const Evaluation::Look& l = t.look;
+  return l.visible && t.shape != nullptr && finite(t.world) && finite(l.color) && std::isfinite(l.transparency) &&
+         std::isfinite(l.shininess) && std::isfinite(l.blend) && l.transparency < 1;
 }
 
 Bounds bounds_of(const Box& box, const Mat4& m) {
@@ -32,73 +47,142 @@ Bounds bounds_of(const Box& box, const Mat4& m) {
   return b;
 }
 
-bool has_holes(const Item& item, const StoredMesh& mesh, Store& store) {
-  if (item.texture != nullptr) return store.texture(item.texture).see_through;
-  return std::any_of(mesh.parts.begin(), mesh.parts.end(),
-                     [&](const MeshPart& p) { return p.texture != nullptr && store.texture(p.texture).see_through; });
+double largest_measure(const Box& box, const Mat4& m) {
+  const Vec3 half = box.half();
+  return std::max({length(column(m, 0)) * half.x, length(column(m, 1)) * half.y, length(column(m, 2)) * half.z});
 }
 
-// Whether balls.h can draw it: a plain solid sphere, not flat, well before the eye.
-bool is_ball(const Thing& t, const View& view, double determinant) {
-  const Item& item = *t.item;
+bool is_round(const Thing& t) {
   const double size = t.bounds.radius();
-  return item.shape->kind == Kind::sphere && item.blend == 0 && item.texture == nullptr && !t.transparent &&
-         std::abs(determinant) > 1e-4 * size * size * size && (view.orthographic || t.depth > 2 * size || !t.visible);
-}
-
-void make_ball(Thing& t, const Mat4& world, double pixels, Store& store) {
-  const double r = t.item->shape->radius;
-  t.ball = true;
-  t.local = t.coarse_local = world * scaling({r, r, r});
-  t.coarse = &store.disc(1);  // round enough for shadows
-  t.mesh = &store.disc(pixels < 40 ? 0 : pixels < 300 ? 1 : 2);
+  return t.shape->kind == Kind::sphere && !t.form->blends() && t.texture == nullptr && !t.transparent &&
+         std::abs(determinant(t.world) * std::pow(t.shape->radius, 3)) > 1e-4 * size * size * size;
 }
 
 }  // namespace
 
-std::vector<Thing> gather(const Frame& frame, int width, int height, Store& store, Purpose purpose, View& view) {
-  const InStage stage(Stage::gather);
-  bool good = false;
-  view = make_view(frame.camera, width, height, good);
-  if (!good) return {};
-  const auto fewer = static_cast<std::size_t>(purpose);
-  std::vector<Thing> things;
-  things.reserve(frame.items.size());
-  double nearest = largest, farthest = 0;
-  for (const Item& item : frame.items) {
-    if (!usable(item)) continue;
-    Mat4 world = item.world;
-    for (int i = 0; i < 3; ++i) world(i, 3) -= view.eye[i];
-    const Geometry coarse = geometry_of(item, 0);
-    if (coarse.mesh == nullptr || coarse.mesh->positions.empty()) continue;
-    Thing t;
-    t.item = &item;
-    t.coarse = t.mesh = &store.mesh(coarse.mesh);
-    t.coarse_local = t.local = world * coarse.local;
-    t.bounds = bounds_of(t.mesh->box, t.local);
-    if (!(t.bounds.radius() > 0 && t.bounds.radius() < largest && length(t.bounds.center) < largest)) continue;
-    t.depth = view.depth(t.bounds.center);
-    t.visible = view.sees(t.bounds);
-    const double d = determinant(t.local);
-    t.mirrored = d < 0;
-    t.closed = t.mesh->mesh->closed && d != 0;
-    t.transparent = item.transparency > 0 || has_holes(item, *t.mesh, store);
-    const double pixels = view.pixels(t.bounds);
-    if (purpose == Purpose::surfaces && is_ball(t, view, determinant(world) * std::pow(item.shape->radius, 3))) {
-      make_ball(t, world, pixels, store);
-    } else if (t.visible && pixels >= coarse_below[fewer]) {
-      const Geometry better = geometry_of(item, pixels < fine_above[fewer] ? 1 : 2);
-      t.mesh = &store.mesh(better.mesh);
-      t.local = world * better.local;
-    }
-    if (t.visible) {
-      nearest = std::min(nearest, t.depth - view.reach(t.bounds));
-      farthest = std::max(farthest, t.depth + view.reach(t.bounds));
-    }
-    things.push_back(t);
+Instance instance_of(const Thing& t, const Mat4& m) {
+  Instance r{};
+  std::array<Vec3, 3> c;
+  double scale = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 4; ++k) r.rows[static_cast<std::size_t>(4 * i + k)] = static_cast<float>(m(i, k));
+    c[static_cast<std::size_t>(i)] = {m(0, i), m(1, i), m(2, i)};
   }
-  view.fit(nearest, farthest);
-  return things;
+  // The inverse transpose but for its length: the cross products of the columns.
+  std::array<Vec3, 3> n = {cross(c[1], c[2]), cross(c[2], c[0]), cross(c[0], c[1])};
+  for (const Vec3& v : n) scale = std::max(scale, length(v));
+  scale = scale > 0 ? (t.mirrored ? -1 : 1) / scale : 0;
+  for (std::size_t i = 0; i < 9; ++i) r.normal[i] = static_cast<float>(scale * n[i / 3][static_cast<int>(i % 3)]);
+  const Evaluation::Look& look = t.look;
+  for (int i = 0; i < 3; ++i)
+    r.color[static_cast<std::size_t>(i)] = static_cast<float>(std::clamp(look.color[i], 0.0, 1e4));
+  r.color[3] = static_cast<float>(1 - std::clamp(look.transparency, 0.0, 1.0));
+  r.look = {static_cast<float>(std::clamp(look.shininess, 0.0, 1.0)), static_cast<float>(look.material)};
+  return r;
+}
+
+bool Things::same(const Thing& t, const Columns& c, std::uint32_t i) const {
+  const Evaluation::Look& l = c.looks[i];
+  return same_bits(t.world, c.worlds[i]) && same_look(t.look, l) && t.shape == found(l.shape, c.shape) &&
+         t.toward == found(l.toward, c.shape) && t.picture == found(l.texture, c.texture);
+}
+
+void Things::find_changed(const Columns& c) {
+  const std::size_t before = things_.size(), now = c.worlds.size();
+  changed_.clear();
+  if (c.changed && before == now) {
+    changed_.assign(c.changed->begin(), c.changed->end());
+    return;
+  }
+  if (now < before) ++casters_;
+  things_.resize(now);
+  for (std::uint32_t i = 0; i < now; ++i)
+    if (i >= before || !same(things_[i], c, i)) changed_.push_back(i);
+}
+
+bool Things::take(const Columns& c) {
+  const InStage stage(Stage::gather);
+  forms_.next_picture();
+  const std::size_t before = things_.size();
+  find_changed(c);
+  for (const std::uint32_t i : changed_) adopt(things_[i], c, i);
+  all_changed_ = !camera_ || !same_camera(*camera_, c.camera);
+  if (!all_changed_ && changed_.empty() && things_.size() == before) return false;
+  if (all_changed_) {
+    camera_ = c.camera;
+    view_ = make_view(c.camera, width_, height_, good_);
+    for (Thing& t : things_) see(t);
+  } else {
+    for (const std::uint32_t i : changed_) see(things_[i]);
+  }
+  double nearest = largest, farthest = 0;
+  for (const Thing& t : things_) {
+    if (!t.visible) continue;
+    const double reach = view_.reach(t.bounds);
+    nearest = std::min(nearest, t.depth - reach), farthest = std::max(farthest, t.depth + reach);
+  }
+  view_.fit(nearest, farthest);
+  return true;
+}
+
+void Things::adopt(Thing& t, const Columns& c, std::uint32_t i) {
+  const Evaluation::Look& l = c.looks[i];
+  auto shape = found(l.shape, c.shape), toward = found(l.toward, c.shape);
+  auto picture = found(l.texture, c.texture);
+  if (t.casts) ++casters_;
+  if (t.shape != shape || t.toward != toward || t.look.blend != l.blend) t.form = nullptr;
+  if (t.picture != picture) t.texture = picture ? store_.texture(picture) : nullptr;
+  t.world = c.worlds[i], t.look = l;
+  t.shape = std::move(shape), t.toward = std::move(toward), t.picture = std::move(picture);
+  t.there = t.casts = false;
+  if (usable(t)) place(t);
+  if (t.casts) ++casters_;
+}
+
+void Things::place(Thing& t) {
+  if (t.form == nullptr) t.form = forms_.find(t.shape, t.toward, t.look.blend);
+  const Form::Realised& plain = t.form->plain(store_);
+  if (plain.mesh->mesh->positions.empty()) return;
+  const Mat4 local = t.world * plain.local;
+  t.bounds = bounds_of(plain.mesh->box, local);
+  if (!(t.bounds.radius() > 0 && t.bounds.radius() < largest)) return;
+  t.there = true;
+  t.size = largest_measure(plain.mesh->box, local);
+  t.surface = !plain.mesh->parts.empty();
+  const double d = determinant(local);
+  t.mirrored = d < 0;
+  t.closed = plain.mesh->mesh->closed && d != 0;
+  t.transparent = t.look.transparency > 0 || (t.texture != nullptr ? t.texture->see_through : plain.mesh->see_through);
+  t.round = is_round(t);
+  t.casts = t.surface && t.look.material != Material::glow;
+}
+
+void Things::see(Thing& t) {
+  t.visible = false;
+  if (!t.there || !good_) return;
+  const Bounds seen{t.bounds.center - view_.eye, t.bounds.half};
+  if (!(length(seen.center) < largest)) return;
+  t.depth = view_.depth(seen.center);
+  t.visible = view_.sees(seen);
+  if (!t.visible) return;
+  Mat4 world = t.world;
+  for (int i = 0; i < 3; ++i) world(i, 3) -= view_.eye[i];
+  const double across = view_.pixels(seen), radius = 0.5 * across * t.size / seen.radius();
+  t.ball = purpose_ == Purpose::surfaces && t.round && (view_.orthographic || t.depth > 2 * seen.radius());
+  if (t.ball) {
+    const double r = t.shape->radius;
+    t.mesh = store_.disc(radius).get();
+    t.instance = instance_of(t, world * scaling({r, r, r}));
+    return;
+  }
+  const Detail detail = purpose_ == Purpose::surfaces ? Detail::for_pixels(radius)
+                                                      : Detail{across < 150   ? 24
+                                                               : across < 800 ? 48
+                                                                              : 96,
+                                                               true};
+  const Form::Realised& shown = t.form->at(detail, store_);
+  t.mesh = shown.mesh.get();
+  t.instance = instance_of(t, world * shown.local);
 }
 
 }  // namespace betwixt

@@ -28,28 +28,33 @@ const char* const hide_fragment = "void main() {}";
 class Wireframe final : public Module {
  public:
   Wireframe(Canvas canvas, Lines lines, gl::Program hide)
-      : canvas_(std::move(canvas)), lines_(std::move(lines)), hide_(std::move(hide)), instances_(gl::new_buffer()) {}
+      : canvas_(std::move(canvas)),
+        lines_(std::move(lines)),
+        hide_(std::move(hide)),
+        things_(Purpose::lines, canvas_.width(), canvas_.height()) {}
 
-  Status draw(const Frame& frame, Picture& out) override {
-    store_.next_frame();
-    View view;
-    const std::vector<Thing> things = gather(frame, canvas_.width(), canvas_.height(), store_, Purpose::lines, view);
-    std::vector<const Thing*> seen;
-    for (const Thing& t : things)
-      if (t.visible) seen.push_back(&t);
-    canvas_.begin(frame.background);
-    canvas_.draw_behind(frame.background, dark_gradient);
-    canvas_.write_linear();
-    const Batches batches = batches_of(seen, false);
-    send_instances(instances_, batches.instances);
-    if (hide_.id() != 0) hide(view, batches);
-    lines_.set(view, canvas_.side());
-    for (const Batch& b : batches.batches) lines_.draw(b, instances_, store_);
-    canvas_.finish(out);
-    return Nothing{};
+  void draw(const Columns& columns, Picture& out) override {
+    const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);
+    if (other_things || other_scenery) draw_anew();
+    canvas_.read(out);
   }
 
  private:
+  void draw_anew() {
+    const View& view = things_.view();
+    std::vector<std::uint32_t> seen;
+    for (std::uint32_t i = 0; i < things_.all().size(); ++i)
+      if (things_[i].visible) seen.push_back(i);
+    canvas_.begin(scenery_.background);
+    canvas_.draw_behind(scenery_.background, dark_gradient);
+    canvas_.write_linear();
+    const Batches batches = batches_of(things_, seen);
+    instances_.set(things_, batches.order);
+    if (hide_.id() != 0) hide(view, batches);
+    lines_.set(view, canvas_.side());
+    for (const Batch& b : batches.batches) lines_.draw(b, instances_);
+    canvas_.finish();
+  }
   void hide(const View& view, const Batches& batches) const {
     glUseProgram(hide_.id());
     glUniformMatrix4fv(gl::uniform(hide_, "clip"), 1, GL_FALSE, to_float(view.clip()).data());
@@ -67,8 +72,9 @@ class Wireframe final : public Module {
   Canvas canvas_;
   Lines lines_;
   gl::Program hide_;  // none: nothing is hidden
-  gl::Buffer instances_;
-  Store store_;
+  Instances instances_;
+  Things things_;
+  Scenery scenery_;
 };
 
 Result<std::unique_ptr<Module>> make(RenderOptions options, bool hidden) {

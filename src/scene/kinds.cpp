@@ -62,24 +62,32 @@ Vec3 box_measures(const Shape& s) { return s.size; }
 Vec3 plane_measures(const Shape& s) { return {s.size.x, s.size.y, std::max(s.size.x, s.size.y)}; }
 Vec3 round_measures(const Shape& s) { return {s.radius, s.height, s.radius}; }
 
-int faces_around(int detail) { return 24 << detail; }
 bool in_reach(const std::vector<Vec3>& points) {
   return std::all_of(points.begin(), points.end(), [](Vec3 p) { return sane(p); });
 }
 
-Mesh ring_mesh(const Shape& s, int detail) {
+// A radius beside the largest measure from the middle.
+double share_of(double radius, const Shape& s) {
+  const Vec3 half = of_points(s).half();
+  return radius / std::max({half.x, half.y, half.z, radius, 1e-300});
+}
+
+Mesh ring_mesh(const Shape& s, const Detail& d) {
   if (!(s.tube > 0) || !(s.radius >= 0) || !sane(s.tube) || !sane(s.radius)) return {};
-  return torus_mesh(s.radius, s.tube, faces_around(detail), faces_around(detail) / 2);
+  const int across = d.even ? d.around / 2 : d.around_thin(s.tube / (s.radius + s.tube));
+  return torus_mesh(s.radius, s.tube, d.around, across);
 }
-Mesh stroke_mesh(const Shape& s, int detail) {
+Mesh stroke_mesh(const Shape& s, const Detail& d) {
   if (!in_reach(*s.points) || !sane(s.width) || s.points->empty()) return {};
-  return s.width > 0 ? tube_mesh(*s.points, s.width, 8 + 4 * detail) : line_mesh(*s.points);
+  if (!(s.width > 0)) return line_mesh(*s.points);
+  return tube_mesh(*s.points, s.width, d.even ? 8 + d.around / 48 * 4 : d.around_thin(share_of(s.width / 2, s)));
 }
-Mesh cloud_mesh(const Shape& s, int detail) {
+Mesh cloud_mesh(const Shape& s, const Detail& d) {
   if (!in_reach(*s.points) || !sane(s.width) || !(s.width > 0)) return {};
   // Fewer triangles for each where there are many: together they may be millions.
   if (s.points->size() > 20000) return balls_mesh(*s.points, s.width, sphere_mesh(4, 2));
-  return balls_mesh(*s.points, s.width, sphere_mesh(8 << detail, 4 << detail));
+  const int around = d.even ? d.around / 3 : d.around_thin(share_of(s.width / 2, s));
+  return balls_mesh(*s.points, s.width, sphere_mesh(around, around / 2));
 }
 
 std::vector<std::vector<Vec3>> one_contour(const Shape& s) {
@@ -105,7 +113,7 @@ constexpr KindRow kind_rows[] = {
      .extent = of_ball,
      .reach = ball_reach,
      .measures = even_measures,
-     .mesh = [](const Shape&, int detail) { return sphere_mesh(faces_around(detail), faces_around(detail) / 2); }},
+     .mesh = [](const Shape&, const Detail& d) { return sphere_mesh(d.around, d.around / 2); }},
     {.kind = Kind::box,
      .name = "box",
      .sentence = "A box.",
@@ -114,7 +122,7 @@ constexpr KindRow kind_rows[] = {
      .fill = Fill::surface,
      .extent = of_box,
      .measures = box_measures,
-     .mesh = [](const Shape&, int) { return box_mesh(); }},
+     .mesh = [](const Shape&, const Detail&) { return box_mesh(); }},
     {.kind = Kind::cylinder,
      .name = "cylinder",
      .sentence = "A cylinder along y.",
@@ -126,7 +134,7 @@ constexpr KindRow kind_rows[] = {
      .extent = of_round,
      .reach = cylinder_reach,
      .measures = round_measures,
-     .mesh = [](const Shape&, int detail) { return cylinder_mesh(faces_around(detail)); }},
+     .mesh = [](const Shape&, const Detail& d) { return cylinder_mesh(d.around); }},
     {.kind = Kind::cone,
      .name = "cone",
      .sentence = "A cone along y.",
@@ -137,7 +145,7 @@ constexpr KindRow kind_rows[] = {
      .detailed = true,
      .extent = of_round,
      .measures = round_measures,
-     .mesh = [](const Shape&, int detail) { return cone_mesh(faces_around(detail)); }},
+     .mesh = [](const Shape&, const Detail& d) { return cone_mesh(d.around); }},
     {.kind = Kind::torus,
      .name = "torus",
      .sentence = "A ring.",
@@ -158,7 +166,7 @@ constexpr KindRow kind_rows[] = {
      .fill = Fill::surface,
      .extent = of_plane,
      .measures = plane_measures,
-     .mesh = [](const Shape&, int) { return plane_mesh(); }},
+     .mesh = [](const Shape&, const Detail&) { return plane_mesh(); }},
     {.kind = Kind::disc,
      .name = "disc",
      .sentence = "A flat disc.",
@@ -170,7 +178,7 @@ constexpr KindRow kind_rows[] = {
      .extent = of_disc,
      .reach = disc_reach,
      .measures = even_measures,
-     .mesh = [](const Shape&, int detail) { return disc_mesh(faces_around(detail)); }},
+     .mesh = [](const Shape&, const Detail& d) { return disc_mesh(d.around); }},
     {.kind = Kind::polygon,
      .name = "polygon",
      .sentence = "A filled outline.",
@@ -238,6 +246,17 @@ constexpr KindRow kind_rows[] = {
 };
 
 }  // namespace
+
+Detail Detail::for_pixels(double radius) {
+  constexpr int steps[] = {8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+  // A circle of radius r is off its polygon of n sides by r (1 - cos(pi / n)): by 0.2 where n is 5 sqrt(r).
+  const double wanted = 5 * std::sqrt(radius);
+  const auto* enough = std::find_if(std::begin(steps), std::end(steps) - 1, [&](int n) { return n >= wanted; });
+  return {*enough, false};
+}
+int Detail::around_thin(double share) const {
+  return std::max(6, 2 * static_cast<int>(std::ceil(around / 2.0 * std::sqrt(share))));
+}
 
 std::span<const KindRow> kinds() { return kind_rows; }
 

@@ -24,6 +24,18 @@ enum class Fill : std::uint8_t {
   file      // the mesh of a file
 };
 
+// How many faces round bodies have.
+struct Detail {
+  int around = 48;   // around the widest circle
+  bool even = true;  // thin parts have as many as wide ones: what lines are drawn of
+  // Enough for a body that reaches so many pixels from its middle: faces lie within a fifth of a pixel.
+  static Detail for_pixels(double radius);
+  double pixels() const { return around * around / 25.0; }  // at most
+  // Around a circle that is so many times as wide as the widest; even, at least 6.
+  int around_thin(double share) const;
+  friend bool operator==(const Detail&, const Detail&) = default;
+};
+
 struct KindRow {
   Kind kind = Kind::group;
   std::string_view name = {}, article = "a";
@@ -40,7 +52,7 @@ struct KindRow {
   double (*reach)(const Shape&, Vec3 r) = nullptr;
   // What the mesh is stretched by; null: it is made to measure.
   Vec3 (*measures)(const Shape&) = nullptr;
-  Mesh (*mesh)(const Shape&, int detail) = nullptr;  // detail 0, 1 or 2
+  Mesh (*mesh)(const Shape&, const Detail&) = nullptr;
   std::vector<std::vector<Vec3>> (*contours)(const Shape&) = nullptr;
 };
 

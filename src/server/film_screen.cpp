@@ -34,7 +34,7 @@ class Film final : public Screen {
     thread_.join();
   }
 
-  Status draw(const Frame& frame) override { return renderer_->render(frame, picture_); }
+  Status draw(const Evaluation& e) override { return renderer_->render(e, picture_); }
   Status show(const Shown& s) override {
     const Nanos moment = monotonic_now() - s.late;
     if (first_ < 0) first_ = moment;

@@ -243,10 +243,12 @@ void FrameClock::make(const Plan& p) {
   };
   const Nanos begun = monotonic_now();
   if (look || screen_) {
-    const Frame frame = current_->edition.program.frame(p.time);
-    s.problems = frame.problems;
+    std::optional<Evaluation>& played = current_->evaluation;
+    if (!played) played.emplace(current_->edition.program);
+    played->to(p.time);
+    s.problems = played->problems();
     if (screen_)
-      if (Status drawn = screen_->draw(frame); !drawn) lost(drawn.error());
+      if (Status drawn = screen_->draw(*played); !drawn) lost(drawn.error());
   }
   const Nanos took = monotonic_now() - begun;
   cost_ = took > cost_ ? took : cost_ - (cost_ - took) / 8;  // what it has taken of late, at most

@@ -65,6 +65,7 @@ class FrameClock {
   explicit FrameClock(Options);
   struct Posted {
     Edition edition;
+    std::optional<Evaluation> evaluation = {};  // the thread's; freed with the program that it plays
     Posted* next = nullptr;  // among those that have had their time
   };
   struct Plan {

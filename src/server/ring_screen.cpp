@@ -46,8 +46,8 @@ class Ring final : public Screen {
   Ring(const Ring&) = delete;
   Ring& operator=(const Ring&) = delete;
 
-  Status draw(const Frame& frame) override {
-    if (Status s = renderer_->render(frame, picture_); !s) return s;
+  Status draw(const Evaluation& e) override {
+    if (Status s = renderer_->render(e, picture_); !s) return s;
     PictureHead* const p = next();
     p->sequence.store(2 * head()->written.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     std::atomic_thread_fence(std::memory_order_release);

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "betwixt/frame.h"
+#include "betwixt/evaluation.h"
 #include "betwixt/render.h"
 #include "server/imaging.h"
 
@@ -19,7 +19,7 @@ namespace betwixt {
 class Screen {
  public:
   virtual ~Screen() = default;
-  virtual Status draw(const Frame&) = 0;
+  virtual Status draw(const Evaluation&) = 0;
   virtual Status show(const Shown&) = 0;  // what was drawn last; quick
 };
 using NewScreen = std::function<Result<std::unique_ptr<Screen>>()>;

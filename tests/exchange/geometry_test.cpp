@@ -22,7 +22,7 @@ TEST(Geometry, MeasuresAreInTheScaling) {
   EXPECT_EQ(a.mesh, b.mesh);
   EXPECT_EQ(a.local, scaling({2, 2, 2}));
   EXPECT_EQ(b.local, scaling({5, 5, 5}));
-  EXPECT_NE(a.mesh, realise(s, 2).mesh);
+  EXPECT_NE(a.mesh, realise(s, {96}).mesh);
   Shape c = shape(Kind::cone);
   c.radius = 3, c.height = 7;
   EXPECT_EQ(realise(c).local, scaling({3, 7, 3}));

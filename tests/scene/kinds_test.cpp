@@ -28,7 +28,7 @@ std::vector<Vec3> corners(const Shape& s) {
   const KindRow& row = row_of(s.kind);
   const Vec3 by = row.measures ? row.measures(s) : Vec3{1, 1, 1};
   std::vector<Vec3> points;
-  for (const auto& p : row.mesh(s, 2).positions) points.push_back(by * widen(p));
+  for (const auto& p : row.mesh(s, {96}).positions) points.push_back(by * widen(p));
   return points;
 }
 

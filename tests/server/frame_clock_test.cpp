@@ -26,9 +26,9 @@ struct Seen {
 class Witness final : public Screen {
  public:
   explicit Witness(Seen& seen) : seen_(seen) {}
-  Status draw(const Frame& f) override {
+  Status draw(const Evaluation& e) override {
     const std::lock_guard lock(seen_.mutex);
-    seen_.order.emplace_back("draw"), seen_.drawn.push_back(f.time);
+    seen_.order.emplace_back("draw"), seen_.drawn.push_back(e.time());
     return Nothing{};
   }
   Status show(const Shown& s) override {

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/columns.h"
+
+#include <algorithm>
+
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+bool same_light(const Light& a, const Light& b) {
+  return a.sun == b.sun && a.position == b.position && a.direction == b.direction && a.color == b.color &&
+         a.range == b.range;
+}
+
+// The number of what is the last of all, or becomes it.
+template <class T>
+std::uint32_t number_of(std::vector<T>& all, const T& one) {
+  if (one == nullptr) return Evaluation::Look::none;
+  if (all.empty() || all.back() != one) all.push_back(one);
+  return static_cast<std::uint32_t>(all.size() - 1);
+}
+
+}  // namespace
+
+Columns columns_of(const Evaluation& e) {
+  const auto& background = e.program().document().scene().background;
+  return {.worlds = e.worlds(), .looks = e.looks(), .shape = [&e](std::uint32_t n) -> const auto& {return e.shape(n);
+}
+, .texture = [&e](std::uint32_t n) -> const auto& { return e.texture(n); }
+, .changed = {}, .lights = e.lights(), .camera = e.camera(),
+  .background = background ? std::optional(to_linear(*background)) : std::nullopt
+};  // namespace betwixt
+}
+
+bool Scenery::take(const Columns& c) {
+  const bool same = background == c.background &&
+                    std::equal(lights.begin(), lights.end(), c.lights.begin(), c.lights.end(), same_light);
+  lights = c.lights, background = c.background;
+  return !same;
+}
+
+FrameColumns::FrameColumns(const Frame& frame) : frame_(frame) {
+  worlds_.reserve(frame.items.size()), looks_.reserve(frame.items.size());
+  for (const Item& i : frame.items) {
+    worlds_.push_back(i.world);
+    looks_.push_back({.color = i.color,
+                      .transparency = i.transparency,
+                      .shininess = i.shininess,
+                      .blend = i.blend,
+                      .shape = number_of(shapes_, i.shape),
+                      .toward = number_of(shapes_, i.toward),
+                      .texture = number_of(textures_, i.texture),
+                      .material = i.material,
+                      .visible = true});
+  }
+}
+
+Columns FrameColumns::columns() const {
+  return {.worlds = worlds_, .looks = looks_, .shape = [this](std::uint32_t n) -> const auto& {return shapes_[n];
+}
+, .texture = [this](std::uint32_t n) -> const auto& { return textures_[n]; }
+, .changed = {}, .lights = frame_.lights, .camera = frame_.camera, .background = frame_.background
+}
+;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a picture is of, as columns, one place a drawable: those of an evaluation, or a frame's items laid out alike.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "betwixt/evaluation.h"
+
+namespace betwixt {
+
+struct Columns {
+  std::span<const Mat4> worlds;
+  std::span<const Evaluation::Look> looks;
+  std::function<const std::shared_ptr<const Shape>&(std::uint32_t)> shape;  // what numbers stand for
+  std::function<const std::shared_ptr<const Picture>&(std::uint32_t)> texture;
+  // The places that differ from the picture before; none: nobody knows.
+  std::optional<std::span<const std::uint32_t>> changed;
+  const std::vector<Light>& lights;
+  const Camera& camera;
+  std::optional<Vec3> background;
+};
+
+Columns columns_of(const Evaluation&);
+
+// What a picture has beside things, and the camera.
+struct Scenery {
+  std::vector<Light> lights;
+  std::optional<Vec3> background;
+  bool take(const Columns&);  // false: nothing differs from the picture before
+};
+
+// Keeps what the columns point to.
+class FrameColumns {
+ public:
+  explicit FrameColumns(const Frame&);
+  Columns columns() const;
+
+ private:
+  const Frame& frame_;
+  std::vector<Mat4> worlds_;
+  std::vector<Evaluation::Look> looks_;
+  std::vector<std::shared_ptr<const Shape>> shapes_;
+  std::vector<std::shared_ptr<const Picture>> textures_;
+};
+
+}  // namespace betwixt
