@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a picture costs: two examples, ten thousand things that move, and such that rest. Some pictures are compared,
+// byte by byte, with those of the frames by themselves.
+//
+//   bench_drawing FOLDER-OF-EXAMPLES
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "betwixt/language.h"
+#include "betwixt/render.h"
+#include "timing.h"
+
+using namespace betwixt;
+
+namespace {
+
+void insist(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "wrong: %s\n", what);
+  std::exit(1);
+}
+
+// Boxes and balls in a square, before a camera that may move.
+std::string many(int count, int moving, bool camera_moves) {
+  std::string text =
+      "rate 60\nrange 1f 600f\ncreate sun light shines=sun position=(3 9 5)\n"
+      "create eye camera position=(0 70 110) look-at=(0 0 0) lens=35mm\n";
+  if (camera_moves) text += "eye.position\n  1f (0 70 110) linear\n  600f (60 70 90)\n";
+  auto out = std::back_inserter(text);
+  for (int k = 0; k < count; ++k) {
+    const int x = k % 100 - 50, z = k / 100 - 50;
+    fmt::format_to(out, "create o{} {} position=({} 0 {}) color=#{:02x}a0{:02x}\n", k,
+                   k % 2 ? "box size=(0.7 0.7 0.7)" : "sphere radius=0.4", 1.2 * x, 1.2 * z, 60 + k % 190,
+                   60 + k / 100);
+    if (k < moving)
+      fmt::format_to(out, "o{}.position.y\n  1f {} linear\n  {}f 3 linear\n  600f 0\n", k, k % 7 - 3, 200 + k % 97);
+  }
+  return text;
+}
+
+struct Row {
+  const char* what;
+  Document document;
+  RenderOptions options;
+  int pictures;
+};
+
+Picture by_itself(const Row& row, const Program& program, Time t) {
+  const auto renderer = make_renderer(row.options);
+  insist(static_cast<bool>(renderer), "no renderer");
+  Picture p;
+  insist(static_cast<bool>((*renderer)->render(program.frame(t), p)), "no picture");
+  return p;
+}
+
+void measure(const Row& row) {
+  const Program program = Program::compile(row.document);
+  const auto renderer = make_renderer(row.options);
+  insist(static_cast<bool>(renderer), "no renderer");
+  Evaluation e(program);
+  Picture picture;
+  std::vector<double> all;
+  for (int k = -3; k < row.pictures; ++k) {
+    const Time t = row.document.rate().frame(k + 4);
+    const double took = milliseconds([&] {
+      e.to(t);
+      insist(static_cast<bool>((*renderer)->render(e, picture)), "no picture");
+    });
+    if (k >= 0) all.push_back(took);
+    if (k == row.pictures / 2) insist(by_itself(row, program, t).rgba == picture.rgba, "a picture");
+  }
+  std::sort(all.begin(), all.end());
+  fmt::print("{:52} {:9.2f} {:9.2f}  ms\n", row.what, all.front(), all[all.size() / 2]);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const std::string examples = count > 1 ? arguments[1] : "examples";
+  const auto example = [&](const char* name) { return load_file(examples + "/" + name + ".bx").document; };
+  const auto script = [](const std::string& text) { return load_text(text, "bench.bx").document; };
+  const RenderOptions small{480, 270, 4, "shaded"}, window{960, 540, 1, "shaded"}, smooth{960, 540, 4, "shaded"};
+  fmt::print("{:52} {:>9} {:>9}\n", "a picture", "minimum", "median");
+  measure({"funnel, 480x270, 4 samples", example("funnel"), small, 60});
+  measure({"menagerie, 480x270, 4 samples", example("menagerie"), small, 60});
+  measure({"10,000 things move, 960x540, 1 sample", script(many(10000, 10000, false)), window, 30});
+  measure({"10,000 things move, 960x540, 4 samples", script(many(10000, 10000, false)), smooth, 20});
+  measure({"10,000 things rest, one moves, 960x540, 1 sample", script(many(10000, 1, false)), window, 20});
+  measure({"10,000 things rest, the camera moves, 1 sample", script(many(10000, 0, true)), window, 20});
+  measure({"10,000 things rest, nothing moves, 1 sample", script(many(10000, 0, false)), window, 20});
+}
