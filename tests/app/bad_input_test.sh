@@ -80,7 +80,7 @@ for b in '\001' '\377' '\303' '\300\257' '\355\240\200'; do
 done
 
 # All errors in one run, in the order of the file.
-printf 'create b spere\n\nset b.radius 1\nball.position\n  1f (0 0 0)\n  2f junk\nrate fast\n' >all.bx
+printf 'create b spere\n\nset c.radius 1\nball.position\n  1f (0 0 0)\n  2f junk\nrate fast\n' >all.bx
 bad all 'all.bx:1:10: error: '
 is 'all errors are said' "$(grep -c ': error: ' "$err")" 4
 timeout 60 "$program" check all.bx 2>&1 >/dev/null | grep -q '^4 errors' && verdict 'errors are counted' yes '' || verdict 'errors are counted' no "$(tail -1 "$err")"

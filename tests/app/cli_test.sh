@@ -32,7 +32,7 @@ set ball.radius 1
 at 4f ball.radius 1 hold
 at 8f ball.radius 2
 BX
-printf 'create ball spere\nball.colour\n  1f gold\n' >wrong.bx
+printf 'create ball spere\nbell.colour\n  1f gold\n' >wrong.bx
 : >empty.bx
 head -c 4096 /dev/urandom >binary.bx
 small="--size 64x48 --samples 1"
