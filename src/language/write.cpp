@@ -337,10 +337,7 @@ struct Writer {
       out += " " + key + "=";
       if (d) out += time ? write_seconds(from_seconds(*d)) : angles ? write_angle(*d) : write_number(*d);
       if (text) out += write_text(**text);
-      if (p && angles)
-        out += fmt::format("({} {} {})", write_angle(p->x), write_angle(p->y), write_angle(p->z));
-      else if (p)
-        out += write_vector(*p);
+      if (p) out += angles ? write_angles(*p) : write_vector(*p);
     }
     if (f.segment) out += " " + point(f.segment->first) + ".." + point(f.segment->second);
     out += "\n";

@@ -68,6 +68,10 @@ std::string write_angle(double radians) {
   return write_number(radians) + "rad";
 }
 
+std::string write_angles(Vec3 v) {
+  return fmt::format("({} {} {})", write_angle(v.x), write_angle(v.y), write_angle(v.z));
+}
+
 std::string write_matrix(const Mat4& m) {
   std::string out = "matrix(";
   for (int row = 0; row < 4; ++row)
@@ -138,8 +142,7 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
   if (const auto* p = std::get_if<Vec3>(&v)) return write_vector(*p, component_count(type) == 2 ? 2 : 3);
   if (const auto* c = std::get_if<Color>(&v)) return write_color(*c);
   if (const auto* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
-  if (const auto* a = std::get_if<Angles>(&v))
-    return fmt::format("euler({} {} {})", write_angle(a->xyz.x), write_angle(a->xyz.y), write_angle(a->xyz.z));
+  if (const auto* a = std::get_if<Angles>(&v)) return "euler" + write_angles(a->xyz);
   if (const auto* q = std::get_if<Quat>(&v))
     return fmt::format("quat({} {} {} {})", write_number(q->w), write_number(q->x), write_number(q->y),
                        write_number(q->z));

@@ -54,6 +54,8 @@ struct CurveEvents {
   void fetch(std::int64_t t, const CubicSegment& was) const;
   // As CurveSet::cubic(), of a plain curve.
   bool cubic(std::int64_t t, CubicSegment& out) const;
+  // The last event at or before t, which is neither before the first one nor at the last. `here`: where to look first.
+  static std::uint32_t before(const std::int64_t* times, std::uint32_t count, std::int64_t t, std::uint32_t here);
 
   const std::int64_t* times = nullptr;
   const double* values = nullptr;

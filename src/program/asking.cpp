@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What one question leads to: what is being worked out, what is known already, what it cost.
+#include <algorithm>
+#include <utility>
+
+#include "program/compiled.h"
+
+namespace betwixt {
+
+void Asking::say(std::string problem) {
+  if (std::find(problems.begin(), problems.end(), problem) == problems.end() && problems.size() < 100)
+    problems.push_back(std::move(problem));
+}
+
+void Asking::err(std::string problem, const std::string& source) {
+  const std::size_t before = problems.size();
+  say(problem);
+  if (problems.size() > before) errors.push_back({std::move(problem), source});
+}
+
+bool Asking::is_open(const Taken& taken) const {
+  return std::any_of(taken.asked.begin(), taken.asked.end(),
+                     [&](const Sought& i) { return std::find(open.begin(), open.end(), i) != open.end(); });
+}
+
+void Asking::take(const Taken& taken) {
+  cost += taken.cost;
+  asked.insert(asked.end(), taken.asked.begin(), taken.asked.end());
+}
+
+Working::Working(Asking& asking)
+    : asking_(asking),
+      before_(asking.cost),
+      depth_(asking.open.size()),
+      outer_cut_(std::exchange(asking.cut, SIZE_MAX)),
+      first_(static_cast<std::ptrdiff_t>(asking.asked.size())) {}
+
+std::optional<Asking::Taken> Working::done() {
+  std::vector<Sought>& asked = asking_.asked;
+  const auto first = asked.begin() + first_;
+  std::sort(first, asked.end());
+  asked.erase(std::unique(first, asked.end()), asked.end());
+  std::optional<Asking::Taken> taken;
+  if (asking_.cut >= depth_) taken = Asking::Taken{asking_.cost - before_, {first, asked.end()}};
+  if (asking_.open.empty()) asked.clear();
+  asking_.cut = std::min(outer_cut_, taken ? SIZE_MAX : asking_.cut);
+  return taken;
+}
+
+}  // namespace betwixt
