@@ -241,7 +241,7 @@ TEST(Counts, AreThoseOfThePlan) {
 // No plan of the compiler costs more than the one that multiplies everything out.
 TEST(Counts, OfTheBestAreNeverAboveTheMatrix) {
   std::mt19937 random(14);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 120; ++round) {
     const Motion motion = random_motion(random, round % 12, false);
     for (const std::size_t points : {std::size_t{1}, std::size_t{10}, std::size_t{100'000}}) {
       const auto cost = [&](Method m) {

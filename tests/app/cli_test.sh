@@ -203,7 +203,7 @@ if command -v script >/dev/null; then
   verdict 'notes off' "$(grep -q '"one"' played || echo yes)" 'a note'
   script -qec "'$program' render bounce.bx -o bar.mp4 $small --frames 1f..600f" bar </dev/null >/dev/null
   is 'render on a terminal' "$?" 0
-  verdict 'a progress bar' "$(grep -q 'frames/s' bar && echo yes)" "$(cat bar)"
+  verdict 'a progress bar' "$(grep -qE '\] [0-9]+/600' bar && echo yes)" "$(cat bar)"
 fi
 
 printf 'create a sphere position=(1 2 3)\nat 1f..25f a.motion T(8 0)\n' >moved.bx
