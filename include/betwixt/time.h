@@ -28,6 +28,7 @@ constexpr Time operator-(Time a) { return {-a.flicks}; }
 
 // The largest |seconds| a document can speak of (about 146 years): sums of a few times never overflow.
 inline constexpr double longest_seconds = 4.6e9;
+constexpr bool in_reach(Time t) { return t.seconds() <= longest_seconds && t.seconds() >= -longest_seconds; }
 
 // Nearest flick; the caller has checked |s| <= longest_seconds.
 inline Time from_seconds(double s) { return {std::llround(s * static_cast<double>(flicks_per_second))}; }

@@ -13,7 +13,9 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace betwixt {
 namespace {
@@ -21,6 +23,11 @@ namespace {
 constexpr int deepest_bundle = 8;
 constexpr std::size_t most_messages = 4096;  // of one packet
 constexpr int most_packets = 2048;           // of one poll
+
+// Half of what lies between a number of four bytes and the next.
+double half_step(float f) {
+  return 0.5 * (static_cast<double>(std::nextafter(std::abs(f), std::numeric_limits<float>::infinity())) - std::abs(f));
+}
 
 // One message; liblo checks it against its type tags.
 bool read_message(std::span<const std::uint8_t> bytes, std::vector<LiveMessage>& out) {
@@ -36,8 +43,11 @@ bool read_message(std::span<const std::uint8_t> bytes, std::vector<LiveMessage>&
   lo_arg** values = lo_message_get_argv(message.get());
   for (std::size_t i = 0; i < types.size(); ++i) {
     const auto type = static_cast<lo_type>(types[i]);
-    if (lo_is_numerical_type(type)) m.numbers.push_back(static_cast<double>(lo_hires_val(type, values[i])));
-    if (type == LO_TRUE || type == LO_FALSE) m.numbers.push_back(type == LO_TRUE ? 1 : 0);
+    if (lo_is_numerical_type(type)) {
+      m.numbers.push_back(static_cast<double>(lo_hires_val(type, values[i])));
+      m.within.push_back(type == LO_FLOAT ? half_step(values[i]->f) : 0);
+    }
+    if (type == LO_TRUE || type == LO_FALSE) m.numbers.push_back(type == LO_TRUE ? 1 : 0), m.within.push_back(0);
     if ((type == LO_STRING || type == LO_SYMBOL) && !m.text) m.text = &values[i]->s;
   }
   out.push_back(std::move(m));
@@ -141,14 +151,15 @@ std::optional<LiveMessage> read_midi(std::span<const std::uint8_t> m) {
   const int channel = (m[0] & 15) + 1;
   switch (m[0] & 0xF0) {
     case 0x80:
-      return LiveMessage{fmt::format("/midi/note/{}/{}", channel, m[1]), {0}, {}};
+      return LiveMessage{fmt::format("/midi/note/{}/{}", channel, m[1]), {0}, {0.5 / 127}, {}};
     case 0x90:
-      return LiveMessage{fmt::format("/midi/note/{}/{}", channel, m[1]), {m[2] / 127.0}, {}};
+      return LiveMessage{fmt::format("/midi/note/{}/{}", channel, m[1]), {m[2] / 127.0}, {0.5 / 127}, {}};
     case 0xB0:
-      return LiveMessage{fmt::format("/midi/cc/{}/{}", channel, m[1]), {m[2] / 127.0}, {}};
+      return LiveMessage{fmt::format("/midi/cc/{}/{}", channel, m[1]), {m[2] / 127.0}, {0.5 / 127}, {}};
     case 0xE0: {  // the middle, 8192, is 0; both ends are reached
       const int bend = (m[1] | m[2] << 7) - 8192;
-      return LiveMessage{fmt::format("/midi/bend/{}", channel), {bend / (bend < 0 ? 8192.0 : 8191.0)}, {}};
+      return LiveMessage{
+          fmt::format("/midi/bend/{}", channel), {bend / (bend < 0 ? 8192.0 : 8191.0)}, {0.5 / 8192}, {}};
     }
     default:
       return std::nullopt;

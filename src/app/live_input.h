@@ -18,6 +18,7 @@ namespace betwixt {
 struct LiveMessage {
   std::string address;
   std::vector<double> numbers;
+  std::vector<double> within;       // nearer to each than this, it is the same message; empty: exact
   std::optional<std::string> text;  // the first text, if any
 };
 

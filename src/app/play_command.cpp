@@ -64,8 +64,9 @@ class Playhead {
 
 class Player {
  public:
-  // `live`: what controls say; null: nobody listens.
-  Player(const Document& document, PlayCall& call, const FrameList& frames, Terminal& terminal, LiveInput* live)
+  // `live`: what controls say; null: nobody listens. `take`: what records it; null: nothing does.
+  Player(const Document& document, PlayCall& call, const FrameList& frames, Terminal& terminal, LiveInput* live,
+         Take* take)
       : document_(document),
         program_(Program::compile(document)),
         evaluation_(program_),
@@ -73,6 +74,7 @@ class Player {
         frames_(frames),
         terminal_(terminal),
         live_(live),
+        take_(take),
         head_(frames, call.loop) {}
 
   Status run() {
@@ -86,29 +88,38 @@ class Player {
       const double pause = head_.playing() ? std::min(head_.until_next(), 0.25) : live_ ? 0.02 : 0.1;
       for (const Key key : terminal_.wait(pause, closed)) press(key);
     }
+    if (take_) take_->end(frames_.time(taken_ + 1));
     return Nothing{};
   }
-  // The document as the controls have left it, and how many of their messages turned something.
-  const Document& document() const { return document_; }
+  // How many of the controls' messages turned something.
   std::size_t turned() const { return turned_; }
 
  private:
   // What controls have said since the last picture; it takes effect at the frame that is shown next.
   void obey(int k) {
     if (!live_) return;
-    const std::size_t before = turned_;
+    bool turned = false;
+    if (take_ && (k < taken_ || sought_)) take_->end(frames_.time(taken_ + 1)), turned = true;
+    taken_ = k, sought_ = false;
     for (const LiveMessage& m : live_->poll()) {
-      Result<Document> next = turn(document_, m.address, m.numbers, m.text ? &*m.text : nullptr, frames_.time(k));
-      said_ = next ? in_words(m) : next.error().message;
-      if (!next && !next.error().hint.empty()) said_ += ", " + next.error().hint;
-      if (!next) continue;
-      document_ = *std::move(next);
-      ++turned_;
+      const Status done = obey(m, frames_.time(k));
+      said_ = done ? in_words(m) : done.error().message;
+      if (!done && !done.error().hint.empty()) said_ += ", " + done.error().hint;
+      if (done) ++turned_, turned = true;
     }
-    if (turned_ == before) return;
+    if (!turned) return;
+    if (take_) document_ = take_->document();
     program_ = Program::compile(document_, program_);
     evaluation_.use(program_);
     stale_ = true;
+  }
+  Status obey(const LiveMessage& m, Time now) {
+    const std::string* text = m.text ? &*m.text : nullptr;
+    if (take_) return take_->turn(m.address, m.numbers, text, now, m.within);
+    Result<Document> next = turn(document_, m.address, m.numbers, text);
+    if (!next) return next.error();
+    document_ = *std::move(next);
+    return Nothing{};
   }
   static std::string in_words(const LiveMessage& m) {
     std::string out = m.address;
@@ -119,7 +130,8 @@ class Player {
   void press(Key key) {
     const int second = std::max(1, static_cast<int>(std::lround(frames_.rate.per_second())));
     const int k = head_.now();
-    const auto step = [&](int by) { head_.pause(), head_.jump(k + by); };
+    const auto jump = [&](int to) { head_.jump(to), sought_ = true; };
+    const auto step = [&](int by) { head_.pause(), jump(k + by); };
     switch (key) {
       case Key::space:
         return head_.playing() ? head_.pause() : head_.play();
@@ -129,12 +141,12 @@ class Player {
         return step(1);
       case Key::shift_left:
       case Key::down:
-        return head_.jump(k - second);
+        return jump(k - second);
       case Key::shift_right:
       case Key::up:
-        return head_.jump(k + second);
+        return jump(k + second);
       case Key::home:
-        return head_.jump(0);
+        return jump(0);
       case Key::end:
         return step(frames_.count);
       case Key::style:
@@ -269,6 +281,9 @@ class Player {
   const FrameList& frames_;
   Terminal& terminal_;
   LiveInput* const live_;
+  Take* const take_;
+  int taken_ = 0;        // the frame that controls spoke at last
+  bool sought_ = false;  // a key went elsewhere since
   Playhead head_;
   bool quit_ = false;
   TerminalSize size_;
@@ -280,13 +295,6 @@ class Player {
   std::string note_, said_, last_drawn_, altered_;
   Clock::time_point noted_ = Clock::now();
 };
-
-// The document with recording switched on or off.
-Document recording(const Document& document, bool on) {
-  auto scene = std::make_shared<Scene>(document.scene());
-  scene->recording = on;
-  return Document(std::move(scene));
-}
 
 // Where what controls say is written when the film ends; empty: nowhere. That the place is free is seen before
 // anybody plays.
@@ -305,8 +313,16 @@ Result<std::string> record_place(const Document& document, const PlayCall& call)
   return place;
 }
 
-Status write_recording(const Document& document, const std::string& place, bool overwrite) {
-  return write_whole(place, write(document), overwrite);
+// The author's text, comments and all, with what was recorded behind it; where that would be another film (the script
+// was edited meanwhile), the film alone.
+Status write_recording(const Take& take, const std::string& script, const std::string& place, bool overwrite) {
+  std::string text;
+  if (const auto read = read_whole(script)) text = take.text(*read);
+  if (!(load_text(text, script, load_options()).document == take.document())) {
+    fmt::print(stderr, "the script has changed meanwhile: comments are not in the recording\n");
+    text = write(take.document());
+  }
+  return write_whole(place, text, overwrite);
 }
 
 Status play(const Document& document, PlayCall& call) {
@@ -324,7 +340,8 @@ Status play(const Document& document, PlayCall& call) {
   Result<std::unique_ptr<Terminal>> terminal = Terminal::open();
   if (!terminal) return terminal.error();
   const bool records = !place->empty();
-  Player player(records ? recording(document, true) : document, call, *frames, **terminal, live.get());
+  Take take(document);
+  Player player(document, call, *frames, **terminal, live.get(), records ? &take : nullptr);
   const Status played = player.run();
   terminal->reset();
   if (!records) return played;
@@ -332,8 +349,7 @@ Status play(const Document& document, PlayCall& call) {
     fmt::print(stderr, "nothing came in, nothing is recorded\n");
     return played;
   }
-  const bool was = document.scene().recording;
-  if (Status s = write_recording(recording(player.document(), was), *place, call.overwrite); !s) return s;
+  if (Status s = write_recording(take, call.file, *place, call.overwrite); !s) return s;
   fmt::print(stderr, "{} messages recorded in '{}'\n", player.turned(), *place);
   return played;
 }

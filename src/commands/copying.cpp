@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "commands/notes.h"
 #include "commands/segments.h"
 #include "track/curve.h"
 #include "track/operations.h"
@@ -120,6 +121,25 @@ bool fits(Command& k, const Copying& how) {
   return true;
 }
 
+// notes A..B to T [times N]
+bool copy_notes(Command& k, std::string_view word) {
+  Cursor& c = k.cursor;
+  Segment of;
+  Time start;
+  long times = 1;
+  if (!c.segment(of.from, of.to)) return false;
+  if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and a time are missing here");
+  if (!c.time(start)) return false;
+  if (c.accept_word("times") && !c.whole_number(1, 1'000'000, "times", times)) return false;
+  return retime_notes(k, word, of, [&](Time t, std::vector<Time>& to) {
+    to.push_back(t);
+    const double span = static_cast<double>((of.to - of.from).flicks);
+    const double first = static_cast<double>(start.flicks) + static_cast<double>((t - of.from).flicks);
+    for (long n = 0; n < times && in_reach(to.back()); ++n)
+      to.push_back(time_of(first + static_cast<double>(n) * span));
+  });
+}
+
 // Whether so many events may still be made.
 bool affordable(Command& k, const Copying& how) {
   std::size_t wanted = k.script.copied;
@@ -135,6 +155,7 @@ bool affordable(Command& k, const Copying& how) {
 
 bool copy(Command& k) {
   Copying how;
+  if (std::string_view word; accept_notes(k, word)) return copy_notes(k, word);
   if (!arguments(k, how)) return false;
   if (!how.from.of.spec || !how.into.spec) return true;
   if (!fits(k, how) || !finish(k.cursor) || !affordable(k, how)) return false;

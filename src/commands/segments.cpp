@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "commands/notes.h"
 #include "scene/names.h"
 #include "track/curve.h"
 #include "track/operations.h"
@@ -83,13 +84,21 @@ bool given_factors(Command& k, const Stretch& on, Value& out) {
   return true;
 }
 
+// The segment of `notes` or of targets; whether it is that of notes.
+bool on_notes_or_segment(Command& k, Stretch& on, bool& notes) {
+  notes = accept_notes(k, on.word);
+  return notes ? k.cursor.segment(on.segment.from, on.segment.to) : on_segment(k, on);
+}
+
 bool move(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
   Time by;
-  if (!on_segment(k, on)) return false;
+  bool notes = false;
+  if (!on_notes_or_segment(k, on, notes)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
+  if (notes) return retime_notes(k, on.word, on.segment, [&](Time t, auto& to) { to.push_back(t + by); });
   return operate_and_say(k, on, [&](Track& t, Type, int, bool) { return move_segment(t, on.segment, by); });
 }
 
@@ -97,7 +106,8 @@ bool stretch(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
   double factor = 1;
-  if (!on_segment(k, on)) return false;
+  bool notes = false;
+  if (!on_notes_or_segment(k, on, notes)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a factor are missing here");
   c.space();
   const char* at = c.at;
@@ -108,6 +118,10 @@ bool stretch(Command& k) {
                       ? "time is stretched by more than 0"
                       : "time is stretched by more than 0; 'reverse' turns it round",
                   c.since(at));
+  if (notes)
+    return retime_notes(k, on.word, on.segment, [&](Time t, auto& to) {
+      to.push_back(on.segment.from + time_of(static_cast<double>((t - on.segment.from).flicks) * factor));
+    });
   return operate(k, on, [&](Track& t, Type, int, bool velocity) -> Result<Changed> {
     // What takes longer goes slower.
     if (velocity)
@@ -118,7 +132,11 @@ bool stretch(Command& k) {
 
 bool reverse(Command& k) {
   Stretch on;
-  if (!on_segment(k, on)) return false;
+  bool notes = false;
+  if (!on_notes_or_segment(k, on, notes)) return false;
+  if (notes)
+    return retime_notes(k, on.word, on.segment,
+                        [&](Time t, auto& to) { to.push_back(on.segment.from + (on.segment.to - t)); });
   return operate(k, on, [&](Track& t, Type type, int component, bool velocity) -> Result<Changed> {
     if (velocity && !on.of.velocity)
       return fail(ErrorCode::type, "a track with velocities cannot be reversed",
@@ -176,8 +194,9 @@ bool rotate(Command& k) {
 bool clear(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
-  on.word = c.next_word();
-  if (!targets(k, on.word, on.of, Meant::any) || !c.time(on.segment.from)) return false;
+  const bool notes = accept_notes(k, on.word);
+  if (!notes) on.word = c.next_word();
+  if ((!notes && !targets(k, on.word, on.of, Meant::any)) || !c.time(on.segment.from)) return false;
   on.segment.to = on.segment.from;
   if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
     const char* at = c.at;
@@ -185,6 +204,7 @@ bool clear(Command& k) {
     if (!c.time(on.segment.to)) return false;
     if (on.segment.to < on.segment.from) return c.fail(ErrorCode::range, "this segment ends before it begins", {at, 2});
   }
+  if (notes) return retime_notes(k, on.word, on.segment, [](Time, auto&) {});
   const auto erase = [&](Track& t, Type, int, bool) -> Result<Changed> {
     return Changed{t.events.erase(on.segment.from, on.segment.to), 0};
   };
@@ -192,7 +212,7 @@ bool clear(Command& k) {
 }
 
 constexpr Verb segments_rows[] = {
-    {"move", "move TARGET A..B by LENGTH", "Moves the events of a segment in time.",
+    {"move", "move TARGET A..B by LENGTH", "Moves the events of a segment in time, or notes.",
      "move ball.position 1f..24f by 12f", Verb::layered, move},
     {"stretch", "stretch TARGET A..B by FACTOR", "Makes a segment longer or shorter.",
      "stretch ball.position 1f..24f by 2", Verb::layered, stretch},
@@ -204,7 +224,7 @@ constexpr Verb segments_rows[] = {
      "translate ball.position 1f..24f (0 1 0)", Verb::layered, translate},
     {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", "Turns the values of a segment about an axis.",
      "rotate ball.position 1f..24f 90deg y", Verb::layered, rotate},
-    {"clear", "clear TARGET A..B or clear TARGET TIME", "Takes out the events of a segment, or of one time.",
+    {"clear", "clear TARGET A..B or clear TARGET TIME", "Takes out the events of a segment, or of one time; or notes.",
      "clear ball.position 6f..18f", Verb::layered, clear},
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is seen when, and through which camera; notes.
+// What is seen when, and through which camera.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,23 +10,6 @@
 
 namespace betwixt {
 namespace {
-
-bool note_command(Command& k) {
-  auto& [s, c, time, layer, script] = k;
-  if (!time) return c.fail_here(ErrorCode::syntax, "a note needs a time", "as in at 24f note \"…\"");
-  std::string text;
-  if (!c.text(text) || !finish(c)) return false;
-  auto& notes = s.notes.edit();
-  const auto at =
-      std::upper_bound(notes.begin(), notes.end(), *time, [](Time t, const auto& n) { return t < n.first; });
-  notes.insert(at, {*time, std::move(text)});
-  return true;
-}
-
-bool notes(Command& k) {
-  auto& [s, c, time, layer, script] = k;
-  return on_or_off(c, "notes are on or off", s.notes_shown);
-}
 
 bool look(Command& k) {
   auto& [s, c, time, layer, script] = k;
@@ -71,9 +54,6 @@ constexpr Verb showing_rows[] = {
      Verb::timed | Verb::layered, display<true>},
     {"hide", "hide A or at TIME hide A", "Hides objects, from a time on or for the whole film.", "at 24f hide ball",
      Verb::timed | Verb::layered, display<false>},
-    {"note", "at TIME note \"…\"", "A remark at a time; it shows while the film plays.",
-     "at 24f note \"first bounce ends\"", Verb::timed, note_command},
-    {"notes", "notes on or notes off", "Whether notes show while the film plays.", "notes off", 0, notes},
 };
 
 }  // namespace

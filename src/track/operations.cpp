@@ -64,7 +64,6 @@ Result<Changed> put_back(Track& track, Segment s, std::vector<Event> events) {
   return done;
 }
 
-bool in_reach(Time t) { return std::abs(t.seconds()) <= longest_seconds; }
 Error out_of_reach() { return fail(ErrorCode::range, "the events would end up more than 146 years away"); }
 
 }  // namespace

@@ -44,6 +44,7 @@ radius() { # of NUMBER, written as four bytes
 }
 
 cat >film.bx <<'BX'
+# A ball that listens
 rate 24
 range 1f 48f
 create ball sphere
@@ -67,8 +68,9 @@ has 'says what it recorded' "$shown" "2 messages recorded in 'out.bx'"
 is 'the script is as it was' "$(cat film.bx)" "$(cat author.bx)"
 "$program" check out.bx >check 2>&1
 is 'the recording is a script' "$?" 0
-is 'the number that was sent' "$(grep -A1 '^ball.radius$' out.bx | tail -n 1 | sed -E 's/^  [0-9]+f //')" '2.5 linear'
-is 'the number in the bundle' "$(grep -A1 '^ball.transparency$' out.bx | tail -n 1 | sed -E 's/^  [0-9]+f //')" '0.5 linear'
+is 'the number that was sent' "$(grep -A1 '^ball.radius$' out.bx | tail -n 1 | sed -E 's/^  [0-9]+f //')" '1 cut 2.5 linear'
+is 'the number in the bundle' "$(grep -A1 '^ball.transparency$' out.bx | tail -n 1 | sed -E 's/^  [0-9]+f //')" '0 cut 0.5 linear'
+is "the author's text stands before it" "$(head -n "$(wc -l <author.bx)" out.bx)" "$(cat author.bx)"
 
 # Never over what is there, unless told; seen before anybody plays.
 "$program" play film.bx --terminal --listen "$port" --record out.bx >said 2>&1

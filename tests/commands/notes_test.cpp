@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Notes, and their track.
+#include "scene/document.h"
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+// The notes of a film whose notes stand at 1f, 5f, 5f and 9f, after a command.
+std::string after(const std::string& command, const std::string& more = {}) {
+  const LoadedFilm film(more + "at 1f note \"a\"\nat 5f note \"b\"\nat 5f note \"c\"\nat 9f note \"d\"\n" + command +
+                        "\n");
+  std::string out;
+  for (const auto& [time, text] : *film.loaded.document.scene().notes)
+    out += fmt::format("{}{} ", text, film.loaded.document.rate().frame_number(time));
+  EXPECT_EQ(LoadedFilm(write(film.loaded.document)).loaded.document, film.loaded.document);
+  return out;
+}
+
+// shows: G28
+TEST(Notes, AreATrack) {
+  EXPECT_EQ(after(""), "a1 b5 c5 d9 ");
+  EXPECT_EQ(after("clear notes 5f"), "a1 d9 ");
+  EXPECT_EQ(after("clear notes 1f..5f"), "d9 ");
+  EXPECT_EQ(after("move notes 1f..5f by 4f"), "a5 d9 b9 c9 ");
+  EXPECT_EQ(after("stretch notes 1f..9f by 0.5"), "a1 b3 c3 d5 ");
+  EXPECT_EQ(after("reverse notes 1f..5f"), "b1 c1 a5 d9 ");
+  EXPECT_EQ(after("copy notes 5f..9f to 21f"), "a1 b5 c5 d9 b21 c21 d25 ");
+  EXPECT_EQ(after("copy notes 1f..5f to 21f times 2"), "a1 b5 c5 d9 a21 a25 b25 c25 b29 c29 ");
+}
+
+TEST(Notes, ThingsOfThatNameAreTargetsAsBefore) {
+  EXPECT_EQ(after("clear notes.position 1f..9f", "create notes box\nnotes.position\n  1f (1 2 3)\n"), "a1 b5 c5 d9 ");
+}
+
+TEST(Notes, WhatCannotBeIsSaid) {
+  const auto first = [](const std::string& line) {
+    const auto all = errors(read("at 5f note \"b\"\n" + line + "\n"));
+    return all.empty() ? "" : all[0];
+  };
+  EXPECT_EQ(first("move notes 1f..9f by 4000000000s"), "");
+  EXPECT_EQ(first("at 4000000000s note \"c\"\nmove notes 1f..4000000000s by 4000000000s"),
+            "3:6: this takes notes beyond all times");
+  EXPECT_EQ(first("stretch notes 1f..9f by 1e300"), "2:9: this takes notes beyond all times");
+  EXPECT_EQ(first("copy notes 1f..9f to 4599999999s times 1000000"), "2:6: this takes notes beyond all times");
+  EXPECT_EQ(first("copy notes 5f..5f to 9f times 1000000"), "2:6: a film has at most 1000000 notes");
+  EXPECT_EQ(first("clear notes"), "2:12: a time is missing here");
+  EXPECT_EQ(first("copy notes 1f..9f"), "2:18: 'to' and a time are missing here");
+  EXPECT_EQ(first("scale notes 1f..9f 2"), "2:7: 'notes' is not a target");
+}
+
+}  // namespace
+}  // namespace betwixt
