@@ -134,8 +134,12 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     d.ease_out = static_cast<double>(e.detail->ease_out.flicks);
     d.bezier = track.global == Twerper::bezier ? track.bezier : e.detail->bezier;
     if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
-    if (e.detail->tangent_in) d.has_in = true, d.tangent_in = compiled(*e.detail->tangent_in, c, type);
-    if (e.detail->tangent_out) d.has_out = true, d.tangent_out = compiled(*e.detail->tangent_out, c, type);
+    const auto tangent = [&](const std::optional<Value>& said, bool& has, Numbers& rate) {
+      if (!said || (c.orientation && !std::holds_alternative<Quat>(*said))) return;  // that of an angle among orientations
+      has = true, rate = compiled(*said, c, type);
+    };
+    tangent(e.detail->tangent_in, d.has_in, d.tangent_in);
+    tangent(e.detail->tangent_out, d.has_out, d.tangent_out);
     all.details.push_back(d);
   };
 
@@ -168,15 +172,17 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     Quat last;
     for (std::uint32_t k = 0; k < c.count; ++k) {
       double* v = &all.values[c.values + 4 * k];
-      if (d != all.details.end() && d->event == c.first + k) {
-        if (d->cut) {
-          if (k > 0 && dot(last, quat(d->before.data())) < 0) store(-quat(d->before.data()), d->before.data());
-          last = quat(d->before.data());
-        }
-        ++d;
-      }
-      if (k > 0 && dot(last, quat(v)) < 0) store(-quat(v), v);
-      last = quat(v);
+      const auto take_sign = [&](double* key, double* tangent) {
+        if (k > 0 && dot(last, quat(key)) < 0) store(-quat(key), key), store(-quat(tangent), tangent);
+        last = quat(key);
+      };
+      CurveDetail none;
+      CurveDetail& here = d != all.details.end() && d->event == c.first + k ? *d++ : none;
+      // What it comes to, and what it goes on from.
+      if (here.cut) take_sign(here.before.data(), here.tangent_in.data());
+      const Quat said = quat(v);
+      take_sign(v, here.tangent_out.data());
+      if (!here.cut && dot(said, last) < 0) store(-quat(here.tangent_in.data()), here.tangent_in.data());
     }
   }
   if (cyclic) join_ends(all, c);

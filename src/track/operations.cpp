@@ -22,6 +22,12 @@ std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
   return with_numbers(a, x);
 }
 
+// A tangent, k times as steep; an orientation's is four numbers.
+std::optional<Value> steeper(const Value& v, double k) {
+  if (const auto* q = std::get_if<Quat>(&v)) return Quat{k * q->w, k * q->x, k * q->y, k * q->z};
+  return combine(v, Value(k), [](double x, double y) { return x * y; });
+}
+
 bool finite(const Value& v) {
   double n[4];
   return betwixt::finite(std::span<const double>(n, static_cast<std::size_t>(to_numbers(v, n))));
@@ -125,7 +131,7 @@ Result<Changed> stretch_segment(Track& track, Segment s, double factor) {
     d.ease_in = stretched(d.ease_in), d.ease_out = stretched(d.ease_out);
     for (auto* tangent : {&d.tangent_in, &d.tangent_out})
       if (*tangent) {
-        *tangent = combine(**tangent, Value(factor), [](double x, double y) { return x / y; });
+        *tangent = steeper(**tangent, 1 / factor);
         if (*tangent && !finite(**tangent)) return fail(ErrorCode::range, "a tangent grows beyond all numbers");
       }
   }
@@ -185,7 +191,7 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
         d.bezier = {1 - d.bezier[2], 1 - d.bezier[3], 1 - d.bezier[0], 1 - d.bezier[1]};
       std::swap(d.tangent_in, d.tangent_out);
       for (auto* tangent : {&d.tangent_in, &d.tangent_out})
-        if (*tangent) *tangent = combine(**tangent, Value(-1.0), [](double x, double y) { return x * y; });
+        if (*tangent) *tangent = steeper(**tangent, -1);
     }
     out.push_back(std::move(e));
   }
@@ -214,8 +220,12 @@ Result<Changed> rotate_segment(Track& track, Segment s, Quat by, Vec3 centre) {
     if (!e.detail) return;
     EventDetail& d = e.detail.edit();
     for (auto* tangent : {&d.tangent_in, &d.tangent_out})
-      if (*tangent)
-        if (auto* t = std::get_if<Vec3>(&**tangent)) *t = transform_vector(turn, *t);
+      if (*tangent) {
+        if (auto* t = std::get_if<Vec3>(&**tangent))
+          *t = transform_vector(turn, *t);
+        else if (auto* q = std::get_if<Quat>(&**tangent))
+          *q = *q * by;
+      }
   });
   return vectors;
 }

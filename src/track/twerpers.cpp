@@ -62,6 +62,15 @@ Quat bspline_turn(const Blend& g) {  // cumulative form: every step's turn, weig
   return normalize(q0 * power(conjugate(q0) * q1, b1) * power(conjugate(q1) * q2, b2) * power(conjugate(q2) * q3, b3));
 }
 
+// The cubic of the four numbers, as glTF has it; where nobody says a tangent, it is at rest at both ends.
+Quat hermite_turn(const Blend& g) {
+  if (!g.tangent_out && !g.tangent_in) return slerp(quat(g.from), quat(g.to), smoothstep(g.s, {}));
+  Cubic cubics[4];
+  hermite_cubics(g, cubics);
+  const Quat q{cubics[0].at(g.s), cubics[1].at(g.s), cubics[2].at(g.s), cubics[3].at(g.s)};
+  return dot(q, q) > 1e-24 ? normalize(q) : quat(g.from);
+}
+
 Quat squad_turn(const Blend& g) {
   const auto [q0, q1, q2, q3] = four(g);
   const auto turn = [](Quat from, Quat to) {
@@ -99,12 +108,13 @@ constexpr TwerperRow twerper_rows[] = {
      .factor = smoothstep,
      .cubics = bspline_cubics,
      .turn = bspline_turn},
-    {.name = "hermite",  // orientations are at rest at both ends
+    {.name = "hermite",
      .sentence = "Through all events, by tangents of your own.",
      .written = "hermite [tangent=V]",
      .example = "at 12f ball.radius 2 hermite tangent=0",
      .factor = smoothstep,
-     .cubics = hermite_cubics},
+     .cubics = hermite_cubics,
+     .turn = hermite_turn},
     {.name = "bezier",
      .sentence = "To the next event along a curve of speed.",
      .written = "bezier(x1 y1 x2 y2)",

@@ -108,6 +108,7 @@ constexpr TypeRow type_table[] = {
      .twerper = Twerper::slerp,
      .changes = Changes::by_turning,
      .rate = Type::vector,
+     .tangents = true,
      .computed = true,
      .rotates = true},
     {.type = Type::shape,

@@ -3,6 +3,7 @@
 //
 // What stands behind a row's time: a value, and how to go on from there.
 #include "commands/tracks.h"
+#include "track/turns.h"
 
 namespace betwixt {
 namespace {
@@ -38,6 +39,76 @@ TEST(Events, Twerpers) {
 TEST(Events, ColoursBeyondBrightAreWarnedOf) {
   const LoadedFilm s("create a sphere color=rgb(255 0 0)\n");
   EXPECT_NE(said(s.loaded.diagnostics).find("write rgb(1 0 0)"), std::string::npos);
+}
+
+// The cubic of glTF's CUBICSPLINE, by its formula: of four numbers, scaled by the segment's seconds, and made a unit.
+std::array<double, 4> gltf(const std::array<double, 4>& v, const std::array<double, 4>& b, const std::array<double, 4>& w,
+                           const std::array<double, 4>& a, double seconds, double t) {
+  std::array<double, 4> out{};
+  double square = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    out[i] = (2 * t * t * t - 3 * t * t + 1) * v[i] + seconds * (t * t * t - 2 * t * t + t) * b[i] +
+             (-2 * t * t * t + 3 * t * t) * w[i] + seconds * (t * t * t - t * t) * a[i];
+    square += out[i] * out[i];
+  }
+  for (double& n : out) n /= std::sqrt(square);
+  return out;
+}
+
+TEST(Events, OrientationsHaveTheTangentsOfGltf) {
+  // A second and a half between them; the second one written with the other sign.
+  const LoadedFilm s(
+      "rate 24\ncreate b box\nb.rotation\n"
+      "  1f  quat(0.8 0.6 0 0) hermite tangent-out=quat(-0.3 0.4 0.5 -0.1)\n"
+      "  37f quat(-0.6 0 -0.8 0) hermite tangent-in=quat(0.2 -0.7 0.1 0.3)\n");
+  for (const double f : {1.0, 5.0, 13.5, 22.0, 30.25, 36.9}) {
+    const auto wanted = gltf({0.8, 0.6, 0, 0}, {-0.3, 0.4, 0.5, -0.1}, {0.6, 0, 0.8, 0}, {-0.2, 0.7, -0.1, -0.3}, 1.5, (f - 1) / 36);
+    const auto is = s.numbers("b.rotation", fmt::format("{}f", f));
+    ASSERT_EQ(is.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(is[i], wanted[i], 1e-12) << f;
+  }
+  const LoadedFilm again(write(s.loaded.document));
+  EXPECT_EQ(again.loaded.document, s.loaded.document);
+}
+
+TEST(Events, AnOrientationsTangentIsATurningSpeedAboutFixedAxes) {
+  const LoadedFilm s(
+      "rate 24\ncreate b box\nb.rotation\n  1f axis(x, 50deg) hermite tangent=axis(y, 90deg)\n"
+      "  25f axis((1 1 0), 80deg) hermite tangent=spin(10deg 20deg -30deg)\n  49f axis(z, 10deg)\n");
+  const auto at = [&](double seconds) {
+    const auto n = s.numbers("b.rotation", fmt::format("{:.9f}s", seconds));
+    return Quat{n[0], n[1], n[2], n[3]};
+  };
+  const auto speed = [&](double from, double to) {
+    const Quat turn = log(at(to) * conjugate(at(from)));
+    return 2 / (to - from) * Vec3{turn.x, turn.y, turn.z};
+  };
+  const auto expect_speed = [&](Vec3 is, Vec3 degrees) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(is[i] * 180 / pi, degrees[i], 0.02);
+  };
+  expect_speed(speed(0, 1e-5), {0, 90, 0});
+  expect_speed(speed(1 - 1e-5, 1), {10, 20, -30});
+  expect_speed(speed(1, 1 + 1e-5), {10, 20, -30});
+  // Twice as long, half as fast; backwards, the other way.
+  const LoadedFilm slow(write(s.loaded.document) + "stretch b.rotation 1f..25f by 2\n");
+  const LoadedFilm back(write(s.loaded.document) + "reverse b.rotation 1f..25f\n");
+  for (const double u : {0.1, 0.37, 0.5, 0.92})
+    for (const auto& [film, time] : {std::pair(&slow, 2 * u), std::pair(&back, 1 - u)}) {
+      const auto n = film->numbers("b.rotation", fmt::format("{:.9f}s", time));
+      EXPECT_NEAR(std::abs(dot(Quat{n[0], n[1], n[2], n[3]}, at(u))), 1, 1e-9) << u;
+    }
+}
+
+TEST(Events, TangentsThatMeanNothingAreRefused) {
+  const auto said_of = [](const std::string& row) {
+    const auto all = errors(read("create b box\nb.rotation\n  1f " + row + "\n"));
+    return all.empty() ? "" : all[0];
+  };
+  EXPECT_EQ(said_of("axis(x, 50deg) hermite tangent=(1 2 3)"), "3:37: an orientation's tangent is a turning speed or quat(…)");
+  EXPECT_EQ(said_of("axis(x, 50deg) hermite tangent=euler(0 9deg 0)"),
+            "3:37: an orientation's tangent is a turning speed or quat(…)");
+  EXPECT_EQ(said_of("euler(0 0 0) hermite tangent=axis(y, 90deg)"), "3:35: angles have tangents of angles");
+  EXPECT_EQ(said_of("axis(x, 50deg) hermite tangent=quat(1 2 3)"), "3:47: ')' is not a number");
 }
 
 TEST(Events, KeepOnAnEventThatIsThereChangesHowItGoesOnOnly) {
