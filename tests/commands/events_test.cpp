@@ -118,6 +118,15 @@ TEST(Events, KeepOnAnEventThatIsThereChangesHowItGoesOnOnly) {
   }
 }
 
+TEST(Events, ThatShapesGoStraightIsSaidOnce) {
+  const Loaded l = read(
+      "create a box\ncreate b sphere\na.geometry\n  1f shape(a) smooth\n  9f shape(b) smooth\n  17f shape(a) linear\n");
+  const std::string all = said(l.diagnostics);
+  const std::size_t at = all.find("shapes go straight from one to the next, without a curve through others: smooth is linear here");
+  ASSERT_NE(at, std::string::npos) << all;
+  EXPECT_EQ(all.find("shapes go straight", at + 1), std::string::npos) << all;
+}
+
 TEST(Events, AGroupHasNoGeometryToShow) {
   EXPECT_EQ(errors(read("create g group\ncreate b box\nset g.geometry shape(b)\n")),
             std::vector<std::string>{"3:5: 'g', a group, draws nothing: its geometry would not be seen"});

@@ -89,5 +89,17 @@ TEST(Fall, EndsWhereSomethingTakesHold) {
   expect_place(s, "ball", "49f", {0, 10 - 9.81 / 2 * 0.25, 0}, 1e-6);
 }
 
+TEST(Fall, ThatACatchIsWrittenTooLateIsSaid) {
+  const std::string fall = "rate 24\ncreate hand group\ncreate ball sphere position=(0 10 0)\nat 1f fall ball\n";
+  const Loaded late = read(fall + "at 13f attach ball to hand keep-world\n");
+  ASSERT_EQ(late.diagnostics.size(), 1u) << said(late.diagnostics);
+  EXPECT_EQ(late.diagnostics[0].severity, Severity::notice);
+  EXPECT_EQ(late.diagnostics[0].what.message, "ball goes on falling while it is held");
+  EXPECT_EQ(late.diagnostics[0].what.hint, "a fall ends at a catch that is written before it");
+  // When it lies, and before it falls, nothing is to be said; nor of what is let go.
+  for (const char* fine : {"at 400f attach ball to hand\n", "at 1f attach ball to hand\n", "at 13f letgo ball\n"})
+    EXPECT_TRUE(read(fall + fine).diagnostics.empty()) << fine;
+}
+
 }  // namespace
 }  // namespace betwixt
