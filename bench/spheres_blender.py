@@ -53,7 +53,7 @@ bpy.ops.object.shade_smooth()
 ball = model.data
 ball.materials.append(None)
 bpy.data.objects.remove(model)
-for name, color, events in spheres.spheres(*grid):
+for name, color, events in spheres.spheres(*grid[:2]):
     s = put(name, ball, events[0][1])
     s.material_slots[0].link = "OBJECT"  # one mesh for all, a material for each
     s.material_slots[0].material = material(name, color)
@@ -79,7 +79,7 @@ render = scene.render
 render.engine = "BLENDER_WORKBENCH"
 render.resolution_x, render.resolution_y, render.resolution_percentage = 960, 540, 100
 render.fps, render.use_persistent_data = spheres.RATE, True
-scene.frame_start, scene.frame_end = 1, spheres.FRAMES - 1
+scene.frame_start, scene.frame_end = 1, min(spheres.FRAMES - 1, int(grid[2]) if len(grid) > 2 else spheres.FRAMES)
 scene.display.render_aa = samples
 scene.display.shading.light = "STUDIO"
 scene.display.shading.color_type = "MATERIAL"
