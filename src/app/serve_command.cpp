@@ -5,8 +5,11 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <memory>
+#include <thread>
 
 #include "app/command.h"
 #include "app/subcommand.h"
@@ -193,7 +196,21 @@ int serve(ServeCall& call) {
   if (doors[0].asks() && call.token_file.empty()) fmt::print(stderr, "token {}\n", call.serve.token);
   fmt::print(stderr, "serving at {}; frames at {:g} a second, class {}{}\n", doors[0].name(), rate->per_second(),
              to_string(clock->priority()), clock->why().empty() ? "" : " (" + clock->why() + ")");
+  // A film takes time to be finished; nothing else is waited for.
+  const bool film = call.to.starts_with("film:");
+  const auto end_soon = [film] {
+    std::thread([film] {
+      std::this_thread::sleep_for(film ? std::chrono::seconds(60) : std::chrono::milliseconds(300));
+      std::_Exit(all_done);
+    }).detach();
+  };
+  call.serve.give_up = [&] {
+    end_soon();
+    doors.clear(), clock.reset();
+    std::_Exit(all_done);
+  };
   const Status served = betwixt::serve(imaging, *clock, doors, call.serve);
+  if (served) end_soon();
   clock.reset();  // what it showed is finished
   ::close(call.serve.stop);
   return served ? static_cast<int>(all_done) : complain(served.error(), machine_failed);

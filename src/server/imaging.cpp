@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 
 #include "base/names.h"
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_open_lines = 10'000;  // of one command
+constexpr int most_attempts = 3;         // beside others, before they wait
 
 // One path for one file, whether it is there or not.
 fs::path real(const std::string& file) {
@@ -109,8 +111,44 @@ void Imaging::leave(Host host) { hosts_.erase(host); }
 std::int64_t Imaging::tick(Nanos now) const { return document().scene().ticks.whole(transport_.time(now)); }
 
 const Program& Imaging::program() {
-  if (compiled_ != version_) program_ = Program::compile(document(), program_), compiled_ = version_;
+  constexpr auto soon = std::chrono::milliseconds(5);
+  for (int n = 0; compiled_ != version_; ++n) {
+    const std::uint64_t version = version_;
+    const Document from = document();
+    const Program before = program_;
+    Program made;
+    const auto compile = [&] { made = Program::compile(from, before); };
+    const auto begun = std::chrono::steady_clock::now();
+    const std::size_t objects = compiled_ > 0 ? before.document().scene().objects.size() : 0;
+    const bool much = long_to_compile_ || from.scene().objects.size() > objects + 10'000;
+    if (much && options_.beside && n < most_attempts)
+      options_.beside(compile);
+    else
+      compile();
+    long_to_compile_ = std::chrono::steady_clock::now() - begun > soon;
+    if (version > compiled_) program_ = std::move(made), compiled_ = version;  // else somebody was faster
+  }
   return program_;
+}
+
+// Whether a line may do more than change a few things: it speaks of many, reads files, runs code or draws lists.
+bool Imaging::takes_long(const SaidLine& line) {
+  static constexpr std::string_view quick[] = {"set",  "at",     "create", "note",    "attach",
+                                               "hang", "couple", "detach", "letgo",   "show",
+                                               "hide", "halt",   "kill",   "animate", "look"};
+  if (line.text.size() > 2000 || line.text.find_first_of("*?{[\"") != std::string_view::npos) return true;
+  const bool row = line.indented || line.verb.find('.') != std::string_view::npos;
+  return !row && std::find(std::begin(quick), std::end(quick), line.verb) == std::end(quick);
+}
+
+bool Imaging::work_out(bool takes_long, const std::function<void(const Point&, std::size_t)>& work) {
+  for (int n = 0;; ++n) {
+    const Point from = editor_.now();
+    const std::size_t events = event_count_;
+    if (!takes_long || !options_.beside || n == most_attempts) return work(from, events), true;
+    if (!options_.beside([&] { work(from, events); })) return false;
+    if (&from.document.scene() == &document().scene()) return true;
+  }
 }
 
 // ---- answers
@@ -204,9 +242,16 @@ bool Imaging::starts_show(std::string_view verb) {
 Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
   if (line.words.empty()) return yes(h, now, "");
   const std::int64_t at = stamp(now);
-  Point from = editor_.now();
-  from.script.left = h.sheet;
-  Result<Carried> c = carry_out(from, event_count_, line.text, at);
+  Result<Carried> c = Error{};
+  std::optional<Program> made;  // by then: nobody else waits for that either
+  const bool takes_time = takes_long(line);
+  const auto carry = [&, before = program_](Point from, std::size_t events) {
+    from.script.left = h.sheet;
+    c = carry_out(from, events, line.text, at);
+    made.reset();
+    if (takes_time && c && c->kept) made = Program::compile(c->deed.after.document, before);
+  };
+  if (!work_out(takes_time, carry)) return {};
   if (!c) {
     Error e = c.error();
     if (!line.indented) h.sheet.reset();
@@ -228,6 +273,7 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
     c->said += yet_to_come();
   }
   changed(h.host, deed.line, now);
+  if (made) program_ = *std::move(made), compiled_ = version_;
   return yes(h, now, said(c->said), deed.stamped ? std::optional(at) : std::nullopt);
 }
 

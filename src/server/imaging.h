@@ -56,6 +56,9 @@ class Imaging {
     bool wait = false;  // the clock stands at 0 until a host says `start`
     LoadOptions load;
     std::function<std::string()> stats;  // members of a JSON object, of what stands around
+    // Does work that may take long, and lets other lines be entered meanwhile. False: who asked for it has gone. None:
+    // all is done at once.
+    std::function<bool(const std::function<void()>&)> beside;
   };
   using Host = std::uint64_t;
   struct Reply {
@@ -77,6 +80,8 @@ class Imaging {
   Reply enter_too_long(Host, Nanos now);
   // Everything that was answered is on the disk. An error: it may not be, and the server must end.
   Status sync() { return history_.sync(); }
+
+  void work_beside(decltype(Options::beside) how) { options_.beside = std::move(how); }
 
   // What hosts that subscribed are told; taken away by asking.
   struct Event {
@@ -136,6 +141,10 @@ class Imaging {
   // `from` has the sheet that the host's rows go to.
   Result<Carried> carry_out(const Point& from, std::size_t events, std::string_view line, std::int64_t stamp) const;
   Reply enter_whole(Visitor&, const SaidLine&, Nanos now);
+  static bool takes_long(const SaidLine&);
+  // Works something out from how things are. Where that may take long others go on meanwhile, and it is worked out
+  // again if the document is another one then; in the end everybody waits for it. False: nobody wants it any more.
+  bool work_out(bool takes_long, const std::function<void(const Point&, std::size_t events)>&);
   Reply command(Visitor&, const SaidLine&, Nanos now);
   Reply collect(Visitor&, std::string_view line, Nanos now);
   void start_clock(Nanos now);
@@ -178,6 +187,7 @@ class Imaging {
   Transport transport_;
   std::uint64_t version_ = 1, compiled_ = 0;
   Program program_;
+  bool long_to_compile_ = false;  // it was, the last time
   std::map<Host, Visitor> hosts_;
   Host last_host_ = 0;
   std::optional<ContactWatch> watch_;  // while anybody wants to know

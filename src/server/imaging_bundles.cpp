@@ -4,6 +4,8 @@
 // Bundles: commands that are done together, all at one moment or none.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "language/json.h"
 #include "language/line_words.h"
 #include "server/answers.h"
@@ -23,6 +25,14 @@ struct Imaging::Together {
   std::string warnings, errors;
   std::optional<Error> first;
   bool stamped = false, starts = false;
+
+  void note(std::int64_t number, Error e) {
+    errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number, json_text(e.message),
+                          e.hint.empty() ? "" : ",\"hint\":" + json_text(e.hint),
+                          e.place.column > 0 ? fmt::format(",\"column\":{}", e.place.column) : "");
+    e.message = fmt::format("line {}: {}", number, e.message), e.place = {};
+    if (!first) first = std::move(e);
+  }
 };
 
 // Display lists have an `end` of their own: an indented one does not end the bundle.
@@ -82,17 +92,20 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
   if (broken) return no(h, now, *broken);
   const std::int64_t at = stamp(now);
   Together all;
-  all.point = editor_.now(), all.events = event_count_;
-  all.point.script.left.reset();
-  for (const Bundled& line : lines) {
-    std::optional<Error> e = carry_out(line, all, at);
-    if (!e) continue;
-    all.errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", all.errors.empty() ? "" : ",", line.number,
-                              json_text(e->message), e->hint.empty() ? "" : ",\"hint\":" + json_text(e->hint),
-                              e->place.column > 0 ? fmt::format(",\"column\":{}", e->place.column) : "");
-    e->message = fmt::format("line {}: {}", line.number, e->message), e->place = {};
-    if (!all.first) all.first = std::move(e);
-  }
+  std::optional<Program> made;
+  const auto carry = [&, before = program_](const Point& from, std::size_t events) {
+    all = {};
+    made.reset();
+    all.point = from, all.events = events;
+    all.point.script.left.reset();
+    for (const Bundled& line : lines)
+      if (auto e = carry_out(line, all, at)) all.note(line.number, *std::move(e));
+    if (!all.first && lines.size() > 20) made = Program::compile(all.point.document, before);
+  };
+  if (!work_out(lines.size() > 20 || std::any_of(lines.begin(), lines.end(),
+                                                 [](const Bundled& l) { return takes_long(look_at(l.text)); }),
+                carry))
+    return {};
   if (all.first) return no(h, now, *all.first, ",\"errors\":[" + all.errors + "]");
   if (all.lines.empty()) return yes(h, now, "");
   if (Status s = editor_.take(std::move(all.point), {all.lines, ""}); !s) return no(h, now, s.error());
@@ -100,6 +113,7 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
   event_count_ = all.events;
   if (all.starts) start_clock(now);
   changed(h.host, fmt::format("{}\n", fmt::join(all.lines, "\n")), now);
+  if (made) program_ = *std::move(made), compiled_ = version_;
   return yes(h, now, said(all.warnings), all.stamped ? std::optional(at) : std::nullopt);
 }
 

@@ -118,11 +118,18 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
       if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
   }
   std::vector<std::string> problems;
-  const std::vector<Value> values = program().read(targets, t, &problems);
+  std::vector<Value> values;
+  const Document asked = document();
+  const Program film = program();
+  // What code and filters say may take long; it is of the document that was asked about.
+  const auto read = [&] { problems.clear(), values = film.read(targets, t, &problems); };
+  if (!options_.beside)
+    read();
+  else if (!options_.beside(read))
+    return std::string();
   std::string out = fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()));
   for (std::size_t i = 0; i < targets.size(); ++i)
-    out += fmt::format("{}{}:{}", i ? "," : "", json_text(document().name(targets[i])),
-                       json(values[i], targets[i], document()));
+    out += fmt::format("{}{}:{}", i ? "," : "", json_text(asked.name(targets[i])), json(values[i], targets[i], asked));
   return out + "}" + said(fmt::format("{}", fmt::join(problems, "\n")));
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 #include <unordered_map>
 
 #include "language/json.h"
+#include "server/leaders.h"
 
 namespace betwixt {
 namespace {
@@ -40,6 +42,8 @@ struct Guest {
   bool last_word = false;    // nothing more is read; it goes when it has its answers
   bool half_closed = false;  // it will say no more
   bool stuck = false;        // it had not read all its answers when it was last looked at
+  bool in_hand = false;      // a thread works on what it said; nobody else touches it
+  bool gone = false;         // meanwhile: it takes back what it asked
   std::string out;
   std::size_t sent = 0;
   std::uint64_t lost = 0;  // events that it was not told of
@@ -53,8 +57,10 @@ class Server {
         clock_(clock),
         listeners_(listeners),
         options_(options),
-        epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
+        epoll_(::epoll_create1(EPOLL_CLOEXEC)),
+        wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
   ~Server() {
+    if (wake_ >= 0) ::close(wake_);
     for (auto& [file, guest] : guests_) ::close(file);
     if (epoll_ >= 0) ::close(epoll_);
   }
@@ -62,29 +68,64 @@ class Server {
   Server& operator=(const Server&) = delete;
 
   Status run() {
-    if (epoll_ < 0) return fail(ErrorCode::machine, fmt::format("no server can be had: {}", std::strerror(errno)));
+    if (epoll_ < 0 || wake_ < 0)
+      return fail(ErrorCode::machine, fmt::format("no server can be had: {}", std::strerror(errno)));
     for (const Listener& l : listeners_) watch(l.file(), EPOLLIN, EPOLL_CTL_ADD);
     if (options_.stop >= 0) watch(options_.stop, EPOLLIN, EPOLL_CTL_ADD);
     watch(clock_.shown_file(), EPOLLIN, EPOLL_CTL_ADD);
+    watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
     publish();
-    while (!stop_) {
-      wait();
-      std::set<int> busy = std::exchange(busy_, {});
-      for (const int file : busy)
-        if (const auto found = guests_.find(file); found != guests_.end()) take_turn(found->second);
-      for (auto& e : imaging_.events()) tell(e);
-      if (Status s = imaging_.sync(); !s) return s;  // nothing is answered that is not safe
-      publish();
-      for (auto it = guests_.begin(); it != guests_.end();) {
-        const auto next = std::next(it);
-        if (waiting(it->second) > 0 || it->second.last_word || it->second.half_closed) send(it->second);
-        it = next;
-      }
-    }
-    return imaging_.sync();
+    imaging_.work_beside([this](const auto& work) { return beside(work); });
+    const bool served = leaders_.run(options_.give_up ? [this] {
+      (void)imaging_.sync();
+      options_.give_up();
+    } : std::function<void()>());
+    imaging_.work_beside({});
+    if (!served) return fail(ErrorCode::machine, "no thread can be had for the hosts");
+    return failed_ ? Status(*failed_) : imaging_.sync();
   }
 
  private:
+  static inline thread_local Guest* served = nullptr;  // whose line this thread carries out
+
+  // See Imaging::Options::beside.
+  bool beside(const std::function<void()>& work) {
+    Guest* const g = served;
+    if (g) g->in_hand = true, watch(g->file, g->watched = 0, EPOLL_CTL_MOD);
+    leaders_.beside(work);
+    if (g) g->in_hand = false;
+    if (g && !g->gone) watch(g->file, g->watched = EPOLLIN, EPOLL_CTL_MOD);
+    return !leaders_.stopped() && !(g && g->gone);
+  }
+
+  // Whoever leads waits for what comes; there is something to do that did not come.
+  void wake() {
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const ssize_t n = ::write(wake_, &one, sizeof one);
+  }
+
+  void round(Leaders::Lock& lock) {
+    wait(lock);
+    const std::set<int> busy = std::exchange(busy_, {});
+    for (const int file : busy)
+      if (const auto found = guests_.find(file);
+          found != guests_.end() && !found->second.in_hand && !leaders_.stopped())
+        take_turn(found->second);
+    if (leaders_.stopped()) return;
+    for (auto& e : imaging_.events()) tell(e);
+    if (Status s = imaging_.sync(); !s) {  // nothing is answered that is not safe
+      failed_ = s.error();
+      return leaders_.stop(), wake();
+    }
+    publish();
+    for (auto it = guests_.begin(); it != guests_.end();) {
+      const auto next = std::next(it);
+      if (waiting(it->second) > 0 || it->second.last_word || it->second.half_closed) send(it->second);
+      it = next;
+    }
+    if (!busy_.empty() && !leaders_.leads()) wake();
+  }
+
   static std::size_t waiting(const Guest& g) { return g.out.size() - g.sent; }
 
   void watch(int file, std::uint32_t events, int how) {
@@ -93,22 +134,28 @@ class Server {
     ::epoll_ctl(epoll_, how, file, &e);
   }
 
-  void wait() {
+  void wait(Leaders::Lock& lock) {
     std::array<epoll_event, 256> events;
     const int timeout = !busy_.empty() ? 0 : strangers_ > 0 || resting_ ? 500 : -1;
+    lock.unlock();
     const int n = ::epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), timeout);
+    lock.lock();
     if (resting_) rest(false);
     for (int i = 0; i < n; ++i) {
       const int file = events[static_cast<std::size_t>(i)].data.fd;
-      if (file == options_.stop) {
-        stop_ = true;
+      if (file == options_.stop) return leaders_.stop();
+      if (file == wake_) {
+        std::uint64_t rung;
+        [[maybe_unused]] const ssize_t ignored = ::read(wake_, &rung, sizeof rung);
         continue;
       }
       if (file == clock_.shown_file()) {
         hear_clock();
         continue;
       }
-      if (const auto guest = guests_.find(file); guest != guests_.end())
+      if (const auto guest = guests_.find(file); guest != guests_.end() && guest->second.in_hand)
+        leave(guest->second);  // nothing but its end is heard of it now
+      else if (guest != guests_.end())
         busy_.insert(file);
       else
         for (const Listener& l : listeners_)
@@ -156,6 +203,11 @@ class Server {
     files_[*g.host] = g.file;
   }
   void leave(Guest& g) {
+    if (g.in_hand) {  // it takes back what it asked; whoever works on that sees to the rest
+      g.gone = true;
+      watch(g.file, 0, EPOLL_CTL_DEL);
+      return;
+    }
     if (g.host)
       imaging_.leave(*g.host), files_.erase(*g.host);
     else
@@ -181,7 +233,8 @@ class Server {
     if (!g.last_word && !g.half_closed && g.seen == g.in.size() && !read(g)) return leave(g);
     const Nanos until = monotonic_now() + turn_time;
     for (int n = 0; n < turn_lines && monotonic_now() < until && !g.last_word; ++n)
-      if (!take_line(g)) {
+      if (!take_line(g) || g.gone) {
+        if (g.gone) return leave(g);
         if (g.half_closed) g.last_word = true;
         if (g.half_closed && waiting(g) == 0) leave(g);
         return;
@@ -225,7 +278,11 @@ class Server {
     }
     const std::string line = g.in.substr(0, end);
     drop(g, end + 1);
-    return answer(g, g.host ? imaging_.enter(*g.host, line, monotonic_now()) : meet(g, line));
+    if (!g.host) return answer(g, meet(g, line));
+    served = &g;
+    const Imaging::Reply reply = imaging_.enter(*g.host, line, monotonic_now());
+    served = nullptr;
+    return answer(g, reply);
   }
 
   static void drop(Guest& g, std::size_t bytes) {
@@ -290,6 +347,7 @@ class Server {
       return leave(g);
     }
     g.stuck = waiting(g) > 0;
+    if (g.in_hand) return;
     const std::uint32_t wanted = (g.last_word || g.half_closed ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
                                  (waiting(g) > 0 ? static_cast<std::uint32_t>(EPOLLOUT) : 0u);
     if (wanted != g.watched) watch(g.file, g.watched = wanted, EPOLL_CTL_MOD);
@@ -318,12 +376,14 @@ class Server {
   FrameClock& clock_;
   const std::vector<Listener>& listeners_;
   const ServeOptions& options_;
-  const int epoll_;
+  const int epoll_, wake_;
   std::unordered_map<int, Guest> guests_;  // by their files
   std::unordered_map<Imaging::Host, int> files_;
   std::set<int> busy_;  // with lines that have not been looked at
+  Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};
+  std::optional<Error> failed_;
   std::size_t strangers_ = 0;
-  bool resting_ = false, stop_ = false, looked_ = false;
+  bool resting_ = false, looked_ = false;
   std::uint64_t published_ = 0;
   std::set<std::string> problems_;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The imaging server: one thread that reads hosts' lines and answers them, and the clock's.
+// The imaging server: threads of which one reads hosts' lines and answers them, and the clock's.
 #pragma once
 
 #include <functional>
@@ -16,6 +16,8 @@ struct ServeOptions {
   std::size_t hosts = 1000;  // at once; the next one is told why not
   std::string token;         // for those who come by TCP
   int stop = -1;             // a file that becomes readable when the server shall end
+  // What was answered is safe, but something that was not takes too long to be waited for: ends the process.
+  std::function<void()> give_up = {};
 };
 
 // Serves until it is stopped. `imaging` has begun. Errors: machine (the history cannot be kept any more).

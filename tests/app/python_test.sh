@@ -39,6 +39,13 @@ def settle(server):
     while server.time()["tick"] <= now + 1:
         time.sleep(0.01)
 
+def stop(process):
+    """When it returns, all its threads stand."""
+    os.kill(process, signal.SIGSTOP)
+    tasks = f"/proc/{process}/task"
+    while not all(open(f"{tasks}/{t}/stat").read().rsplit(")", 1)[1].split()[0] == "T" for t in os.listdir(tasks)):
+        time.sleep(0.001)
+
 def done():
     print(passed, "passed,", failed, "failed")
     sys.exit(failed != 0)
@@ -413,7 +420,7 @@ with Host() as a:
 
 # One that is stopped: late, then of no more use; a connection made later is.
 a, b = Host(where, timeout=0.3), Host(where)
-os.kill(server, signal.SIGSTOP)
+stop(server)
 fails("stopped", Late, "the server has not answered in 0.3 s", a.get_tick)
 fails("and closed", Gone, "the connection is closed", a.get_slot_counter)
 os.kill(server, signal.SIGCONT)
@@ -421,7 +428,7 @@ check("others are served", b.get_tick() >= 0)
 # A wait for events is no such thing.
 check("no event", list(b.events(0.05)) == [] == list(b.events(0)) and b.get_tick() >= 0)
 # What is broken off has no answer that another call might get.
-os.kill(server, signal.SIGSTOP)
+stop(server)
 signal.signal(signal.SIGALRM, lambda *_: 1 / 0)
 signal.setitimer(signal.ITIMER_REAL, 0.2)
 fails("broken off", ZeroDivisionError, "division by zero", b.get_tick)
@@ -430,7 +437,7 @@ fails("and closed", Gone, "the connection is closed", b.get_tick)
 # One that is killed in mid-call, one that ends.
 a, b = Host(where), Host(where)
 a.make_object()
-os.kill(server, signal.SIGSTOP)
+stop(server)
 threading.Timer(0.2, os.kill, (server, signal.SIGKILL)).start()
 fails("killed", Gone, "the server has gone", a.point, 1, 2, 3)
 fails("killed before", Gone, "the server has gone", b.get_tick)

@@ -31,6 +31,44 @@ TEST(Imaging, AnswersEveryLineOnce) {
   s.expect_history();
 }
 
+// What takes long is worked out beside: others go on, and it is worked out again from what they have made.
+TEST(Imaging, LinesThatTakeLongLetOthersGoOn) {
+  Stage s;
+  const auto slow = s.imaging.arrive(), quick = s.imaging.arrive();
+  s.done(slow, "create b{1..3} box");
+  int meanwhile = 0, works = 0;
+  bool wanted = true;
+  s.imaging.work_beside([&](const std::function<void()>& work) {
+    ++works;
+    if (meanwhile > 0) {
+      work();  // of a document that will be another one
+      s.done(quick, fmt::format("create ball{} sphere", meanwhile--));
+      return wanted;
+    }
+    work();
+    return wanted;
+  });
+  s.done(quick, "create quick sphere");
+  EXPECT_EQ(works, 0) << "what is quick is done at once";
+  meanwhile = 2;
+  s.done(slow, "set b*.size (7 7 7)");
+  EXPECT_EQ(works, 3);
+  EXPECT_TRUE(holds(s.say(slow, "eval b2.size.x ball1.radius ball2.radius"),
+                    "\"b2.size.x\":7,\"ball1.radius\":1,\"ball2.radius\":1"));
+  // Whoever is always interrupted is waited for in the end.
+  meanwhile = 100, works = 0;
+  s.say(slow, "bundle"), s.say(slow, "set b*.size (8 8 8)"), s.done(slow, "end");
+  EXPECT_EQ(works, 3);
+  meanwhile = 0;
+  EXPECT_TRUE(holds(s.say(slow, "eval b3.size.x ball98.radius"), "\"b3.size.x\":8"));
+  // Who has gone takes back what it asked.
+  wanted = false;
+  EXPECT_EQ(s.say(slow, "set b*.size (9 9 9)"), "");
+  wanted = true;
+  EXPECT_TRUE(holds(s.say(quick, "eval b3.size.x"), "\"b3.size.x\":8"));
+  s.expect_history();
+}
+
 TEST(Imaging, SaysNoInWords) {
   Stage s;
   const auto host = s.imaging.arrive();

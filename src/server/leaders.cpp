@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "server/leaders.h"
+
+#include <chrono>
+#include <system_error>
+
+namespace betwixt {
+
+bool Leaders::run(const std::function<void()>& give_up) {
+  Lock lock(mutex_);
+  if (!hire()) return false;
+  changed_.wait(lock, [&] { return stop_; });
+  const auto idle = [&] { return working_ == 0; };
+  if (!changed_.wait_for(lock, std::chrono::milliseconds(500), idle) && give_up) give_up();
+  changed_.wait(lock, idle);
+  lock.unlock();
+  for (std::thread& t : threads_) t.join();
+  return true;
+}
+
+void Leaders::stop() {
+  stop_ = true;
+  changed_.notify_all();
+}
+
+bool Leaders::hire() {
+  if (threads_.size() >= most) return false;
+  try {
+    threads_.emplace_back([this] { serve(); });
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
+}
+
+void Leaders::serve() {
+  Lock lock(mutex_);
+  const auto self = std::this_thread::get_id();
+  while (!stop_) {
+    if (leader_ == std::thread::id()) leader_ = self;
+    if (leader_ == self) {
+      round_(lock);
+    } else {
+      ++idle_;
+      changed_.wait(lock);
+      --idle_;
+    }
+  }
+}
+
+void Leaders::beside(const std::function<void()>& work) {
+  const bool leads = this->leads();
+  if (leads && idle_ == 0 && !hire()) return work();
+  if (leads) leader_ = {};
+  ++working_;
+  changed_.notify_all();
+  mutex_.unlock();
+  work();
+  mutex_.lock();
+  --working_;
+  if (stop_) changed_.notify_all();
+}
+
+}  // namespace betwixt

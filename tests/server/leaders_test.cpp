@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Threads that lead in turns: what takes long holds up nobody else, and is not waited for in the end.
+#include "server/leaders.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+
+namespace betwixt {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(Leaders, OthersGoOnWhileOneWorks) {
+  int rounds = 0, begun = 0;
+  std::vector<int> order;
+  std::promise<void> others_were_there;
+  auto there = others_were_there.get_future();
+  Leaders* all = nullptr;
+  Leaders leaders([&](Leaders::Lock& lock) {
+    EXPECT_TRUE(lock.owns_lock());
+    const int mine = ++rounds;
+    if (mine == 1) {
+      ++begun;
+      all->beside([&] { there.wait(); });  // it ends only where somebody else gets a round meanwhile
+      EXPECT_GT(rounds, 1);
+      order.push_back(mine);
+      return all->stop();
+    }
+    order.push_back(mine);
+    if (mine == 50) others_were_there.set_value();
+    lock.unlock();
+    std::this_thread::sleep_for(1ms);
+    lock.lock();
+  });
+  all = &leaders;
+  EXPECT_TRUE(leaders.run({}));
+  EXPECT_EQ(begun, 1);
+  ASSERT_GE(order.size(), 50u);
+  EXPECT_TRUE(std::find(order.begin() + 49, order.end(), 1) != order.end());
+}
+
+TEST(Leaders, ManyWorkAtOnceAndNobodyTwoRoundsAtATime) {
+  std::atomic<int> inside{0};
+  int done = 0, asked = 0;
+  Leaders* all = nullptr;
+  Leaders leaders([&](Leaders::Lock& lock) {
+    EXPECT_EQ(++inside, 1);
+    const bool works = asked < 500;
+    asked += works;
+    --inside;
+    if (works) {
+      all->beside([] { std::this_thread::sleep_for(100us); });
+      EXPECT_EQ(++inside, 1);
+      ++done;
+      --inside;
+    }
+    if (done == 500) all->stop();
+    lock.unlock();
+    std::this_thread::yield();
+    lock.lock();
+  });
+  all = &leaders;
+  EXPECT_TRUE(leaders.run({}));
+  EXPECT_EQ(done, 500);
+}
+
+TEST(Leaders, WhatDoesNotEndIsGivenUp) {
+  std::promise<void> end;
+  auto ended = end.get_future().share();
+  bool given_up = false;
+  int rounds = 0;
+  Leaders* all = nullptr;
+  Leaders leaders([&](Leaders::Lock&) {
+    if (++rounds == 1) return all->beside([ended] { ended.wait(); });
+    all->stop();
+  });
+  all = &leaders;
+  EXPECT_TRUE(leaders.run([&] { given_up = true, end.set_value(); }));  // the server's ends the process
+  EXPECT_TRUE(given_up);
+}
+
+}  // namespace
+}  // namespace betwixt
