@@ -80,14 +80,11 @@ std::string opener(const Scene& s, const Sheet& sheet) {
 
 namespace {
 
-// What shows the list must show it as it is now; where that would be too much, its last rows are not done.
+// What shows the list must show it as it is now.
 void show(Scene& s, Script& script, const std::string& name) {
-  Sheet& sheet = script.sheet;
+  const Sheet& sheet = script.sheet;
   if (!sheet.changed || s.main.empty() || !ever_calls(s, s.main, name)) return;
-  if (const Status done = expand(s); !done) {
-    s.lists = sheet.before, s.later_lists = sheet.later_before;
-    script.report(Severity::error, done.error(), sheet.place);
-  }
+  script.unshown.push_back({sheet.before, sheet.later_before, sheet.place});
 }
 
 }  // namespace
@@ -117,6 +114,28 @@ void show_list(Scene& s, Script& script) {
   Sheet& sheet = script.sheet;
   if (!sheet.open || sheet.list.empty()) return;
   show(s, script, sheet.list);
+  show_lists(s, script);
+}
+
+// Where that would be too much, the rows of the sheet that made it so are not done, nor are those behind it.
+void show_lists(Scene& s, Script& script) {
+  const auto sheets = std::exchange(script.unshown, {});
+  if (sheets.empty()) return;
+  Status done = expand(s);
+  if (done) return;
+  // After how many of them it was still possible.
+  std::size_t possible = 0, impossible = sheets.size();
+  while (impossible - possible > 1) {
+    const std::size_t half = (possible + impossible) / 2;
+    s.lists = sheets[half].before, s.later_lists = sheets[half].later_before;
+    if (const Status then = expand(s); then)
+      possible = half;
+    else
+      impossible = half, done = then;
+  }
+  s.lists = sheets[possible].before, s.later_lists = sheets[possible].later_before;
+  (void)expand(s);  // it was possible
+  script.report(Severity::error, done.error(), sheets[possible].place);
 }
 
 void say_unfinished_lists(Script& script) {

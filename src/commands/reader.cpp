@@ -200,7 +200,9 @@ bool carry_out(Command& k) {
   if (w.empty())
     return c.fail_here(ErrorCode::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
   script.verb = start;
-  if (const Verb* v = find_verb(w)) {
+  const Verb* const known = find_verb(w);
+  if (w != "at" && (!known || !(known->flags & Verb::opens_sheet))) show_lists(s, script);  // `at` leads to another one
+  if (const Verb* v = known) {
     if ((v->flags & Verb::stamped) && !time && script.options.now) {
       script.stamp(s, {start, 0}, "at ", " ");
       c.ticks_read = true;
@@ -255,6 +257,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
     run(s, script, text.starts_with("#!") ? std::min(text.find('\n'), text.size()) : 0);
   }
   close_list(s, script);
+  show_lists(s, script);
   if (outermost) {
     say_masked_events(s, script), say_idle_releases(s, script);
     say_unfinished_lists(script);

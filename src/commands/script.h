@@ -118,6 +118,14 @@ struct Script : SoFar {
   std::vector<Release> releases;
   std::map<std::pair<std::string, Time>, Diagnostic> unfinished;  // display lists, and what is wrong with them
 
+  // Sheets of display lists that are over and not shown yet: those that follow each other are shown together.
+  struct Unshown {
+    Cow<DisplayLists> before;
+    Cow<LaterLists> later_before;
+    std::string_view place;
+  };
+  std::vector<Unshown> unshown;
+
   // How the line stands in a history, where it happens now: with the time at which it came.
   struct Stamp {
     std::size_t at, length;  // what of the line it stands in place of
@@ -150,6 +158,8 @@ struct Script : SoFar {
 // The rows of a display list are over: what shows it must show it as it is now.
 void close_list(Scene&, Script&);
 void show_list(Scene&, Script&);  // … while they go on
+// Before anything is said that may speak of what lists draw.
+void show_lists(Scene&, Script&);
 // The lines that the next row would have to stand below.
 std::string opener(const Scene&, const Sheet&);
 // The sheet of a script, for the lines that are still to come; null: none is open.

@@ -30,6 +30,7 @@ bool at(Command& k) {
   if (w.empty())
     return c.fail_here(ErrorCode::syntax, sets ? "a target is missing here" : "a target or a command is missing here");
   if (sets || w.find('.') != std::string_view::npos) {
+    show_lists(s, script);
     Selected to;
     if (!targets(timed, w, to)) return false;
     if (!to.spec) return pass_over(k, start);

@@ -14,6 +14,9 @@
 #include <memory>
 #include <mutex>
 
+#include "base/utf8.h"
+#include "scene/kinds.h"
+
 namespace betwixt {
 namespace {
 
@@ -207,8 +210,15 @@ std::map<std::size_t, std::string> clusters(std::string_view text, const hb_glyp
   return parts;
 }
 
-// Adds one line of text, centred about x = 0 with its baseline at y.
-void set_line(Face& face, std::string_view text, double y, Outline& out) {
+// A glyph of a line, and the part of the text that it stands for begins there.
+struct SetGlyph {
+  FT_UInt index = 0;
+  Vec3 at;
+  std::size_t cluster = 0;
+};
+
+// One line of text, centred about x = 0 with its baseline at y; `parts`: what its clusters are.
+std::vector<SetGlyph> set_line(Face& face, std::string_view text, double y, std::map<std::size_t, std::string>& parts) {
   const Owned<hb_buffer_t> buffer(hb_buffer_create());
   hb_buffer_add_utf8(buffer.get(), text.data(), static_cast<int>(text.size()), 0, static_cast<int>(text.size()));
   hb_buffer_guess_segment_properties(buffer.get());
@@ -219,20 +229,42 @@ void set_line(Face& face, std::string_view text, double y, Outline& out) {
   const double unit = 1 / (64.0 * face.face->units_per_EM);
   double width = 0;
   for (unsigned i = 0; i < count; ++i) width += unit * places[i].x_advance;
-  const auto parts = clusters(text, infos, count);
+  parts = clusters(text, infos, count);
+  std::vector<SetGlyph> out;
   Vec3 pen{-width / 2, y, 0};
-  std::size_t first = out.contours.size();  // of the letter that the glyph belongs to
   for (unsigned i = 0; i < count; ++i) {
-    if (i > 0 && infos[i].cluster != infos[i - 1].cluster) first = out.contours.size();
+    const Vec3 shift{static_cast<double>(places[i].x_offset), static_cast<double>(places[i].y_offset), 0};
+    out.push_back({infos[i].codepoint, pen + unit * shift, infos[i].cluster});
+    pen.x += unit * places[i].x_advance;
+  }
+  return out;
+}
+
+// f(glyphs, parts) for each line.
+template <class F>
+void each_line(Face& face, const std::string& all, const F& f) {
+  const std::string_view text = first_characters(all, most_letters);
+  double y = 0;
+  std::map<std::size_t, std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size(); y -= line_spacing) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::vector<SetGlyph> glyphs = set_line(face, text.substr(begin, end - begin), y, parts);
+    f(glyphs, parts);
+    begin = end + 1;
+  }
+}
+
+void add_outlines(Face& face, const std::vector<SetGlyph>& glyphs, const std::map<std::size_t, std::string>& parts,
+                  Outline& out) {
+  std::size_t first = out.contours.size();  // of the letter that the glyph belongs to
+  for (std::size_t i = 0; i < glyphs.size(); ++i) {
+    if (i > 0 && glyphs[i].cluster != glyphs[i - 1].cluster) first = out.contours.size();
     const bool begun = out.contours.size() > first;
-    const Vec3 at =
-        pen + unit * Vec3{static_cast<double>(places[i].x_offset), static_cast<double>(places[i].y_offset), 0};
-    for (Contour contour : glyph_of(face, infos[i].codepoint)) {
-      for (Vec3& p : contour) p = p + at;
+    for (Contour contour : glyph_of(face, glyphs[i].index)) {
+      for (Vec3& p : contour) p = p + glyphs[i].at;
       out.contours.push_back(std::move(contour));
     }
-    if (!begun && out.contours.size() > first) out.letters.push_back({first, parts.at(infos[i].cluster)});
-    pen.x += unit * places[i].x_advance;
+    if (!begun && out.contours.size() > first) out.letters.push_back({first, parts.at(glyphs[i].cluster)});
   }
 }
 
@@ -253,16 +285,27 @@ Outline text_outline(const std::string& text, const std::string& family) {
   const std::pair key{family, text};
   if (const auto i = m.outlines.find(key); i != m.outlines.end()) return i->second;
   Outline out;
-  if (Face* face = face_for(m, family)) {
-    double y = 0;
-    for (std::size_t begin = 0; begin <= text.size(); y -= line_spacing) {
-      const std::size_t end = std::min(text.find('\n', begin), text.size());
-      set_line(*face, std::string_view(text).substr(begin, end - begin), y, out);
-      begin = end + 1;
-    }
-  }
+  if (Face* face = face_for(m, family))
+    each_line(*face, text, [&](const auto& glyphs, const auto& parts) { add_outlines(*face, glyphs, parts, out); });
   if (m.outlines.size() >= 256) m.outlines.clear();  // texts that change all the time are not worth keeping
   return m.outlines[key] = out;
+}
+
+SetText set_text(const std::string& text, const std::string& family) {
+  Machine& m = machine();
+  const std::lock_guard lock(m.mutex);
+  SetText out;
+  std::map<FT_UInt, std::size_t> known;
+  Face* face = face_for(m, family);
+  if (face)
+    each_line(*face, text, [&](const std::vector<SetGlyph>& glyphs, const auto&) {
+      for (const SetGlyph& g : glyphs) {
+        const auto [at, fresh] = known.try_emplace(g.index, out.glyphs.size());
+        if (fresh) out.glyphs.push_back({g.index, {glyph_of(*face, g.index), {}}});
+        if (!out.glyphs[at->second].outline.contours.empty()) out.places.push_back({at->second, g.at});
+      }
+    });
+  return out;
 }
 
 }  // namespace betwixt

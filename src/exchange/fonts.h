@@ -4,6 +4,7 @@
 // Text as closed contours, through FreeType and HarfBuzz.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,20 @@ Status find_font(const std::string& family);
 // `text` (UTF-8, lines end with \n) at 1 m an em, centred about x = 0, the first baseline at y = 0. A family that the
 // machine lacks is replaced by DejaVu Sans, or any other it has.
 Outline text_outline(const std::string& text, const std::string& family);
+
+// The same, each glyph that occurs once, and where they stand.
+struct SetText {
+  struct Glyph {
+    std::uint32_t number = 0;  // of the font's
+    Outline outline;           // without letters
+  };
+  struct Place {
+    std::size_t glyph = 0;
+    Vec3 at;
+  };
+  std::vector<Glyph> glyphs;
+  std::vector<Place> places;
+};
+SetText set_text(const std::string& text, const std::string& family);
 
 }  // namespace betwixt

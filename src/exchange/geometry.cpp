@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <tuple>
 #include <unordered_map>
 
 #include "exchange/outlines.h"
@@ -12,6 +14,7 @@
 #include "exchange/simplify.h"
 #include "scene/kinds.h"
 #include "scene/primitives.h"
+#include "scene/topology.h"
 
 namespace betwixt {
 namespace {
@@ -75,8 +78,52 @@ std::optional<Mat4> stretch(Vec3 s) {
   return scaling(s);
 }
 
+// Filled glyphs, at 1 m an em, for all texts.
+class FilledGlyphs {
+ public:
+  std::shared_ptr<const Mesh> get(const std::string& font, const SetText::Glyph& glyph, double depth) {
+    const auto key = std::tuple(font, glyph.number, depth);
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
+    }
+    auto made = std::make_shared<const Mesh>(fill(glyph.outline, depth));
+    const std::lock_guard lock(mutex_);
+    if (meshes_.size() >= most) meshes_.clear();
+    return meshes_.emplace(key, std::move(made)).first->second;
+  }
+
+ private:
+  static constexpr std::size_t most = 4096;
+  std::mutex mutex_;
+  std::map<std::tuple<std::string, std::uint32_t, double>, std::shared_ptr<const Mesh>> meshes_;
+};
+
+void append(Mesh& all, const Mesh& one, double size, Vec3 at) {
+  const auto base = static_cast<std::uint32_t>(all.positions.size());
+  for (const auto& p : one.positions) all.positions.push_back(narrow(size * (Vec3{p[0], p[1], p[2]} + at)));
+  all.normals.insert(all.normals.end(), one.normals.begin(), one.normals.end());
+  for (const std::uint32_t i : one.triangles) all.triangles.push_back(base + i);
+  for (const std::uint32_t i : one.edges) all.edges.push_back(base + i);
+}
+
+Mesh text_mesh(const Shape& s) {
+  static FilledGlyphs filled;
+  Mesh all;
+  const double size = s.size.y;
+  if (!sane(s.size.y) || !(size > 0) || !sane(s.depth)) return all;
+  const SetText set = set_text(*s.text, *s.font);
+  std::vector<std::shared_ptr<const Mesh>> glyphs;
+  for (const SetText::Glyph& g : set.glyphs) glyphs.push_back(filled.get(*s.font, g, std::max(s.depth / size, 0.0)));
+  for (const SetText::Place& p : set.places) append(all, *glyphs[p.glyph], size, p.at);
+  all.closed = !glyphs.empty() && std::all_of(set.places.begin(), set.places.end(),
+                                              [&](const SetText::Place& p) { return glyphs[p.glyph]->closed; });
+  return all;
+}
+
 Mesh made(const KindRow& row, const Shape& s, const Detail& detail) {
-  return row.fill == Fill::outline ? fill(outline_of(s), row.deep ? s.depth : 0) : row.mesh(s, detail);
+  if (row.fill != Fill::outline) return row.mesh(s, detail);
+  return row.contours ? fill(outline_of(s), row.deep ? s.depth : 0) : text_mesh(s);
 }
 
 }  // namespace

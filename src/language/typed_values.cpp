@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "base/utf8.h"
 #include "language/values.h"
+#include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
@@ -88,6 +90,9 @@ struct TypedReader {
       s = c.word();
     }
     if (!spec.words.empty() && !is_choice(s)) return false;
+    if (spec.name == "text" && s.size() > most_letters && count_characters(s) > most_letters)
+      return c.fail(ErrorCode::range, fmt::format("a text that is drawn has at most {} letters", most_letters),
+                    std::string_view(start, 1));
     if (values.file && !values.file(function, s, c.since(start))) return false;
     out = Text(std::move(s));
     return true;

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <utility>
 
 #include "base/names.h"
 #include "procedure/machine.h"
@@ -53,7 +54,6 @@ class Lua final : public Routine {
   Result<R> run(Call& call, auto&& prepare, auto&& again, auto&& take) const {
     const Nested nested;
     if (Nested::too_deep()) return Nested::error();
-    if (Nested::level() == 1) lua::deadline = std::chrono::steady_clock::now() + lua::most_time;
     auto& machine_here = machine();
     Machine& m = *machine_here;
     lua_State* l = m.state;
@@ -119,7 +119,7 @@ class Lua final : public Routine {
     Call call;
     call.input = &input;
     call.seconds = seconds;
-    return run<Value>(
+    auto result = run<Value>(
         call,
         [&](Machine& m) {
           for (const auto& [name, v] : parameters) {
@@ -135,18 +135,24 @@ class Lua final : public Routine {
         },
         [&](Machine& m) { return lua_pushnumber(m.state, seconds), 1; },
         [](lua_State* l) { return lua::to_value(l, -1); });
+    input.work(call.steps);
+    return result;
   }
 
   Status command(Host& host, const std::vector<std::string>& words) const override {
     if (role != Role::command) return Routine::command(host, words);
+    // A command that another one runs goes on with its steps.
+    thread_local Call* running = nullptr;
     Call call;
     call.host = &host;
+    Call* const outer = std::exchange(running, &call);
+    if (outer) call.steps = outer->steps;
     const auto push_words = [&](Machine& m) {
       lua_checkstack(m.state, static_cast<int>(words.size()) + 10);
       for (const auto& w : words) lua_pushlstring(m.state, w.data(), w.size());
       return static_cast<int>(words.size());
     };
-    return run<Nothing>(
+    Status done = run<Nothing>(
         call,
         [&](Machine& m) {
           lua::push(m.state, Value(Names(words)));
@@ -154,6 +160,9 @@ class Lua final : public Routine {
           return push_words(m);
         },
         push_words, [](lua_State*) { return Nothing{}; });
+    running = outer;
+    if (outer) outer->steps = call.steps;
+    return done;
   }
 
  private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "procedure/machine.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace betwixt::lua {
@@ -9,7 +10,10 @@ namespace {
 
 void* allocate(void* data, void* block, std::size_t old_size, std::size_t size) {
   Machine& m = *static_cast<Machine*>(data);
-  if (!block) old_size = 0;  // Lua then says what the block is for
+  if (!block) {  // Lua then says what the block is for
+    if (old_size == LUA_TSTRING) m.longest = std::max(m.longest, size);
+    old_size = 0;
+  }
   if (size == 0) {
     std::free(block);
     m.live -= old_size;
@@ -27,8 +31,7 @@ void* allocate(void* data, void* block, std::size_t old_size, std::size_t size) 
 
 void hook(lua_State* l, lua_Debug*) {
   Machine& m = Machine::of(l);
-  charge(l, steps_between_hooks);
-  if (++m.hooks % 8 == 0 && std::chrono::steady_clock::now() > deadline) stop(l, too_long);
+  charge(l, steps_between_hooks * (1 + static_cast<double>(m.longest / letters_a_step)));
 }
 
 }  // namespace
@@ -68,7 +71,7 @@ void Machine::push_code(std::uint64_t serial, std::string_view compiled) {
 void Machine::begin(Call& c) {
   call = &c;
   allocated = 0;
-  hooks = 0;
+  longest = 0;
   lua_sethook(state, hook, LUA_MASKCOUNT, steps_between_hooks);
 }
 

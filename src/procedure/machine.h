@@ -8,7 +8,6 @@
 // (memory is not refused meanwhile) and returns `failed` with the message pushed.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <lua.hpp>
 #include <string>
@@ -21,11 +20,12 @@ namespace betwixt::lua {
 
 inline constexpr std::uint64_t most_steps = 1'000'000;
 inline constexpr int steps_between_hooks = 100;
+// An instruction may go through a whole text, to compare it: where there are long ones, each counts once more for every
+// so many letters of the longest.
+inline constexpr std::size_t letters_a_step = 4096;
 inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
-inline constexpr auto most_time = std::chrono::seconds(2);
 inline constexpr const char* too_many_steps = "stopped: it took more than 1000000 steps";
 inline constexpr const char* too_much_memory = "stopped: it took too much memory";
-inline constexpr const char* too_long = "stopped: it took more than 2 seconds";
 
 // What the running call may use.
 struct Call {
@@ -55,7 +55,7 @@ class Machine {
   std::size_t live = 0, floor = 0, allocated = 0;
   int now = LUA_NOREF;        // the globals of this call
   int metatable[kinds] = {};  // by Kind
-  unsigned hooks = 0;
+  std::size_t longest = 0;    // text that this call has made
 
   void push_code(std::uint64_t serial, std::string_view compiled);  // as a function
   void begin(Call&);
@@ -66,9 +66,6 @@ class Machine {
   static constexpr std::size_t most_chunks = 256;
   std::unordered_map<std::uint64_t, int> chunks_;  // compiled here already, by serial
 };
-
-// The last defence: when the outermost call of this thread must be over.
-inline thread_local std::chrono::steady_clock::time_point deadline;
 
 // Raises the error on the stack's top as one that ends the call, whatever the code would like.
 int stop(lua_State*, const char* why);

@@ -110,10 +110,22 @@ struct Asking {
   std::size_t cut = SIZE_MAX;       // how deep in `open` the outermost cut reached
   std::map<Sought, Found<Value>> found;
   std::map<std::int64_t, Found<std::shared_ptr<const Contacts>>> found_contacts;
-  std::uint64_t cost = 0;
+  std::uint64_t cost = 0;   // so far, in steps
+  std::uint64_t begun = 0;  // what it was when the outermost question began …
+  bool given_up = false;    // … which has taken more than it may: it is left without an answer
   std::vector<std::string> problems;
   std::vector<Frame::CodeError> errors;
   std::vector<Target> read;  // what procedures looked at
+
+  // The work that one question may set going: procedures' steps, what filters look at, whatever asks whatever. It is
+  // counted as if nothing were known already, so that it is the same whoever asked before.
+  static constexpr std::uint64_t most_work = 10'000'000;
+  // Counts work; true: it was too much, here or before.
+  bool work(std::uint64_t steps) {
+    cost += steps;
+    if (cost - begun > most_work) given_up = true, cut = 0;  // nothing found from here on is kept
+    return given_up;
+  }
 
   void say(std::string problem);
   void err(std::string problem, const std::string& source);  // of the author's code

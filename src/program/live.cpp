@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
+#include "base/utf8.h"
 #include "program/compiled.h"
+#include "scene/kinds.h"
 #include "track/operations.h"
 
 namespace betwixt {
@@ -76,16 +80,18 @@ struct Worker {
       Value r = w.c.read(*target, from_seconds(seconds), w.asking);
       cost += w.asking.cost - before + 20;
       w.asking.cost = before;
+      if (w.asking.given_up) return fail(ErrorCode::range, "stopped: the question took too much work");
       return r;
     }
   };
 
   // None where it errs; then `problems` says so.
   std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
+    if (asking.given_up) return std::nullopt;
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
-    asking.cost += cost;
+    if (asking.work(cost + 100)) return std::nullopt;
     const auto say = [&](const std::string& why) {
       asking.err(fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component),
                              p.code->source.substr(0, 60), why),
@@ -98,6 +104,9 @@ struct Worker {
     if (!fitting) return say(fitting.error().message);
     double n[4];
     if (!finite({n, static_cast<std::size_t>(to_numbers(*fitting, n))})) return say("it is not finite");
+    const auto* text = std::get_if<Text>(&*fitting);
+    if (text && live.function == fn::text && (*text)->size() > most_letters && count_characters(**text) > most_letters)
+      return say(fmt::format("its text has more than {} letters", most_letters));
     return *fitting;
   }
 
@@ -215,11 +224,45 @@ struct Worker {
         : w(worker), s(strand), stage(at), component(part) {}
     Value at(double seconds) override {
       if (!(std::abs(seconds) <= longest_seconds)) seconds = 0;
-      w.asking.cost += 5;
-      const Value v = w.strand_value(s, stage, from_seconds(seconds));
+      const Value v = w.looked_at(s, stage, from_seconds(seconds));
       return component < 0 ? v : Value(component_of(v, component));
     }
+    void work(std::uint64_t steps) override { w.asking.work(steps + 100); }
   };
+
+  // What a filter sees. Filters on top of each other look at the same times again and again, on grids of their own:
+  // what was seen is remembered while this one answer is worked out, so that they cost the sum and not the product.
+  Value looked_at(const LiveStrand& s, std::size_t stage, Time t) const {
+    if (asking.work(20)) return given_up();
+    if (s.filters.size() < 2) return strand_value(s, stage, t);
+    const auto key = std::tuple(&s, stage, t.flicks);
+    if (const auto known = seen.find(key); known != seen.end()) return known->second;
+    Value v = strand_value(s, stage, t);
+    if (!asking.given_up && seen.size() < most_seen) seen.emplace(key, v);
+    return v;
+  }
+  static constexpr std::size_t most_seen = 1'000'000;
+  mutable std::map<std::tuple<const LiveStrand*, std::size_t, std::int64_t>, Value> seen{};
+
+  // The value without what asks: where a question goes round in a circle, or takes too much work.
+  Value without_asking(Time t, int component) const {
+    if (component >= 0) return settled(*part_of(component), t);
+    const LiveStrand& own = live.strands[0];
+    if (own.plain >= 0) return strand_value(own, 0, t);
+    if (own.parts.size() == 1 && own.parts[0].component < 0) return settled(own.parts[0], t);
+    Value v = std::holds_alternative<Procedure>(own.set) ? at_rest({}) : own.set;
+    for (const LivePart& part : own.parts) {
+      const Value of_part = settled(part, t);
+      if (const auto* d = std::get_if<double>(&of_part)) v = with_component(v, part.component, *d);
+    }
+    return v;
+  }
+  // Of the right kind, and quickly: it will not be used.
+  const Value& given_up() const {
+    if (!stopped) stopped = without_asking({}, -1);
+    return *stopped;
+  }
+  mutable std::optional<Value> stopped{};
 
   // Behind the first `stage` filters.
   Value strand_value(const LiveStrand& s, std::size_t stage, Time t) const {
@@ -240,7 +283,7 @@ struct Worker {
       return v;
     }
     const Filter& f = s.filters[stage - 1];
-    Value plain = strand_value(s, stage - 1, t);
+    Value plain = looked_at(s, stage - 1, t);
     if (f.segment && (t < f.segment->first || t > f.segment->second)) return plain;
     Through input(*this, s, stage - 1, f.component);
     const auto made = apply(f, input, t.seconds());
@@ -325,16 +368,7 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
     asking.say(document.name(Target{{live.object}, live.function, -1}) +
                (circle ? " reads itself in a circle" : " reads itself at too many times, one through the other") +
                ": inside, its last value without a procedure counts");
-    if (component >= 0) return worker.settled(*worker.part_of(component), t);
-    const LiveStrand& own = live.strands[0];
-    if (own.plain >= 0) return worker.strand_value(own, 0, t);
-    if (own.parts.size() == 1 && own.parts[0].component < 0) return worker.settled(own.parts[0], t);
-    Value v = std::holds_alternative<Procedure>(own.set) ? worker.at_rest({}) : own.set;
-    for (const LivePart& part : own.parts) {
-      const Value settled = worker.settled(part, t);
-      if (const auto* d = std::get_if<double>(&settled)) v = with_component(v, part.component, *d);
-    }
-    return v;
+    return worker.without_asking(t, component);
   }
   if (const auto known = asking.found.find(key); known != asking.found.end()) {
     if (asking.is_open(known->second.taken)) {
@@ -344,11 +378,19 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
     asking.take(known->second.taken);
     return known->second.value;
   }
+  const bool outermost = asking.open.empty();
+  if (outermost) asking.begun = asking.cost, asking.given_up = false;
   Working working(asking);
   asking.open.push_back(key);
   asking.asked.push_back(key);
   Value v = worker.value(t, component);
   asking.open.pop_back();
+  if (outermost && std::exchange(asking.given_up, false)) {
+    asking.say(fmt::format("{} takes more than {} steps: its value without procedures and filters counts",
+                           document.name(Target{{live.object}, live.function, -1}), Asking::most_work));
+    working.done();
+    return worker.without_asking(t, component);
+  }
   if (auto taken = working.done(); taken && asking.found.size() < 100'000)
     asking.found.emplace(key, Asking::Found<Value>{v, *std::move(taken)});
   return v;

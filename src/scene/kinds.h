@@ -16,6 +16,9 @@
 
 namespace betwixt {
 
+// Of a text, what is beyond so many letters is not drawn.
+inline constexpr std::size_t most_letters = 20'000;
+
 // What is between its borders.
 enum class Fill : std::uint8_t {
   nothing,  // it has no shape

@@ -49,6 +49,7 @@ class Input {
  public:
   virtual ~Input() = default;
   virtual Value at(double seconds) = 0;
+  virtual void work(std::uint64_t) {}  // so many steps were taken beside what was asked
 };
 
 // What a command may do.

@@ -99,6 +99,31 @@ TEST(Geometry, TextIsWideAsItsLettersAndCentred) {
   realise(text("\xff\xfe broken \xc0 UTF-8 \xf0\x9f\x92\xa9 مرحبا"));
 }
 
+// A page: each letter is that of a text of its own, and they stand side by side.
+TEST(Geometry, ManyLettersAreEachTheirOwn) {
+  const auto area = [](const Mesh& m) {
+    double sum = 0;
+    for (std::size_t i = 0; i < m.triangles.size(); i += 3) {
+      const auto at = [&](std::size_t k) {
+        const auto& p = m.positions[m.triangles[i + k]];
+        return Vec3{p[0], p[1], p[2]};
+      };
+      sum += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
+    }
+    return sum;
+  };
+  std::string page;
+  for (int line = 0; line < 100; ++line) page += "The quick brown fox jumps over a lazy dog.\n";
+  double one = 0;
+  for (const char c : std::string("Thequickbrownfoxjumpsoveralazydog."))
+    one += area(*realise(text(std::string(1, c))).mesh);
+  EXPECT_NEAR(area(*realise(text(page)).mesh), 100 * one, 1e-3 * 100 * one);
+  const Mesh deep = *realise(text("ox", 0.3)).mesh;
+  EXPECT_TRUE(deep.closed);
+  EXPECT_EQ(deep.triangles.size(),
+            realise(text("o", 0.3)).mesh->triangles.size() + realise(text("x", 0.3)).mesh->triangles.size());
+}
+
 TEST(Geometry, DeepTextIsAClosedBody) {
   for (const char* words : {"I", "O", "B8&@", "Betwixt", "fi%"}) {
     const Mesh flat = *realise(text(words)).mesh, deep = *realise(text(words, 0.25)).mesh;

@@ -26,6 +26,11 @@ TEST(Lua, WhatNeverEndsIsStopped) {
   EXPECT_EQ(error("table.move({}, 1, 1e9, 2)"), steps);
   EXPECT_EQ(error("local t = {} for i = 1, 1e9 do table.insert(t, 1, i) end"), steps);
   EXPECT_EQ(error("while true do local s = ('x'):rep(100000) end"), memory);
+  EXPECT_EQ(error("('').rep('', 1e15)"), steps);
+  EXPECT_EQ(error("('').rep('', 1e15, '')"), steps);
+  EXPECT_EQ(error("local a, b = ('x'):rep(900000) .. 'a', ('x'):rep(900000) .. 'b' while a < b do end"), steps);
+  EXPECT_EQ(error("local a, b = ('x'):rep(900000) .. 'a', ('x'):rep(900000) .. 'b' while a ~= b do end"), steps);
+  EXPECT_EQ(number("#(('ab'):rep(3))"), 6);
   EXPECT_EQ(number("1 + 1"), 2) << "and life goes on";
   FakeQuestions q;
   q.procedures["slow"] = made(Role::value, "local s = 0 for i = 1, 100000 do s = s + i end return s");
