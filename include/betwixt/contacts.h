@@ -45,7 +45,7 @@ struct ContactOptions {
 
 struct Contacts {
   // Where so much touches that the pairs do not fit, there are this many of them, and they are not `complete`.
-  static constexpr std::size_t most_pairs = 4'000'000;
+  static constexpr std::size_t most_pairs = 500'000;
 
   Time time;
   std::vector<ContactBox> boxes;     // in object order; what has no extent has no box

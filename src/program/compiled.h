@@ -120,6 +120,8 @@ struct Asking {
   // The work that one question may set going: procedures' steps, what filters look at, whatever asks whatever. It is
   // counted as if nothing were known already, so that it is the same whoever asked before.
   static constexpr std::uint64_t most_work = 10'000'000;
+  // … and all questions of one frame, one after the other.
+  static constexpr std::uint64_t most_of_a_frame = 50'000'000;
   // Counts work; true: it was too much, here or before.
   bool work(std::uint64_t steps) {
     cost += steps;

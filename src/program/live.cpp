@@ -91,7 +91,7 @@ struct Worker {
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
-    if (asking.work(cost + 100)) return std::nullopt;
+    if (asking.work(cost + 300)) return std::nullopt;  // beginning is work, too
     const auto say = [&](const std::string& why) {
       asking.err(fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component),
                              p.code->source.substr(0, 60), why),
@@ -227,7 +227,7 @@ struct Worker {
       const Value v = w.looked_at(s, stage, from_seconds(seconds));
       return component < 0 ? v : Value(component_of(v, component));
     }
-    void work(std::uint64_t steps) override { w.asking.work(steps + 100); }
+    void work(std::uint64_t steps) override { w.asking.work(steps + 300); }
   };
 
   // What a filter sees. Filters on top of each other look at the same times again and again, on grids of their own:
@@ -379,6 +379,12 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
     return known->second.value;
   }
   const bool outermost = asking.open.empty();
+  if (outermost && asking.cost > Asking::most_of_a_frame) {
+    asking.say(
+        fmt::format("one frame takes more than {} steps: the values that are left count without procedures and filters",
+                    Asking::most_of_a_frame));
+    return worker.without_asking(t, component);
+  }
   if (outermost) asking.begun = asking.cost, asking.given_up = false;
   Working working(asking);
   asking.open.push_back(key);

@@ -3,6 +3,8 @@
 //
 // The work that one question or command may set going: counted, shared by all of it, and never too much. What these
 // films ask for would take from minutes to the age of the universe.
+#include <algorithm>
+
 #include "support/loaded_film.h"
 #include "track/track.h"
 
@@ -63,6 +65,23 @@ TEST(Work, TooMuchIsSaidAndTheValueIsWhatItIsWithoutIt) {
   // Whoever asks for it counts all of it, and is cut itself.
   const LoadedFilm two(ramp + "create b sphere\nset b.radius = \"1 + value('a.position.x')\"\n" + deep);
   EXPECT_EQ(two.numbers("b.radius", "121f")[0], 1);
+}
+
+TEST(Work, AFrameHasAnEndToo) {
+  // Each of many asks the one before it twice, before and after: two to the power of their number.
+  std::string text = "rate 24\ncreate o{1..120} sphere\n";
+  for (int i = 2; i <= 120; ++i)
+    text += fmt::format("set o{}.radius = \"value('o{}.radius', t - 0.1) + value('o{}.radius', t + 0.1)\"\n", i, i - 1,
+                        i - 1);
+  const Program program = Program::compile(LoadedFilm(text).loaded.document);
+  const Frame one = program.frame(Rate{}.frame(24)), two = program.frame(Rate{}.frame(24));
+  EXPECT_EQ(one.items.size(), 120u);
+  EXPECT_TRUE(
+      std::find(
+          one.problems.begin(), one.problems.end(),
+          "one frame takes more than 50000000 steps: the values that are left count without procedures and filters") !=
+      one.problems.end());
+  for (std::size_t i = 0; i < one.items.size(); ++i) EXPECT_EQ(one.items[i].shape->size, two.items[i].shape->size) << i;
 }
 
 TEST(Work, CommandsThatRunOthersShareTheirs) {
