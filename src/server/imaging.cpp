@@ -9,6 +9,7 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <new>
 
 #include "base/names.h"
 #include "commands/verbs.h"
@@ -193,7 +194,11 @@ Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   if (line.size() > longest_line || (said.open && lines >= most_open_lines))
     return no(h, now,
               fail(ErrorCode::range, "this command goes on for too long", "a bracket or a \"\"\" is never closed"));
-  if (!said.open) return enter_whole(h, said, now);
+  if (!said.open) try {
+      return enter_whole(h, said, now);
+    } catch (const std::bad_alloc&) {  // it was worked out on a copy
+      return no(h, now, fail(ErrorCode::machine, "there is not enough memory for this"));
+    }
   h.open = line, h.open_lines = lines + 1;
   return yes(h, now, ",\"more\":true");
 }

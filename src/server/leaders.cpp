@@ -16,6 +16,7 @@ bool Leaders::run(const std::function<void()>& give_up) {
   changed_.wait(lock, idle);
   lock.unlock();
   for (std::thread& t : threads_) t.join();
+  if (failed_) std::rethrow_exception(failed_);
   return true;
 }
 
@@ -40,7 +41,13 @@ void Leaders::serve() {
   while (!stop_) {
     if (leader_ == std::thread::id()) leader_ = self;
     if (leader_ == self) {
-      round_(lock);
+      try {
+        round_(lock);
+      } catch (...) {  // memory, above all
+        if (!lock.owns_lock()) lock.lock();
+        failed_ = std::current_exception();
+        stop();
+      }
     } else {
       ++idle_;
       changed_.wait(lock);
@@ -56,10 +63,16 @@ void Leaders::beside(const std::function<void()>& work) {
   ++working_;
   changed_.notify_all();
   mutex_.unlock();
-  work();
+  std::exception_ptr failed;
+  try {
+    work();
+  } catch (...) {
+    failed = std::current_exception();
+  }
   mutex_.lock();
   --working_;
   if (stop_) changed_.notify_all();
+  if (failed) std::rethrow_exception(failed);
 }
 
 }  // namespace betwixt

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -20,7 +21,8 @@ class Leaders {
   explicit Leaders(std::function<void(Lock&)> round) : round_(std::move(round)) {}
 
   // Leads, with other threads, until stop(). Work that is not done then is not waited for, half a second later:
-  // `give_up` ends the process; where there is none, it is. False: no thread is to be had.
+  // `give_up` ends the process; where there is none, it is. False: no thread is to be had. What a round throws ends it
+  // all, and is thrown here; what work throws comes out of beside().
   bool run(const std::function<void()>& give_up);
   // Of those that lead: the last round.
   void stop();
@@ -40,6 +42,7 @@ class Leaders {
   std::vector<std::thread> threads_;
   std::thread::id leader_;
   std::size_t idle_ = 0, working_ = 0;
+  std::exception_ptr failed_;
   bool stop_ = false;
 };
 

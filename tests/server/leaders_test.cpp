@@ -10,6 +10,8 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <new>
+#include <stdexcept>
 
 namespace betwixt {
 namespace {
@@ -83,6 +85,28 @@ TEST(Leaders, WhatDoesNotEndIsGivenUp) {
   all = &leaders;
   EXPECT_TRUE(leaders.run([&] { given_up = true, end.set_value(); }));  // the server's ends the process
   EXPECT_TRUE(given_up);
+}
+
+TEST(Leaders, WhatIsThrownComesOut) {
+  int rounds = 0;
+  bool came_out = false;
+  Leaders* all = nullptr;
+  Leaders leaders([&](Leaders::Lock& lock) {
+    if (++rounds == 1) {
+      try {
+        all->beside([] { throw std::bad_alloc(); });
+      } catch (const std::bad_alloc&) {
+        came_out = lock.owns_lock();
+      }
+      throw std::runtime_error("enough");
+    }
+    lock.unlock();
+    std::this_thread::yield();
+    lock.lock();
+  });
+  all = &leaders;
+  EXPECT_THROW(leaders.run({}), std::runtime_error);
+  EXPECT_TRUE(came_out);
 }
 
 }  // namespace
