@@ -73,7 +73,12 @@ bool animate(Command& k) {
                   "what moves faster takes larger steps");
   if (!c.accept_word("by"))
     return c.fail_here(ErrorCode::syntax, "'by' and a transform are missing here", "as in by rotate(10deg, z)");
-  if (!values(k).transform(a.motion)) return false;
+  std::string_view unrounded;
+  if (!values(k).transform(a.motion, &unrounded)) return false;
+  if (!unrounded.empty())
+    script.note(Severity::notice,
+                "this matrix turns and moves but for errors below 1e-7, and is taken as if it had none", unrounded,
+                "translate(…) rotate(…) are taken as they are said");
   while (!c.at_line_end()) {
     start = c.at;
     const std::string_view key = c.word();

@@ -9,6 +9,7 @@
 
 #include "base/names.h"
 #include "language/values.h"
+#include "scene/power.h"
 
 namespace betwixt {
 namespace {
@@ -118,9 +119,10 @@ struct FactorReader {
 
 }  // namespace
 
-bool ValueReader::transform(Mat4& out) {
+bool ValueReader::transform(Mat4& out, std::string_view* noticed) {
   Mat4 product;
   int count = 0;
+  std::string_view alone;  // the word of a matrix
   for (;; ++count) {
     c.space();
     if (count > 0 && c.accept('*')) c.space();
@@ -129,6 +131,7 @@ bool ValueReader::transform(Mat4& out) {
     c.next_word();
     if (!factor.read()) return false;
     product = product * (factor.centred ? about(factor.matrix, factor.centre) : factor.matrix);
+    alone = count == 0 && factor.word == "matrix" ? factor.word : std::string_view();
   }
   if (count == 0) {
     const std::string hint = did_you_mean(c.peek_word(), {std::begin(factors), std::end(factors)});
@@ -137,7 +140,9 @@ bool ValueReader::transform(Mat4& out) {
   }
   for (const double n : product.m)
     if (!std::isfinite(n)) return c.fail_here(ErrorCode::range, "this transform grows beyond all numbers");
-  out = product;
+  const auto meant = noticed && !alone.empty() ? unrounded(product) : std::nullopt;
+  if (meant && meant->noticeable) *noticed = alone;
+  out = meant ? meant->matrix : product;
   return true;
 }
 

@@ -44,8 +44,9 @@ struct ValueReader {
   bool object(ObjectId& out);  // a name that exists
   bool axis(Vec3& out);        // x, y, z or (x y z)
   // translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), one behind the other:
-  // the leftmost is applied last.
-  bool transform(Mat4& out);
+  // the leftmost is applied last. With `noticed`, a matrix(…) alone that turns and moves but for rounding is taken as
+  // if it did so exactly; where that can be noticed, this is its word.
+  bool transform(Mat4& out, std::string_view* noticed = nullptr);
   bool motion(Moves& out);  // T(…) R(…) S(…); "" for none
   // Plain names, also of what is not there yet: (spin drift), or one of them.
   bool names(Names& out);

@@ -10,6 +10,7 @@
 #include "betwixt/language.h"
 #include "language/values.h"
 #include "scene/names.h"
+#include "scene/power.h"
 
 namespace betwixt {
 namespace {
@@ -283,7 +284,9 @@ struct Writer {
       out += fmt::format("at {}t {} {}", event.tick, verbs[event.what.index()], name);
       if (a) {
         const Timing& t = a->timing;
-        out += fmt::format(" every {}t by {}", t.interval, write_matrix(a->motion));
+        // Of a matrix alone it would not be known that each of its digits was meant.
+        out += fmt::format(" every {}t by {}{}", t.interval, write_matrix(a->motion),
+                           unrounded(a->motion) ? " scale(1)" : "");
         if (t.change != 0)
           out += fmt::format(" {} {}t per {}t", t.change > 0 ? "slower" : "faster", std::abs(t.change), t.period);
         if (t.ceiling != Timing{}.ceiling) out += fmt::format(" limit {}t", t.ceiling);

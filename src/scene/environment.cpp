@@ -147,10 +147,6 @@ void Environment::keep(Output out) {
 
 void Environment::animate(Key key, const Animate& a, Output& out) {
   const Scheduled now{key, std::make_shared<Motion>(Motion{a.motion, a.timing, a.keep_phase, Power(a.motion)})};
-  if (now.motion->power.snapped())
-    out.problems.push_back(
-        {key.number, Severity::notice,
-         fail(ErrorCode::range, "this motion turns and moves but for small errors, and is taken as if it had none")});
   if (!alive()) {
     births_.push({key, spans_.size() + out.spans.size()});
     now_ = {.span = {}, .started = false, .warned = now_.warned};

@@ -76,7 +76,7 @@ class Environment {
     Error what;
   };
   // Events that mean nothing (errors); once, an Animate that came before the first update of the one before it, as
-  // such never lead to any (warning); a motion taken as rigid (notice).
+  // such never lead to any (warning).
   std::vector<Problem> problems() const;
 
   std::size_t size() const { return events_.size(); }

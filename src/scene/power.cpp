@@ -15,8 +15,9 @@ namespace {
 using Real = long double;
 using Block = std::array<std::array<Real, 3>, 3>;
 
-constexpr Real exact = 1e-12L;  // what products of f64 rotations are off by, and more
-constexpr double near_rigid = 1e-5;
+constexpr Real exact = 1e-14L;     // what a few factors in f64 are off by, and more
+constexpr Real product = 1e-12L;   // what many are
+constexpr Real in_floats = 1e-7L;  // an element: f32 rounds by 6e-8
 const double log_bound = std::log(Power::bound);
 
 Block linear_part(const Mat4& m) {
@@ -47,13 +48,20 @@ Real off_square(const Block& b, Real k) {
   return most;
 }
 
+// How much it scales, where it does so evenly.
+Real size_of(const Block& b) {
+  const Block square = times_its_transpose(b);
+  return std::sqrt((square[0][0] + square[1][1] + square[2][2]) / 3);
+}
+bool has_size(Real size) { return size > 1e-100L && size < 1e100L; }
+
 Block scaled(Block b, Real k) {
   for (auto& row : b)
     for (Real& e : row) e *= k;
   return b;
 }
 
-// The rotation next to one that is off by 1e-5 at most: Newton's steps to the orthogonal polar factor.
+// The rotation next to one that is off by little: Newton's steps to the orthogonal polar factor.
 Block straightened(Block b) {
   for (int step = 0; step < 3; ++step) {
     const Block g = times_its_transpose(b), old = b;
@@ -183,23 +191,35 @@ Power::Power(const Mat4& m) {
   ladder_ = std::make_shared<const std::vector<Mat4>>(std::move(rungs));
 }
 
+std::optional<Unrounded> unrounded(const Mat4& m) {
+  const Block b = linear_part(m);
+  const Real size = size_of(b);
+  if (!is_affine(m) || !has_size(size)) return std::nullopt;
+  const Real off = off_square(scaled(b, 1 / size), 1);
+  if (off < exact) return std::nullopt;
+  Unrounded out{m, off >= product};
+  const Block even = straightened(scaled(b, 1 / size));
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      if (out.noticeable && !(std::abs(b[i][j] - even[i][j]) < in_floats)) return std::nullopt;
+      out.matrix(i, j) = static_cast<double>(out.noticeable ? even[i][j] : size * even[i][j]);
+    }
+  return out;
+}
+
 // False for what is general.
 bool Power::classify(const Mat4& m) {
   Block b = linear_part(m);
-  const Block square = times_its_transpose(b);
-  const Real size = std::sqrt((square[0][0] + square[1][1] + square[2][2]) / 3);
-  if (!is_affine(m) || !(size > 1e-100L && size < 1e100L)) return false;
-  const bool even = off_square(scaled(b, 1 / size), 1) < exact;
-  if (!even && off_square(b, 1) >= static_cast<Real>(near_rigid)) return false;
-  snapped_ = !even;
+  const Real size = size_of(b);
+  if (!is_affine(m) || !has_size(size) || off_square(scaled(b, 1 / size), 1) >= exact) return false;
 
   Similarity& f = similarity_;
-  const Real scale = even && std::abs(size - 1) > exact ? size : 1;
+  const Real scale = std::abs(size - 1) > exact ? size : 1;
   f.scale = static_cast<double>(scale);
   f.log_scale = static_cast<double>(std::log(scale));
   f.mirrored = determinant(b) < 0;
   // A mirror is minus a rotation, and minus the identity is half a turn across the axis and a reflection along it.
-  b = straightened(scaled(b, (f.mirrored ? -1 : 1) / (even ? size : 1)));
+  b = straightened(scaled(b, (f.mirrored ? -1 : 1) / size));
   const auto [axis, turns] = turning(b);
   f.axis = axis;
   f.turns = in_turns(turns) + (f.mirrored ? std::uint64_t{1} << 63 : 0);

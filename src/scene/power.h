@@ -56,9 +56,6 @@ class Power {
   std::optional<Mat4> real(double n) const;
 
   Kind kind() const { return kind_; }
-  // M was rigid but for |M M' - I| < 1e-5 in its linear part, more than rounding of f64 makes, and is taken as rigid:
-  // in M^n the small error would become a large one. An even scale, exact in f64, is somebody's wish and stays.
-  bool snapped() const { return snapped_; }
   // M^n is held at `bound`.
   bool clamped(std::int64_t n) const;
   // Of identities and translations, too; means nothing for general matrices.
@@ -70,10 +67,19 @@ class Power {
   Mat4 climb(std::int64_t n, bool& clamped) const;
 
   Kind kind_ = Kind::identity;
-  bool snapped_ = false;
   Similarity similarity_;
   std::shared_ptr<const std::vector<Mat4>> ladder_;  // M^(2^k); a last rung that is its own square stands for the rest
 };
+
+// For a matrix that came as numbers, perhaps from a machine with f32: the rigid motion (a turn, a mirror, a way) or,
+// with an even scale, the similarity that it was before it was rounded; in M^n the small error would become a large
+// one. None where M is as good as its f64, or where an element is off by 1e-7 or more: that is somebody's wish and
+// stays.
+struct Unrounded {
+  Mat4 matrix;
+  bool noticeable = false;  // off by more than products of f64 are
+};
+std::optional<Unrounded> unrounded(const Mat4& m);
 
 // m with no element beyond +-Power::bound; sets `clamped` where an element has come to it.
 Mat4 bounded(const Mat4& m, bool& clamped);

@@ -42,6 +42,46 @@ TEST(Environments, RollAndSpiralByTheOrderOfFactors) {
   EXPECT_NEAR((*std::get<Matrix>(grow.read("a.world", "1t")))(0, 0), 4, 1e-12);
 }
 
+// shows: R-E15
+TEST(Environments, TakeWordsAsTheyAreSaid) {
+  const auto after_a_million = [](const std::string& transform, int element) {
+    const LoadedFilm s("create a sphere\nanimate m every 1t by " + transform + "\nset a.environments m\n");
+    EXPECT_EQ(said(s.loaded.diagnostics), "") << transform;
+    const auto again = load_text(write(s.loaded.document), "again.bx");  // as matrix(…)
+    EXPECT_EQ(said(again.diagnostics), "") << transform;
+    EXPECT_EQ(write(again.document), write(s.loaded.document));
+    return std::get<Matrix>(s.read("a.world", "999999t"))->m[static_cast<std::size_t>(element)];
+  };
+  for (const double more : {1e-6, 5e-6, 1e-8, 2e-11, 2e-13})  // (1 + x)^n = e^(n log(1 + x))
+    EXPECT_NEAR(after_a_million(fmt::format("scale(1 1 {})", 1 + more), 10), std::exp(1e6 * std::log1p(1 + more - 1)),
+                1e-8)
+        << more;
+  EXPECT_NEAR(after_a_million("scale(1 1 1.000001)", 10), 2.7182804693, 1e-9);
+  EXPECT_NEAR(after_a_million("rotate(90deg, z) scale(1 1 1.000001)", 10), 2.7182804693, 1e-9);
+  EXPECT_NEAR(after_a_million("scale(1.000001)", 0), 2.7182804693, 1e-9);
+}
+
+// shows: R-E15
+TEST(Environments, TakeMatricesInFloatsForTurns) {
+  const double c = static_cast<float>(std::cos(0.7)), sine = static_cast<float>(std::sin(0.7));
+  ASSERT_GT(std::abs(c * c + sine * sine - 1), 1e-9) << "in f64 it would shrink or grow";
+  const std::string turn = fmt::format("matrix({0} {2} 0 0  {1} {0} 0 0  0 0 1.00000005 0  0 0 0 1)", c, sine, -sine);
+  const LoadedFilm s("create a sphere position=(1 0 0)\nanimate m every 1t by " + turn + "\nset a.environments m\n");
+  EXPECT_EQ(
+      said(s.loaded.diagnostics),
+      "test.bx:2:23: notice: this matrix turns and moves but for errors below 1e-7, and is taken as if it had none\n"
+      "  animate m every 1t by " +
+          turn + "\n                        ^~~~~~\n" + "  translate(…) rotate(…) are taken as they are said\n");
+  const Matrix late = std::get<Matrix>(s.read("a.world", "99999999t"));
+  EXPECT_NEAR(length(transform_vector(*late, {1, 0, 0})), 1, 1e-12);
+  EXPECT_NEAR(late->m[10], 1, 1e-12);
+  EXPECT_EQ(said(load_text(write(s.loaded.document), "again.bx").diagnostics), "");
+  // At rest nothing adds up: it is what was said.
+  const LoadedFilm still("create a sphere\nset a.transform " + turn + "\n");
+  EXPECT_EQ(said(still.loaded.diagnostics), "");
+  EXPECT_EQ(std::get<Matrix>(still.read("a.world", "0t"))->m[10], 1.00000005);
+}
+
 // shows: C57 C58 C60 C61 C62 C63 C76
 TEST(Environments, NestTheFirstIsTheOutermost) {
   const LoadedFilm s(

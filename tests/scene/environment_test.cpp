@@ -203,16 +203,13 @@ TEST(Environment, SmoothMotionGoesThroughTheSteps) {
   EXPECT_EQ(e.smooth(0, 43.5), e.at(0, 43));
 }
 
-TEST(Environment, WhatGrowsTooLargeIsHeldAndToldAsRoundingIs) {
-  Mat4 rough = rotation(axis_angle({0, 1, 1}, 0.3));
-  for (double& v : rough.m) v = static_cast<float>(v);
-  const Environment e = Environment::compile({{0, 1, every(1, scaling({2, 2, 2}))}, {100, 2, every(1, rough)}});
+TEST(Environment, WhatGrowsTooLargeIsHeld) {
+  const Mat4 turn = rotation(axis_angle({0, 1, 1}, 0.3));
+  const Environment e = Environment::compile({{0, 1, every(1, scaling({2, 2, 2}))}, {100, 2, every(1, turn)}});
   EXPECT_FALSE(e.clamped(0, 50));
   EXPECT_TRUE(e.clamped(0, 99));
   EXPECT_TRUE(std::isfinite(e.at(0, 1'000'000)(0, 0)));
-  ASSERT_EQ(e.problems().size(), 1U);
-  EXPECT_EQ(e.problems()[0].severity, Severity::notice);
-  EXPECT_EQ(e.problems()[0].number, 2U);
+  EXPECT_TRUE(e.problems().empty());
 }
 
 TEST(Environment, WhatMeansNothingIsRefusedInWords) {

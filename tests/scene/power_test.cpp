@@ -110,7 +110,7 @@ TEST(Power, SimilaritiesAreTheirLiteralProducts) {
     const Mat4 m = translation(dice.vector(3)) * rotation(turn) * scaling({flip * scale, scale, scale});
     const Power power(m);
     ASSERT_NE(power.kind(), Power::Kind::general) << i;
-    EXPECT_FALSE(power.snapped());
+    EXPECT_FALSE(unrounded(m));
     for (int n : {0, 1, 2, 3, 10, 999, 1000}) {
       const Mat4 want = literal(m, n);
       worst = std::max(worst, difference(power(n), want) / std::max(1.0, largest(want)));
@@ -209,8 +209,11 @@ TEST(Power, NothingGrowsWithoutBound) {
 TEST(Power, NearlyRigidMatricesAreMadeRigid) {
   Mat4 m = about({1, 2, 3}, {1, 1, 0}, 0.4);
   for (double& e : m.m) e = static_cast<float>(e);
-  const Power power(m);
-  EXPECT_TRUE(power.snapped());
+  EXPECT_EQ(Power(m).kind(), Power::Kind::general);
+  const auto meant = unrounded(m);
+  ASSERT_TRUE(meant && meant->noticeable);
+  EXPECT_FALSE(unrounded(meant->matrix));
+  const Power power(meant->matrix);
   const Mat4 late = power(100'000'000);
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(length({late(i, 0), late(i, 1), late(i, 2)}), 1, 1e-14);
@@ -219,12 +222,27 @@ TEST(Power, NearlyRigidMatricesAreMadeRigid) {
   EXPECT_LT(difference(power(1), m), 1e-6);
   // Too far from rigid: as it is.
   m(0, 0) += 1e-4;
-  EXPECT_FALSE(Power(m).snapped());
+  EXPECT_FALSE(unrounded(m));
   EXPECT_EQ(Power(m).kind(), Power::Kind::general);
+  EXPECT_TRUE(unrounded(scaling({1, 1, 1 + 9e-8})));
+  EXPECT_FALSE(unrounded(scaling({1, 1, 1.000001})));
   // An even scale is meant, however small.
+  EXPECT_FALSE(unrounded(scaling({1.000001, 1.000001, 1.000001})));
   const Power slow(scaling({1.000001, 1.000001, 1.000001}));
-  EXPECT_FALSE(slow.snapped());
   EXPECT_NEAR(slow(1'000'000)(2, 2), std::pow(1.000001, 1e6), 1e-9);
+}
+
+// shows: R-E15
+TEST(Power, WhatManyProductsLeaveIsTakenAwayQuietly) {
+  Mat4 turned = scaling({1.5, 1.5, 1.5});
+  const Mat4 third = rotation(axis_angle({1, 2, 3}, 2 * pi / 3));
+  for (int i = 0; i < 300; ++i) turned = turned * third;
+  turned(0, 0) += 1e-13;
+  const auto meant = unrounded(turned);
+  ASSERT_TRUE(meant);
+  EXPECT_FALSE(meant->noticeable);
+  EXPECT_LT(difference(meant->matrix, scaling({1.5, 1.5, 1.5})), 1e-12);
+  EXPECT_EQ(Power(meant->matrix).kind(), Power::Kind::similarity);
 }
 
 // shows: R-E1d
