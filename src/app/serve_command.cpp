@@ -81,11 +81,10 @@ class WindowScreen final : public Screen {
   Picture picture_;
 };
 
-Result<NewScreen> screen_of(const ServeCall& call, Rate rate) {
+Result<NewScreen> screen_of(const ServeCall& call, Rate rate, std::function<void(const Error&)> trouble) {
   const RenderOptions picture = call.picture;
   if (call.to.empty() || call.to == "nowhere") return NewScreen();
-  if (call.to.starts_with("film:"))
-    return film_screen(call.to.substr(5), picture, rate, [](const Error& e) { complain(e, wrong_call); });
+  if (call.to.starts_with("film:")) return film_screen(call.to.substr(5), picture, rate, std::move(trouble));
   if (call.to.starts_with("ring:")) return ring_screen(call.to.substr(5), picture);
   if (call.to == "terminal")
     return NewScreen([picture]() -> Result<std::unique_ptr<Screen>> {
@@ -157,6 +156,7 @@ int serve(ServeCall& call) {
   call.serve.stop = stops();
   call.imaging.load = load_options();
   call.imaging.contacts.aspect = static_cast<double>(call.picture.width) / call.picture.height;
+  std::optional<Error> no_film;  // set by the film's thread, read when that has ended
   // The clock is asked for its figures while hosts are served; it begins after what it shows.
   std::unique_ptr<FrameClock> clock;
   call.imaging.stats = [&] { return clock ? clock->stats() : std::string(); };
@@ -172,7 +172,7 @@ int serve(ServeCall& call) {
 
   const auto rate = rate_of(call.rate, imaging.document().rate());
   if (!rate) return complain(rate.error(), wrong_call);
-  auto screen = screen_of(call, *rate);
+  auto screen = screen_of(call, *rate, [&no_film](const Error& e) { no_film = e; });
   if (!screen) return complain(screen.error(), wrong_call);
   std::vector<Listener> doors;
   if (!call.tcp.empty()) {
@@ -213,7 +213,8 @@ int serve(ServeCall& call) {
   if (served) end_soon();
   clock.reset();  // what it showed is finished
   ::close(call.serve.stop);
-  return served ? static_cast<int>(all_done) : complain(served.error(), machine_failed);
+  if (!served) return complain(served.error(), machine_failed);
+  return no_film ? complain(*no_film, wrong_call) : static_cast<int>(all_done);
 }
 
 // What hosts may ask for at most.

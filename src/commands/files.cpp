@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "betwixt/picture.h"
 #include "commands/command.h"
@@ -21,8 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr int most_included = 10'000;  // files that use files that use files: their number can grow without end
 
-Result<std::string> contents(const fs::path& path) {
-  FileContents in = read_contents(path.string(), {.special = true});
+Result<std::string> contents(const fs::path& path, bool special) {
+  FileContents in = read_contents(path.string(), {.special = special});
   const auto failed = [&](const std::string& what) {
     return fail(ErrorCode::file, fmt::format("'{}' {}", path.string(), what));
   };
@@ -33,6 +35,8 @@ Result<std::string> contents(const fs::path& path) {
       return fail(ErrorCode::file, fmt::format("there is no file '{}'", path.string()));
     case Hindrance::folder:
       return failed("is a folder, not a script");
+    case Hindrance::special:
+      return failed("is no plain file");
     case Hindrance::too_large:
       return failed(fmt::format("is too large for a script: {:.1f} GB, where 1 GiB is the most",
                                 static_cast<double>(in.size) / 1e9));
@@ -67,7 +71,7 @@ std::string Script::shown(const fs::path& path) const {
 }
 
 void read_file(Scene& s, Script& script, const std::string& path) {
-  auto text = contents(path);
+  auto text = contents(path, true);  // of the author's own choice: it may come through a pipe
   if (!text) {
     script.diagnostics.push_back({Severity::error, text.error(), {}, 0});
     return;
@@ -79,6 +83,19 @@ void read_file(Scene& s, Script& script, const std::string& path) {
 }
 
 namespace {
+
+// What is wrong with a file that does not even call itself a script is said without its words: they may be nobody's
+// business. Where there were errors among the diagnostics from `said` on, all of them go; the line of the first is
+// returned, or 0 where it is in another file.
+std::optional<int> take_back(Script& script, std::size_t said, const std::string& file) {
+  auto& all = script.diagnostics;
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>(said);
+  const auto bad = std::find_if(first, all.end(), [](const auto& d) { return d.severity == Severity::error; });
+  if (bad == all.end()) return std::nullopt;
+  const int line = bad->what.place.file == file ? bad->what.place.line : 0;
+  all.erase(first, all.end());
+  return line;
+}
 
 bool use(Command& k) {
   auto& [s, c, time, layer, script] = k;
@@ -105,13 +122,20 @@ bool use(Command& k) {
   if (script.included >= most_included)
     return c.fail(ErrorCode::file, fmt::format("more than {} files are included", most_included), about);
   ++script.included;
-  auto text = contents(path);
+  auto text = contents(path, false);
   if (!text) return c.fail(text.error().code, text.error().message, about);
   script.open_files.push_back(real);
+  const std::size_t said = script.diagnostics.size();
   const auto now = std::exchange(script.options.now, std::nullopt);  // its lines came when it was written
   read_text(s, script, *text, path.string());
   script.options.now = now;
   script.open_files.pop_back();
+  if (ending(path.string()) != "bx")
+    if (const auto bad = take_back(script, said, path.string())) {
+      const std::string where = *bad > 0 ? fmt::format(": its line {} means nothing", *bad) : "";
+      return c.fail(ErrorCode::file, fmt::format("'{}' is no script{}", name, where), about,
+                    "lines of files that end in .bx are shown");
+    }
   // What the file may have changed holds for the rest of this line's text.
   c.rate = s.rate, c.ticks = s.ticks;
   return true;

@@ -64,6 +64,13 @@ std::string last_words(std::string text) {
   return text;
 }
 
+// Whether it speaks of a file that could not be written.
+bool names_failure(const std::string& said) {
+  for (const int reason : {ENOSPC, EIO, EDQUOT, EFBIG})
+    if (said.find(std::strerror(reason)) != std::string::npos) return true;
+  return false;
+}
+
 }  // namespace
 
 Error stopped() { return fail(ErrorCode::machine, "the film was stopped"); }
@@ -145,13 +152,20 @@ Status Encoder::end(const KeepGoing& keep_going) {
   while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Nothing{};
+  // Of what fails while it closes its file it speaks, and ends as if all were well.
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !names_failure(said_)) return Nothing{};
   return complaint(status);
+}
+
+Error Encoder::wrote_nothing() const {
+  const std::string words = last_words(said_);
+  return fail(ErrorCode::machine,
+              fmt::format("ffmpeg wrote nothing: {}", words.empty() ? "it did not say why" : words));
 }
 
 Error Encoder::complaint(int status) const {
   const std::string words = last_words(said_);
-  if (words.find(std::strerror(ENOSPC)) != std::string::npos)
+  if (said_.find(std::strerror(ENOSPC)) != std::string::npos)
     return fail(ErrorCode::machine, "the disk is full (ffmpeg said: " + words + ")");
   if (WIFSIGNALED(status))
     return fail(

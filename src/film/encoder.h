@@ -32,6 +32,7 @@ class Encoder {
 
   Status write(const std::vector<std::uint8_t>& bytes, const KeepGoing&);
   Status finish(const KeepGoing&);  // no more frames: waits until the file is whole
+  Error wrote_nothing() const;      // for a file that is empty although all went well; with the program's words
 
  private:
   Encoder(pid_t pid, int in, int err) : pid_(pid), in_(in), err_(err) {}

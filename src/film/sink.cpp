@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "film/sink.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 
 #include "base/files.h"
 #include "betwixt/picture.h"
+#include "film/partial.h"
 #include "film/yuv.h"
 
 namespace betwixt {
@@ -19,18 +15,13 @@ namespace {
 class Movie final : public Sink {
  public:
   Movie(const FilmOptions& o, Output place)
-      : options_(o), place_(std::move(place)), partial_(place_.hidden(suffix())) {}
-  ~Movie() override {
-    encoder_.reset();
-    if (!done_) ::unlink(partial_.c_str());
-  }
+      : options_(o), place_(std::move(place)), partial_(place_, Partial::What::file) {}
 
   Status start() {
     if (Status s = check_place(options_.path, options_.overwrite); !s) return s;
     // Made here, not by ffmpeg, so that a folder that cannot be written to is our own clear error.
-    const OpenFile made(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (!made) return system_error(errno, "write", options_.path);
-    auto encoder = Encoder::start(encoder_arguments(options_, *place_.format, partial_));
+    if (Status s = partial_.make(); !s) return s;
+    auto encoder = Encoder::start(encoder_arguments(options_, *place_.format, partial_.path()));
     if (!encoder) return encoder.error();
     encoder_ = *std::move(encoder);
     return Nothing{};
@@ -47,40 +38,32 @@ class Movie final : public Sink {
 
   Status finish(const KeepGoing& keep_going) override {
     if (Status s = encoder_->finish(keep_going); !s) return s;
-    if (Status s = put_in_place(partial_, options_.path, options_.overwrite); !s) return s;
-    done_ = true;
+    if (partial_.size() == 0) return encoder_->wrote_nothing();
+    if (Status s = partial_.written(); !s) return s;
+    if (Status s = put_in_place(partial_.path(), options_.path, options_.overwrite); !s) return s;
+    partial_.moved();
     return Nothing{};
   }
 
  private:
-  std::string suffix() const { return place_.name.substr(place_.name.rfind('.')); }
-
   const FilmOptions options_;
   const Output place_;
-  const std::string partial_;
-  std::unique_ptr<Encoder> encoder_;
-  bool done_ = false;
+  Partial partial_;
+  std::unique_ptr<Encoder> encoder_;  // goes first: it writes there
 };
 
 // Pictures gather in a hidden folder and move to their names together: a film is there whole or not at all.
 class Pictures final : public Sink {
  public:
   Pictures(const FilmOptions& o, Output place)
-      : options_(o), place_(std::move(place)), gathering_(place_), count_(o.frames) {
-    gathering_.folder = place_.hidden("");
-  }
-  ~Pictures() override {
-    if (!made_) return;
-    for (int k = 0; k < count_; ++k) ::unlink(gathering_.path(number(k)).c_str());
-    ::rmdir(gathering_.folder.c_str());
-  }
+      : options_(o), place_(std::move(place)), partial_(place_, Partial::What::folder), count_(o.frames) {}
 
   Status start() {
     for (int k = 0; k < count_; ++k)
       if (Status s = check_place(place_.path(number(k)), options_.overwrite); !s) return s;
-    if (::mkdir(gathering_.folder.c_str(), 0777) != 0 && errno != EEXIST)
-      return system_error(errno, "write into", place_.folder);
-    made_ = true;
+    if (Status s = partial_.make(); !s) return s;
+    gathering_ = place_;
+    gathering_.folder = partial_.path();
     return Nothing{};
   }
 
@@ -108,9 +91,9 @@ class Pictures final : public Sink {
 
   const FilmOptions options_;
   const Output place_;
+  Partial partial_;
   Output gathering_;
   const int count_;
-  bool made_ = false;
 };
 
 template <class T>

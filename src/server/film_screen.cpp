@@ -75,9 +75,9 @@ class Film final : public Screen {
     if (s && next == 0) s = fail(ErrorCode::range, "no frame was shown, so there is no film");
     if (s) s = sink_->finish([] { return true; });
     if (s) return;
+    trouble_(s.error());
     const std::lock_guard lock(mutex_);
     failed_ = s.error();
-    if (over_) trouble_(s.error());
   }
 
   std::unique_ptr<Renderer> renderer_;

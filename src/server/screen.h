@@ -24,8 +24,8 @@ class Screen {
 };
 using NewScreen = std::function<Result<std::unique_ptr<Screen>>()>;
 
-// A film, every picture of which stands until the next; it is whole when the screen ends, else `trouble` is called.
-// Errors of the makers: those of renderers, of films, and machine (no shared memory).
+// A film, every picture of which stands until the next; it is whole when the screen ends, else `trouble` was called,
+// from another thread. Errors of the makers: those of renderers, of films, and machine (no shared memory).
 NewScreen film_screen(const std::string& path, const RenderOptions&, Rate, std::function<void(const Error&)> trouble);
 // Pictures in shared memory: docs/server.md says how they lie there.
 NewScreen ring_screen(const std::string& name, const RenderOptions&);

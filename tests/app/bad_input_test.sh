@@ -95,6 +95,14 @@ for m in broken.obj broken.glb broken.ply empty.obj none.stl .; do
   call "mesh $m" 1 'mesh.bx:1:20: error: ' check mesh.bx
   call "eval with mesh $m" 1 'mesh.bx:1:20: error: ' eval mesh.bx --at 1f --json
 done
+# What is no script is not quoted.
+printf 'password = hunter2\n' >secret
+printf 'use secret\n' >uses.bx
+call 'use of something else' 1 "'secret' is no script: its line 1 means nothing" check uses.bx
+verdict 'without its words' "$(grep -q hunter "$err" || echo yes)" "$(cat "$err")"
+mkfifo pipe
+printf 'use pipe\n' >uses.bx
+call 'use of a pipe' 1 "'pipe' is no plain file" check uses.bx
 
 # Absurd sizes.
 printf 'rate 24\n' >huge.bx && truncate -s 3G huge.bx

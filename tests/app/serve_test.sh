@@ -159,6 +159,15 @@ end INT
 is 'a film' "$code-$(ffprobe -v error -count_frames -select_streams v -show_entries stream=width,r_frame_rate -of csv=p=0 out.mp4)" '0-64,30/1'
 seconds=$(ffprobe -v error -show_entries format=duration -of csv=p=0 out.mp4)
 is 'as long as it took' "$(awk -v s="$seconds" 'BEGIN { print (s > 1.4 && s < 10) }')" 1
+mkdir disk
+if mount -t tmpfs -o size=4k tmpfs disk 2>/dev/null; then # only root can make a small disk
+  begin show.bx --socket "$socket" --to film:disk/out.mp4 --size 640x360 --rate 30
+  host 's.do("animate drift every 1t by translate(0.05 0.02 0)"); s.do("set ball.environments (drift)"); time.sleep(1)'
+  end INT
+  is 'a film on a full disk' "$code-$(ls -A disk)" '3-'
+  has 'a film on a full disk is told' "$(cat log)" 'the disk is full'
+  umount disk
+fi
 
 # ---- abuse: whatever others do, this host is served
 begin show.bx --socket "$socket" --hosts 300 --rate 120

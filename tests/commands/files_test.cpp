@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Scripts that read other files: from where, how deep, and what is said when one is missing.
+#include <sys/stat.h>
+
 #include <filesystem>
 
 #include "support/folder.h"
@@ -115,6 +117,37 @@ TEST_F(Files, WhatCannotBeRead) {
   for (int i = 0; i < 5; ++i)
     EXPECT_TRUE(m[static_cast<std::size_t>(i)].starts_with(fmt::format("{}:", i + 1))) << said(l.diagnostics);
   EXPECT_EQ(l.document.names().size(), 0u);
+}
+
+TEST_F(Files, ThatAreNoScriptsAreNotQuoted) {
+  put("film/secret", "user: me\npassword = hunter2 and-more\n");
+  put("film/key.pem", "-----BEGIN\nrate 24\nAbCdEf==\n");
+  put("film/colors.txt", "create ball sphere\n");
+  put("film/main.bx", "use secret\nuse key.pem\nuse colors.txt\nset ball.radius 2\n");
+  const Loaded l = load();
+  EXPECT_EQ(messages(l), (Lines{"1:5: 'secret' is no script: its line 1 means nothing",
+                                "2:5: 'key.pem' is no script: its line 1 means nothing"}));
+  for (const char* word : {"user", "hunter", "BEGIN", "AbC", "password"})
+    EXPECT_EQ(said(l.diagnostics).find(word), std::string::npos) << word;
+  // Through another one, too.
+  put("film/main.bx", "use list.txt\n");
+  put("film/list.txt", "# all\nuse parts/a.bx\n");
+  put("film/parts/a.bx", "use ../secret\n");
+  EXPECT_EQ(messages(load()), (Lines{"1:5: 'list.txt' is no script"}));
+}
+
+TEST_F(Files, ThatAreNotPlainAreNeverOpened) {
+  ASSERT_EQ(::mkfifo((folder / "film/pipe").c_str(), 0600), 0);
+  fs::create_symlink(folder / "film/pipe", folder / "film/pipe.obj");
+  fs::create_symlink("/dev/zero", folder / "film/zero.png");
+  fs::create_symlink(folder / "film/pipe", folder / "film/pipe.bx");
+  put("film/main.bx",
+      "use pipe\nuse pipe.bx\nuse /dev/zero\ncreate m mesh file=\"pipe.obj\"\ncreate s sphere texture=\"zero.png\"\n"
+      "create t sphere texture=\"pipe\"\n");
+  EXPECT_EQ(messages(load({true, {}})),
+            (Lines{"1:5: 'film/pipe' is no plain file", "2:5: 'film/pipe.bx' is no plain file",
+                   "3:5: '/dev/zero' is no plain file", "4:20: film/pipe.obj is not a plain file",
+                   "5:25: film/zero.png is not a plain file", "6:25: film/pipe is not a plain file"}));
 }
 
 TEST_F(Files, MeshesArePathsFromTheScript) {

@@ -45,6 +45,24 @@ TEST_F(Film, FfmpegDiesHalfWay) {
   }
 }
 
+TEST_F(Film, FfmpegSaysThatAllIsWell) {
+  struct Case {
+    const char *script, *message;
+  };
+  for (const Case c :
+       {Case{"cat >/dev/null", "ffmpeg wrote nothing: it did not say why"},
+        Case{"cat >/dev/null; echo one >&2; echo 'no such codec' >&2", "ffmpeg wrote nothing: one; no such codec"},
+        Case{"for f; do :; done; cat >\"${f#file:}\"; echo 'x: No space left on device' >&2",
+             "the disk is full (ffmpeg said: x: No space left on device)"}}) {
+    fake_ffmpeg(c.script);
+    const auto made = make_film(options("film.mp4"), gray_steps());
+    ASSERT_FALSE(made) << c.script;
+    EXPECT_EQ(made.error().code, ErrorCode::machine);
+    EXPECT_EQ(made.error().message, c.message);
+    EXPECT_EQ(files(), std::vector<std::string>{"bin"});
+  }
+}
+
 TEST_F(Film, AFullDisk) {
   const fs::path disk = folder_ / "disk";
   fs::create_directory(disk);

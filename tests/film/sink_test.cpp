@@ -4,6 +4,16 @@
 // A film is there when it is whole, and not before.
 #include "film/sink.h"
 
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 #include "film/films.h"
 
 namespace betwixt {
@@ -35,6 +45,54 @@ TEST_F(Film, AnOldFilmStaysWhenTheNewOneFails) {
   std::ifstream(o.path) >> word;
   EXPECT_EQ(word, "old");
   EXPECT_EQ(files(), std::vector<std::string>{"film.mp4"});
+}
+
+TEST_F(Film, WhatAKilledMakerLeftGoesWithTheNext) {
+  for (const std::string name : {"film.mp4", "frame-%d.png"}) {
+    const FilmOptions o = options(name);
+    const pid_t maker = ::fork();
+    if (maker == 0) {
+      const auto dies = painting([](int k, Picture& out) -> Status {
+        if (k == 4) ::kill(::getpid(), SIGKILL);
+        out = plain(64, 48, {0, 0, 0});
+        return Nothing{};
+      });
+      (void)make_film(o, dies);
+      ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(maker, &status, 0), maker);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_EQ(files().size(), 1U) << name;
+    const fs::path left = folder_ / files()[0];
+    // The encoder goes on with what it has; when it has opened the file it makes no other.
+    for (int i = 0; i < 500 && fs::is_regular_file(left) && fs::file_size(left) == 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_TRUE(make_film(o, gray_steps()));
+    for (const std::string& there : files()) EXPECT_NE(there[0], '.') << there;
+    for (const std::string& there : files()) fs::remove(folder_ / there);
+  }
+}
+
+TEST_F(Film, WhatOthersMakeStays) {
+  // Another film, another format, a folder, a link, and one that is being made.
+  const std::vector<std::string> others{".film.1-0.partial.gif", ".film.1-x.partial.mp4", ".film2.1-0.partial.mp4",
+                                        ".film.3-0.partial.mp4", "film.1-0.partial.mp4",  ".film.1-0.partial.mp4.txt"};
+  for (const std::string& name : others) std::ofstream(folder_ / name) << "others";
+  fs::create_directory(folder_ / ".film.4-0.partial.mp4");
+  fs::create_symlink("film2", folder_ / ".film.5-0.partial.mp4");
+  for (const std::string name : {".film.1-0.partial.mp4", ".film.77777-12.partial.mp4"})
+    std::ofstream(folder_ / name) << "left";
+  const int made = ::open((folder_ / ".film.3-0.partial.mp4").c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(made, LOCK_EX), 0);
+  ASSERT_TRUE(make_film(options("film.mp4"), gray_steps()));
+  ::close(made);
+  auto wanted = others;
+  wanted.insert(wanted.end(), {"film.mp4", ".film.4-0.partial.mp4", ".film.5-0.partial.mp4"});
+  auto there = files();
+  std::sort(wanted.begin(), wanted.end());
+  std::sort(there.begin(), there.end());
+  EXPECT_EQ(there, wanted);
 }
 
 }  // namespace
