@@ -24,6 +24,7 @@ install(TARGETS betwixt_library EXPORT betwixt)
 install(EXPORT betwixt NAMESPACE betwixt:: FILE betwixtTargets.cmake DESTINATION ${package})
 install(FILES cmake/betwixtConfig.cmake cmake/dependencies.cmake ${CMAKE_BINARY_DIR}/betwixtConfigVersion.cmake
         DESTINATION ${package})
+install(TARGETS betwixt_parser RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/betwixt)
 install(DIRECTORY include/betwixt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 if(TARGET betwixt_command)
   install(TARGETS betwixt_command)

@@ -67,6 +67,42 @@ int move_to(const std::string& from, const std::string& to, bool overwrite) {
   return done(::rename(from.c_str(), to.c_str()));
 }
 
+// What stands against it, and of a plain file its size, in `out`.
+OpenFile open_within(const std::string& path, const ReadingLimits& limits, FileContents& out) {
+  const auto hindered = [&](Hindrance what, int reason = 0) {
+    out.hindrance = what, out.reason = reason;
+    return OpenFile(-1);
+  };
+  struct stat about {};
+  if (::stat(path.c_str(), &about) != 0) return hindered(Hindrance::missing, errno);
+  if (S_ISDIR(about.st_mode)) return hindered(Hindrance::folder);
+  const bool plain = S_ISREG(about.st_mode);
+  if (!plain && !limits.special) return hindered(Hindrance::special);
+  // Should it have become a pipe meanwhile, one without a writer must not block.
+  OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (plain ? O_NONBLOCK : 0)));
+  if (!file) return hindered(Hindrance::system, errno);
+  out.size = plain ? static_cast<std::uint64_t>(about.st_size) : 0;
+  if (out.size > limits.largest) return hindered(Hindrance::too_large);
+  return file;
+}
+
+Error hindered(const std::string& path, const FileContents& in) {
+  switch (in.hindrance) {
+    case Hindrance::folder:
+      return a_folder(path);
+    case Hindrance::special:
+      return fail(ErrorCode::file, fmt::format("{} is not a plain file", path));
+    case Hindrance::too_large:
+      return fail(ErrorCode::file, fmt::format("{} is larger than 1 GiB", path));
+    case Hindrance::missing:
+      if (in.reason == ENOENT) return fail(ErrorCode::file, fmt::format("there is no file {}", path));
+      break;
+    default:
+      break;
+  }
+  return cannot("read", path, in.reason);
+}
+
 }  // namespace
 
 int OpenFile::close() {
@@ -99,25 +135,14 @@ int write_all(int file, std::string_view bytes, std::optional<off_t> at) {
 
 FileContents read_contents(const std::string& path, const ReadingLimits& limits) {
   FileContents out;
-  const auto hindered = [&](Hindrance what, int reason = 0) {
-    out.hindrance = what, out.reason = reason;
-    return std::move(out);
-  };
-  struct stat about {};
-  if (::stat(path.c_str(), &about) != 0) return hindered(Hindrance::missing, errno);
-  if (S_ISDIR(about.st_mode)) return hindered(Hindrance::folder);
-  const bool plain = S_ISREG(about.st_mode);
-  if (!plain && !limits.special) return hindered(Hindrance::special);
-  // Should it have become a pipe meanwhile, one without a writer must not block.
-  const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (plain ? O_NONBLOCK : 0)));
-  if (!file) return hindered(Hindrance::system, errno);
-  out.size = plain ? static_cast<std::uint64_t>(about.st_size) : 0;
-  if (out.size > limits.largest) return hindered(Hindrance::too_large);
+  const OpenFile file = open_within(path, limits, out);
+  if (out.hindrance != Hindrance::none) return out;
   out.text.reserve(out.size);
   const int reason = read_all(file.fd(), out.text, limits.largest);
   if (reason == 0) return out;
-  out.size = out.text.size();
-  return reason == EFBIG ? hindered(Hindrance::too_large) : hindered(Hindrance::system, reason);
+  out.size = out.text.size(), out.reason = reason;
+  out.hindrance = reason == EFBIG ? Hindrance::too_large : Hindrance::system;
+  return out;
 }
 
 int put_file(const std::string& path, std::string_view bytes, const Putting& how) {
@@ -163,22 +188,15 @@ std::string hidden_beside(const std::string& path, const std::string& tail) {
 
 Result<std::string> read_whole(const std::string& path) {
   FileContents in = read_contents(path);
-  switch (in.hindrance) {
-    case Hindrance::none:
-      return std::move(in.text);
-    case Hindrance::folder:
-      return a_folder(path);
-    case Hindrance::special:
-      return fail(ErrorCode::file, fmt::format("{} is not a plain file", path));
-    case Hindrance::too_large:
-      return fail(ErrorCode::file, fmt::format("{} is larger than 1 GiB", path));
-    case Hindrance::missing:
-      if (in.reason == ENOENT) return fail(ErrorCode::file, fmt::format("there is no file {}", path));
-      break;
-    case Hindrance::system:
-      break;
-  }
-  return cannot("read", path, in.reason);
+  if (in.hindrance != Hindrance::none) return hindered(path, in);
+  return std::move(in.text);
+}
+
+Result<OpenFile> open_whole(const std::string& path) {
+  FileContents in;
+  OpenFile file = open_within(path, {}, in);
+  if (in.hindrance != Hindrance::none) return hindered(path, in);
+  return file;
 }
 
 Status write_whole(const std::string& path, std::string_view bytes, bool overwrite) {

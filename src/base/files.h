@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "betwixt/result.h"
 
@@ -21,6 +22,9 @@ namespace betwixt {
 
 // Errors: file (missing, a folder, not allowed, more than 1 GiB).
 Result<std::string> read_whole(const std::string& path);
+// For reading all of it. Errors: as those of read_whole.
+class OpenFile;
+Result<OpenFile> open_whole(const std::string& path);
 // Beside it first, then in place: never half a file. What is no plain file (a pipe, a device) is written to as it is.
 // Errors: file (there already, not allowed), machine (disk full).
 Status write_whole(const std::string& path, std::string_view bytes, bool overwrite);
@@ -44,8 +48,8 @@ std::string_view as_text(std::span<const std::uint8_t>);
 class OpenFile {
  public:
   explicit OpenFile(int opened) : fd_(opened) {}
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
+  OpenFile(OpenFile&& o) noexcept : fd_(std::exchange(o.fd_, -1)) {}
+  OpenFile& operator=(OpenFile&&) = delete;
   ~OpenFile() { close(); }
   explicit operator bool() const { return fd_ >= 0; }
   int fd() const { return fd_; }

@@ -152,15 +152,14 @@ Result<std::shared_ptr<const Mesh>> Assembly::finish() && {
   return std::make_shared<const Mesh>(std::move(mesh_));
 }
 
-Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
-  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
+Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, Shelf& shelf) {
   const std::string kind = ending(path);
-  if (kind == "gltf" || kind == "glb") return load_gltf(path, may_read);
-  if (kind == "ply") return load_ply(path);
-  // What assimp reads without falling over broken files.
+  if (kind == "gltf" || kind == "glb") return load_gltf(path, shelf);
+  if (kind == "ply") return load_ply(path, shelf);
+  // Of what assimp reads that which falls over broken files least.
   for (const char* known : {"obj", "stl", "dae", "fbx", "3ds"})
-    if (kind == known) return load_by_assimp(path, may_read);
-  const auto bytes = read_whole(path);  // a missing file is told before an odd ending
+    if (kind == known) return load_by_assimp(path, shelf);
+  const auto bytes = shelf.read(path);  // a missing file is told before an odd ending
   if (!bytes) return bytes.error();
   return fail(ErrorCode::file, fmt::format("{} is not a kind of mesh that can be read", path),
               "glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds can be");

@@ -30,8 +30,8 @@ class Assembly {
   Mesh mesh_;
 };
 
-Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, const MayRead&);
-Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path);
-Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, const MayRead&);
+Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf&);
+Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path, Shelf&);
+Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, Shelf&);
 
 }  // namespace betwixt

@@ -15,7 +15,6 @@
 #include <map>
 
 #include "base/files.h"
-#include "betwixt/picture.h"
 #include "exchange/assembly.h"
 #include "exchange/pictures.h"
 
@@ -49,24 +48,21 @@ class Stream : public Assimp::IOStream {
   size_t at_ = 0;
 };
 
-// Opens what may be read, for reading.
+// For reading only.
 class Files : public Assimp::IOSystem {
  public:
-  explicit Files(const MayRead& may_read) : may_read_(may_read) {}
-  bool Exists(const char* path) const override {
-    std::error_code ignored;
-    return may_read_(path) && std::filesystem::is_regular_file(path, ignored);
-  }
+  explicit Files(Shelf& shelf) : shelf_(shelf) {}
+  bool Exists(const char* path) const override { return shelf_.has(path); }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
-    if (std::strpbrk(mode, "wa+") != nullptr || !may_read_(path)) return nullptr;
-    auto bytes = read_whole(path);
+    if (std::strpbrk(mode, "wa+") != nullptr) return nullptr;
+    auto bytes = shelf_.read(path);
     return bytes ? new Stream(std::move(*bytes)) : nullptr;
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
-  const MayRead& may_read_;
+  Shelf& shelf_;
 };
 
 Mat4 matrix(const aiMatrix4x4& a) {
@@ -104,8 +100,8 @@ bool has_empty_face(const aiMesh& mesh) {
 
 class Reader {
  public:
-  Reader(const std::string& path, const MayRead& may_read) : path_(path), may_read_(may_read), assembly_(path) {
-    importer_.SetIOHandler(new Files(may_read));  // the importer owns it
+  Reader(const std::string& path, Shelf& shelf) : path_(path), shelf_(shelf), assembly_(path) {
+    importer_.SetIOHandler(new Files(shelf));  // the importer owns it
   }
 
   // Of pictures inside an FBX of text the importer frees one twice where it is damaged: such files go without.
@@ -189,16 +185,15 @@ class Reader {
     std::replace(relative.begin(), relative.end(), '\\', '/');
     const auto folder = std::filesystem::path(path_).parent_path();
     for (const auto& at : {folder / relative, folder / std::filesystem::path(relative).filename()}) {
-      std::error_code ignored;
-      if (!may_read_(at.string()) || !std::filesystem::is_regular_file(at, ignored)) continue;
-      if (auto picture = read_picture(at.string())) known->second = *picture;
+      if (!shelf_.has(at.string())) continue;
+      if (auto picture = parse_picture(at.string(), shelf_)) known->second = *picture;
       break;
     }
     return known->second;
   }
 
   const std::string& path_;
-  const MayRead& may_read_;
+  Shelf& shelf_;
   Assimp::Importer importer_;
   const aiScene* scene_ = nullptr;
   std::vector<std::vector<std::uint32_t>> edges_;  // by mesh
@@ -224,14 +219,14 @@ bool has_proper_indices(std::string_view text) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, const MayRead& may_read) {
-  const auto text = read_whole(path);  // for a message in our words where there is no such file
+Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, Shelf& shelf) {
+  const auto text = shelf.read(path);  // for a message in our words where there is no such file
   if (!text) return text.error();
   if (text->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   if (ending(path) == "dae" && !has_proper_indices(*text))
     return Assembly(path).error("it is cut off, or its lists of indices hold something else than numbers");
   try {
-    Reader reader(path, may_read);
+    Reader reader(path, shelf);
     if (!text->starts_with("Kaydara FBX Binary") && text->find("Content:") != std::string::npos)
       reader.leave_out_textures();
     return reader.read();

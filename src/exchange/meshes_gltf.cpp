@@ -21,17 +21,10 @@ constexpr std::size_t most_elements = 50'000'000;
 
 // ---- what the parser asks for while it reads
 
-bool file_exists(const std::string& path, void* may_read) {
-  std::error_code ignored;
-  return (*static_cast<const MayRead*>(may_read))(path) && std::filesystem::is_regular_file(path, ignored);
-}
+bool file_exists(const std::string& path, void* shelf) { return static_cast<Shelf*>(shelf)->has(path); }
 std::string same_path(const std::string& path, void*) { return path; }
-bool read_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* may_read) {
-  if (!(*static_cast<const MayRead*>(may_read))(path)) {
-    *error = fmt::format("{} may not be read", path);
-    return false;
-  }
-  auto bytes = read_whole(path);
+bool read_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* shelf) {
+  auto bytes = static_cast<Shelf*>(shelf)->read(path);
   if (!bytes)
     *error = bytes.error().message;
   else
@@ -317,12 +310,12 @@ std::string first_line(std::string text) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, const MayRead& may_read) {
-  const auto bytes = read_whole(path);
+Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf& shelf) {
+  const auto bytes = shelf.read(path);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   gltf::TinyGLTF parser;
-  parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, const_cast<MayRead*>(&may_read)});
+  parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, &shelf});
   parser.SetImageLoader(keep_encoded, nullptr);
   gltf::Model model;
   std::string error, warning;

@@ -11,7 +11,6 @@
 #include <map>
 #include <optional>
 
-#include "base/files.h"
 #include "exchange/assembly.h"
 
 namespace betwixt {
@@ -216,8 +215,8 @@ class Ply {
 
 }  // namespace
 
-Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path) {
-  const auto bytes = read_whole(path);
+Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path, Shelf& shelf) {
+  const auto bytes = shelf.read(path);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   return Ply(*bytes, path).read();

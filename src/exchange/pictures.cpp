@@ -87,8 +87,8 @@ Decoded decode_picture(std::span<const std::uint8_t> bytes, const std::string& n
               "PNG, JPEG, TGA and BMP can be");
 }
 
-Decoded read_picture(const std::string& path) {
-  const auto bytes = read_whole(path);
+Decoded parse_picture(const std::string& path, Shelf& shelf) {
+  const auto bytes = shelf.read(path);
   if (!bytes) return bytes.error();
   return decode_picture(as_bytes(*bytes), path);
 }

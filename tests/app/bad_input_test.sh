@@ -95,6 +95,11 @@ for m in broken.obj broken.glb broken.ply empty.obj none.stl .; do
   call "mesh $m" 1 'mesh.bx:1:20: error: ' check mesh.bx
   call "eval with mesh $m" 1 'mesh.bx:1:20: error: ' eval mesh.bx --at 1f --json
 done
+# One that ends what reads it: an error like any other.
+{ printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >deep.fbx
+printf 'create m mesh file="deep.fbx"\n' >deep.bx
+call 'a mesh that is too deep' 1 'deep.fbx is damaged: what reads such files fell over it' check deep.bx
+
 # What is no script is not quoted.
 printf 'password = hunter2\n' >secret
 printf 'use secret\n' >uses.bx

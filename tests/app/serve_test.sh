@@ -27,6 +27,7 @@ create eye camera position=(0 0 10)
 BX
 
 # ---- a host, and what it may say
+{ printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >deep.fbx
 begin show.bx --socket "$socket" --save live.bx
 is 'the socket is its owner'"'"'s' "$(stat -c %a "$socket")" 600
 out=$(host '
@@ -49,6 +50,8 @@ s.do("set ball.color red")
 print(next(o.events(5))["commands"])
 try: s.do("quit"); s.do("time")
 except Gone: print("gone")
+try: o.do("create deep mesh file=\"deep.fbx\"")
+except Refused as e: print(e)
 o.do("set ball.radius 2")
 ')
 is 'the Python client' "$out" "True {'box.position': [1, 2, 3]}
@@ -56,7 +59,8 @@ there is a 'box' already
 line 10: there is no object 'bax'
 {'ball.position.y': 1} True True
 set ball.color red
-gone"
+gone
+deep.fbx is damaged: what reads such files fell over it"
 kill -KILL $server
 wait $server 2>/dev/null
 has 'what was answered is kept when the server is killed' "$(cat live.bx)" 'set ball.radius 2'

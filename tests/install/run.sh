@@ -18,7 +18,7 @@ verdict() {
 cmake --install "$1" --prefix "$folder/to" >"$folder/log" 2>&1 || tail -n 5 "$folder/log"
 # Moved: nothing may know where it was installed.
 mv "$folder/to" "$folder/prefix"
-for file in bin/betwixt include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
+for file in bin/betwixt libexec/betwixt/betwixt-parser include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
   share/zsh/site-functions/_betwixt share/fish/vendor_completions.d/betwixt.fish share/doc/betwixt/LICENSE \
   share/betwixt/examples/bounce.bx share/betwixt/python/betwixt_client.py; do
   verdict "is installed: $file" "$(ls "$folder/prefix/$file" 2>&1)" "$folder/prefix/$file"
@@ -32,6 +32,14 @@ ball.position
 verdict "the installed program" \
   "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
     sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"
+# Files that end what reads them, which is found wherever the tree was moved to; without it a good one is read all the same.
+{ printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >"$folder/deep.fbx"
+printf 'create m mesh file="deep.fbx"\n' >"$folder/deep.bx"
+verdict "a damaged mesh" "$("$folder/prefix/bin/betwixt" check "$folder/deep.bx" 2>&1 | grep -o 'is damaged.*')" \
+  "is damaged: what reads such files fell over it"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$folder/good.obj"
+printf 'create m mesh file="good.obj"\n' >"$folder/good.bx"
+verdict "a mesh without a parser" "$(BETWIXT_PARSER=/none "$folder/prefix/bin/betwixt" check "$folder/good.bx" >/dev/null 2>&1 && echo fine)" fine
 verdict "the installed client" "$(cd / && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$folder/prefix/share/betwixt/python \
   python3 -c 'import betwixt_client; print(betwixt_client.__file__)' 2>&1)" "$folder/prefix/share/betwixt/python/betwixt_client.py"
 verdict "the manual page" "$(groff -man -ww -z "$folder/prefix/share/man/man1/betwixt.1" 2>&1)" ""

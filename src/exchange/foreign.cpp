@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Files of others, read in a process of their own where that can be.
+#include <fmt/format.h>
+
+#include "betwixt/picture.h"
+#include "exchange/meshes.h"
+#include "exchange/parser_process.h"
+#include "exchange/pictures.h"
+
+namespace betwixt {
+namespace {
+
+template <class T, class Here>
+Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path, const MayRead& may_read, Here here) {
+  using Wanted = std::shared_ptr<const T>;
+  if (auto apart = parse_apart(task, path, may_read)) {
+    if (auto* got = std::get_if<Wanted>(&*apart)) return std::move(*got);
+    if (auto* error = std::get_if<Error>(&*apart)) return std::move(*error);
+    return fail(ErrorCode::file, fmt::format("{} is something else than it was read as", path));
+  }
+  MachineShelf shelf(may_read);
+  return here(path, shelf);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
+  return parsed<Mesh>(ParserTask::mesh, path, may_read, parse_mesh);
+}
+
+Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) {
+  const MayRead nothing_else = [&](const std::string& p) { return p == path; };
+  return parsed<Picture>(ParserTask::picture, path, nothing_else, parse_picture);
+}
+
+}  // namespace betwixt

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a parser's process has read lies flat in memory that two processes have. Who takes it over believes none of it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "betwixt/mesh.h"
+#include "betwixt/result.h"
+
+namespace betwixt {
+
+using Parsed = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error>;
+
+// Both return the system's reason (0: none). EBADMSG: what lies there is no mesh, no picture and no error.
+int hand_over(const Parsed&, int memory);
+int take_over(int memory, Parsed&);
+
+}  // namespace betwixt

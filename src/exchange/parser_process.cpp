@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/parser_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+
+extern char** environ;
+
+namespace betwixt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t gigabyte = std::uint64_t{1} << 30, megabyte = std::uint64_t{1} << 20;
+constexpr int most_asked = 10'000;  // files that one file names
+
+// The two ends of a conversation.
+struct Line {
+  std::array<int, 2> ends{-1, -1};
+  Line() {
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) ends = {-1, -1};
+  }
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
+  ~Line() { hang_up(0), hang_up(1); }
+  void hang_up(std::size_t i) {
+    if (ends[i] >= 0) ::close(ends[i]);
+    ends[i] = -1;
+  }
+};
+
+int spawn(const std::string& program, int control, pid_t& pid) {
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t ways;
+  posix_spawn_file_actions_init(&files);
+  posix_spawnattr_init(&ways);
+  posix_spawn_file_actions_adddup2(&files, control, parser_control);  // first: it may be one of these
+  for (const int fd : {0, 1, 2}) posix_spawn_file_actions_addopen(&files, fd, "/dev/null", O_RDWR, 0);
+  sigset_t none, all;
+  sigemptyset(&none);
+  sigfillset(&all);
+  posix_spawnattr_setsigmask(&ways, &none);
+  posix_spawnattr_setsigdefault(&ways, &all);
+  posix_spawnattr_setflags(&ways, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  std::array<char*, 3> words{const_cast<char*>(program.c_str()), const_cast<char*>(parser_version), nullptr};
+  const int failed = ::posix_spawn(&pid, program.c_str(), &files, &ways, words.data(), environ);
+  posix_spawnattr_destroy(&ways);
+  posix_spawn_file_actions_destroy(&files);
+  return failed;
+}
+
+// The process that waits for work; one for this program, started when there is some.
+class Waiting {
+ public:
+  // 0, ENOENT (there is no such program, or it is of another version), or the system's reason.
+  int send(const std::string& request, std::span<const int> files) {
+    const std::lock_guard lock(mutex_);
+    // It may have been ended from outside since.
+    for (int tries = 0; tries < 2; ++tries) {
+      if (control_ < 0)
+        if (const int reason = start()) return reason;
+      if (say(control_, request, files)) return 0;
+      ::close(std::exchange(control_, -1));
+    }
+    return EPIPE;
+  }
+
+ private:
+  int start() {
+    if (missing_) return ENOENT;
+    const std::string program = find_parser();
+    missing_ = program.empty();
+    if (missing_) return ENOENT;
+    Line line;
+    if (line.ends[0] < 0) return errno;
+    pid_t pid = -1;
+    if (const int reason = spawn(program, line.ends[1], pid)) return reason;
+    // It goes on in a child of its own; where signals of children are ignored, nobody knows how it ended.
+    int status = 0;
+    pid_t ended = 0;
+    while ((ended = ::waitpid(pid, &status, 0)) < 0 && errno == EINTR) {
+    }
+    missing_ = ended == pid && WIFEXITED(status) && WEXITSTATUS(status) == 3;
+    if (missing_) return ENOENT;
+    if (ended == pid && status != 0) return EAGAIN;
+    control_ = std::exchange(line.ends[0], -1);
+    return 0;
+  }
+
+  std::mutex mutex_;
+  int control_ = -1;
+  bool missing_ = false;
+};
+
+Waiting& waiting() {
+  static Waiting& one = *new Waiting;  // never taken down: other threads may still read while the program ends
+  return one;
+}
+
+// Answers what a parser asks until it is done. What it says is not believed.
+class Conversation {
+ public:
+  Conversation(int job, const std::string& path, const MayRead& may_read)
+      : job_(job), path_(path), may_read_(may_read), shelf_(may_read) {}
+
+  // What went wrong, if it did.
+  Status listen(const ParserCeilings& most) {
+    const auto begun = Clock::now();
+    const auto gone = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
+    bool working = false;
+    for (int asked = 0; asked < most_asked;) {
+      const double left = static_cast<double>(most.wall) + 1 - gone();
+      const auto message = left > 0 ? hear(job_, static_cast<int>(left * 1000) + 1) : std::nullopt;
+      if (!message || message->text.empty()) break;
+      if (message->text[0] == says_done) return Nothing{};
+      if (message->text[0] == says_begun)
+        working = true;
+      else if (++asked; !answer(*message))
+        break;
+    }
+    if (!working) return fail(ErrorCode::machine, fmt::format("no process can be had to read {}", path_));
+    if (const auto seconds = std::min(most.seconds, most.wall); gone() >= static_cast<double>(seconds))
+      return fail(ErrorCode::file, fmt::format("{} takes more than {} s to be read", path_, seconds));
+    return fail(ErrorCode::file, fmt::format("{} is damaged: what reads such files fell over it", path_));
+  }
+
+ private:
+  bool answer(const ParserMessage& question) {
+    const std::string path = question.text.substr(1);
+    if (path.find('\0') != std::string::npos) return false;
+    if (question.text[0] == asks_has) return say(job_, {shelf_.has(path) ? &answers_yes : &answers_no, 1});
+    if (question.text[0] != asks_read) return false;
+    if (!may_read_(path)) return refuse(fail(ErrorCode::file, fmt::format("{} may not be read", path)));
+    const auto file = open_whole(path);
+    if (!file) return refuse(file.error());
+    const int fd = file->fd();
+    return say(job_, {&answers_yes, 1}, {&fd, 1});
+  }
+  bool refuse(const Error& e) {
+    return say(job_, std::string{answers_no, static_cast<char>(e.code)} + e.message.substr(0, longest_message - 2));
+  }
+
+  const int job_;
+  const std::string& path_;
+  const MayRead& may_read_;
+  MachineShelf shelf_;
+};
+
+Error machine_error(const std::string& path, int reason) {
+  return fail(ErrorCode::machine, fmt::format("cannot have {} read: {}", path, std::strerror(reason)));
+}
+
+}  // namespace
+
+ParserCeilings parser_ceilings(std::uint64_t size) {
+  const std::uint64_t seconds = 20 + size / megabyte;
+  return {6 * gigabyte + 32 * size, seconds, 3 * seconds};
+}
+
+std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read,
+                                  std::optional<ParserCeilings> most) {
+  const auto file = open_whole(path);
+  if (!file) return file.error();
+  struct stat about {};
+  if (::fstat(file->fd(), &about) != 0) return machine_error(path, errno);
+  const ParserRequest request{task, most.value_or(parser_ceilings(static_cast<std::uint64_t>(about.st_size)))};
+  const OpenFile memory(::memfd_create("betwixt-parsed", MFD_CLOEXEC));
+  if (!memory) return machine_error(path, errno);
+  Line line;
+  if (line.ends[0] < 0) return machine_error(path, errno);
+  std::string text(reinterpret_cast<const char*>(&request), sizeof request);
+  text += path;
+  if (text.size() > longest_message) return machine_error(path, ENAMETOOLONG);
+  const std::array files{line.ends[1], memory.fd(), file->fd()};
+  const int reason = waiting().send(text, files);
+  if (reason == ENOENT) return std::nullopt;
+  if (reason != 0) return machine_error(path, reason);
+  line.hang_up(1);
+  if (const Status done = Conversation(line.ends[0], path, may_read).listen(request.most); !done) return done.error();
+  Parsed parsed;
+  if (const int why = take_over(memory.fd(), parsed); why == EBADMSG)
+    return fail(ErrorCode::file, fmt::format("{} is damaged: what reads such files was led astray by it", path));
+  else if (why != 0)
+    return machine_error(path, why);
+  return parsed;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Other people's files are read in a process of its own: what they do to the libraries that read them, they do there.
+//
+// A program, betwixt-parser, is started when the first file is read. It copies itself for each file; the copy gives up
+// all but what it was handed (parser_jail.h), asks for the files that the file names, and hands over what it has read
+// in memory (handed_over.h).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "exchange/handed_over.h"
+#include "exchange/parser_messages.h"
+#include "exchange/shelf.h"
+
+namespace betwixt {
+
+// So much that no good file of this size comes near it.
+ParserCeilings parser_ceilings(std::uint64_t size);
+// None: there is no such program on this machine. Errors: what the file is; machine. Ceilings of its own for tests.
+std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&,
+                                  std::optional<ParserCeilings> = {});
+
+// Where the program is: $BETWIXT_PARSER; beside the program that runs, in libexec/betwixt beside its folder or that of
+// the library, or beside a folder of $PATH. Empty: nowhere.
+std::string find_parser();
+
+}  // namespace betwixt

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt-parser: waits for work, and does each piece of it in a process of its own that can do nothing else. It has
+// one thread and is never the author's own program, so that it can be copied at any time, at once.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
+
+#include "base/files.h"
+#include "exchange/handed_over.h"
+#include "exchange/meshes.h"
+#include "exchange/parser_jail.h"
+#include "exchange/pictures.h"
+
+namespace betwixt {
+namespace {
+
+// What is not here is asked for.
+class AskingShelf final : public Shelf {
+ public:
+  AskingShelf(int job, std::string path, int file) : job_(job), path_(std::move(path)), file_(file) {}
+  bool has(const std::string& path) override {
+    if (path == path_) return true;
+    const auto answer = ask(asks_has, path);
+    return answer && answer->text[0] == answers_yes;
+  }
+  Result<std::string> read(const std::string& path) override {
+    if (path == path_) return whole(file_, path);
+    const auto answer = ask(asks_read, path);
+    if (!answer) return fail(ErrorCode::machine, fmt::format("cannot read {}", path));
+    if (answer->text[0] == answers_yes && answer->files.size() == 1) return whole(answer->files[0].fd(), path);
+    const auto code = answer->text.size() > 1 ? answer->text[1] : static_cast<char>(ErrorCode::file);
+    return fail(static_cast<ErrorCode>(code), answer->text.substr(std::min<std::size_t>(2, answer->text.size())));
+  }
+
+ private:
+  std::optional<ParserMessage> ask(char what, const std::string& path) const {
+    if (path.size() >= longest_message || !say(job_, what + path)) return std::nullopt;
+    return hear(job_);
+  }
+  static Result<std::string> whole(int file, const std::string& path) {
+    std::string text;
+    if (const int reason = read_all(file, text, largest_file)) return system_error(reason, "read", path);
+    return text;
+  }
+  const int job_;
+  const std::string path_;
+  const int file_;
+};
+
+template <class T>
+Parsed parsed(Result<T> result) {
+  return result ? Parsed(*std::move(result)) : Parsed(result.error());
+}
+
+Parsed parse(ParserTask task, const std::string& path, Shelf& shelf) {
+  try {
+    return task == ParserTask::mesh ? parsed(parse_mesh(path, shelf)) : parsed(parse_picture(path, shelf));
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::file, fmt::format("{} takes too much memory to be read", path));
+  } catch (const std::exception& e) {
+    return fail(ErrorCode::file, fmt::format("{} is damaged: {}", path, e.what()));
+  }
+}
+
+void work(const ParserMessage& message) {
+  if (message.files.size() != 3 || message.text.size() <= sizeof(ParserRequest)) return;
+  ParserRequest request;
+  std::memcpy(&request, message.text.data(), sizeof request);
+  const std::string path = message.text.substr(sizeof request);
+  const int job = message.files[0].fd(), memory = message.files[1].fd();
+  if (!say(job, {&says_begun, 1})) return;
+  give_up_all_but_reading(request.most);
+  AskingShelf shelf(job, path, message.files[2].fd());
+  if (hand_over(parse(request.task, path, shelf), memory) == 0) say(job, {&says_done, 1});
+}
+
+int wait_for_work() {
+  ::signal(SIGCHLD, SIG_IGN);  // nobody waits for those who work
+  while (const auto message = hear(parser_control)) {
+    if (::fork() != 0) continue;
+    ::close(parser_control);
+    work(*message);
+    ::_exit(0);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace betwixt
+
+int main(int count, char** words) {
+  using namespace betwixt;
+  if (count != 2 || std::strcmp(words[1], parser_version) != 0) return 3;
+  ::close_range(parser_control + 1, ~0U, 0);
+  // Nobody's child and in nobody's terminal: who uses the library need not know of it, and Ctrl-C is not for it.
+  if (const pid_t waits = ::fork(); waits != 0) ::_exit(waits < 0 ? 1 : 0);
+  ::setsid();
+  [[maybe_unused]] const int root = ::chdir("/");  // where it was started may go
+  ::_exit(wait_for_work());
+}

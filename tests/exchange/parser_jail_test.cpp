@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/parser_jail.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "exchange/files.h"
+
+namespace betwixt {
+namespace {
+
+// What a process that has given up all can still do, a letter each.
+std::string left_over(const std::string& folder, const std::string& file) {
+  int told[2] = {-1, -1};
+  EXPECT_EQ(::pipe(told), 0);
+  const int open_before = ::open(file.c_str(), O_RDONLY);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    give_up_all_but_reading({std::uint64_t{1} << 40, 20, 20});
+    std::string can;
+    char byte = 0;
+    const auto say = [&](char what, bool done) {
+      if (done) can += what;
+    };
+    say('r', ::read(open_before, &byte, 1) == 1 && byte == 'x');
+    say('o', ::open(file.c_str(), O_RDONLY) >= 0);
+    say('O', ::open("/etc/hostname", O_RDONLY) >= 0);
+    say('w', ::open((folder + "/new").c_str(), O_WRONLY | O_CREAT, 0666) >= 0);
+    say('u', ::unlink(file.c_str()) == 0);
+    say('s', ::socket(AF_INET, SOCK_STREAM, 0) >= 0);
+    say('k', ::kill(::getppid(), 0) == 0);
+    const pid_t other = ::fork();
+    if (other == 0) ::_exit(0);
+    say('f', other > 0);
+    say('x', ::access("/bin/sh", X_OK) == 0);
+    (void)!::write(told[1], can.data(), can.size());
+    ::_exit(0);
+  }
+  ::close(told[1]);
+  ::close(open_before);
+  std::string can;
+  char byte = 0;
+  while (::read(told[0], &byte, 1) == 1) can += byte;
+  ::close(told[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  return can;
+}
+
+TEST_F(Files, AreAllThatAParserHas) {
+  const std::string file = put("x", "x");
+  EXPECT_EQ(left_over(folder_.path().string(), file), "r");
+  EXPECT_EQ(::access(file.c_str(), F_OK), 0);
+}
+
+}  // namespace
+}  // namespace betwixt

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/parser_process.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+#include "betwixt/picture.h"
+#include "exchange/files.h"
+#include "exchange/meshes.h"
+#include "exchange/pictures.h"
+
+namespace betwixt {
+namespace {
+
+const MayRead anything = [](const std::string&) { return true; };
+const std::string examples = SOURCE_DIR "/examples/meshes/", data = SOURCE_DIR "/tests/exchange/data/";
+
+void expect_same(const Picture& a, const Picture& b) {
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_TRUE(a.rgba == b.rgba);
+}
+
+std::string repeated(std::string_view what, std::size_t times) {
+  std::string out;
+  for (std::size_t i = 0; i < times; ++i) out += what;
+  return out;
+}
+
+// Of two triangles; nodes in nodes, `deep` times.
+std::string collada(std::size_t deep) {
+  return "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">"
+         "<library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"12\">"
+         "0 0 0 1 0 0 1 1 0 0 1 0</float_array><technique_common><accessor source=\"#a\" count=\"4\" stride=\"3\">"
+         "<param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/>"
+         "</accessor></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/>"
+         "</vertices><polylist count=\"2\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><vcount>3 3</vcount>"
+         "<p>0 1 2 0 2 3</p></polylist></mesh></geometry></library_geometries><library_visual_scenes>"
+         "<visual_scene id=\"s\">" +
+         repeated("<node>", deep) + "<instance_geometry url=\"#g\"/>" + repeated("</node>", deep) +
+         "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+}
+
+// 16384 x 16384 pixels of gray in four megabytes: 128 pixels a packet.
+std::string large_picture() {
+  std::string tga("\0\0\x0b\0\0\0\0\0\0\0\0\0\0\x40\0\x40\x08\0", 18);
+  return tga + repeated(std::string_view("\xff\x80", 2), std::size_t{16384} * 128);
+}
+
+TEST_F(Files, ReadApartAreTheSame) {
+  ASSERT_NE(find_parser(), "") << "or nothing of this is tested";
+  put("good.dae", collada(1));
+  for (const std::string& path :
+       {examples + "spot.obj", examples + "2CylinderEngine.glb", data + "BoxTextured.glb", at("good.dae")}) {
+    MachineShelf shelf(anything);
+    const auto apart = load_mesh(path, anything), here = parse_mesh(path, shelf);
+    ASSERT_TRUE(apart && here) << path;
+    const Mesh &a = **apart, &b = **here;
+    EXPECT_TRUE(a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs) << path;
+    EXPECT_TRUE(a.triangles == b.triangles && a.edges == b.edges && a.closed == b.closed) << path;
+    ASSERT_EQ(a.parts.size(), b.parts.size());
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+      EXPECT_EQ(a.parts[i].first, b.parts[i].first);
+      EXPECT_EQ(a.parts[i].count, b.parts[i].count);
+      EXPECT_EQ(a.parts[i].color, b.parts[i].color);
+      ASSERT_EQ(a.parts[i].texture == nullptr, b.parts[i].texture == nullptr);
+      if (a.parts[i].texture) expect_same(*a.parts[i].texture, *b.parts[i].texture);
+    }
+  }
+  const Picture paint{3, 2, std::vector<std::uint8_t>(24, 77)};
+  ASSERT_TRUE(write_png(at("paint.png"), paint));
+  expect_same(**read_picture(at("paint.png")), paint);
+}
+
+TEST_F(Files, ThatEndTheirReaderAreErrors) {
+  put("deep.dae", collada(50'000));
+  put("deep.fbx", "; FBX 7.4.0 project file\n" + repeated("A: {", 50'000) + repeated("}", 50'000));
+  for (const char* name : {"deep.dae", "deep.fbx"}) {
+    const auto mesh = load_mesh(at(name), anything);
+    ASSERT_FALSE(mesh) << name;
+    EXPECT_EQ(mesh.error().code, ErrorCode::file);
+    EXPECT_EQ(mesh.error().message, at(name) + " is damaged: what reads such files fell over it");
+  }
+  EXPECT_TRUE(load_mesh(put("good.dae", collada(3)), anything)) << "the next one is read as ever";
+}
+
+TEST_F(Files, TakeNoMoreThanTheirCeilings) {
+  put("large.tga", large_picture());
+  const ParserCeilings plenty = parser_ceilings(4 << 20);
+  const auto why = [&](const ParserCeilings& most) {
+    const auto parsed = parse_apart(ParserTask::picture, at("large.tga"), anything, most);
+    const Error* error = parsed ? std::get_if<Error>(&*parsed) : nullptr;
+    return error ? error->message : "";
+  };
+  EXPECT_EQ(why({plenty.memory, 1, 60}), at("large.tga") + " takes more than 1 s to be read");
+  EXPECT_EQ(why({plenty.memory, 60, 1}), at("large.tga") + " takes more than 1 s to be read");
+  EXPECT_NE(why({std::uint64_t{300} << 20, 60, 60}), "");
+}
+
+TEST_F(Files, AreReadByManyAtOnce) {
+  put("good.dae", collada(1)), put("deep.dae", collada(50'000));
+  std::vector<std::thread> threads;
+  std::array<int, 4> read{};
+  for (std::size_t t = 0; t < read.size(); ++t)
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < 5; ++i) {
+        read[t] += load_mesh(at("good.dae"), anything) ? 1 : 0;
+        read[t] += load_mesh(at("deep.dae"), anything) ? 100 : 0;
+      }
+    });
+  for (auto& t : threads) t.join();
+  EXPECT_EQ(read, (std::array{5, 5, 5, 5}));
+}
+
+TEST_F(Files, ParserIsLookedForInItsPlaces) {
+  const std::string beside = find_parser();
+  EXPECT_TRUE(beside.ends_with("/betwixt-parser"));
+  ::setenv("BETWIXT_PARSER", put("mine", "").c_str(), 1);
+  EXPECT_EQ(find_parser(), "") << "it cannot be run";
+  ::setenv("BETWIXT_PARSER", "/bin/sh", 1);
+  EXPECT_EQ(find_parser(), "/bin/sh");
+  ::unsetenv("BETWIXT_PARSER");
+}
+
+}  // namespace
+}  // namespace betwixt
