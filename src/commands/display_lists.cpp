@@ -25,7 +25,9 @@ bool list_name(Command& k, std::string_view& word) {
   if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
     return c.fail(ErrorCode::name,
                   fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)), word,
-                  "display lists are made by make NAME; objects are there without being started");
+                  std::string_view(script.verb).starts_with("delete")
+                      ? fmt::format("remove {} takes the object out", word)
+                      : "display lists are made by make NAME; objects are there without being started");
   return c.fail(ErrorCode::name,
                 fmt::format("there is no display list '{}'{}", word.substr(0, 60),
                             versions(s, word).empty() ? "" : " at that time"),

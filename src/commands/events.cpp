@@ -295,9 +295,9 @@ bool computed(Command& k, const Selected& to, Value& out) {
   const char* start = c.at;
   if (c.peek() != '"') {
     const auto line = static_cast<std::size_t>(line_end(start, c.end) - start);
-    return c.fail_here(
-        ErrorCode::syntax, "behind '=' stands a procedure, in quotes",
-        fmt::format("a plain value stands without '=': {}", std::string_view(start, std::min<std::size_t>(line, 60))));
+    return c.fail_here(ErrorCode::syntax, "behind '=' stands a procedure, in quotes",
+                       fmt::format("a plain value stands without '=': {0}; code stands in quotes: = \"{0}\"",
+                                   std::string_view(start, std::min<std::size_t>(line, 60))));
   }
   std::string source;
   if (!c.text(source)) return false;

@@ -21,8 +21,11 @@ bool open_sheet(Command& k, std::string_view word) {
   Selected on;
   if (!targets(k, word, on)) return false;
   if (!c.at_line_end())
-    return c.fail_here(ErrorCode::syntax, "nothing follows the target that opens a sheet",
-                       fmt::format("its rows go below, indented; a single event is written: at TIME {} VALUE", word));
+    return c.fail_here(
+        ErrorCode::syntax, "nothing follows the target that opens a sheet",
+        fmt::format("its rows go below, indented; a single event is written: at TIME {0} VALUE, a value for the "
+                    "whole film: set {0} VALUE",
+                    word));
   Sheet& sheet = script.sheet;
   sheet = {};
   sheet.open = true;

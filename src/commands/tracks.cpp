@@ -51,6 +51,17 @@ bool at(Command& k) {
                 near.empty() ? "as in at 24f ball.position (1 2 3)" : near);
 }
 
+// What is set is seen before the track's first event only.
+void say_unseen(Command& k, const Selected& to, std::string_view about) {
+  const Time begins = k.scene.range ? k.scene.range->first : Time{};
+  for (const Target& t : to.targets)
+    for (const Track* track : tracks_of(k.scene, t))
+      if (!track->events.empty() && track->events.front().time <= begins)
+        return k.script.note(Severity::warning, "this track has events from the beginning on: what is set is not seen",
+                             about,
+                             fmt::format("at TIME {} VALUE changes one; clear takes them out", about.substr(0, 60)));
+}
+
 bool set(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();
@@ -93,6 +104,7 @@ bool set(Command& k) {
       return c.fail(ErrorCode::type, "an orientation has no separate angles", w,
                     "set the whole of it as euler(x y z) first");
   }
+  say_unseen(k, to, w);
   for (const Target& t : to.targets) set_value(s, t, v);
   return true;
 }

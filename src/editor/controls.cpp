@@ -296,11 +296,14 @@ void Take::end(Time now) {
   for (const Touched& t : touched_) {
     // The control held until now, and was seen for a frame at least; behind that the film is as it was.
     const Time to = std::max({now, t.held, t.last + after->rate.span(1)});
-    if (has_events(before_.scene(), t.target, to + Time{1}, for_good)) {
+    if (has_events(before_.scene(), t.target, to + Time{1}, for_good) || to <= before_.range().second) {
       Event event = event_at(*after, t.target, to, t.value);
+      const Value was = Program::compile(before_).read(t.target, to);
       if (const auto goes_on = value_before(before_, t.target, to, t.value)) {
         event.detail.edit().before = t.value;
         event.value = *goes_on;
+      } else if (!fits(Twerper::linear, type_of(*after, t.target)) && was.index() == t.value.index()) {
+        event.value = was;
       }
       put_event(*after, t.target, std::move(event));
     }

@@ -123,12 +123,23 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
 std::string track_lines(const Document& d, const Target& t) {
   std::string said;
   if (t.query()) return said;
-  const std::string rows = write_rows(d, t), besides = write_besides(d, t);
-  for (std::string_view rest = rows; !rest.empty();) {
-    const std::size_t end = rest.find('\n'), time = rest.find_first_not_of(' '), space = rest.find(' ', time);
-    said += fmt::format("  {:8}{}", rest.substr(time, space - time), rest.substr(space, end + 1 - space));
-    rest.remove_prefix(end + 1);
+  const auto put = [&](const std::string& rows) {
+    for (std::string_view rest = rows; !rest.empty();) {
+      const std::size_t end = rest.find('\n'), time = rest.find_first_not_of(' '), space = rest.find(' ', time);
+      said += fmt::format("  {:8}{}", rest.substr(time, space - time), rest.substr(space, end + 1 - space));
+      rest.remove_prefix(end + 1);
+    }
+  };
+  const std::size_t parts = t.component < 0 ? tracks_of(d.scene(), t).size() : 1;
+  if (parts < 2) put(write_rows(d, t));
+  for (std::size_t i = 0; parts > 1 && i < parts; ++i) {  // each component has a track of its own
+    Target part = t;
+    part.component = static_cast<int>(i);
+    const std::string rows = write_rows(d, part);
+    if (!rows.empty()) said += fmt::format("  {}\n", d.name(part));
+    put(rows);
   }
+  const std::string besides = write_besides(d, t);
   for (std::string_view rest = besides; !rest.empty();) {
     const std::size_t end = rest.find('\n') + 1;
     said += fmt::format("  {}", rest.substr(0, end));

@@ -42,7 +42,18 @@ bool is_world(const Target& t) { return t.query() == Query::world && t.component
 }  // namespace
 
 std::string plain_value(const Value& exact, const Target& t, const Document& d) {
-  const Value r = without_dust(exact);
+  Value r = without_dust(exact);
+  // People read degrees, whether or not these are to the last bit what the program has.
+  const auto degrees = [](double& angle) {
+    if (const double rounded = std::round(angle * (180 / pi) * 1e9) / 1e9; std::isfinite(rounded))
+      angle = rounded * (pi / 180);
+  };
+  if (auto* a = std::get_if<Angles>(&r))
+    for (int i = 0; i < 3; ++i) degrees(a->xyz[i]);
+  if (auto* n = std::get_if<double>(&r); n && !t.query()) {
+    const Type whole = spec_of(d.scene(), t.function).type;
+    if (row_of(t.component < 0 ? whole : component_type(whole)).angles) degrees(*n);
+  }
   if (const auto* m = std::get_if<Matrix>(&r)) return write_matrix(**m);
   if (const auto* n = std::get_if<double>(&r); n && t.query()) return write_number(*n);
   if (const auto* b = std::get_if<bool>(&r); b && t.query()) return *b ? "on" : "off";

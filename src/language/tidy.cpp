@@ -44,7 +44,8 @@ std::string shortest(std::string_view w) {
   double d = 0;
   if (!c.number(d)) return std::string(w);
   const std::string_view unit = c.unit();
-  return c.at == c.end ? write_number(d) + std::string(unit) : std::string(w);
+  const bool later = w[0] == '+' && (unit == "f" || unit == "s" || unit == "t");  // than the row above
+  return c.at == c.end ? (later ? "+" : "") + write_number(d) + std::string(unit) : std::string(w);
 }
 
 class Tidier {
@@ -76,6 +77,8 @@ class Tidier {
         Cursor time(line.tokens[0].text);
         time.rate = rate_, time.ticks = ticks_;
         if (!time.time(line.time)) return false;
+        if (line.tokens[0].text[0] == '+')
+          line.time = rows_.empty() ? Time{} : rows_.back().time;  // it stays behind that
         rows_.push_back(std::move(line));
         continue;
       }

@@ -160,6 +160,22 @@ void own_tangents(Track& track, Segment s, Type type, bool component) {
   for (Event& e : inside) track.events.put(std::move(e));
 }
 
+namespace {
+
+// How a segment is come to and left is of the in-betweens beside it, which stay as they are.
+void keep_outside(const Event& first, const Event& last, Event& now_first, Event& now_last) {
+  if (now_first.detail || first.detail) {
+    EventDetail& d = now_first.detail.edit();
+    d.ease_in = first.detail->ease_in, d.tangent_in = first.detail->tangent_in;
+  }
+  if (now_last.detail || last.detail) {
+    EventDetail& d = now_last.detail.edit();
+    d.ease_out = last.detail->ease_out, d.tangent_out = last.detail->tangent_out;
+  }
+}
+
+}  // namespace
+
 Result<Changed> reverse_segment(Track& track, Segment s) {
   auto events = track.events.between(s.from, s.to);
   const auto holds = [&](const Event& e) {
@@ -179,7 +195,8 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
       const bool held = i > 0 && holds(leader) && !leader.keep;
       Value after = held ? leader.value : e.detail->before.value_or(e.value);
       const bool seen = i + 1 == events.size() || !holds(events[i]);
-      if (seen && after != e.value) before = e.value;
+      const bool corner = e.detail->before && *e.detail->before == e.value;  // neighbours do not look across it
+      if (seen && (after != e.value || corner)) before = e.value;
       e.value = std::move(after);
     }
     if (e.detail || leader.detail || before || e.twerper == Twerper::bezier) {
@@ -195,6 +212,7 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
     }
     out.push_back(std::move(e));
   }
+  if (!events.empty()) keep_outside(events.front(), events.back(), out.front(), out.back());
   return put_back(track, s, std::move(out));
 }
 

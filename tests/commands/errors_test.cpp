@@ -53,6 +53,7 @@ TEST(Errors, Words) {
            {"range 9f 1f", 7, "the range ends before it begins"},
            {"ticks inf", 7, "'inf' is not a number"},
            {"background glod", 12, "there is no colour 'glod'", "did you mean 'gold'?"},
+           {"delete ball", 8, "'ball' is a sphere, not a display list", "remove ball takes the object out"},
            {"notes maybe", 7, "notes are on or off"},
            {"policy translat", 8, "the policy is translate, ignore or ask", "did you mean 'translate'?"},
            {"create", 7, "a name is missing here"},

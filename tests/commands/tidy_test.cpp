@@ -24,6 +24,14 @@ TEST(Tidy, SortsRowsWithTheirComments) {
             "set ball.radius 2\n");
 }
 
+TEST(Tidy, RowsThatCountFromTheOneAboveStayBehindIt) {
+  const std::string text = "create b sphere\nb.radius\n  37f 3\n  +12.0f 5\n  1f 1\n  +0.50s 2\n  +12f 4\n";
+  EXPECT_EQ(tidy(text), "create b sphere\nb.radius\n  1f     1\n  +0.5s  2\n  +12f   4\n  37f    3\n  +12f   5\n");
+  EXPECT_EQ(read(tidy(text)).document, read(text).document);
+  const std::string clock = "create b sphere\nb.radius\n  1f 1\n  +00:01 2\n  5f 3\n";
+  EXPECT_EQ(read(tidy(clock)).document, read(clock).document);
+}
+
 TEST(Tidy, TheExampleIsTidyAlready) {
   std::ifstream in(SOURCE_DIR "/examples/bounce.bx");
   const std::string bounce{std::istreambuf_iterator<char>(in), {}};

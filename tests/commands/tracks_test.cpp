@@ -166,5 +166,14 @@ TEST(Extend, OfAnAttachmentIsRefusedWithTheWayToDoIt) {
   EXPECT_NE(said(l.diagnostics).find("copy a.attachment 1f..24f to 25f times 3"), std::string::npos);
 }
 
+TEST(Tracks, ThatWhatIsSetIsNotSeenIsSaid) {
+  const std::string keyed = "create b sphere\nb.radius\n  1f 1\n  9f 2\n";
+  EXPECT_NE(said(read(keyed + "set b.radius 3\n").diagnostics)
+                .find("this track has events from the beginning on: what is set is not seen"),
+            std::string::npos);
+  EXPECT_TRUE(read("create b sphere\nb.radius\n  9f 2\nset b.radius 3\n").diagnostics.empty());
+  EXPECT_TRUE(read(keyed + "set b.color red\n").diagnostics.empty());
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "support/loaded_film.h"
 
@@ -111,7 +112,7 @@ Take performed(const Document& d, const std::vector<Said>& all, const std::strin
 TEST(Dials, RecordWhatWasSentAsEvents) {
   const Document d = film_with("dial /r to ball.radius\ndial /y to ball.position.y from 0 1 to 0 10\n");
   const Take take = performed(
-      d, {{"/r", 0.5, "3f"}, {"/r", 2, "5f"}, {"/r", 3, "5f"}, {"/r", 1.25, "0.2s"}, {"/y", 0.5, "13f"}}, "48f");
+      d, {{"/r", 0.5, "3f"}, {"/r", 2, "5f"}, {"/r", 3, "5f"}, {"/r", 1.25, "0.2s"}, {"/y", 0.5, "13f"}}, "49f");
   // Events at the times of the messages, the last of one time; between them straight lines; x goes on as it did.
   const LoadedFilm again(write(take.document()));
   EXPECT_EQ(again.loaded.document, take.document());
@@ -148,6 +149,17 @@ TEST(Dials, ATakeReplacesWhatItCoversAsItWasSeen) {
             "\n# Recorded\nclear ball.radius 5f..37f\nball.radius\n  5f 2 cut 7 linear\n  6f 8 linear\n  29f 8 linear\n"
             "  30f 4 linear\n  37f 4 cut 3 linear\n");
   EXPECT_EQ(LoadedFilm(text).loaded.document, take.document());
+}
+
+// shows: G57
+TEST(Dials, BehindATakeWhatHadNoTrackIsAsItWas) {
+  const Document d = film_with("set ball.radius 4\ndial /r to ball.radius\ndial /on to ball.display\n");
+  const Take take = performed(d, {{"/r", 7, "5f"}, {"/on", 0, "5f"}}, "20f");
+  for (const auto& [t, radius, shown] : std::vector<std::tuple<const char*, double, double>>{
+           {"1f", 4, 1}, {"4.999f", 4, 1}, {"5f", 7, 0}, {"19.999f", 7, 0}, {"20f", 4, 1}, {"48f", 4, 1}}) {
+    EXPECT_NEAR(numbers_at(take.document(), "ball.radius", t)[0], radius, 1e-9) << t;
+    EXPECT_EQ(numbers_at(take.document(), "ball.display", t)[0], shown) << t;
+  }
 }
 
 // shows: G57

@@ -5,6 +5,7 @@
 #include "editor/describe.h"
 
 #include "editor/author.h"
+#include "editor/plain_values.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -62,6 +63,20 @@ TEST(Notes, AreShownAsPlayingPassesThem) {
   EXPECT_EQ(notes_shown(d, {}, at(5)), "");
   EXPECT_EQ(notes_shown(d, at(4), at(8)), "");
   EXPECT_EQ(notes_shown(off.loaded.document, at(2), at(9)), "");
+}
+
+TEST(Describe, ComponentsWithTracksOfTheirOwnAreNamed) {
+  const Document d = read("create b box\nb.position.x\n  1f 0\n  25f 4\nat 12f b.position.z 3\n").document;
+  EXPECT_EQ(*describe(d, "b.position"),
+            "b.position\n  b.position.x\n  1f       0\n  25f      4\n  b.position.z\n  12f      3\n");
+}
+
+TEST(Describe, PeopleReadDegrees) {
+  const Document d =
+      read("rate 24\ncreate b box\nb.rotation\n  1f (0 0 0) linear\n  25f (30deg 100deg 0.1turn)\n").document;
+  const auto said_of = values_at(d, {"b.rotation"}, {{"11f", *parse_time("11f", d)}});
+  ASSERT_TRUE(said_of);
+  EXPECT_NE(said_of->find("euler(12.5deg 41.666666667deg 15deg)"), std::string::npos) << *said_of;
 }
 
 }  // namespace

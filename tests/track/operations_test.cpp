@@ -155,6 +155,31 @@ TEST(Reverse, RunsEveryTwerperTheSameWayBack) {
                   Type::scalar, 0, 10);
 }
 
+// A corner, `V cut V`, is one in both directions; what lies beside the segment is what it was.
+TEST(Reverse, KeepsCornersAndWhatLiesBeside) {
+  Event corner = event(2, 5.0, Twerper::smooth);
+  corner.detail.edit().before = Value(5.0);
+  expect_reversed(track({event(1, 0.0, Twerper::smooth), corner, event(4, -3.0, Twerper::smooth), event(5, 1.0)}),
+                  Type::scalar, 1, 5);
+  Event left = shaped(event(2, 2.0, Twerper::linear), 0, 0.5), came = shaped(event(1, 1.0, Twerper::linear), 0.25, 0);
+  left.detail.edit().tangent_out = Value(3.0);
+  const Track before =
+      track({event(0, 4.0, Twerper::linear), came, left, event(3, 3.0, Twerper::linear), event(4, 1.0)});
+  Track t = before;
+  ASSERT_TRUE(reverse_segment(t, {at(1), at(2)}));
+  EXPECT_EQ(t.events.find(at(1))->detail->ease_in, came.detail->ease_in);
+  EXPECT_EQ(t.events.find(at(2))->detail->ease_out, left.detail->ease_out);
+  EXPECT_EQ(t.events.find(at(2))->detail->tangent_out, left.detail->tangent_out);
+  EXPECT_EQ(t.events.find(at(1))->detail->ease_out, Time{});
+  for (const double s : {2.1, 2.4, 2.5, 2.75}) {  // from 1 now, in the same manner
+    const double was = (value(before, Type::scalar, at(s))[0] - 2) / (3 - 2),
+                 is = (value(t, Type::scalar, at(s))[0] - 1) / (3 - 1);
+    EXPECT_NEAR(is, was, 1e-12) << s;
+  }
+  ASSERT_TRUE(reverse_segment(t, {at(1), at(2)}));
+  EXPECT_TRUE(t == before);
+}
+
 TEST(Reverse, OrientationsColorsAndSwitches) {
   using enum Twerper;
   // (Not bspline: products of turns depend on their order.)
