@@ -22,6 +22,7 @@ struct LoadOptions {
   // with this time, in ticks. What a line runs that its author did not write (files that it uses, commands of their
   // own) is not the host's: it happens as it stands.
   std::optional<Time> now = {};
+  bool read_nothing = false;  // no files at all
 };
 
 // Loads a plug-in (include/betwixt/plugin.h) for good: from now on its twerpers, filters, commands and functions are

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/tell_user.h"
+
 namespace betwixt {
 namespace {
 
@@ -19,8 +21,8 @@ constexpr double most_frames = 10'000'000;
 }  // namespace
 
 int complain(const Error& e, int otherwise) {
-  fmt::print(stderr, "betwixt: {}\n", e.message);
-  if (!e.hint.empty()) fmt::print(stderr, "  {}\n", e.hint);
+  tell_user(fmt::format("betwixt: {}\n", e.message));
+  if (!e.hint.empty()) tell_user(fmt::format("  {}\n", e.hint));
   return e.code == ErrorCode::machine ? static_cast<int>(machine_failed) : otherwise;
 }
 
@@ -32,7 +34,7 @@ LoadOptions& load_options() {
 std::optional<Document> open_script(const std::string& file) {
   Loaded loaded = load_file(file, load_options());
   for (const Diagnostic& d : loaded.diagnostics)
-    if (d.severity != Severity::notice) std::fputs(to_string(d).c_str(), stderr);
+    if (d.severity != Severity::notice) tell_user(to_string(d));
   if (has_errors(loaded.diagnostics)) return std::nullopt;
   return std::move(loaded.document);
 }
@@ -83,7 +85,7 @@ Result<FrameList> read_frames(const std::string& text, const Document& document,
 void Problems::say(const std::vector<std::string>& problems) {
   const std::lock_guard lock(mutex_);
   for (const std::string& p : problems)
-    if (said_.size() < 100 && said_.insert(p).second) fmt::print(stderr, "betwixt: warning: {}\n", p);
+    if (said_.size() < 100 && said_.insert(p).second) tell_user(fmt::format("betwixt: warning: {}\n", p));
 }
 
 void catch_stops() {

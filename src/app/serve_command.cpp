@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/signalfd.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -15,6 +16,7 @@
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "app/window.h"
+#include "base/tell_user.h"
 #include "editor/journal.h"
 #include "server/serve.h"
 
@@ -127,6 +129,10 @@ Result<std::string> token_of(const ServeCall& call) {
   if (call.token_file.empty()) return new_token();
   const auto text = read_script(call.token_file);
   if (!text) return text.error();
+  struct stat file {};
+  if (::stat(call.token_file.c_str(), &file) == 0 && (file.st_mode & (S_IRGRP | S_IROTH)) != 0)
+    return fail(ErrorCode::file, fmt::format("--token-file: others may read '{}'", call.token_file),
+                fmt::format("chmod 600 {}", call.token_file));
   std::string token = text->value_or("");
   while (!token.empty() && (token.back() == '\n' || token.back() == '\r')) token.pop_back();
   if (token.size() < 16 || token.find('\n') != std::string::npos)
@@ -144,6 +150,7 @@ Result<Listener> listen(const ServeCall& call) {
 
 // Stops come as a file, so that none is missed; all threads inherit this.
 int stops() {
+  ::signal(SIGPIPE, SIG_IGN);  // whoever reads what we say may go
   sigset_t set;
   ::sigemptyset(&set);
   for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&set, s);
@@ -160,15 +167,16 @@ int serve(ServeCall& call) {
   // The clock is asked for its figures while hosts are served; it begins after what it shows.
   std::unique_ptr<FrameClock> clock;
   call.imaging.stats = [&] { return clock ? clock->stats() : std::string(); };
+  call.imaging.warn = [](const std::string& what) { tell_user(fmt::format("betwixt: warning: {}\n", what)); };
   Imaging imaging(call.imaging);
   const bool goes_on =
       call.file.empty() && !call.save.empty() && !call.overwrite && ::access(call.save.c_str(), F_OK) == 0;
   const auto begun = imaging.begin(call.file, call.save, call.overwrite, monotonic_now());
   if (!begun) return complain(begun.error(), wrong_input);
   for (const Diagnostic& d : *begun)
-    if (d.severity != Severity::notice) std::fputs(to_string(d).c_str(), stderr);
+    if (d.severity != Severity::notice) tell_user(to_string(d));
   if (has_errors(*begun)) return wrong_input;
-  if (goes_on) fmt::print(stderr, "goes on with '{}', as it was left\n", call.save);
+  if (goes_on) tell_user(fmt::format("goes on with '{}', as it was left\n", call.save));
 
   const auto rate = rate_of(call.rate, imaging.document().rate());
   if (!rate) return complain(rate.error(), wrong_call);
@@ -193,9 +201,9 @@ int serve(ServeCall& call) {
   if (!started) return complain(started.error(), wrong_call);
   clock = *std::move(started);
 
-  if (doors[0].asks() && call.token_file.empty()) fmt::print(stderr, "token {}\n", call.serve.token);
-  fmt::print(stderr, "serving at {}; frames at {:g} a second, class {}{}\n", doors[0].name(), rate->per_second(),
-             to_string(clock->priority()), clock->why().empty() ? "" : " (" + clock->why() + ")");
+  if (doors[0].asks() && call.token_file.empty()) tell_user(fmt::format("token {}\n", call.serve.token));
+  tell_user(fmt::format("serving at {}; frames at {:g} a second, class {}{}\n", doors[0].name(), rate->per_second(),
+                        to_string(clock->priority()), clock->why().empty() ? "" : " (" + clock->why() + ")"));
   // A film takes time to be finished; nothing else is waited for.
   const bool film = call.to.starts_with("film:");
   const auto end_soon = [film] {
@@ -211,6 +219,8 @@ int serve(ServeCall& call) {
   };
   const Status served = betwixt::serve(imaging, *clock, doors, call.serve);
   if (served) end_soon();
+  if (const Status whole = served ? imaging.finish() : Status(Nothing{}); !whole)
+    call.imaging.warn(whole.error().message + "; the journal beside it has all that was answered");
   clock.reset();  // what it showed is finished
   ::close(call.serve.stop);
   if (!served) return complain(served.error(), machine_failed);
@@ -218,14 +228,17 @@ int serve(ServeCall& call) {
 }
 
 // What hosts may ask for at most.
-std::vector<Parameter> ceiling_parameters(Ceilings& most) {
+std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
+  Ceilings& most = options.ceilings;
   const auto ceiling = [](const char* name, const std::string& sentence, std::size_t& to) {
     return option(name, "N", fmt::format("{}; {} if not said", sentence, to), &to);
   };
   return {ceiling("--ceiling", "environments", most.environments),
           ceiling("--objects", "environments and removed ones included", most.objects),
           ceiling("--events", "on tracks", most.events),
-          ceiling("--history", "bytes of accepted commands", most.history)};
+          ceiling("--history", "bytes of accepted commands", most.history),
+          ceiling("--undo", "commands that can be taken back", options.undo.steps),
+          ceiling("--checkpoint", "bytes of log after which the script is written anew", options.checkpoint)};
 }
 
 // Where hosts come in.
@@ -282,7 +295,7 @@ const Enlisted enlisted_serve(serve, [](ServeCall& call) -> Subcommand {
                            place_parameters(call),
                            picture_parameters(call.picture),
                            clock_parameters(call),
-                           ceiling_parameters(call.imaging.ceilings)}),
+                           ceiling_parameters(call.imaging)}),
           .example = "betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal",
           .manual = "They say what moves how, in the language, over a socket, and are answered in JSON."};
 });

@@ -54,6 +54,7 @@ fs::path real_path(const fs::path& path, std::error_code& why) {
 }  // namespace
 
 bool Script::may_read(const fs::path& path) const {
+  if (options.read_nothing) return false;
   if (options.read_anywhere) return true;
   std::error_code why;
   const fs::path real = real_path(path, why);

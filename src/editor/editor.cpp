@@ -7,13 +7,14 @@
 #include <algorithm>
 
 #include "language/line_words.h"
+#include "scene/memory.h"
 
 namespace betwixt {
 
 Diagnostics Editor::begin(std::string text, const std::string& name) {
   base_ = std::move(text), home_ = Home(name);
   steps_.clear(), before_.clear(), undone_.clear();
-  standing_ = 0;
+  standing_ = bytes_ = 0, heavy_ = false;
   Scene scene;
   Diagnostics all;
   Script script(scene, all, options_, {}, home_);
@@ -48,38 +49,91 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   return deed;
 }
 
-Status Editor::tell(Did what, const Step& step, std::size_t standing) const {
-  return sink_ ? sink_(what, step, {steps_.data(), standing}) : Status(Nothing{});
+Deed Editor::carry_out(const Step& step) const {
+  const Step* above = standing_ > 0 ? &steps_[standing_ - 1] : nullptr;
+  Deed deed;
+  Point at = now_;
+  if (step.lines.size() > 1 || (!step.sheet.empty() && !stands_below(step, above))) at.script.left.reset();
+  for (const std::string& line : lines_of(step, above)) {
+    deed = carry_out(at, line);
+    if (!deed.done) return deed;
+    at = deed.after;
+  }
+  return deed;
 }
 
-Status Editor::take(Point after, Step step) {
-  if (Status s = tell(Did::command, step, standing_); !s) return s;
+void Editor::push(Point after, Step step) {
+  const std::size_t bytes = bytes_of(step) + bytes_apart(now_.document.scene(), after.document.scene());
   steps_.resize(standing_);
   steps_.push_back(std::move(step));
   ++standing_;
+  for (const Past& p : undone_) bytes_ -= p.bytes;
   undone_.clear();
-  before_.push_back(std::exchange(now_, std::move(after)));
-  if (before_.size() > depth_) before_.pop_front();
+  before_.push_back({std::exchange(now_, std::move(after)), bytes});
+  bytes_ += bytes;
+}
+
+// What is older than may be kept is not gone back to any more.
+void Editor::shorten() {
+  while (before_.size() > 1 && (before_.size() > depth_.steps || bytes_ > depth_.bytes)) {
+    heavy_ = before_.size() <= depth_.steps;
+    bytes_ -= before_.front().bytes;
+    before_.pop_front();
+  }
+}
+
+Status Editor::take(Point after, Step step) {
+  if (Status s = tell(Did::command, step); !s) return s;
+  push(std::move(after), std::move(step));
+  shorten();
   return Nothing{};
+}
+
+void Editor::step_back() {
+  --standing_;
+  undone_.push_back({std::exchange(now_, std::move(before_.back().point)), before_.back().bytes});
+  before_.pop_back();
 }
 
 Status Editor::undo() {
   if (standing_ == 0) return fail(ErrorCode::range, "there is nothing to undo");
-  if (before_.empty()) return fail(ErrorCode::range, fmt::format("no more than {} commands can be undone", depth_));
-  if (Status s = tell(Did::undo, steps_[standing_ - 1], standing_ - 1); !s) return s;
-  --standing_;
-  undone_.push_back(std::exchange(now_, std::move(before_.back())));
-  before_.pop_back();
+  if (before_.empty() && heavy_)
+    return fail(ErrorCode::range,
+                fmt::format("no more can be undone: what is kept for it has at most {} bytes", depth_.bytes));
+  if (before_.empty())
+    return fail(ErrorCode::range, fmt::format("no more than {} commands can be undone", depth_.steps));
+  if (Status s = tell(Did::undo, steps_[standing_ - 1]); !s) return s;
+  step_back();
   return Nothing{};
 }
 
 Status Editor::redo() {
   if (undone_.empty()) return fail(ErrorCode::range, "there is nothing to redo");
-  if (Status s = tell(Did::redo, steps_[standing_], standing_); !s) return s;
+  if (Status s = tell(Did::redo, steps_[standing_]); !s) return s;
   ++standing_;
-  before_.push_back(std::exchange(now_, std::move(undone_.back())));
+  before_.push_back({std::exchange(now_, std::move(undone_.back().point)), undone_.back().bytes});
   undone_.pop_back();
   return Nothing{};
+}
+
+std::optional<std::pair<std::size_t, Diagnostics>> Editor::restore(const std::vector<Step>& steps,
+                                                                   std::size_t standing) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Deed deed = carry_out(steps[i]);
+    if (!deed.done && i < standing) return std::pair(i, std::move(deed.said));
+    if (!deed.done) break;  // it was undone anyhow
+    push(std::move(deed.after), steps[i]);
+    if (i < standing) shorten();
+  }
+  while (standing_ > standing) step_back();
+  shorten();
+  return std::nullopt;
+}
+
+void Editor::settle(std::string base, std::size_t steps) {
+  base_ = std::move(base);
+  steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(steps));
+  standing_ -= steps;
 }
 
 }  // namespace betwixt

@@ -5,6 +5,7 @@
 // It is the same for a person at a shell and for the hosts of a server. Who keeps what was done hangs a sink on it.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <limits>
@@ -12,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "commands/reader.h"
@@ -36,16 +38,19 @@ struct Deed {
   Diagnostics said;      // a place without a file is of the line itself
 };
 
+// So many steps can be taken back, and no more than hold so many bytes, by estimate; the last one always can.
+struct UndoDepth {
+  static constexpr std::size_t without_limit = std::numeric_limits<std::size_t>::max();
+  std::size_t steps = without_limit, bytes = without_limit;
+};
+
 class Editor {
  public:
-  // Is told before a step is taken, taken back or done again; where it cannot keep it, nothing is done. `standing`:
-  // the steps before it.
-  using Sink = std::function<Status(Did, const Step&, std::span<const Step> standing)>;
-  static constexpr std::size_t without_limit = std::numeric_limits<std::size_t>::max();
+  // Is told before a step is taken, taken back or done again; where it cannot keep it, nothing is done.
+  using Sink = std::function<Status(Did, const Step&)>;
 
-  // `depth`: so many steps can be taken back. What was said is kept of all, the documents before only of these.
-  explicit Editor(LoadOptions options = {}, std::size_t depth = without_limit)
-      : options_(std::move(options)), depth_(depth) {}
+  // What was said is kept of all, the documents before only of those that can be taken back.
+  explicit Editor(LoadOptions options = {}, UndoDepth depth = {}) : options_(std::move(options)), depth_(depth) {}
 
   // Begins with the author's text; the sink is told nothing. `name`: the file that it stands in, may be empty.
   Diagnostics begin(std::string text, const std::string& name);
@@ -64,6 +69,11 @@ class Editor {
   // happen that are said by a live host (LoadOptions::now).
   // `translated`: values that mean nothing where they stand are translated, and the deed's line says what came of it.
   Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}, bool translated = false) const;
+  // A step of a history, on what there is now: all its lines, below its sheet. On failure what is said is of one line.
+  Deed carry_out(const Step&) const;
+  // The steps of an earlier session, of which so many stand; the sink is told nothing. The first that cannot be done
+  // any more, and why; it and those behind it are left out.
+  std::optional<std::pair<std::size_t, Diagnostics>> restore(const std::vector<Step>& steps, std::size_t standing);
 
   // The sink's errors.
   Status take(Point after, Step step);
@@ -71,19 +81,36 @@ class Editor {
   Status undo();
   Status redo();
 
+  // Steps that cannot be taken back any more, and the document behind them.
+  std::size_t settled() const { return standing_ - before_.size(); }
+  const Document& settled_document() const { return (before_.empty() ? now_ : before_.front().point).document; }
+  // So many of them become a part of the author's text.
+  void settle(std::string base, std::size_t steps);
+  std::size_t undo_bytes() const { return bytes_; }
+
  private:
-  Status tell(Did what, const Step& step, std::size_t standing) const;
+  // A point that can be gone to, and what is kept for its sake beside its neighbour on the way to now.
+  struct Past {
+    Point point;
+    std::size_t bytes = 0;
+  };
+  Status tell(Did what, const Step& step) const { return sink_ ? sink_(what, step) : Status(Nothing{}); }
+  void push(Point after, Step step);
+  void step_back();
+  void shorten();
 
   LoadOptions options_;
-  std::size_t depth_;
+  UndoDepth depth_;
   Sink sink_;
   Home home_;
   std::string base_;
   Point now_;
   std::vector<Step> steps_;
   std::size_t standing_ = 0;
-  std::deque<Point> before_;   // the last of the steps that stand
-  std::vector<Point> undone_;  // after the steps that do not; the next one is the last
+  std::deque<Past> before_;   // the last of the steps that stand
+  std::vector<Past> undone_;  // after the steps that do not; the next one is the last
+  std::size_t bytes_ = 0;     // of both
+  bool heavy_ = false;        // steps were forgotten as they held too much
 };
 
 }  // namespace betwixt

@@ -2,139 +2,165 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/history.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-
-#include "base/files.h"
-#include "editor/journal.h"
+#include <algorithm>
 
 namespace betwixt {
 namespace {
 
-constexpr std::string_view opens = "# bundle", closes = "# end";  // around a step of several lines, in the script
-
-Error not_kept(const std::string& why) {
-  return fail(ErrorCode::machine, "nothing is done, as the history cannot be kept: " + why);
+Error not_kept(const Error& why) {
+  return fail(why.code, "nothing is done, as the history cannot be kept: " + why.message);
 }
 
-std::size_t bytes_of(const Step& step) {
-  std::size_t n = step.sheet.size() + 1;
-  for (const std::string& line : step.lines) n += line.size() + 1;
+std::size_t bytes_of_all(std::span<const Step> steps) {
+  std::size_t n = 0;
+  for (const Step& s : steps) n += bytes_of(s);
   return n;
 }
 
-// Rows follow their sheet's line, unless they already stand below it.
-std::string written(const Step& step, const Step* above) {
-  const bool several = step.lines.size() > 1 || step.lines[0].find('\n') != std::string::npos;
-  const bool below = above && !step.sheet.empty() && above->sheet == step.sheet && !several;
-  std::string out;
-  if (several) out += fmt::format("{}\n", opens);
-  if (!step.sheet.empty() && !below) out += step.sheet + "\n";
-  for (const std::string& line : step.lines) out += line + "\n";
-  if (several) out += fmt::format("{}\n", closes);
+// As a journal has them.
+std::vector<Record> records_of(std::span<const Step> steps, std::span<const Step> undone) {
+  std::vector<Record> out;
+  for (const auto part : {steps, undone})
+    for (const Step& s : part) out.push_back({Did::command, packed(s)});
+  out.insert(out.end(), undone.size(), {Did::undo, {}});
   return out;
 }
 
 }  // namespace
 
-std::string as_script(const std::string& base, std::span<const Step> steps) {
-  std::string out = base;
-  for (std::size_t i = 0; i < steps.size(); ++i) out += written(steps[i], i > 0 ? &steps[i - 1] : nullptr);
-  return out;
+void StepList::count(Did what, Step step) {
+  if (what == Did::undo && standing > 0) --standing;
+  if (what == Did::redo && standing < all.size()) ++standing;
+  if (what != Did::command) return;
+  all.resize(standing);
+  all.push_back(std::move(step));
+  ++standing;
 }
 
-std::string_view whole_steps(std::string_view text) {
-  text = text.substr(0, text.rfind('\n') + 1);
-  std::size_t open = std::string_view::npos;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = text.find('\n', at);
-    const std::string_view line = text.substr(at, end - at);
-    if (line == opens) open = at;
-    if (line == closes) open = std::string_view::npos;
-    at = end + 1;
-  }
-  return text.substr(0, open);
-}
-
-std::string begun_with(std::string text, std::string& cut) {
-  const std::size_t whole = whole_steps(text).size();
-  // An author's last line may lack its end; what a server wrote never does.
-  const bool torn = whole < text.size() && text.find(opens) != std::string::npos;
-  if (torn) cut = text.substr(whole), text.resize(whole);
-  if (!text.empty() && text.back() != '\n') text += '\n';
-  return text;
-}
-
-History::~History() {
-  if (file_ >= 0) ::close(file_);
-}
-
-Status History::keep_in(const std::string& path, bool overwrite, const std::string& base) {
-  const auto there = read_script(path);
-  if (!there) return there.error();
-  if (*there && !(*there)->empty() && !overwrite)
-    return fail(ErrorCode::file, fmt::format("--save: '{}' is there already", path),
-                fmt::format("--overwrite lets it go; to go on with it: betwixt serve {} --save {}", path, path));
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) return fail(ErrorCode::machine, fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
-  if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
-    ::close(file);
-    return fail(ErrorCode::file, fmt::format("another server keeps its history in '{}'", path));
-  }
-  if (!*there || **there != base) {
-    const int why = write_all(file, base, 0);
-    if (why || ::ftruncate(file, static_cast<off_t>(base.size())) != 0) {
-      ::close(file);
-      return fail(ErrorCode::machine, fmt::format("cannot write '{}': {}", path, std::strerror(why ? why : errno)));
-    }
-  }
-  file_ = file, end_ = static_cast<off_t>(base.size()), dirty_ = true;
-  return sync();
-}
-
-Status History::note(Did what, const Step& step, std::span<const Step> standing) {
-  return what == Did::undo ? take_back(step) : append(step, standing);
-}
-
-Status History::append(const Step& step, std::span<const Step> standing) {
-  const std::size_t more = bytes_of(step);
-  if (bytes_ + more > longest_)
-    return fail(ErrorCode::range, fmt::format("the history would be longer than {} bytes", longest_),
-                "undo takes commands back; betwixt serve --history N lets it grow");
-  const off_t begins = end_;
-  if (file_ >= 0) {
-    const std::string text = written(step, standing.empty() ? nullptr : &standing.back());
-    if (const int why = write_all(file_, text, end_)) {
-      const int cut = ::ftruncate(file_, end_);
-      return not_kept(std::strerror(cut == 0 ? why : errno));
-    }
-    end_ += static_cast<off_t>(text.size()), dirty_ = true;
-  }
-  begins_.push_back(begins);
-  bytes_ += more;
+Status History::hold(const std::string& path) {
+  auto journal = Journal::open(journal_path(path));
+  if (!journal && journal.error().code == ErrorCode::name)
+    return fail(ErrorCode::file, fmt::format("another server keeps its history in '{}', or a shell has it open", path));
+  if (!journal) return journal.error();
+  path_ = path, journal_ = *std::move(journal);
   return Nothing{};
 }
 
-Status History::take_back(const Step& step) {
-  if (file_ >= 0 && ::ftruncate(file_, begins_.back()) != 0) return not_kept(std::strerror(errno));
-  end_ = begins_.back(), dirty_ = true;
-  begins_.pop_back();
-  bytes_ -= bytes_of(step);
+Result<Kept> History::found(const std::optional<std::string>& script) const {
+  Kept out;
+  out.base = out.script = script.value_or("");
+  const Journal& j = *journal_;
+  const Fingerprint present = fingerprint(out.base);
+  const std::string now = to_string(present);
+  const bool fits = j.base() == present || std::any_of(j.records().begin(), j.records().end(), [&](const Record& r) {
+                      return r.what == Did::save && r.text == now;
+                    });
+  const std::string before = j.base() ? out.base.substr(0, j.base()->size) : "";
+  const bool begins = j.base() && fingerprint(before) == *j.base();
+  const char* why = j.foreign()                     ? "the journal beside it cannot be read"
+                    : !j.records().empty() && !fits ? "the journal beside it belongs to another text of it"
+                    : j.damaged() ? "the journal beside it is damaged; what came before the damage is gone on with"
+                                  : nullptr;
+  if (why) {
+    const auto aside = j.keep_aside();
+    if (!aside) return aside.error();
+    out.remarks += fmt::format("'{}': {}; it is kept as '{}'\n", path_, why, *aside);
+  } else if (j.torn() > 0) {
+    out.remarks +=
+        fmt::format("'{}': the last record of its journal was torn, and never answered; it is left out\n", path_);
+  }
+  // Where the file was written anew and the journal was not, it holds all that stood.
+  if (!fits || !begins) return out;
+  for (const Record& r : j.records()) out.steps.count(r.what, r.what == Did::command ? unpacked(r.text) : Step{});
+  out.base = before, out.goes_on = true;
+  return out;
+}
+
+void History::measure(std::span<const Step> steps, std::span<const Step> undone) {
+  bytes_ = bytes_of_all(steps);
+  length_ = bytes_ + bytes_of_all(undone);
+}
+
+Status History::keep(const std::string& base) {
+  const auto there = read_script(path_);
+  if (!there) return there.error();
+  others_ = *there == base;
+  if (!others_)
+    if (Status s = write_script(path_, base); !s) return s;
+  known_ = fingerprint(base);
+  measure({}, {});
+  return journal_->begin(*known_);
+}
+
+void History::go_on(std::span<const Step> steps, std::span<const Step> undone, const std::string& script) {
+  journal_->forget();
+  known_ = fingerprint(script), others_ = true;
+  measure(steps, undone);
+}
+
+Status History::note(Did what, const Step& step) {
+  const std::size_t more = bytes_of(step);
+  if (what != Did::undo && bytes_ + more > longest_)
+    return fail(ErrorCode::range, fmt::format("the history would be longer than {} bytes", longest_),
+                "undo takes commands back; betwixt serve --history N lets it grow");
+  if (journal_)
+    if (Status s = journal_->write(what, what == Did::command ? packed(step) : std::string()); !s)
+      return not_kept(s.error());
+  bytes_ = what == Did::undo ? bytes_ - more : bytes_ + more;
+  length_ += what == Did::command ? more : 1;
+  return Nothing{};
+}
+
+// Nobody else's text is ever replaced.
+Status History::unchanged() const {
+  const auto there = read_script(path_);
+  if (!there) return there.error();
+  if (!*there || !known_ || fingerprint(**there) == *known_) return Nothing{};
+  return fail(ErrorCode::file, fmt::format("'{}' has been changed by someone else, and is left as it is", path_),
+              "what hosts did is in the journal beside it; move the file away, then save again");
+}
+
+// The journal says first what will be in the file: a stop between the two is understood.
+Status History::write(const std::string& script) {
+  if (Status s = unchanged(); !s) return s;
+  const Fingerprint print = fingerprint(script);
+  if (Status s = journal_->append(Did::save, to_string(print)); !s) return s;
+  if (Status s = write_script(path_, script); !s) return s;
+  known_ = print;
+  return Nothing{};
+}
+
+Status History::save(const std::string& base, std::span<const Step> steps) {
+  const std::string script = as_script(base, steps);
+  return known_ == fingerprint(script) ? unchanged() : write(script);
+}
+
+Status History::checkpoint(const std::string& base, std::span<const Step> steps, std::span<const Step> undone) {
+  if (journal_) {
+    const std::string script = as_script(base, steps);
+    std::vector<Record> all = records_of(steps, undone);
+    all.push_back({Did::save, to_string(fingerprint(script))});
+    if (others_) ::link(path_.c_str(), (path_ + ".orig").c_str());  // unless one is there
+    others_ = false;
+    if (Status s = journal_->prepare(fingerprint(base), all); !s) return s;
+    if (Status s = write(script); !s) return s;
+    if (Status s = journal_->commit(); !s) return broken_ = s.error(), s;  // two texts that do not go together
+  }
+  measure(steps, undone);
   return Nothing{};
 }
 
 Status History::sync() {
-  if (!dirty_) return Nothing{};
-  if (file_ >= 0 && ::fdatasync(file_) != 0)
-    return fail(ErrorCode::machine, fmt::format("the history cannot be kept: {}", std::strerror(errno)));
-  dirty_ = false;
-  return Nothing{};
+  if (broken_) return *broken_;
+  return journal_ ? journal_->sync() : Status(Nothing{});
+}
+
+void History::finish() {
+  if (journal_) journal_->remove();
+  journal_.reset();
 }
 
 }  // namespace betwixt

@@ -1,57 +1,86 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a document was made of, as a script: the author's text, then every step that stands. It may be kept in a file;
-// then a step that has been answered is in it, whatever ends the process.
+// What a document was made of: a script, and every step since. It may be kept: the script in a file, the steps in the
+// journal beside it, as a session's are; then a step that has been answered is there, whatever ends the process.
 #pragma once
 
-#include <sys/types.h>
-
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "betwixt/result.h"
+#include "editor/journal.h"
 #include "editor/step.h"
 
 namespace betwixt {
 
-// `base`: the author's text.
-std::string as_script(const std::string& base, std::span<const Step> steps);
-// The text without what was begun at its end and not finished, as a process that is killed may leave it.
-std::string_view whole_steps(std::string_view text);
-// The text that a history goes on from. What was half done at its end, and never answered, goes to `cut`.
-std::string begun_with(std::string text, std::string& cut);
+// Steps by themselves, without the documents that they make.
+struct StepList {
+  std::vector<Step> all;     // that stand, then those that were undone, the next one first
+  std::size_t standing = 0;  // of them
+  std::span<const Step> stand() const { return {all.data(), standing}; }
+  std::span<const Step> undone() const { return std::span(all).subspan(standing); }
+  void count(Did what, Step step = {});
+};
+
+// What a script and the journal beside it make together.
+struct Kept {
+  std::string base;  // what the steps follow: the script, or what stands in it before the steps that were saved
+  StepList steps;
+  std::string remarks;   // a line each
+  bool goes_on = false;  // the journal holds them: it may be gone on with
+  std::string script;    // the whole, as it stands in the file
+};
 
 // A sink of an editor: it is told of every step before it is done.
 class History {
  public:
-  // `longest`: so many bytes of commands, beside the author's text.
+  // `longest`: so many bytes of commands, beside the text that they follow.
   explicit History(std::size_t longest) : longest_(longest) {}
-  ~History();
-  History(const History&) = delete;
-  History& operator=(const History&) = delete;
 
-  // From now on the file holds the history, which begins with the author's text. Errors: file (there already, another
-  // server has it), machine.
-  Status keep_in(const std::string& path, bool overwrite, const std::string& base);
+  // Holds the journal beside `path` from now on. Errors: file (another process has it), machine.
+  Status hold(const std::string& path);
+  // What stands in the script (none: it is not there) and in the journal that is held. What is torn or damaged is left
+  // out, and kept under another name where it was not just torn.
+  Result<Kept> found(const std::optional<std::string>& script) const;
+  // From now on the file holds the text, and the journal what will be noted. Errors: file, machine.
+  Status keep(const std::string& base);
+  // … and they do so already: a history that was found goes on.
+  void go_on(std::span<const Step> steps, std::span<const Step> undone, const std::string& script);
+
   // On failure (the disk is full, the history is too long) nothing has changed.
-  Status note(Did what, const Step& step, std::span<const Step> standing);
+  Status note(Did what, const Step& step);
   // What was noted is on the disk. A failure leaves unknown what is.
   Status sync();
-  std::size_t bytes() const { return bytes_; }  // of commands
+  // The file holds all that stands. It is refused where somebody else has written there. Errors: file, machine.
+  Status save(const std::string& base, std::span<const Step> steps);
+  // The file begins with another text, and the journal anew behind it: what stood before the `steps` is in the `base`.
+  // A stop at any moment leaves the old or the new.
+  Status checkpoint(const std::string& base, std::span<const Step> steps, std::span<const Step> undone);
+  // The file holds everything: no journal is needed.
+  void finish();
+
+  std::size_t bytes() const { return bytes_; }  // of the commands that stand behind the base
+  // Since the base was begun: it grows with every step, undone ones too.
+  std::size_t length() const { return length_; }
+  const std::string& path() const { return path_; }  // of the script; empty: nothing is kept
+  std::string journal() const { return journal_path(path_); }
 
  private:
-  Status append(const Step& step, std::span<const Step> standing);
-  Status take_back(const Step& step);
+  Status unchanged() const;
+  Status write(const std::string& script);
+  void measure(std::span<const Step> steps, std::span<const Step> undone);
 
   const std::size_t longest_;
-  std::vector<off_t> begins_;  // of each step, in the file
-  int file_ = -1;
-  off_t end_ = 0;
-  std::size_t bytes_ = 0;
-  bool dirty_ = false;
+  std::string path_;
+  std::unique_ptr<Journal> journal_;
+  std::optional<Fingerprint> known_;  // what the file held when it was last read or written; none: there was none
+  std::optional<Error> broken_;
+  bool others_ = false;  // the file was there before us
+  std::size_t bytes_ = 0, length_ = 0;
 };
 
 }  // namespace betwixt

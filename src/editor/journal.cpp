@@ -13,11 +13,15 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "base/files.h"
 
 namespace betwixt {
 namespace {
+
+constexpr std::size_t longest_head = 64;   // of a record
+constexpr const char* next_name = ".new";  // behind the journal's own: what will take its place
 
 constexpr std::uint64_t fnv_basis = 0xcbf29ce484222325;  // FNV-1a, 64 bits
 std::uint64_t fnv(std::string_view bytes, std::uint64_t h = fnv_basis) {
@@ -66,7 +70,7 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
     if (file < 0) return machine(path, "made");
     std::unique_ptr<Journal> journal(new Journal(path, file));
     if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
-      if (errno == EWOULDBLOCK) return fail(ErrorCode::name, "another shell has it open");
+      if (errno == EWOULDBLOCK) return fail(ErrorCode::name, "another process has it open");
       return machine(path, "locked");
     }
     struct stat held {};
@@ -80,7 +84,10 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   }
 }
 
-Journal::~Journal() { ::close(file_); }
+Journal::~Journal() {
+  discard_next();
+  ::close(file_);
+}
 
 void Journal::read() {
   const auto read = text_of(file_, path_);
@@ -103,63 +110,114 @@ void Journal::read() {
   base_ = base;
   std::size_t at = line + 1;
   sum_ = fnv({all.data(), at});
-  while (at < all.size()) {
-    const std::size_t stop = all.find('\n', at);
-    char kind = 0;
-    std::uint64_t size = 0, sum = 0, expected = sum_;
-    const std::string_view rest(all.data() + at, all.size() - at);
-    const bool said =
-        stop != std::string::npos && std::sscanf(all.c_str() + at, "%c %" SCNu64 " %" SCNx64, &kind, &size, &sum) == 3;
-    const std::size_t left = said ? all.size() - stop - 1 : 0;
-    const bool known = kind == 'c' || kind == 'u' || kind == 'r' || kind == 's';
-    if (said && known && size < left) {
-      const std::string_view text(all.data() + stop + 1, size);
-      const std::string whole = record(static_cast<Did>(kind), text, expected);
-      if (rest.starts_with(whole)) {
-        records_.push_back({static_cast<Did>(kind), std::string(text)});
-        sum_ = expected;
-        at += whole.size();
-        continue;
-      }
-    }
-    torn_ = rest.size();
-    damaged_ = stop != std::string::npos && (!said || size < left);
-    break;
-  }
+  while (at < all.size() && read_record(all, at)) continue;
   end_ = at;
 }
 
-// Written at the end and on the disk, or not at all.
-Status Journal::put(const std::string& bytes) {
-  int reason = write_all(file_, bytes, static_cast<off_t>(end_));
-  if (reason == 0 && ::fdatasync(file_) != 0) reason = errno;
-  if (reason == 0) return end_ += bytes.size(), Nothing{};
-  const Error e = machine(path_, "written", reason);
-  if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) ::fdatasync(file_);
-  return e;
+// False: what stands there is no whole record.
+bool Journal::read_record(const std::string& all, std::size_t& at) {
+  const std::string_view rest = std::string_view(all).substr(at);
+  const std::size_t stop = rest.find('\n');
+  const std::string line(
+      rest.substr(0, std::min(stop, longest_head)));  // not all of it: what reads it looks for its end
+  char kind = 0;
+  std::uint64_t size = 0, sum = 0, expected = sum_;
+  const bool said =
+      stop < longest_head && std::sscanf(line.c_str(), "%c %" SCNu64 " %" SCNx64, &kind, &size, &sum) == 3;
+  const std::size_t left = said ? rest.size() - stop - 1 : 0;
+  const bool known = kind == 'c' || kind == 'u' || kind == 'r' || kind == 's';
+  if (said && known && size < left) {
+    const std::string_view text = rest.substr(stop + 1, size);
+    const std::string whole = record(static_cast<Did>(kind), text, expected);
+    if (rest.starts_with(whole)) {
+      records_.push_back({static_cast<Did>(kind), std::string(text)});
+      sum_ = expected;
+      at += whole.size();
+      return true;
+    }
+  }
+  torn_ = rest.size();
+  damaged_ = stop != std::string::npos && (!said || size < left);
+  return false;
 }
 
-Status Journal::begin(const Fingerprint& base) {
-  if (::ftruncate(file_, 0) != 0) return machine(path_, "emptied");
-  end_ = 0, torn_ = 0, damaged_ = foreign_ = false;
+Status Journal::begin(const Fingerprint& base, std::span<const Record> records) {
+  if (Status s = prepare(base, records); !s) return s;
+  return commit();
+}
+
+Status Journal::prepare(const Fingerprint& base, std::span<const Record> records) {
+  std::string all = header(base);
+  std::uint64_t sum = fnv(all);
+  for (const Record& r : records) all += record(r.what, r.text, sum);
+  const std::string beside = path_ + next_name;
+  discard_next();
+  ::unlink(beside.c_str());  // of a process that was killed here
+  OpenFile file(::open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  int reason = file ? 0 : errno;
+  if (reason == 0 && ::flock(file.fd(), LOCK_EX | LOCK_NB) != 0) reason = errno;
+  if (reason == 0) reason = write_all(file.fd(), all, 0);
+  if (reason == 0 && ::fdatasync(file.fd()) != 0) reason = errno;
+  if (reason != 0) {
+    if (file) ::unlink(beside.c_str());
+    return machine(path_, "written", reason);
+  }
+  next_ = {file.release(), base, sum, all.size()};
+  return Nothing{};
+}
+
+Status Journal::commit() {
+  if (::rename((path_ + next_name).c_str(), path_.c_str()) != 0) {
+    const int reason = errno;
+    discard_next();
+    return machine(path_, "written", reason);
+  }
+  sync_folder_of(path_);
+  ::close(std::exchange(file_, next_->file));
+  base_ = next_->base, sum_ = next_->sum, end_ = next_->end, torn_ = 0;
+  foreign_ = damaged_ = dirty_ = false;
   records_.clear();
-  base_ = base;
-  const std::string first = header(base);
-  sum_ = fnv(first);
-  const Status done = put(first);
-  if (done) sync_folder_of(path_);
-  return done;
+  next_.reset();
+  return Nothing{};
 }
 
-Status Journal::append(Did what, std::string_view text) {
+void Journal::discard_next() {
+  if (!next_) return;
+  ::close(next_->file);
+  ::unlink((path_ + next_name).c_str());
+  next_.reset();
+}
+
+Status Journal::write(Did what, std::string_view text) {
   if (torn_ > 0) {
     if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) return machine(path_, "mended");
     torn_ = 0;
   }
   std::uint64_t sum = sum_;
-  const Status done = put(record(what, text, sum));
-  if (done) sum_ = sum;
-  return done;
+  const std::string bytes = record(what, text, sum);
+  if (const int reason = write_all(file_, bytes, static_cast<off_t>(end_))) {
+    torn_ = bytes.size();  // perhaps: what stands there goes before the next one
+    if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) torn_ = 0;
+    return machine(path_, "written", reason);
+  }
+  sum_ = sum, end_ += bytes.size(), dirty_ = true;
+  return Nothing{};
+}
+
+Status Journal::sync() {
+  if (dirty_ && ::fdatasync(file_) != 0) return machine(path_, "written");
+  dirty_ = false;
+  return Nothing{};
+}
+
+Status Journal::append(Did what, std::string_view text) {
+  const std::uint64_t sum = sum_, end = end_;
+  if (Status s = write(what, text); !s) return s;
+  const Status safe = sync();
+  if (safe) return safe;
+  torn_ = end_ - end, sum_ = sum, end_ = end, dirty_ = false;
+  if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) torn_ = 0, ::fdatasync(file_);
+  return safe;
 }
 
 Result<std::string> Journal::keep_aside() const {

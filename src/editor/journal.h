@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,14 +67,23 @@ class Journal {
     return base_;
   }  // the text that the records follow; none: no journal
   const std::vector<Record>& records() const { return records_; }
+  void forget() { records_ = {}; }
   bool foreign() const { return foreign_; }   // it holds something that is no journal
   std::size_t torn() const { return torn_; }  // bytes at its end that are no whole record
   bool damaged() const { return damaged_; }   // … and were not just cut off
 
-  // A fresh journal in its place.
-  Status begin(const Fingerprint& base);
+  // Another journal takes its place, whole and on the disk, or it stays as it was.
+  Status begin(const Fingerprint& base, std::span<const Record> records = {});
+  // The same in two: all of it is on the disk under another name; and it takes the place.
+  Status prepare(const Fingerprint& base, std::span<const Record> records);
+  Status commit();
   // The record is on the disk when this returns; on failure the journal is as it was.
   Status append(Did what, std::string_view text);
+  // The same in two: written at its end, which is taken back on failure; and what was written is on the disk. Of a
+  // failure of the second it is unknown what is.
+  Status write(Did what, std::string_view text);
+  Status sync();
+  std::uint64_t size() const { return end_; }
   // A copy under another name that nothing has; the name.
   Result<std::string> keep_aside() const;
   void remove();
@@ -81,16 +91,23 @@ class Journal {
  private:
   Journal(std::string path, int file) : path_(std::move(path)), file_(file) {}
   void read();
-  Status put(const std::string& bytes);
+  void discard_next();
+  bool read_record(const std::string& all, std::size_t& at);
 
   const std::string path_;
-  const int file_;
+  int file_;
   std::uint64_t sum_ = 0;  // of all up to the end
   std::uint64_t end_ = 0;  // of the last whole record
   std::optional<Fingerprint> base_;
   std::vector<Record> records_;
   std::size_t torn_ = 0;
-  bool foreign_ = false, damaged_ = false;
+  bool foreign_ = false, damaged_ = false, dirty_ = false;
+  struct Next {
+    int file = -1;
+    Fingerprint base;
+    std::uint64_t sum = 0, end = 0;
+  };
+  std::optional<Next> next_;  // prepared
 };
 
 // Errors: file, machine. A file that is not there: none.

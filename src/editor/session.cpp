@@ -34,12 +34,7 @@ std::string_view trimmed(std::string_view s, bool both) {
   return s;
 }
 
-std::string Session::State::text() const {
-  std::string out = editor.base();
-  if (!editor.steps().empty() && !out.empty() && out.back() != '\n') out += '\n';
-  for (const Step& s : editor.steps()) out += s.lines[0] + "\n";
-  return out;
-}
+std::string Session::State::text() const { return as_script(editor.base(), editor.steps()); }
 
 // Which of the choices is answered; none where nobody answers.
 std::optional<std::size_t> Session::State::choose(const std::string& question,

@@ -33,9 +33,8 @@ Status Session::State::write_down(Did what, std::string_view text) {
 
 // From now on, what is done is in the journal first.
 void Session::State::keep_journal() {
-  editor.keep([this](Did what, const Step& step, std::span<const Step>) {
-    return write_down(what, what == Did::command ? step.lines[0] : "");
-  });
+  editor.keep(
+      [this](Did what, const Step& step) { return write_down(what, what == Did::command ? packed(step) : ""); });
 }
 
 // The journal of a file that this session goes over to, and that has none of its own that anybody needs.
@@ -102,13 +101,12 @@ Session::Answer Session::State::save(const std::string& to) {
 
 // A journal that holds the whole history.
 bool Session::State::begin(Journal& j, const Fingerprint& saved) const {
-  if (!j.begin(fingerprint(editor.base()))) return false;
+  std::vector<Record> all;
   for (const auto steps : {editor.steps(), editor.undone()})
-    for (const Step& s : steps)
-      if (!j.append(Did::command, s.lines[0])) return false;
-  for (std::size_t k = 0; k < editor.undone().size(); ++k)
-    if (!j.append(Did::undo, {})) return false;
-  return static_cast<bool>(j.append(Did::save, to_string(saved)));
+    for (const Step& s : steps) all.push_back({Did::command, packed(s)});
+  all.insert(all.end(), editor.undone().size(), {Did::undo, {}});
+  all.push_back({Did::save, to_string(saved)});
+  return static_cast<bool>(j.begin(fingerprint(editor.base()), all));
 }
 
 // Whether what is here may be left; where nobody answers, the journal keeps it.

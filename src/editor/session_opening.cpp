@@ -116,7 +116,7 @@ std::optional<bool> Session::State::wanted(const Tally& then, Earlier earlier) c
 std::string Session::State::recorded() const {
   std::string all;
   for (const Record& r : journal->records()) {
-    if (r.what == Did::command) all += "  " + r.text + "\n";
+    if (r.what == Did::command) all += fmt::format("  {}\n", fmt::join(unpacked(r.text).lines, "\n  "));
     if (r.what == Did::undo) all += "  undo\n";
     if (r.what == Did::redo) all += "  redo\n";
     if (r.what == Did::save) all += "  save\n";
@@ -133,20 +133,22 @@ Session::Answer Session::State::replay(Opening o, const std::string& base) {
     if (r.what == Did::undo) (void)editor.undo();
     if (r.what == Did::redo) (void)editor.redo();
     if (r.what == Did::command) {
-      Deed deed = editor.carry_out(editor.now(), r.text);
+      Step step = unpacked(r.text);
+      Deed deed = editor.carry_out(step);
       if (!deed.done) {
         // A file that it needs is not there any more, say. What came before it stands; the rest is kept.
         const auto kept = journal->keep_aside();
         if (!kept) return refused(kept.error());
-        o.said += told(deed.said, r.text) +
+        const std::string lines = fmt::format("{}", fmt::join(step.lines, "\n"));
+        o.said += told(deed.said, lines) +
                   fmt::format(
                       "this command of the journal cannot be carried out any more: {}\nwhat came before it is "
                       "recovered; the whole journal is kept as '{}'\n",
-                      trimmed(r.text), *kept);
+                      trimmed(lines), *kept);
         if (!rewrite(i)) return refused("the journal cannot be written");
         break;
       }
-      (void)editor.take(std::move(deed.after), {{std::move(deed.line)}, {}});
+      (void)editor.take(std::move(deed.after), std::move(step));
     }
     if (r.what != Did::save || r.text == now_saved) tally.count(r.what);
   }
@@ -158,9 +160,7 @@ Session::Answer Session::State::replay(Opening o, const std::string& base) {
 bool Session::State::rewrite(std::size_t n) {
   std::vector<Record> records = journal->records();
   records.resize(n);
-  if (!journal->begin(fingerprint(editor.base()))) return false;
-  return std::all_of(records.begin(), records.end(),
-                     [&](const Record& r) { return static_cast<bool>(journal->append(r.what, r.text)); });
+  return static_cast<bool>(journal->begin(fingerprint(editor.base()), records));
 }
 
 }  // namespace betwixt

@@ -4,7 +4,9 @@
 // What was done, in words.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace betwixt {
@@ -13,8 +15,23 @@ namespace betwixt {
 struct Step {
   std::vector<std::string> lines;
   std::string sheet;  // the lines that stand above their rows there, unless they do already; may be empty
+  friend bool operator==(const Step&, const Step&) = default;
 };
 
 enum class Did : char { command = 'c', undo = 'u', redo = 'r', save = 's' };  // save: a file holds all that stands
+
+// Whether its rows go on below the step above it, whose sheet they share.
+bool stands_below(const Step&, const Step* above);
+// The lines of a history, each by itself: rows follow those of their sheet, unless they already stand below them.
+std::vector<std::string> lines_of(const Step&, const Step* above);
+std::size_t bytes_of(const Step&);
+
+// A script: the author's text, and below it every step.
+std::string as_script(std::string_view base, std::span<const Step> steps);
+
+// A step as one text: a line as it is; of more, the sheet and then each line, with a zero between two, which no line
+// has.
+std::string packed(const Step&);
+Step unpacked(std::string_view);
 
 }  // namespace betwixt

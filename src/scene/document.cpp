@@ -79,11 +79,20 @@ ObjectId NameIndex::find(std::string_view name) const {
   return at == s.end() ? ObjectId{} : at->second;
 }
 
-std::size_t NameIndex::bytes() const {
+std::size_t NameIndex::bytes_apart(const NameIndex& other) const {
   constexpr std::size_t node = sizeof(Shard::value_type) + sizeof(void*) + sizeof(std::size_t);
   std::size_t sum = 0;
-  for (const Cow<Shard>& s : shards_)
-    if (s) sum += shared_bytes<Shard> + s->bucket_count() * sizeof(void*) + s->size() * node;
+  for (std::size_t i = 0; i < shards_.size(); ++i)
+    if (const Cow<Shard>& s = shards_[i]; s && !s.same(other.shards_[i]))
+      sum += shared_bytes<Shard> + s->bucket_count() * sizeof(void*) + s->size() * node;
+  return sum;
+}
+
+std::size_t Objects::bytes_apart(const Objects& other) const {
+  std::size_t sum = chunks_.size() * sizeof(chunks_[0]);
+  for (std::size_t c = 0; c < chunks_.size(); ++c)
+    if (c >= other.chunks_.size() || !chunks_[c].same(other.chunks_[c]))
+      sum += shared_bytes<std::vector<Cow<Object>>> + chunks_[c]->size() * sizeof(Cow<Object>);
   return sum;
 }
 

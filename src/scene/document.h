@@ -74,6 +74,8 @@ class Objects {
     }
   }
 
+  std::size_t bytes_apart(const Objects& other) const;  // of what it holds and the other does not, but for the objects
+
  private:
   static constexpr std::size_t chunk = 128;
   std::vector<Cow<std::vector<Cow<Object>>>> chunks_;
@@ -86,7 +88,8 @@ class NameIndex {
   ObjectId find(std::string_view name) const;
   void put(const std::string& name, ObjectId id) { shard(name).edit()[name] = id; }
   void erase(const std::string& name) { shard(name).edit().erase(name); }
-  std::size_t bytes() const;  // of what it holds
+  std::size_t bytes() const { return bytes_apart({}); }   // of what it holds
+  std::size_t bytes_apart(const NameIndex& other) const;  // … and the other does not
   bool same(const NameIndex& other) const {
     return std::equal(shards_.begin(), shards_.end(), other.shards_.begin(),
                       [](const Cow<Shard>& a, const Cow<Shard>& b) { return a.same(b); });

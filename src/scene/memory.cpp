@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/memory.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include "base/memory.h"
@@ -17,6 +18,15 @@ class Weighing {
  public:
   SceneSize sum;
 
+  // The object alone, with those of its tracks that the other has not.
+  void apart(const Object& o, const Object* other) {
+    sum.bytes += shared_bytes<Object> + letters(o.name) + bytes_held(o.slots);
+    for (const Slot& s : o.slots) {
+      const Slot* there = other ? other->find(s.function, s.layer) : nullptr;
+      apart(s, there), apart(s.velocity, there ? &there->velocity : nullptr);
+    }
+    if (o.environment && (!other || other->environment != o.environment)) sum.bytes += shared_bytes<Environment>;
+  }
   void object(const Object& o) {
     sum.bytes += shared_bytes<Object> + letters(o.name) + bytes_held(o.slots);
     for (const Slot& s : o.slots) {
@@ -29,6 +39,20 @@ class Weighing {
   }
 
  private:
+  void apart(const Strand& s, const Strand* other) {
+    sum.bytes += bytes_held(s.components);
+    if (!other || !s.track.same(other->track)) apart(s.track);
+    for (std::size_t i = 0; i < s.components.size(); ++i)
+      if (!other || i >= other->components.size() || !s.components[i].same(other->components[i]))
+        apart(s.components[i]);
+  }
+  // An edit copies a chunk of it and the list of chunks.
+  void apart(const Cow<Track>& t) {
+    constexpr std::size_t chunk = 128 * sizeof(Event);
+    if (t)
+      sum.bytes +=
+          shared_bytes<Track> + std::min(t->events.bytes(), chunk + t->events.size() / 128 * sizeof(Cow<Event>));
+  }
   void strand(const Strand& s) {
     sum.bytes += bytes_held(s.components);
     track(s.track);
@@ -68,6 +92,16 @@ SceneSize size_of(const Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) all.object(scene.objects[i]);
   all.sum.bytes += sizeof(Scene) + scene.objects.size() * sizeof(Cow<Object>) + scene.names.bytes();
   return all.sum;
+}
+
+std::size_t bytes_apart(const Scene& before, const Scene& after) {
+  Weighing lost;
+  before.objects.each_changed(after.objects, [&](std::size_t i) {
+    lost.apart(before.objects[i], i < after.objects.size() ? &after.objects[i] : nullptr);
+  });
+  lost.sum.bytes += sizeof(Scene) + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
+  if (!before.lists.same(after.lists)) lost.sum.bytes += before.lists->size() * shared_bytes<DisplayLists::value_type>;
+  return lost.sum.bytes;
 }
 
 }  // namespace betwixt

@@ -15,5 +15,7 @@ struct SceneSize {
   std::size_t events = 0;  // of tracks
 };
 SceneSize size_of(const Scene&);
+// About how many bytes are kept for the sake of `before` alone, where `after` is what an edit made of it.
+std::size_t bytes_apart(const Scene& before, const Scene& after);
 
 }  // namespace betwixt

@@ -5,45 +5,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <chrono>
-#include <filesystem>
 #include <new>
 
 #include "base/names.h"
 #include "commands/verbs.h"
-#include "editor/journal.h"
 #include "language/json.h"
 #include "server/answers.h"
 
 namespace betwixt {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int most_open_lines = 10'000;  // of one command
 constexpr int most_attempts = 3;         // beside others, before they wait
-
-// One path for one file, whether it is there or not.
-fs::path real(const std::string& file) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(file, ignored), ignored);
-}
-
-// Hosts make names from their own numbers: O3000001 is of host 3 (betwixt/aim.h). What a history has of them stays
-// theirs: the highest of these hosts.
-std::uint64_t last_host_named(std::string_view text) {
-  std::uint64_t last = 0;
-  const auto part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  for (std::size_t i = text.find_first_of("EOT"); i < text.size(); i = text.find_first_of("EOT", i + 1)) {
-    if (i > 0 && part_of_name(text[i - 1])) continue;
-    std::uint64_t number = 0;
-    std::from_chars(text.data() + i + 1, text.data() + text.size(), number);  // too high for it: nobody's, and 0
-    last = std::max(last, number / 1'000'000);
-  }
-  return last;
-}
 
 }  // namespace
 
@@ -60,46 +34,7 @@ Nanos Transport::when(Time t) const {
 
 Imaging::Imaging(Options options)
     : options_(std::move(options)), editor_(options_.load, options_.undo), history_(options_.ceilings.history) {
-  editor_.keep([this](Did what, const Step& step, std::span<const Step> standing) {
-    return history_.note(what, step, standing);
-  });
-}
-
-Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& save, bool overwrite, Nanos now) {
-  std::error_code ignored;
-  const bool goes_on =
-      !save.empty() && (file.empty() ? fs::exists(save, ignored) && !overwrite : real(file) == real(save));
-  const std::string from = goes_on ? save : file;
-  std::string text;
-  if (!from.empty()) {
-    const auto there = read_script(from);
-    if (!there) return there.error();
-    if (!*there && !goes_on) return fail(ErrorCode::file, fmt::format("there is no file '{}'", from));
-    text = there->value_or("");
-  }
-  if (!save.empty() && !from.empty() && real(from).parent_path() != real(save).parent_path())
-    return fail(ErrorCode::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
-                "the paths of files in a script count from its folder, so its history must be there too");
-  name_ = save.empty() ? from : save, save_ = save;
-  last_host_ = last_host_named(text);
-  std::string cut;
-  Diagnostics all = editor_.begin(begun_with(std::move(text), cut), name_);
-  event_count_ = count_events({}, 0, document().scene());
-  if (has_errors(all)) return all;
-  if (!cut.empty())
-    all.push_back(
-        {Severity::warning,
-         fail(ErrorCode::file, fmt::format("what stands at the end of '{}' was never finished and is left out: {}",
-                                           from, cut.substr(0, 200))),
-         {},
-         0});
-  if (!save.empty())
-    if (Status s = history_.keep_in(save, overwrite || goes_on, editor_.base()); !s) return s.error();
-  transport_ = {!options_.wait, now, Time{}};
-  begun_ = now;
-  options_.load.read_anywhere = false;  // from here on strangers speak
-  editor_.allow(options_.load);
-  return all;
+  editor_.keep([this](Did what, const Step& step) { return history_.note(what, step); });
 }
 
 Imaging::Host Imaging::arrive() {
@@ -227,7 +162,8 @@ Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t event
     if (!e.place.file.empty() || e.place.line < 1) e.place = {};
     if (d.severity == Severity::error) {
       if (e.hint.find("--read-anywhere") != std::string::npos)
-        e.hint = "hosts reach files below the script's folder only";
+        e.hint = options_.load.read_nothing ? "this server began without a script: it reads no files"
+                                            : "hosts reach files below the script's folder only";
       return e;
     }
     c.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
@@ -273,22 +209,10 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
   if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}); !s) return no(h, now, s.error());
   ++commands_;
   event_count_ = c->events;
-  if (starts_show(line.verb)) {
-    start_clock(now);
-    c->said += yet_to_come();
-  }
+  if (starts_show(line.verb)) start_clock(now);
   changed(h.host, deed.line, now);
   if (made) program_ = *std::move(made), compiled_ = version_;
   return yes(h, now, said(c->said), deed.stamped ? std::optional(at) : std::nullopt);
-}
-
-// How many events there are after steps were taken back or done again.
-void Imaging::recount(const Document& before) {
-  const Scene &was = before.scene(), &is = document().scene();
-  if (is.objects.size() >= was.objects.size())
-    event_count_ = count_events(was, event_count_, is);
-  else
-    event_count_ -= count_events(is, 0, was);  // what is not there any more
 }
 
 }  // namespace betwixt

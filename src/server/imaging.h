@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@
 
 #include "betwixt/contacts.h"
 #include "betwixt/program.h"
+#include "editor/checkpoint.h"
 #include "editor/editor.h"
 #include "editor/history.h"
 #include "editor/said_line.h"
@@ -50,15 +52,17 @@ class Imaging {
   struct Options {
     std::int64_t latency = 1;  // ticks: a command about environments takes effect so long after it came
     Ceilings ceilings;
-    std::size_t undo = 1000;  // commands that can be undone
+    UndoDepth undo{1000, 128 << 20};    // commands that can be undone, and bytes that they hold
+    std::size_t checkpoint = 16 << 20;  // bytes of log from one checkpoint to the next
     bool sweep = false;       // what is fast is noticed even where it slips through between two frames
     ContactOptions contacts;
     bool wait = false;  // the clock stands at 0 until a host says `start`
     LoadOptions load;
-    std::function<std::string()> stats;  // members of a JSON object, of what stands around
+    std::function<std::string()> stats;            // members of a JSON object, of what stands around
     // Does work that may take long, and lets other lines be entered meanwhile. False: who asked for it has gone. None:
     // all is done at once.
     std::function<bool(const std::function<void()>&)> beside;
+    std::function<void(const std::string&)> warn;  // whoever runs the server
   };
   using Host = std::uint64_t;
   struct Reply {
@@ -69,7 +73,7 @@ class Imaging {
 
   explicit Imaging(Options);
 
-  // Begins with a script, "" without; keeps the history in a file, "": does not.
+  // Begins with a script, "" without; keeps the history in a file and the journal beside it, "": does not.
   Result<Diagnostics> begin(const std::string& file, const std::string& save, bool overwrite, Nanos now);
 
   Host arrive();
@@ -79,7 +83,9 @@ class Imaging {
   // A line that is too long to be looked at.
   Reply enter_too_long(Host, Nanos now);
   // Everything that was answered is on the disk. An error: it may not be, and the server must end.
-  Status sync() { return history_.sync(); }
+  Status sync();
+  // The server ends: the file is the whole history. Errors: file, machine; then the journal has it.
+  Status finish();
 
   void work_beside(decltype(Options::beside) how) { options_.beside = std::move(how); }
 
@@ -148,12 +154,14 @@ class Imaging {
   Reply command(Visitor&, const SaidLine&, Nanos now);
   Reply collect(Visitor&, std::string_view line, Nanos now);
   void start_clock(Nanos now);
+  Result<Kept> gather(const std::string& from, bool goes_on, bool overwrite);
+  std::size_t checkpoint_every() const;
+  void take_checkpoint();
   Reply end_bundle(Visitor&, Nanos now);
   std::optional<Error> carry_out(const Bundled&, Together&, std::int64_t stamp) const;
   Reply yes(const Visitor&, Nanos now, const std::string& members, std::optional<std::int64_t> tick = {});
   Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
   void tell_contacts(const Shown&);
-  std::string yet_to_come() const;
   void recount(const Document& before);
   void changed(Host by, const std::string& line, Nanos now);
   std::int64_t stamp(Nanos now) const { return tick(now) + options_.latency; }
@@ -176,13 +184,19 @@ class Imaging {
   Result<std::string> go(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> seek(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> save(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> names(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> end(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> not_for_hosts(Visitor&, const std::vector<std::string>&, Nanos);
 
   Options options_;
   std::string name_, save_;
+  LoadOptions author_;  // what the script's author may
   Editor editor_;
   History history_;
+  std::optional<Checkpoint> checkpoint_;  // while one is made
+  std::size_t checkpoint_at_ = 0;         // bytes of log
+  std::set<std::int64_t> names_given_;    // thousands of numbers that the script has names of
+  std::int64_t next_names_ = 1;
   std::size_t event_count_ = 0;  // of the document
   Transport transport_;
   std::uint64_t version_ = 1, compiled_ = 0;

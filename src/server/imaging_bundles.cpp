@@ -41,6 +41,10 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
   const SaidLine said = look_at(line);
   const bool lone = said.alone() && !said.indented && !goes_on;
   if (lone && said.verb == "end") return end_bundle(h, now);
+  if (lone && said.verb == "names") {  // it changes nothing, and hosts may need more of them here
+    const auto given = names(h, said.words, now);
+    return given ? yes(h, now, *given) : no(h, now, given.error());
+  }
   if (lone && said.verb == "bundle" && !h.bundle_broken)
     h.bundle_broken = fail(ErrorCode::syntax, fmt::format("line {}: a bundle is open already", h.line));
   h.bundle_size += line.size() + 64;

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 
-#include "editor/help.h"
+#include "base/names.h"
 #include "editor/describe.h"
+#include "editor/help.h"
 #include "language/json.h"
 #include "server/answers.h"
 #include "server/imaging.h"
@@ -36,6 +37,13 @@ Result<unsigned> topics_of(const std::vector<std::string>& w) {
   return topics;
 }
 
+// An environment that lived before this time, and does not now.
+bool killed_by(const Scene& scene, const Target& target, Time t) {
+  const auto& e = scene.objects[target.object.index].environment;
+  const std::int64_t tick = scene.ticks.whole(t);
+  return e && e->size() > 0 && e->event(0).tick <= tick && !e->generation_at(tick);
+}
+
 }  // namespace
 
 std::span<const Imaging::Word> Imaging::words() {
@@ -60,11 +68,13 @@ std::span<const Imaging::Word> Imaging::words() {
        "  example: subscribe changes contacts\n"},
       {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", any_number,
        &Imaging::unsubscribe},
-      {"start", "start", "The time is 0 now, and goes on.", 0, &Imaging::start},
+      {"start", "start", "The time goes on, if it stood; with --wait it begins at 0.", 0, &Imaging::start},
       {"pause", "pause", "The time stands.", 0, &Imaging::pause},
       {"go", "go", "The time goes on.", 0, &Imaging::go},
       {"seek", "seek TIME", "The time is another one now.", any_number, &Imaging::seek},
-      {"save", "save", "Says where the history is kept; everything answered is in it.", any_number, &Imaging::save},
+      {"save", "save", "Writes the history as a script, and says where. (It is kept without that, too.)", any_number,
+       &Imaging::save},
+      {"names", "names", "A thousand numbers that nobody has: for hosts that make names of them.", 0, &Imaging::names},
       {"bundle", "bundle, then commands, then end",
        "The commands up to end are done together, all at one moment or none; end has the answer.", 0, &Imaging::bundle,
        "  example: bundle\n           create ball sphere\n           set ball.environments (spin)\n           end\n"},
@@ -114,8 +124,16 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
   for (std::size_t i = 1; i < end; ++i) {
     const auto found = find_targets(w[i], document());
     if (!found) return found.error();
-    for (const Target& target : *found)
-      if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
+    bool killed = false;
+    for (const Target& target : *found) {
+      if (killed_by(document().scene(), target, t))
+        killed = true;
+      else if (std::find(targets.begin(), targets.end(), target) == targets.end())
+        targets.push_back(target);
+    }
+    if (killed && !is_pattern(w[i]))
+      return fail(ErrorCode::name, fmt::format("there is no environment '{}' any more: it was killed",
+                                               w[i].substr(0, std::min<std::size_t>(w[i].find('.'), 60))));
   }
   std::vector<std::string> problems;
   std::vector<Value> values;
@@ -170,26 +188,6 @@ Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>&, Na
       editor_.steps().size(), document().scene().objects.size(), event_count_, history_.bytes(), more);
 }
 
-Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) {
-  return ",\"said\":" + json_text(history());
-}
-
-Result<std::string> Imaging::stepped(Status (Editor::*step)(), const char* word, Nanos now) {
-  const Document before = document();
-  if (Status s = (editor_.*step)(); !s) return s.error();
-  recount(before);
-  changed(0, word, now);
-  return std::string();
-}
-
-Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>&, Nanos now) {
-  return stepped(&Editor::undo, "undo", now);
-}
-
-Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>&, Nanos now) {
-  return stepped(&Editor::redo, "redo", now);
-}
-
 Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
@@ -206,31 +204,17 @@ Result<std::string> Imaging::unsubscribe(Visitor& h, const std::vector<std::stri
   return std::string();
 }
 
-// The source's StartAniProc (C80).
+// The source's StartAniProc (C80). A clock that goes is nobody's to turn back: what moves goes on moving.
 void Imaging::start_clock(Nanos now) {
-  transport_ = {true, now, Time{}};
-  told_ = Time{-1};
-  watch_.reset();
-}
-
-// What was animated while the clock ran before its start comes again only then.
-std::string Imaging::yet_to_come() const {
-  const Scene& scene = document().scene();
-  std::int64_t last = 0;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (const auto& e = scene.objects[i].environment; e && e->size() > 0 && !scene.objects[i].removed)
-      last = std::max(last, e->event(e->size() - 1).tick);
-  if (last <= options_.latency) return {};
-  return fmt::format(
-      "warning: commands about environments were given up to tick {}, and take effect then; with --wait "
-      "the time stands at 0 until start\n",
-      last);
+  if (transport_.running) return;
+  transport_ = {true, now, transport_.at};
+  told_ = transport_.at - Time{1};
 }
 
 Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>&, Nanos now) {
   start_clock(now);
   changed(0, "start", now);
-  return said(yet_to_come());
+  return std::string();
 }
 
 Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>&, Nanos now) {
@@ -253,12 +237,6 @@ Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, N
   told_ = *to - Time{1};
   changed(0, "seek " + w[1], now);
   return std::string();
-}
-
-Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w.size() > 1) return fail(ErrorCode::name, "a host cannot choose the file", "betwixt serve --save FILE does");
-  if (save_.empty()) return fail(ErrorCode::name, "this server keeps no history", "betwixt serve --save FILE does");
-  return said(fmt::format("kept in '{}'", save_));
 }
 
 Result<std::string> Imaging::bundle(Visitor& h, const std::vector<std::string>&, Nanos) {

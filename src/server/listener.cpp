@@ -15,9 +15,11 @@
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <system_error>
 
 namespace betwixt {
 namespace {
@@ -107,6 +109,11 @@ Result<Listener> Listener::tcp(const std::string& where, bool anywhere) {
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
   if (host.empty() || colon + 1 == where.size())
     return fail(ErrorCode::range, fmt::format("--tcp: \"{}\" is no address", where), "such as 127.0.0.1:9100");
+  unsigned port = 0;
+  const auto [end, wrong] = std::from_chars(where.data() + colon + 1, where.data() + where.size(), port);
+  if (wrong != std::errc() || end != where.data() + where.size() || port > 65535)
+    return fail(ErrorCode::range, fmt::format("--tcp: '{}' is no port", where.substr(colon + 1, 60)),
+                "a number from 0, any that is free, to 65535");
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_socktype = SOCK_STREAM;
   wanted.ai_flags = AI_PASSIVE | AI_NUMERICSERV;

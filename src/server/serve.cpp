@@ -16,6 +16,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "base/tell_user.h"
 #include "language/json.h"
 #include "server/leaders.h"
 
@@ -30,6 +31,7 @@ constexpr Nanos turn_time = 4'000'000;                // … unless they take lo
 constexpr Nanos patience = 10'000'000'000;            // for a token
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
+constexpr std::size_t most_strangers = 64;  // who have not said it yet
 
 struct Guest {
   int file = -1;
@@ -173,15 +175,13 @@ class Server {
         if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS) rest(true);
         return;
       }
-      if (guests_.size() >= options_.hosts) {
-        const std::string no = fmt::format(
-            "{{\"line\":0,\"ok\":false,\"error\":\"there are {} hosts already\",\"hint\":\"betwixt serve "
-            "--hosts N lets more in\"}}\n",
-            options_.hosts);
+      if (!at.asks() && files_.size() >= options_.hosts) {
+        const std::string no = no_room();
         ::send(file, no.data(), no.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         ::close(file);
         continue;
       }
+      if (at.asks() && strangers_ >= most_strangers) leave(oldest_stranger());
       Guest& g = guests_[file];
       g.file = file, g.came = monotonic_now();
       if (at.asks())
@@ -190,6 +190,20 @@ class Server {
         admit(g);
       watch(file, g.watched = EPOLLIN, EPOLL_CTL_ADD);
     }
+  }
+
+  std::string no_room() const {
+    return fmt::format(
+        "{{\"line\":0,\"ok\":false,\"error\":\"there are {} hosts already\",\"hint\":\"betwixt serve "
+        "--hosts N lets more in\"}}\n",
+        options_.hosts);
+  }
+  // Who has not said the token yet takes no host's place; there is at least one.
+  Guest& oldest_stranger() {
+    Guest* oldest = nullptr;
+    for (auto& [file, g] : guests_)
+      if (!g.host && (!oldest || g.came < oldest->came)) oldest = &g;
+    return *oldest;
   }
 
   // No more files are to be had: the door is shut for a moment, not knocked at in a loop.
@@ -301,6 +315,7 @@ class Server {
     constexpr std::string_view word = "token ";
     if (!line.starts_with(word) || !same_token(line.substr(word.size()), options_.token))
       return {refuse_token(g), g.guesses >= most_guesses};
+    if (files_.size() >= options_.hosts) return {no_room(), true};
     admit(g);
     --strangers_;
     return {"{\"line\":0,\"ok\":true}\n", false};
@@ -343,7 +358,7 @@ class Server {
     }
     // One answer may be larger than that; more must not gather behind it.
     if (waiting(g) > most_bytes_waiting && g.stuck) {
-      fmt::print(stderr, "betwixt: a host that does not read its answers is cut off\n");
+      tell_user("betwixt: a host that does not read its answers is cut off\n");
       return leave(g);
     }
     g.stuck = waiting(g) > 0;
@@ -359,10 +374,10 @@ class Server {
     for (const Shown& s : clock_.shown()) {
       imaging_.shown(s);
       for (const std::string& p : s.problems)
-        if (problems_.size() < 100 && problems_.insert(p).second) fmt::print(stderr, "betwixt: warning: {}\n", p);
+        if (problems_.size() < 100 && problems_.insert(p).second) tell_user(fmt::format("betwixt: warning: {}\n", p));
     }
     if (const auto trouble = clock_.trouble())
-      fmt::print(stderr, "betwixt: frames go nowhere any more: {}\n", trouble->message);
+      tell_user(fmt::format("betwixt: frames go nowhere any more: {}\n", trouble->message));
   }
 
   void publish() {

@@ -63,9 +63,8 @@ gone
 deep.fbx is damaged: what reads such files fell over it"
 kill -KILL $server
 wait $server 2>/dev/null
-has 'what was answered is kept when the server is killed' "$(cat live.bx)" 'set ball.radius 2'
-"$program" check live.bx >/dev/null 2>&1
-is 'the history is a script' $? 0
+has 'what was answered is kept when the server is killed' "$(tr -d '\0' <.live.bx.journal)" 'set ball.radius 2'
+is 'and not in the script' "$(cat live.bx)" "$(cat show.bx)"
 
 begin --socket "$socket" --save live.bx
 out=$(host 'print(s.eval("ball.radius"), s.do("help stats")["said"].split("\n")[0])')
@@ -75,6 +74,10 @@ is 'a socket that is in use' "$?-$(head -n 1 err)" "2-betwixt: another server li
 end
 is 'ends when told' "$code" 0
 is 'and leaves no socket' "$(ls "$socket" 2>/dev/null)" ''
+is 'nor a journal' "$(ls .live.bx.journal 2>/dev/null)" ''
+has 'its history is whole' "$(cat live.bx)" 'set ball.radius 2'
+"$program" check live.bx >/dev/null 2>&1
+is 'and a script' $? 0
 echo precious >"$socket"
 "$program" serve --socket "$socket" 2>err
 is 'a file in its place stays' "$?-$(cat "$socket")" 2-precious
@@ -107,6 +110,83 @@ this is not the token
 end
 "$program" serve --tcp 0.0.0.0:0 2>err
 is 'no address that others reach' "$?-$(head -n 1 err)" '2-betwixt: --tcp: other machines can reach 0.0.0.0:0'
+
+"$program" serve --tcp 127.0.0.1:70000 2>err
+is 'no port above 65535' "$?-$(head -n 1 err)" "2-betwixt: --tcp: '70000' is no port"
+printf '0123456789abcdef0123\n' >token
+chmod 644 token
+"$program" serve --tcp 127.0.0.1:0 --token-file token 2>err
+is 'no token that others may read' "$?-$(tr -d '\n' <err)" "2-betwixt: --token-file: others may read 'token'  chmod 600 token"
+chmod 600 token
+begin show.bx --tcp 127.0.0.1:0 --token-file token --hosts 3
+port=$(sed -nE 's/^serving at 127.0.0.1:([0-9]+);.*/\1/p' log)
+out=$(timeout 60 python3 -c "
+from betwixt_client import Server, Refused, Gone
+import socket, time
+strangers = [socket.create_connection(('127.0.0.1', $port)) for _ in range(200)]
+hosts = [Server('127.0.0.1:$port', token='0123456789abcdef0123') for _ in range(3)]
+print(all(h.do('time')['ok'] for h in hosts))
+try: Server('127.0.0.1:$port', token='0123456789abcdef0123')
+except Refused as e: print(e.answer['error'])
+print(hosts[0].stats()['hosts'])
+gone = 0
+for s in strangers:
+    s.settimeout(0.001)
+    try: gone += s.recv(100) == b''
+    except TimeoutError: pass
+print(gone)
+" 2>&1)
+is 'strangers take no place of a host' "$out" 'True
+there are 3 hosts already
+3
+137'
+end
+
+# ---- nobody reads what it says
+"$program" serve show.bx --socket "$socket" --save said.bx 2>&- &
+server=$!
+for _ in {1..200}; do [ -S "$socket" ] && break; sleep 0.05; done
+out=$(host 'print(s.do("create box box")["ok"])
+flood = socket.socket(socket.AF_UNIX)
+flood.connect(where)
+flood.settimeout(0.2)
+try:
+    while True: flood.send(b"help\n" * 100)
+except TimeoutError: pass
+except OSError: pass
+time.sleep(0.5)
+print(s.do("create bax box")["ok"])')
+is 'standard error is closed' "$out" 'True
+True'
+has 'and nothing else is written to' "$(head -c 17 .said.bx.journal)" 'betwixt-journal 1'
+end
+is 'it ends well' "$code" 0
+has 'with its history' "$(cat said.bx)" 'create bax box'
+rm -f pipe; mkfifo pipe
+(head -n 1 <pipe >first) &
+"$program" serve show.bx --socket "$socket" 2>pipe &
+server=$!
+for _ in {1..200}; do [ -S "$socket" ] && [ -s first ] && break; sleep 0.05; done
+out=$(host 'flood = socket.socket(socket.AF_UNIX)
+flood.connect(where)
+flood.settimeout(0.5)
+try:
+    while True: flood.send(b"help\n" * 100)
+except OSError: pass
+time.sleep(0.5)
+print(s.do("create bax box")["ok"])')
+is 'who read standard error has gone' "$out" True
+begun=$(date +%s%N)
+end
+is 'told to end, it ends' "$code" 0
+verdict 'within a second' "$([ $(($(date +%s%N) - begun)) -lt 1000000000 ] && echo yes)" "$(($(date +%s%N) - begun)) ns"
+
+# ---- without a script nothing is read
+begin --socket "$socket"
+out=$(host 'try: s.do("use show.bx")
+except Refused as e: print(e)')
+is 'no files without a script' "$out" "'show.bx' lies outside the script's folder (this server began without a script: it reads no files)"
+end
 
 # ---- time, frames, and nothing where nothing is due
 begin show.bx --socket "$socket" --wait --rate 120 --class ordinary
@@ -233,7 +313,10 @@ refused = 0
 for _ in range(310):
     many.append(raw())
 for m in many:
-    m.sendall(b"time\n")
+    try:
+        m.sendall(b"time\n")
+    except BrokenPipeError:  # it has been told already
+        pass
 for m in many:
     refused += b"hosts already" in m.recv(1000)
 print(refused)

@@ -39,9 +39,9 @@ TEST(Editor, NothingIsDoneThatItsSinkCannotKeep) {
   editor.begin("", "");
   bool full = false;
   std::string told;
-  editor.keep([&](Did what, const Step& step, std::span<const Step> standing) -> Status {
+  editor.keep([&](Did what, const Step& step) -> Status {
     if (full) return fail(ErrorCode::machine, "the disk is full");
-    told += static_cast<char>(what) + step.lines[0] + std::to_string(standing.size()) + " ";
+    told += static_cast<char>(what) + step.lines[0] + std::to_string(editor.steps().size() - (what == Did::undo)) + " ";
     return Nothing{};
   });
   EXPECT_TRUE(say(editor, "rate 25"));
@@ -153,7 +153,7 @@ TEST(Editor, WhatHappensNowStandsWithItsTime) {
 TEST(Editor, WhatStandsMakesTheDocument) {
   EXPECT_TRUE(rc::check([] {
     const auto depth = *rc::gen::inRange<std::size_t>(1, 5);
-    Editor editor({}, depth);
+    Editor editor({}, {.steps = depth});
     editor.begin("create ball sphere\n", "");
     std::vector<std::string> standing, undone;
     std::size_t known = 0;  // documents that can be gone back to

@@ -81,6 +81,7 @@ TEST(Imaging, HasACeilingOfItsHistory) {
   s.done(other, "undo");
   s.done(other, "set a.radius 4");
   s.expect_history();
+  s.done(other, "save");
   EXPECT_EQ(folder.get("live.bx"), "create a sphere\nset a.radius 2\nset a.radius 4\n");
 }
 

@@ -4,8 +4,14 @@
 // What hosts said is a script, which makes the same document. (R-E1c)
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <random>
+#include <set>
+#include <thread>
 
+#include "betwixt/session.h"
 #include "server/stage.h"
 
 namespace betwixt {
@@ -13,7 +19,7 @@ namespace {
 
 TEST(Imaging, UndoHasADepth) {
   Imaging::Options options;
-  options.undo = 2;
+  options.undo.steps = 2;
   Stage s(options);
   const auto host = s.imaging.arrive();
   for (const char* line : {"create a sphere", "create b sphere", "create c sphere"}) s.done(host, line);
@@ -28,34 +34,228 @@ TEST(Imaging, UndoHasADepth) {
   EXPECT_EQ(s.imaging.history(), "create a sphere\ncreate b sphere\ncreate d sphere\n");
 }
 
-// What was answered is in the file, and another server goes on with it.
+// What was answered is in the journal, and another server goes on with it; nothing is written into the file but by
+// save.
 TEST(Imaging, KeepsItsHistory) {
   const Folder folder;
   folder.put("show.bx", "create ball sphere");
+  std::string history;
   {
     Stage s({}, folder / "show.bx", folder / "live.bx");
     const auto host = s.imaging.arrive();
+    EXPECT_EQ(folder.get("live.bx"), "create ball sphere");
     for (const char* line : {"ball.radius", "  1f 2", "  9f 3", "create box box", "undo", "save"}) s.done(host, line);
+    const std::string saved = "create ball sphere\nball.radius\n  1f 2\n  9f 3\n";
+    EXPECT_EQ(folder.get("live.bx"), saved);
     for (const char* line : {"bundle", "set ball.color red", "halt nobody*"}) s.say(host, line, tick(4));
     s.done(host, "end", tick(4));
+    for (const char* line : {"ball.radius", "  19f 4"}) s.done(host, line, tick(4));
     EXPECT_TRUE(s.imaging.sync());
-    EXPECT_EQ(folder.get("live.bx"),
-              "create ball sphere\nball.radius\n  1f 2\n  9f 3\n# bundle\nset ball.color red\nat 5t halt nobody*\n# "
-              "end\n");
-    EXPECT_EQ(folder.get("live.bx"), s.imaging.history());
+    EXPECT_EQ(folder.get("live.bx"), saved);
+    history = s.imaging.history();
+    EXPECT_EQ(history, saved + "set ball.color red\nat 5t halt nobody*\nball.radius\n  19f 4\n");
     Imaging other({});
     const auto twice = other.begin("", folder / "live.bx", false, 0);
     ASSERT_FALSE(twice);
     EXPECT_TRUE(holds(twice.error().message, "another server keeps its history")) << twice.error().message;
+  }  // killed, as it were
+  {
+    Stage again({}, "", folder / "live.bx");
+    EXPECT_EQ(again.imaging.history(), history);
+    EXPECT_TRUE(again.imaging.document() == load_text(history, "").document);
+    const auto host = again.imaging.arrive();
+    again.done(host, "undo");
+    again.done(host, "undo");  // the bundle as a whole, though another server did it
+    EXPECT_EQ(again.imaging.history(), "create ball sphere\nball.radius\n  1f 2\n  9f 3\n");
+    again.done(host, "redo");
+    history = again.imaging.history();
+    EXPECT_TRUE(again.imaging.finish());
   }
-  const std::string whole = folder.get("live.bx");
-  folder.put("live.bx", whole + "# bundle\nset ball.color blue\nset ball.pos");  // killed in the middle
-  Imaging again({});
-  const auto begun = again.begin("", folder / "live.bx", false, 0);
-  ASSERT_TRUE(begun) << begun.error().message;
-  EXPECT_TRUE(holds(begun->back().what.message, "was never finished and is left out: # bundle"));
-  EXPECT_EQ(folder.get("live.bx"), whole);
-  EXPECT_TRUE(again.document() == load_text(whole, "").document);
+  EXPECT_EQ(folder.get("live.bx"), history);
+  EXPECT_FALSE(folder.has(".live.bx.journal"));
+}
+
+// Wherever its journal is cut, and wherever a bit of it has changed: what was answered, up to a step.
+TEST(Imaging, AnExactPrefixOfWhatWasAnsweredIsLeft) {
+  const Folder folder;
+  const std::string author = "create ball sphere\n# bundle\nset ball.radius 9\n# and no newline";
+  folder.put("live.bx", author);
+  std::vector<std::pair<std::size_t, std::string>> answered;  // the journal's size then, and the history
+  {
+    Stage s({}, "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    answered.emplace_back(0, author);
+    for (const char* line :
+         {"set ball.radius 123456", "ball.position", "  1f (1 0 0)", "  9f (0", "0 1)", "undo", "create ba sphere",
+          "bundle", "create box box", "note \"a\nb\"", "end", "redo", "animate spin every 1t by rotate(1deg, y)"}) {
+      s.say(host, line);
+      ASSERT_TRUE(s.imaging.sync());
+      answered.emplace_back(folder.get(".live.bx.journal").size(), s.imaging.history());
+    }
+  }
+  EXPECT_EQ(folder.get("live.bx"), author);
+  const std::string whole = folder.get(".live.bx.journal");
+  const auto begins = [&](const std::string& journal) {
+    folder.put(".live.bx.journal", journal);
+    Imaging again({});
+    const auto begun = again.begin("", folder / "live.bx", false, 0);
+    EXPECT_TRUE(begun) << (begun ? "" : begun.error().message);
+    return again.history();
+  };
+  for (std::size_t cut = 0; cut <= whole.size(); ++cut) {
+    std::string expected = author;
+    for (const auto& [size, history] : answered)
+      if (size <= cut) expected = history;
+    EXPECT_EQ(begins(whole.substr(0, cut)), expected) << cut;
+  }
+  for (std::size_t at = 0; at < whole.size(); at += 3) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 4);
+    const std::string history = begins(changed);
+    EXPECT_TRUE(std::any_of(answered.begin(), answered.end(), [&](const auto& a) { return a.second == history; }))
+        << at;
+  }
+}
+
+// A shell reads what a server has left.
+TEST(Imaging, AShellGoesOnWithIt) {
+  const Folder folder;
+  folder.put("live.bx", "create ball sphere");
+  std::string history;
+  {
+    Stage s({}, "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    for (const char* line : {"bundle", "create box box", "ball.radius", "  1f 3", "end"}) s.say(host, line);
+    for (const char* line : {"box.size", "  1f (1 2 3)", "undo", "redo"}) s.done(host, line);
+    history = s.imaging.history();
+  }
+  Session shell;
+  const auto opened = shell.open(folder / "live.bx", Session::Earlier::recover);
+  ASSERT_TRUE(opened.done) << opened.said;
+  EXPECT_EQ(shell.text(), history);
+  EXPECT_TRUE(shell.enter("undo").done);
+  EXPECT_TRUE(shell.enter("undo").done);
+  EXPECT_EQ(shell.text(), "create ball sphere");
+}
+
+// Says so much that a checkpoint comes, and waits for it.
+std::string many_lines(Stage& s, Imaging::Host host, const Folder& folder, int from, int to) {
+  std::string largest;
+  for (int i = from; i < to; ++i) {
+    s.done(host, fmt::format("set ball.radius {}", i));
+    EXPECT_TRUE(s.imaging.sync());
+    if (const std::string journal = folder.get(".live.bx.journal"); journal.size() > largest.size()) largest = journal;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return largest;
+}
+
+Imaging::Options short_log() {
+  Imaging::Options options;
+  options.checkpoint = 2000, options.undo.steps = 5;
+  return options;
+}
+
+// A log that would be endless is written anew as a script, with what can be undone behind it.
+TEST(Imaging, ItsLogStaysShort) {
+  const Folder folder;
+  folder.put("live.bx", "# the author's\ncreate ball sphere\n");
+  std::string history;
+  {
+    Stage s(short_log(), "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    s.done(host, "animate spin every 1t by rotate(1deg, y)");
+    s.done(host, "set ball.environments (spin)");
+    const std::string largest = many_lines(s, host, folder, 1, 1500);  // 60 kB of records
+    EXPECT_LT(largest.size(), 30000u);
+    EXPECT_LT(s.imaging.history().size(), 15000u);
+    EXPECT_EQ(folder.get("live.bx.orig"), "# the author's\ncreate ball sphere\n");
+    s.expect_history();
+    s.done(host, "undo");
+    history = s.imaging.history();
+  }
+  Stage again(short_log(), "", folder / "live.bx");
+  EXPECT_EQ(again.imaging.history(), history);
+  const auto host = again.imaging.arrive();
+  again.done(host, "redo");
+  for (int k = 0; k < 5; ++k) again.done(host, "undo");
+  EXPECT_TRUE(holds(again.say(host, "eval ball.radius"), "\"ball.radius\":1494"))
+      << again.say(host, "eval ball.radius");
+}
+
+// Stops between the steps of a checkpoint: the journal that it replaces is still there, with the old script or the new.
+TEST(Imaging, ACheckpointMayStopAtAnyMoment) {
+  const Folder folder;
+  folder.put("live.bx", "create ball sphere\n");
+  std::string old_script, new_script, old_journal, history;
+  {
+    Stage s(short_log(), "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    std::filesystem::create_hard_link(folder / ".live.bx.journal", folder / "old");
+    old_script = folder.get("live.bx");
+    for (int i = 1; folder.get("live.bx") == old_script && i < 100000; ++i) {
+      history = s.imaging.history();
+      s.done(host, fmt::format("set ball.radius {}", i));
+      history = s.imaging.history();
+      ASSERT_TRUE(s.imaging.sync());
+    }
+    new_script = folder.get("live.bx"), old_journal = folder.get("old");
+    ASSERT_NE(new_script, old_script);
+    ASSERT_NE(folder.get(".live.bx.journal"), old_journal);
+  }
+  const Document document = load_text(history, "").document;
+  for (const std::string& script : {old_script, new_script}) {
+    folder.put("live.bx", script);
+    folder.put(".live.bx.journal", old_journal);
+    folder.put(".live.bx.journal.new", old_journal.substr(0, 100));
+    Stage again(short_log(), "", folder / "live.bx");
+    EXPECT_TRUE(again.imaging.document() == document) << script;
+  }
+}
+
+// What somebody else has written into the file meanwhile is not lost.
+TEST(Imaging, OthersTextsAreNotReplaced) {
+  const Folder folder;
+  Stage s({}, "", folder / "live.bx");
+  const auto host = s.imaging.arrive();
+  s.done(host, "create ball sphere");
+  folder.put("live.bx", "create precious box\n");
+  s.refused(host, "save", "has been changed by someone else");
+  EXPECT_FALSE(s.imaging.finish());
+  EXPECT_EQ(folder.get("live.bx"), "create precious box\n");
+  EXPECT_TRUE(folder.has(".live.bx.journal"));
+}
+
+// What undo keeps is bounded by what it holds, and the last command can always be taken back.
+TEST(Imaging, UndoHasASize) {
+  Imaging::Options options;
+  options.undo.bytes = 1 << 20;
+  Stage s(options);
+  const auto host = s.imaging.arrive();
+  s.done(host, "create o{1..2000} sphere");
+  for (int i = 1; i <= 20; ++i) s.done(host, fmt::format("set o*.radius {}", i));
+  int undone = 0;
+  while (holds(s.say(host, "undo"), "\"ok\":true")) ++undone;
+  EXPECT_GE(undone, 1);
+  EXPECT_LT(undone, 6);  // 2,000 objects of more than 100 bytes each
+  s.refused(host, "undo", "what is kept for it has at most 1048576 bytes");
+  for (int i = 0; i < undone; ++i) s.done(host, "redo");
+  s.expect_history();
+}
+
+// Two hosts never have the same names, however many came before; nor any that a history has.
+TEST(Imaging, NamesAreGivenOnce) {
+  const Folder folder;
+  folder.put("show.bx", "animate E1007 every 1t by rotate(1deg, y)\nmake O3001\n  tag T4000\n  point (0 0)\n");
+  Stage s({}, folder / "show.bx");
+  const auto a = s.imaging.arrive();
+  EXPECT_TRUE(holds(s.say(a, "names"), "\"first\":2000,\"last\":2999"));
+  s.done(a, "create O5999 sphere");
+  EXPECT_EQ(s.say(a, "bundle"), "");
+  EXPECT_TRUE(holds(s.say(a, "names"), "\"first\":6000,\"last\":6999"));
+  s.done(a, "end");
+  std::set<std::string> given;
+  for (int i = 0; i < 5000; ++i) EXPECT_TRUE(given.insert(s.say(s.imaging.arrive(), "names")).second);
 }
 
 TEST(Imaging, LeavesFilesAlone) {

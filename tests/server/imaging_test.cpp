@@ -6,6 +6,8 @@
 
 #include <rapidcheck.h>
 
+#include <filesystem>
+
 #include "server/stage.h"
 
 namespace betwixt {
@@ -124,14 +126,13 @@ TEST(Imaging, TwoHostsSheetsDoNotMix) {
     s.done(host, line);
   EXPECT_TRUE(holds(s.say(a, "eval left.position right.position at 11f"),
                     "\"left.position\":[2,0,0],\"right.position\":[0,2,0]"));
-  EXPECT_EQ(
-      s.imaging.history(),
-      "create {left,right} sphere\nleft.position\n  1f (1 0 0)\nright.position\n  1f (0 1 0)\nleft.position\n  "
-      "11f (2 0 0)\n  21f (3 0 0)\nright.position\n  11f (0 2 0)\n# bundle\nright.position\n  21f (0\n3 0)\n# end\n");
+  EXPECT_EQ(s.imaging.history(),
+            "create {left,right} sphere\nleft.position\n  1f (1 0 0)\nright.position\n  1f (0 1 0)\nleft.position\n  "
+            "11f (2 0 0)\n  21f (3 0 0)\nright.position\n  11f (0 2 0)\nright.position\n  21f (0\n3 0)\n");
   s.expect_history();
 }
 
-// A display list is made row by row, by two hosts at once, and shown; the clock begins with it. (C66, C80)
+// A display list is made row by row, by two hosts at once, and shown; the clock goes on. (C66, C80)
 TEST(Imaging, DisplayListsAreMadeRowByRow) {
   Stage s;
   const auto a = s.imaging.arrive(), b = s.imaging.arrive();
@@ -145,7 +146,7 @@ TEST(Imaging, DisplayListsAreMadeRowByRow) {
                            "  polygon (0 3 0) (-0.5 0 0) (0.5 0 0)", "  color blue"})
     s.done(b, line);
   s.done(b, "start scene", tick(50));
-  EXPECT_TRUE(holds(s.say(b, "time", tick(53)), "\"tick\":3,"));
+  EXPECT_TRUE(holds(s.say(b, "time", tick(53)), "\"tick\":53,"));
   for (const char* line : {"bundle", "make other", "  begin spin", "  end", "animate spin every 1t by rotate(1deg, y)"})
     EXPECT_EQ(s.say(a, line, tick(53)), "");
   s.done(a, "end", tick(53));
@@ -200,6 +201,55 @@ TEST(Imaging, TimeIsTheHosts) {
   s.done(host, "seek -1t", 102 * second);
   EXPECT_TRUE(holds(now(102 * second), "\"tick\":-1,\"seconds\":-0.0333")) << now(102 * second);
   EXPECT_TRUE(holds(now(102 * second), "\"slot\":29"));
+}
+
+// What moves goes on moving, whoever says `start` and when: the time is the server's.
+// shows: C80
+TEST(Imaging, StartTurnsNoClockBack) {
+  Stage s;
+  const auto a = s.imaging.arrive(), b = s.imaging.arrive();
+  for (const char* line :
+       {"create {left,right} sphere", "set left.environments (drift)", "animate drift every 1t by translate(1 0 0)"})
+    s.done(a, line, tick(9));  // from tick 10 on, where A is M
+  for (const char* line : {"set right.environments (rise)", "animate rise every 2t by translate(0 1 0)"})
+    s.done(b, line, tick(99));
+  EXPECT_TRUE(holds(s.say(b, "start", tick(100)), "\"ok\":true,\"tick\":100}"));
+  const auto at = [&](const char* what, std::int64_t t) { return s.say(a, std::string("eval ") + what, tick(t)); };
+  EXPECT_TRUE(holds(at("left.world", 100), "[1,0,0,0,0,1,0,0,0,0,1,0,91,0,0,1]") ||
+              holds(at("left.world", 100), "[1,0,0,91,0,1,0,0,0,0,1,0,0,0,0,1]"))
+      << at("left.world", 100);
+  EXPECT_TRUE(holds(at("left.world", 110), "101"));
+  EXPECT_TRUE(holds(at("right.world", 110), ",6,"));  // at 100, 102 … 110
+  s.done(b, "pause", tick(120));
+  s.done(b, "make l", tick(130));
+  s.done(b, "start l", tick(200));  // the clock stood at 120
+  EXPECT_TRUE(holds(s.say(a, "time", tick(210) + 1), "\"tick\":130,"));
+}
+
+TEST(Imaging, KilledEnvironmentsAreUnknown) {
+  Stage s;
+  const auto host = s.imaging.arrive();
+  s.done(host, "animate {spin,drift} every 1t by translate(1 0 0)", tick(1));
+  s.done(host, "kill spin", tick(9));
+  EXPECT_TRUE(holds(s.say(host, "eval spin.every", tick(9)), "\"spin.every\":1"));
+  for (const char* line : {"eval spin.every", "eval spin.world", "eval spin", "eval spin.by at 20t"})
+    s.refused(host, line, "there is no environment 'spin' any more: it was killed", tick(11));
+  EXPECT_TRUE(holds(s.say(host, "eval spin.every at 5t", tick(11)), "\"spin.every\":1"));
+  EXPECT_TRUE(holds(s.say(host, "eval *.every", tick(11)), "\"values\":{\"drift.every\":1}"));
+  s.done(host, "animate spin every 3t by translate(1 0 0)", tick(20));
+  EXPECT_TRUE(holds(s.say(host, "eval spin.every", tick(22)), "\"spin.every\":3"));
+}
+
+// Without a script there is no folder from which anything could be read.
+TEST(Imaging, WithoutAScriptNothingIsRead) {
+  const Folder folder;
+  folder.put("other.bx", "create precious sphere\n");
+  folder.put("show.bx", "");
+  std::filesystem::current_path(folder / "");
+  Stage without, with({}, "show.bx");
+  without.refused(without.imaging.arrive(), "use other.bx", "this server began without a script: it reads no files");
+  with.done(with.imaging.arrive(), "use other.bx");
+  std::filesystem::current_path("/");
 }
 
 // shows: C124 C130 R-E1

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the server keeps of what was said: the beginning with a script or with an earlier server's history, the words
+// about it, and checkpoints, so that neither log nor memory grows for ever.
+#include <fmt/format.h>
+
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+
+#include "server/answers.h"
+#include "server/imaging.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Hosts make names from numbers that the server gives them, so many at once: O3000 (betwixt/aim.h).
+constexpr std::int64_t names_at_once = 1000, last_name = 2'147'483'647;
+constexpr std::string_view name_letters = "EOT";
+
+// One path for one file, whether it is there or not.
+fs::path real(const std::string& file) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(file, ignored), ignored);
+}
+
+bool is_there(const std::string& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
+// What a text has of such names stays as it is: the thousands that they are of.
+void find_names(std::string_view text, std::set<std::int64_t>& thousands) {
+  const auto part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (std::size_t i = text.find_first_of(name_letters); i < text.size(); i = text.find_first_of(name_letters, i + 1)) {
+    if (i > 0 && part_of_name(text[i - 1])) continue;
+    std::int64_t number = 0;
+    std::from_chars(text.data() + i + 1, text.data() + text.size(), number);  // too high for it: nobody's, and 0
+    if (number >= names_at_once && number <= last_name) thousands.insert(number / names_at_once);
+  }
+}
+
+Diagnostic remark(const std::string& text) { return {Severity::warning, fail(ErrorCode::file, text), {}, 0}; }
+
+}  // namespace
+
+// The script that the server begins with, and what an earlier one did to it.
+Result<Kept> Imaging::gather(const std::string& from, bool goes_on, bool overwrite) {
+  std::optional<std::string> text = "";
+  if (!from.empty()) {
+    const auto there = read_script(from);
+    if (!there) return there.error();
+    if (!*there && !goes_on) return fail(ErrorCode::file, fmt::format("there is no file '{}'", from));
+    text = *there;
+  }
+  Kept kept;
+  kept.base = text.value_or("");
+  if (save_.empty()) return kept;
+  if (!goes_on && !overwrite) {
+    const auto there = read_script(save_);
+    if (!there) return there.error();
+    if (*there && !(*there)->empty())
+      return fail(ErrorCode::file, fmt::format("--save: '{}' is there already", save_),
+                  fmt::format("--overwrite lets it go; to go on with it: betwixt serve {} --save {}", save_, save_));
+  }
+  if (Status s = history_.hold(save_); !s) return s.error();
+  if (!goes_on && overwrite) return kept;
+  auto found = history_.found(goes_on ? text : std::nullopt);
+  if (!found || goes_on) return found;
+  kept.remarks = found->remarks;  // a journal whose script is not there any more
+  return kept;
+}
+
+Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& save, bool overwrite, Nanos now) {
+  const bool goes_on = !save.empty() && (file.empty() ? !overwrite && (is_there(save) || is_there(journal_path(save)))
+                                                      : real(file) == real(save));
+  const std::string from = goes_on ? save : file;
+  if (!save.empty() && !from.empty() && real(from).parent_path() != real(save).parent_path())
+    return fail(ErrorCode::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
+                "the paths of files in a script count from its folder, so its history must be there too");
+  name_ = save.empty() ? from : save, save_ = save;
+  const auto kept = gather(from, goes_on, overwrite);
+  if (!kept) return kept.error();
+  author_ = options_.load;
+  options_.load.read_anywhere = false;  // behind the author's text strangers speak
+  options_.load.read_nothing = name_.empty();
+  Diagnostics all = editor_.begin(kept->base, name_);
+  if (has_errors(all)) return all;
+  if (!kept->remarks.empty()) all.push_back(remark(kept->remarks.substr(0, kept->remarks.size() - 1)));
+  editor_.allow(options_.load);
+  if (const auto stopped = editor_.restore(kept->steps.all, kept->steps.standing)) {
+    all.insert(all.end(), stopped->second.begin(), stopped->second.end());
+    return fail(ErrorCode::file,
+                fmt::format("what an earlier server did cannot be done any more: {}: {}",
+                            kept->steps.all[stopped->first].lines[0].substr(0, 200), all.back().what.message),
+                fmt::format("what it needs may be missing; the script alone is begun with where '{}' is moved away",
+                            history_.journal()));
+  }
+  find_names(history(), names_given_);
+  event_count_ = count_events({}, 0, document().scene());
+  if (!save.empty() && kept->goes_on) history_.go_on(editor_.steps(), editor_.undone(), kept->script);
+  if (!save.empty() && !kept->goes_on)
+    if (Status s = history_.keep(kept->base); !s) return s.error();
+  checkpoint_at_ = history_.length() + checkpoint_every();
+  transport_ = {!options_.wait, now, Time{}};
+  begun_ = now;
+  return all;
+}
+
+// Where little is allowed, half of it.
+std::size_t Imaging::checkpoint_every() const {
+  return std::min(options_.checkpoint, options_.ceilings.history / 2);
+}
+
+Status Imaging::sync() {
+  if (checkpoint_ && checkpoint_->done()) {
+    take_checkpoint();
+    checkpoint_.reset();
+    checkpoint_at_ = history_.length() + checkpoint_every();
+  }
+  if (!checkpoint_ && history_.length() > checkpoint_at_ && editor_.settled() > 0)
+    checkpoint_.emplace(editor_.settled_document(), editor_.settled(), name_, author_);
+  return history_.sync();
+}
+
+// The text that others wrote has come; what was said meanwhile follows it.
+void Imaging::take_checkpoint() {
+  const auto& script = checkpoint_->script();
+  const std::size_t n = checkpoint_->steps();
+  Status done = script ? history_.checkpoint(*script, editor_.steps().subspan(n), editor_.undone())
+                       : fail(ErrorCode::machine, "no script makes the document as it is");
+  if (done)
+    editor_.settle(*script, n);
+  else if (options_.warn)
+    options_.warn(fmt::format("the history stays as long as it is: {}", done.error().message));
+}
+
+Status Imaging::finish() {
+  if (save_.empty()) return Nothing{};
+  if (Status s = history_.save(editor_.base(), editor_.steps()); !s) return s;
+  history_.finish();
+  return Nothing{};
+}
+
+// ---- words
+
+Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) {
+  return said(history());
+}
+
+Result<std::string> Imaging::stepped(Status (Editor::*step)(), const char* word, Nanos now) {
+  const Document before = document();
+  if (Status s = (editor_.*step)(); !s) return s.error();
+  recount(before);
+  changed(0, word, now);
+  return std::string();
+}
+
+// How many events there are after steps were taken back or done again.
+void Imaging::recount(const Document& before) {
+  const Scene &was = before.scene(), &is = document().scene();
+  if (is.objects.size() >= was.objects.size())
+    event_count_ = count_events(was, event_count_, is);
+  else
+    event_count_ -= count_events(is, 0, was);  // what is not there any more
+}
+
+Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>&, Nanos now) {
+  return stepped(&Editor::undo, "undo", now);
+}
+
+Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>&, Nanos now) {
+  return stepped(&Editor::redo, "redo", now);
+}
+
+Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {
+  if (w.size() > 1) return fail(ErrorCode::name, "a host cannot choose the file", "betwixt serve --save FILE does");
+  if (save_.empty()) return fail(ErrorCode::name, "this server keeps no history", "betwixt serve --save FILE does");
+  if (Status s = history_.save(editor_.base(), editor_.steps()); !s) return s.error();
+  return said(fmt::format("saved '{}'", save_));
+}
+
+// Of a thousand at once none is given twice, nor any that somebody has chosen.
+Result<std::string> Imaging::names(Visitor&, const std::vector<std::string>&, Nanos) {
+  const Scene& scene = document().scene();
+  const auto taken = [&](std::int64_t thousand) {
+    if (names_given_.contains(thousand)) return true;
+    for (std::int64_t n = thousand * names_at_once; n < (thousand + 1) * names_at_once; ++n)
+      for (const char letter : name_letters)
+        if (const std::string name = fmt::format("{}{}", letter, n); scene.names.find(name) || scene.lists->contains(name))
+          return true;
+    return false;
+  };
+  while (taken(next_names_)) ++next_names_;
+  const std::int64_t first = next_names_ * names_at_once;
+  if (first + names_at_once - 1 > last_name) return fail(ErrorCode::range, "all numbers for names have been given");
+  ++next_names_;
+  return fmt::format(",\"first\":{},\"last\":{}", first, first + names_at_once - 1);
+}
+
+}  // namespace betwixt
