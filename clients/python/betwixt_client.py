@@ -299,13 +299,14 @@ class Host(Server):
 
     Matrices are 16 numbers row by row; points are rows multiplied from the left, a translation stands in the last row:
     what `translate`, `rotate_z` and the others below give. Times are whole ticks, colours sRGB from 0 to 1. Names of
-    objects, tags and environments are positive numbers, unique on the server.
+    objects, tags and environments are positive numbers, that no other host has or had.
     """
 
-    NAMES = 1_000_000  # of each kind for a host
+    NAMES_AT_ONCE = 1000
 
     def __init__(self, where=None, token=None, timeout=10.0):
         super().__init__(where, token, timeout)
+        self._blocks = []  # the first of each thousand numbers that names are made of
         self._named = collections.Counter()
         self._open = None  # the object
         self._interrupted = False  # another command came between its rows; it must be opened again for the next one
@@ -313,7 +314,7 @@ class Host(Server):
         self._open_before_bundle = None
         self._stamp = self._now = -math.inf  # when what was said last takes effect; the last tick that is known of
         try:
-            self._first = self.time()["host"] * self.NAMES
+            self.time()  # what listens there may be no imaging server
         except BaseException:
             self.close()
             raise
@@ -447,7 +448,7 @@ class Host(Server):
             self.end_environment()
 
     def start(self, main_object):
-        """StartAniProc: it is shown, and time begins."""
+        """StartAniProc: it is shown, and time goes on, if it stood."""
         self.do(f"start {_name('O', main_object)}")
 
     def animate(self, environment, interval, matrix, *, change=0, period=1, ceiling=30, from_=None, until=None,
@@ -523,10 +524,12 @@ class Host(Server):
         return super()._bundle_over()
 
     def _name(self, kind):
-        if self._named[kind] >= self.NAMES - 1:
-            raise ValueError("this host has used up its names")
+        """The server gives every number once, a thousand at a time; kinds of things may have the same."""
+        block, number = divmod(self._named[kind], self.NAMES_AT_ONCE)
+        if block == len(self._blocks):
+            self._blocks.append(self._answer_to("names")["first"])
         self._named[kind] += 1
-        return self._first + self._named[kind]
+        return self._blocks[block] + number
 
     def _none_open(self):
         if self._open is not None:

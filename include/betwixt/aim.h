@@ -26,7 +26,7 @@ typedef enum aim_status {
   AIM_OK = 0,
   AIM_E_REFUSED = -1,    /* the server understood and says no: unknown names, wrong values, E_CEILING … */
   AIM_E_CONNECTION = -2, /* there is no server, or it has gone; the handle is of no more use but to be closed */
-  AIM_E_CALL = -3        /* the call itself makes no sense: a null pointer, a number that is none */
+  AIM_E_CALL = -3 /* the call itself makes no sense: a null pointer or handle, a number that is none, a name below 1 */
 } aim_status;
 
 /* WHERE is the path of a Unix socket; null: the server's default. For loopback TCP "tcp:HOST:PORT", with its token.
@@ -35,9 +35,12 @@ aim* aim_connect(const char* where, const char* token);
 void aim_disconnect(aim*);
 /* Why the last call failed; "" if it did not. Lives until the next call with the handle. */
 const char* aim_error(const aim*);
+/* What the server warned of when it carried out the last call, a line each: "" if it did not. In a bundle nothing is
+ * known before its end. Lives until the next call with the handle. */
+const char* aim_warnings(const aim*);
 
 /* ---- objects: display lists (2.2.1, 2.2.6) --------------------------------------------------------------------------
- * Names of objects, tags and environments are positive numbers made by the library, unique on the server. */
+ * Names of objects, tags and environments are positive numbers made by the library, that no other host has or had. */
 aim_status aim_make_object(aim*, int* object); /* MAKEOBJ: opens it; the commands that follow are its own … */
 aim_status aim_close_object(aim*);             /* CLOSEOBJ: … until here; others may come between */
 aim_status aim_edit_object(aim*, int object);  /* EDITOBJ: opens it again, to add and replace */
@@ -95,7 +98,8 @@ aim_status aim_get_tick(aim*, long* tick);
 /* Commands between these are carried out together, in one tick, or not at all. */
 aim_status aim_begin_bundle(aim*);
 aim_status aim_end_bundle(aim*);
-/* A line of the language (docs/language.md); the answer's text, if wanted, lives until the next call. */
+/* A line of the language (docs/language.md); the answer's text, if wanted, lives until the next call. `bundle` and
+ * `end` are aim_begin_bundle and aim_end_bundle. */
 aim_status aim_command(aim*, const char* line, const char** said);
 
 /* ---- matrices (appendix A)

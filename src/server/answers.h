@@ -22,4 +22,15 @@ inline Error one_word_too_many(const std::string& word, std::string_view usage) 
               fmt::format("usage: {}", usage));
 }
 
+// To who is no host yet.
+inline std::string no_room(std::size_t hosts) {
+  return fmt::format(
+      "{{\"line\":0,\"ok\":false,\"error\":\"there are {} hosts already\",\"hint\":\"betwixt serve --hosts N lets more "
+      "in\"}}\n",
+      hosts);
+}
+inline std::string wrong_token() {
+  return "{\"line\":0,\"ok\":false,\"error\":\"this is not the token\",\"hint\":\"the first line is: token TOKEN\"}\n";
+}
+
 }  // namespace betwixt

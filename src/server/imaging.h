@@ -58,7 +58,7 @@ class Imaging {
     ContactOptions contacts;
     bool wait = false;  // the clock stands at 0 until a host says `start`
     LoadOptions load;
-    std::function<std::string()> stats;            // members of a JSON object, of what stands around
+    std::function<std::string()> stats;  // members of a JSON object, of what stands around
     // Does work that may take long, and lets other lines be entered meanwhile. False: who asked for it has gone. None:
     // all is done at once.
     std::function<bool(const std::function<void()>&)> beside;

@@ -111,9 +111,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
 }
 
 // Where little is allowed, half of it.
-std::size_t Imaging::checkpoint_every() const {
-  return std::min(options_.checkpoint, options_.ceilings.history / 2);
-}
+std::size_t Imaging::checkpoint_every() const { return std::min(options_.checkpoint, options_.ceilings.history / 2); }
 
 Status Imaging::sync() {
   if (checkpoint_ && checkpoint_->done()) {
@@ -147,9 +145,7 @@ Status Imaging::finish() {
 
 // ---- words
 
-Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) {
-  return said(history());
-}
+Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) { return said(history()); }
 
 Result<std::string> Imaging::stepped(Status (Editor::*step)(), const char* word, Nanos now) {
   const Document before = document();
@@ -190,7 +186,8 @@ Result<std::string> Imaging::names(Visitor&, const std::vector<std::string>&, Na
     if (names_given_.contains(thousand)) return true;
     for (std::int64_t n = thousand * names_at_once; n < (thousand + 1) * names_at_once; ++n)
       for (const char letter : name_letters)
-        if (const std::string name = fmt::format("{}{}", letter, n); scene.names.find(name) || scene.lists->contains(name))
+        if (const std::string name = fmt::format("{}{}", letter, n);
+            scene.names.find(name) || scene.lists->contains(name))
           return true;
     return false;
   };

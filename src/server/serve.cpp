@@ -11,13 +11,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <set>
 #include <unordered_map>
 
 #include "base/tell_user.h"
-#include "language/json.h"
+#include "server/answers.h"
 #include "server/leaders.h"
 
 namespace betwixt {
@@ -176,9 +177,8 @@ class Server {
         return;
       }
       if (!at.asks() && files_.size() >= options_.hosts) {
-        const std::string no = no_room();
-        ::send(file, no.data(), no.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-        ::close(file);
+        const std::string no = no_room(options_.hosts);
+        ::send(file, no.data(), no.size(), MSG_NOSIGNAL | MSG_DONTWAIT), ::close(file);
         continue;
       }
       if (at.asks() && strangers_ >= most_strangers) leave(oldest_stranger());
@@ -192,18 +192,10 @@ class Server {
     }
   }
 
-  std::string no_room() const {
-    return fmt::format(
-        "{{\"line\":0,\"ok\":false,\"error\":\"there are {} hosts already\",\"hint\":\"betwixt serve "
-        "--hosts N lets more in\"}}\n",
-        options_.hosts);
-  }
   // Who has not said the token yet takes no host's place; there is at least one.
   Guest& oldest_stranger() {
-    Guest* oldest = nullptr;
-    for (auto& [file, g] : guests_)
-      if (!g.host && (!oldest || g.came < oldest->came)) oldest = &g;
-    return *oldest;
+    const auto came = [](const auto& g) { return g.second.host ? INT64_MAX : g.second.came; };
+    return std::ranges::min_element(guests_, {}, came)->second;
   }
 
   // No more files are to be had: the door is shut for a moment, not knocked at in a loop.
@@ -315,16 +307,12 @@ class Server {
     constexpr std::string_view word = "token ";
     if (!line.starts_with(word) || !same_token(line.substr(word.size()), options_.token))
       return {refuse_token(g), g.guesses >= most_guesses};
-    if (files_.size() >= options_.hosts) return {no_room(), true};
+    if (files_.size() >= options_.hosts) return {no_room(options_.hosts), true};
     admit(g);
     --strangers_;
     return {"{\"line\":0,\"ok\":true}\n", false};
   }
-  static std::string refuse_token(Guest& g) {
-    ++g.guesses;
-    return "{\"line\":0,\"ok\":false,\"error\":\"this is not the token\",\"hint\":\"the first line is: token "
-           "TOKEN\"}\n";
-  }
+  static std::string refuse_token(Guest& g) { return ++g.guesses, wrong_token(); }
 
   // ---- answers and events
 

@@ -41,6 +41,86 @@ static void matrices(void) {
   check(fabs(p[0] - 3) < 1e-12, "a scale and then a translation is S T");
 }
 
+/* Every call without a handle says so, and does nothing. */
+static void null_handles(void) {
+  const double v[16] = {0};
+  const aim_motion motion = aim_motion_of(1, v);
+  double m[16];
+  int name = 0;
+  long number = 0;
+  const char* said = 0;
+  check(aim_make_object(0, &name) == AIM_E_CALL && aim_close_object(0) == AIM_E_CALL &&
+            aim_edit_object(0, 1) == AIM_E_CALL && aim_delete_object(0, 1) == AIM_E_CALL &&
+            aim_call_object(0, 1) == AIM_E_CALL && aim_tag(0, &name) == AIM_E_CALL &&
+            aim_replace(0, 1, 0) == AIM_E_CALL,
+        "objects without a handle");
+  check(aim_push_matrix(0) == AIM_E_CALL && aim_pop_matrix(0) == AIM_E_CALL &&
+            aim_multiply_matrix(0, v) == AIM_E_CALL && aim_point(0, 0, 0, 0) == AIM_E_CALL &&
+            aim_vector(0, v, v) == AIM_E_CALL && aim_polygon(0, 3, v) == AIM_E_CALL && aim_text(0, "") == AIM_E_CALL &&
+            aim_color(0, 0, 0, 0) == AIM_E_CALL && aim_texture(0, "") == AIM_E_CALL && aim_font(0, "") == AIM_E_CALL &&
+            aim_view(0, v, v) == AIM_E_CALL && aim_perspective(0, 1) == AIM_E_CALL &&
+            aim_orthographic(0, 1) == AIM_E_CALL,
+        "rows without a handle");
+  check(aim_make_environment(0, &name) == AIM_E_CALL && aim_begin_environment(0, 1) == AIM_E_CALL &&
+            aim_end_environment(0) == AIM_E_CALL && aim_start(0, 1) == AIM_E_CALL &&
+            aim_animate(0, 1, 1, v) == AIM_E_CALL && aim_animate_motion(0, 1, &motion) == AIM_E_CALL &&
+            aim_halt(0, 1) == AIM_E_CALL && aim_kill(0, 1) == AIM_E_CALL && aim_cancel(0, 1) == AIM_E_CALL,
+        "environments without a handle");
+  check(aim_get_interval(0, 1, &number) == AIM_E_CALL && aim_get_matrix(0, 1, m) == AIM_E_CALL &&
+            aim_get_environment_matrix(0, 1, m) == AIM_E_CALL && aim_get_slot_counter(0, &name) == AIM_E_CALL &&
+            aim_get_tick(0, &number) == AIM_E_CALL && aim_begin_bundle(0) == AIM_E_CALL &&
+            aim_end_bundle(0) == AIM_E_CALL && aim_command(0, "time", &said) == AIM_E_CALL,
+        "questions without a handle");
+  check(strstr(aim_error(0), "no handle") != 0 && aim_warnings(0)[0] == 0, "and why");
+  aim_disconnect(0);
+}
+
+static void refused_names(aim* a, const double m[16]) {
+  double got[16];
+  long interval;
+  for (int name = -1; name <= 0; ++name)
+    check(aim_animate(a, name, 1, m) == AIM_E_CALL && aim_halt(a, name) == AIM_E_CALL &&
+              aim_kill(a, name) == AIM_E_CALL && aim_cancel(a, name) == AIM_E_CALL &&
+              aim_get_interval(a, name, &interval) == AIM_E_CALL && aim_get_matrix(a, name, got) == AIM_E_CALL &&
+              aim_begin_environment(a, name) == AIM_E_CALL && aim_edit_object(a, name) == AIM_E_CALL &&
+              aim_start(a, name) == AIM_E_CALL && strstr(aim_error(a), "positive") != 0,
+          "names below 1");
+}
+
+/* `bundle` has no answer of its own: nothing waits for it, however it is said. */
+static void lone_bundles(aim* a) {
+  const char* said = 0;
+  int names[2] = {0, 0};
+  check(aim_command(a, "end", 0) == AIM_E_CALL, "no bundle is open");
+  check(aim_command(a, " bundle  # together", &said) == AIM_OK && aim_command(a, "bundle", 0) == AIM_E_CALL,
+        "a bundle by its word");
+  for (int k = 0; k < 2500; ++k) aim_make_environment(a, &names[k % 2]);
+  check(names[1] > 0 && names[1] != names[0], "names in a bundle");
+  check(aim_command(a, "create lonely sphere", 0) == AIM_OK && aim_command(a, "end", 0) == AIM_OK, "and its end");
+  check(aim_command(a, "describe lonely", &said) == AIM_OK && strstr(said, "lonely") != 0, "what it has done");
+  check(aim_command(a, "undo", 0) == AIM_OK, "and back");
+}
+
+static void warnings(aim* a) {
+  check(aim_command(a, "halt nobody*", 0) == AIM_OK && strstr(aim_warnings(a), "'nobody*' names nothing") != 0,
+        "warnings reach the caller");
+  check(aim_command(a, "undo", 0) == AIM_OK, "and back");
+  check(aim_command(a, "time", 0) == AIM_OK && aim_warnings(a)[0] == 0, "and only of the last call");
+}
+
+/* Names are nobody else's, however many hosts there have been. */
+static void many_hosts(const char* where, const char* token) {
+  static int names[2300];
+  int twice = 0;
+  for (int k = 0; k < 2300; ++k) {
+    aim* a = aim_connect(where, token);
+    if (!a || aim_make_environment(a, &names[k]) != AIM_OK || names[k] <= 0) ++twice;
+    for (int before = 0; before < k; ++before) twice += names[before] == names[k];
+    aim_disconnect(a);
+  }
+  check(twice == 0, "2,300 hosts have names of their own");
+}
+
 int main(int argc, char** argv) {
   const double triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   const double eye[3] = {0, 0, 10}, at[3] = {0, 0, 0};
@@ -138,8 +218,15 @@ int main(int argc, char** argv) {
   check(aim_halt(a, 4711) == AIM_E_REFUSED && strstr(aim_error(a), "there is no environment") != 0, "unknown names");
   check(aim_point(a, 0, 0, 0) == AIM_E_CALL && strstr(aim_error(a), "no object is open") != 0, "no object is open");
   check(aim_get_interval(a, drift, 0) == AIM_E_CALL, "null pointers");
+  check(aim_get_interval(a, drift, &interval) == AIM_E_REFUSED && strstr(aim_error(a), "it was killed") != 0,
+        "killed environments are unknown");
+  null_handles();
+  refused_names(a, m);
+  lone_bundles(a);
+  warnings(a);
   OK(aim_delete_object(a, object));
   aim_disconnect(a);
+  many_hosts(argv[1], argc > 2 ? argv[2] : 0);
   printf("%d passed, %d failed\n", passed, failed);
   return failed != 0;
 }

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The handle of a host in C: its connection, and what it must know between two calls.
+#pragma once
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "betwixt/aim.h"
+
+struct aim {
+  using Json = nlohmann::json;
+  static constexpr int names_at_once = 1000;
+
+  int fd = -1;
+  std::string in;               // bytes that came behind the last answer
+  std::string error, warnings;  // of the last call
+  std::string said;
+  Json answer;
+  std::vector<int> blocks;  // the first of each thousand numbers that names are made of
+  int objects = 0, tags = 0, environments = 0;
+  int open = 0, open_before_bundle = 0;  // the object; 0: none
+  bool interrupted = false;  // another command came between its rows; it must be opened again for the next one
+  bool replacing = false;
+  bool bundling = false;
+  long stamp = LONG_MIN, now = LONG_MIN;  // when what was said last takes effect; the last tick that is known of
+
+  ~aim() {
+    if (fd >= 0) ::close(fd);
+  }
+
+  aim_status fail(aim_status status, std::string why) {
+    error = std::move(why);
+    return status;
+  }
+  aim_status lost(const char* what) {
+    if (fd >= 0) ::close(fd);
+    fd = -1;
+    return fail(AIM_E_CONNECTION, what);
+  }
+
+  bool send(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t n = ::send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return false;
+      bytes.remove_prefix(static_cast<std::size_t>(n));
+    }
+    return true;
+  }
+  bool receive(std::string& line) {
+    std::size_t searched = 0;
+    for (;;) {
+      if (const auto end = in.find('\n', searched); end != std::string::npos) {
+        line = in.substr(0, end);
+        in.erase(0, end + 1);
+        return true;
+      }
+      searched = in.size();
+      char buffer[4096];
+      const ssize_t n = ::recv(fd, buffer, sizeof buffer, 0);
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return false;
+      in.append(buffer, static_cast<std::size_t>(n));
+    }
+  }
+
+  // Sends a line and waits for its answer; what the server tells of its own accord in between is passed over.
+  aim_status ask(const std::string& line, bool answered_in_bundles = false) {
+    error.clear(), warnings.clear();
+    if (fd < 0) return fail(AIM_E_CONNECTION, "the connection is closed");
+    if (!send(line + "\n")) return lost("the server has gone");
+    return bundling && !answered_in_bundles ? AIM_OK : hear();  // a bundle is answered as a whole
+  }
+  aim_status hear() {
+    std::string text;
+    do {
+      if (!receive(text)) return lost("the server has gone");
+      answer = Json::parse(text, nullptr, false);
+      if (!answer.is_object()) return lost("this is not an imaging server");
+    } while (!answer.contains("ok"));
+    if (answer.value("ok", false)) return note_warnings(), AIM_OK;
+    std::string why = answer.value("error", std::string("refused"));
+    if (const std::string hint = answer.value("hint", std::string()); !hint.empty()) why += " (" + hint + ")";
+    return fail(AIM_E_REFUSED, why);
+  }
+
+  // The one word of a line; none where there are more.
+  static std::string lone_word(std::string_view line) {
+    constexpr std::string_view blanks = " \t\r,";
+    line = line.substr(0, line.find('#'));
+    const std::size_t from = line.find_first_not_of(blanks), to = line.find_last_not_of(blanks);
+    if (from == std::string_view::npos) return {};
+    line = line.substr(from, to + 1 - from);
+    return line.find_first_of(blanks) == std::string_view::npos ? std::string(line) : std::string();
+  }
+  void note_warnings() {
+    const std::string text = answer.value("said", std::string());
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      const std::string_view line = std::string_view(text).substr(at, end - at);
+      if (line.starts_with("warning: ") || line.starts_with("notice: ")) (warnings += line) += '\n';
+      at = end + 1;
+    }
+  }
+
+  // A command of the language that is no row: it ends the rows of an open object.
+  aim_status say(const std::string& line, std::initializer_list<int> names = {}) {
+    if (const aim_status status = named(names); status != AIM_OK) return status;
+    interrupted = true;
+    return ask(line);
+  }
+  aim_status opens(const char* verb, int name) {
+    if (open != 0) return fail(AIM_E_CALL, "an object is open already");
+    const aim_status status = say(fmt::format("{} O{}", verb, name), {name});
+    open = status == AIM_OK ? name : 0;
+    interrupted = replacing = false;
+    return status;
+  }
+  aim_status row(const std::string& text, std::initializer_list<int> names = {}) {
+    if (const aim_status status = named(names); status != AIM_OK) return status;
+    if (open == 0) return fail(AIM_E_CALL, "no object is open");
+    if (interrupted && replacing)
+      return fail(AIM_E_CALL, "another command came after 'replace': it must be said again");
+    if (interrupted)
+      if (const aim_status status = ask(fmt::format("edit O{}", open)); status != AIM_OK) return status;
+    interrupted = false;
+    return ask("  " + text);
+  }
+  // About environments: it takes effect a little later than it is said.
+  aim_status stamped(const std::string& line, std::initializer_list<int> names = {}) {
+    const aim_status status = say(line, names);
+    if (status == AIM_OK && !bundling) stamp = answer.value("tick", stamp);
+    return status;
+  }
+  // One value of an environment; of what was just said, as it will be.
+  aim_status value(int environment, const char* what, Json& out) {
+    if (bundling) return fail(AIM_E_CALL, "nothing can be asked in a bundle");
+    if (const aim_status status = named({environment}); status != AIM_OK) return status;
+    const std::string target = fmt::format("E{}.{}", environment, what);
+    if (stamp > now) {
+      if (const aim_status status = ask("time"); status != AIM_OK) return status;
+      now = answer.value("tick", now);
+    }
+    const std::string when = stamp > now ? fmt::format(" at {}t", stamp) : std::string();
+    if (const aim_status status = ask("eval " + target + when); status != AIM_OK) return status;
+    const auto values = answer.find("values");
+    if (values == answer.end() || !values->contains(target)) return fail(AIM_E_REFUSED, "the server gave no value");
+    out = (*values)[target];
+    return AIM_OK;
+  }
+  aim_status matrix(int environment, const char* what, double m[16]) {
+    if (!m) return fail(AIM_E_CALL, "no place for the matrix");
+    Json out;
+    if (const aim_status status = value(environment, what, out); status != AIM_OK) return status;
+    if (!out.is_array() || out.size() != 16) return fail(AIM_E_REFUSED, "the server gave no matrix");
+    for (int i = 0; i < 16; ++i) m[4 * (i % 4) + i / 4] = out[static_cast<std::size_t>(i)].get<double>();
+    return AIM_OK;
+  }
+  aim_status begin_bundle() {
+    if (bundling) return fail(AIM_E_CALL, "a bundle is open already");
+    bundling = true, open_before_bundle = open;
+    const aim_status status = say("bundle");
+    bundling = status == AIM_OK;
+    return status;
+  }
+  aim_status end_bundle() {
+    if (!bundling) return fail(AIM_E_CALL, "no bundle is open");
+    bundling = false, open = open_before_bundle;
+    return stamped("end");
+  }
+  // A line of the language. What begins and ends bundles is answered otherwise than all else.
+  aim_status command(const std::string& line) {
+    const std::string word = lone_word(line);
+    if (word == "bundle") return begin_bundle();
+    if (word == "end" && line.find_first_of(" \t") != 0) return end_bundle();
+    return say(line);
+  }
+  aim_status whole(const char* member, long& out) {
+    if (bundling) return fail(AIM_E_CALL, "nothing can be asked in a bundle");
+    if (const aim_status status = ask("time"); status != AIM_OK) return status;
+    out = answer.value(member, 0L);
+    return AIM_OK;
+  }
+  // The server gives every number once, a thousand at a time; kinds of things may have the same.
+  aim_status name(int* out, int& count) {
+    if (!out) return fail(AIM_E_CALL, "no place for the name");
+    const auto block = static_cast<std::size_t>(count / names_at_once);
+    if (block == blocks.size()) {
+      if (const aim_status status = ask("names", true); status != AIM_OK) return status;
+      const int first = answer.value("first", 0);
+      if (first <= 0) return lost("this is not an imaging server");
+      blocks.push_back(first);
+    }
+    *out = blocks[block] + count++ % names_at_once;
+    error.clear();
+    return AIM_OK;
+  }
+  aim_status named(std::initializer_list<int> names) {
+    for (const int n : names)
+      if (n <= 0) return fail(AIM_E_CALL, "names are positive numbers");
+    return AIM_OK;
+  }
+};
