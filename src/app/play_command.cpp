@@ -11,6 +11,7 @@
 
 #include "app/command.h"
 #include "app/live_input.h"
+#include "app/playhead.h"
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "base/files.h"
@@ -23,43 +24,11 @@
 namespace betwixt {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 struct PlayCall {
   std::string file, frames, listen, record;
   RenderOptions picture{960, 540, 1};  // a character blends its pixels anyway
   bool terminal = false, loop = false, overwrite = false;
   std::string said = "--frames";  // how whoever calls says the frames
-};
-
-double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
-
-// Which frame is due. Time comes from the clock, never from counting pictures: a late picture is dropped.
-class Playhead {
- public:
-  Playhead(const FrameList& frames, bool loop) : frames_(frames), loop_(loop) {}
-  bool playing() const { return playing_; }
-  int last() const { return frames_.count - 1; }
-  int now() const {
-    if (!playing_) return at_;
-    const double due = at_ + since(started_) * frames_.rate.per_second();
-    if (loop_) return static_cast<int>(std::fmod(due, frames_.count));
-    return static_cast<int>(std::min<double>(due, last()));
-  }
-  double until_next() const {  // seconds
-    const double due = since(started_) * frames_.rate.per_second();
-    return (std::floor(due) + 1 - due) / frames_.rate.per_second();
-  }
-  void pause() { at_ = now(), playing_ = false; }
-  void play() { at_ = now() == last() && !loop_ ? 0 : now(), started_ = Clock::now(), playing_ = true; }
-  void jump(int k) { at_ = std::clamp(k, 0, last()), started_ = Clock::now(); }
-
- private:
-  const FrameList& frames_;
-  const bool loop_;
-  bool playing_ = true;
-  int at_ = 0;
-  Clock::time_point started_ = Clock::now();
 };
 
 class Player {
@@ -241,8 +210,8 @@ class Player {
     if (!passed) note_.clear();
     const Time to = k == head_.last() ? std::max(frames_.time(k), frames_.last) : frames_.time(k);
     if (std::string words = notes_shown(document_, after, to); !words.empty())
-      note_ = std::move(words), noted_ = Clock::now();
-    if (since(noted_) > 3 && head_.playing()) note_.clear();
+      note_ = std::move(words), noted_ = Playhead::Clock::now();
+    if (Playhead::since(noted_) > 3 && head_.playing()) note_.clear();
   }
 
   std::string status(int k) const {
@@ -293,7 +262,7 @@ class Player {
   bool stale_ = false;  // what is shown is not what the document says by now
   std::size_t turned_ = 0;
   std::string note_, said_, last_drawn_, altered_;
-  Clock::time_point noted_ = Clock::now();
+  Playhead::Clock::time_point noted_ = Playhead::Clock::now();
 };
 
 // Where what controls say is written when the film ends; empty: nowhere. That the place is free is seen before

@@ -87,6 +87,10 @@ bool one_time_only(Cursor&, std::string_view segment);
 bool draws(Command&, const Target&, std::string_view about);
 // What stands behind a row's time.
 bool event(Command&, const Selected& to, Time);
+// A value per second: angles of a rotation one by one, or the turning about an axis.
+bool rate_of_change(Command&, const Selected&, Value& out);
+// tangent=V, tangent-in=V, tangent-out=V of an event, behind the word `key`.
+bool tangent(Command&, const Selected&, std::string_view key, Event&);
 // How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]
 bool way(Command&, const Selected& to, Event&);
 // What stands behind a row's segment: a motion.

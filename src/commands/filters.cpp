@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "base/names.h"
 #include "commands/command.h"
@@ -104,6 +105,9 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
   } else {
     double d = 0;
     if (angles ? !values(k).angle(d) : !number_or_length(c, known && known->time, d)) return false;
+    if (known && !known->time && !angles && !std::isdigit(static_cast<unsigned char>(c.at[-1])) && c.at[-1] != '.')
+      return c.fail(ErrorCode::type, fmt::format("{} is a plain number, without a unit", key), c.since(at),
+                    key == "frequency" ? "so many times a second" : "");
     out = d;
     if (known && !(d >= known->low && d <= known->high))
       return c.fail(ErrorCode::range,

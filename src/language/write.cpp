@@ -392,9 +392,7 @@ std::string write_besides(const Document& document, const Target& target) {
 
 std::string write(const Document& document) {
   Writer w{document.scene(), document, {}};
-  w.settings();
-  w.objects();
-  w.rest();
+  w.settings(), w.objects(), w.rest();
   return std::move(w.out);
 }
 

@@ -374,6 +374,8 @@ struct Program::Compiled {
 // the value of such numbers, as the author writes it.
 int held_numbers(const Value&, bool orientation, double* out);
 Value written_value(Type, const double* numbers, bool orientation);
+// a + w b, or the way from a to b; orientations turn. Nothing where the two do not go together.
+std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mix);
 // A procedure's answer as a value of the type; the reason if it is none.
 Result<Value> fit(const Value&, Type, const Scene&);
 Vec3 to_angles(Quat);

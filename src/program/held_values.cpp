@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "program/compiled.h"
+#include "track/operations.h"
 
 namespace betwixt {
 
@@ -45,6 +46,28 @@ Result<Value> fit(const Value& v, Type type, const Scene& scene) {
                    : text                            ? "a text"
                                                      : "something else";
   return fail(ErrorCode::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
+}
+
+std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mix) {
+  const auto turn = [](const Value& v) -> std::optional<Quat> {
+    if (const auto* q = std::get_if<Quat>(&v)) return *q;
+    if (const auto* e = std::get_if<Angles>(&v)) return from_angles(e->xyz);
+    return std::nullopt;
+  };
+  if (std::holds_alternative<Quat>(a) || std::holds_alternative<Quat>(b)) {
+    const auto p = turn(a), q = turn(b);
+    if (!p || !q) return std::nullopt;
+    if (!mix) return *p * power(q->w < 0 ? -*q : *q, w);
+    return slerp(*p, dot(*p, *q) < 0 ? -*q : *q, w);
+  }
+  if (a.index() != b.index()) return std::nullopt;
+  if (const auto* from = std::get_if<Color>(&a); from && mix) {  // light mixes, not the numbers written
+    const Vec3 x = to_linear(*from), y = to_linear(std::get<Color>(b));
+    return to_srgb(x + w * (y - x));
+  }
+  if (!numeric(a) || std::holds_alternative<bool>(a)) return mix && w >= 0.5 ? b : a;
+  if (mix) return add_scaled(a, *add_scaled(b, a, -1), w);
+  return add_scaled(a, b, w);
 }
 
 }  // namespace betwixt

@@ -86,5 +86,17 @@ TEST(Filters, AndLayersMixLight) {
   for (const char* target : {"b.color", "q2.color"}) expect_numbers(s, target, "1f", {half, half, half}, 1e-9);
 }
 
+TEST(Filters, PlainNumbersHaveNoUnit) {
+  const auto first = [](const std::string& filter) {
+    const auto all = errors(read("create b sphere\nb.position\n  1f (0 0 0)\nfilter b.position " + filter + "\n"));
+    return all.empty() ? "" : all[0];
+  };
+  EXPECT_EQ(first("wobble amount=0.1 frequency=3f"), "4:47: frequency is a plain number, without a unit");
+  EXPECT_EQ(first("noise seed=5f"), "4:30: seed is a plain number, without a unit");
+  EXPECT_EQ(first("wobble amount=0.1 frequency=3"), "");
+  EXPECT_EQ(first("wobble amount=.1 frequency=3."), "");
+  EXPECT_EQ(first("smooth width=3f"), "");
+}
+
 }  // namespace
 }  // namespace betwixt

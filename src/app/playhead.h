@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where playing is.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/command.h"
+
+namespace betwixt {
+
+// Which frame is due. Time comes from the clock, never from counting pictures: a late picture is dropped.
+class Playhead {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+  Playhead(const FrameList& frames, bool loop) : frames_(frames), loop_(loop) {}
+  bool playing() const { return playing_; }
+  int last() const { return frames_.count - 1; }
+  int now() const {
+    if (!playing_) return at_;
+    const double due = at_ + since(started_) * frames_.rate.per_second();
+    if (loop_) return static_cast<int>(std::fmod(due, frames_.count));
+    return static_cast<int>(std::min<double>(due, last()));
+  }
+  double until_next() const {  // seconds
+    const double due = since(started_) * frames_.rate.per_second();
+    return (std::floor(due) + 1 - due) / frames_.rate.per_second();
+  }
+  void pause() { at_ = now(), playing_ = false; }
+  void play() { at_ = now() == last() && !loop_ ? 0 : now(), started_ = Clock::now(), playing_ = true; }
+  void jump(int k) { at_ = std::clamp(k, 0, last()), started_ = Clock::now(); }
+
+ private:
+  const FrameList& frames_;
+  const bool loop_;
+  bool playing_ = true;
+  int at_ = 0;
+  Clock::time_point started_ = Clock::now();
+};
+
+}  // namespace betwixt

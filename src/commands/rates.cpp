@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How fast values change: velocities, and the tangents of hermite.
+#include <fmt/format.h>
+
+#include "commands/command.h"
+
+namespace betwixt {
+
+// A value per second: angles of a rotation one by one, or the turning about an axis.
+bool rate_of_change(Command& k, const Selected& to, Value& out) {
+  auto& [s, c, time, layer, script] = k;
+  const Type type = to.type();
+  if (row_of(type).changes != Changes::by_turning) return values(k).value(unbounded(*to.spec), to.component, out);
+  c.space();
+  Vec3 v;
+  if (c.peek_word() == "axis") {
+    double angle = 0;
+    c.word();
+    if (!c.open()) return false;
+    c.space();
+    if (c.peek() == '(' || c.peek() == 'x' || c.peek() == 'y' || c.peek() == 'z') {
+      if (!values(k).axis(v)) return false;
+    } else {
+      const char* start = c.at;
+      for (int i = 0; i < 3; ++i)
+        if (!c.number(v[i])) return false;
+      if (v == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; 0 0 0 has none", c.since(start));
+    }
+    if (!values(k).angle(angle) || !c.close()) return false;
+    out = angle * normalize(v);
+    return true;
+  }
+  if (c.peek_word() == "quat")
+    return c.fail_here(ErrorCode::type, "a turning speed is wanted here, not an orientation",
+                       "as in axis(0 1 0, 90deg)");
+  const bool spin = c.accept_word("spin");  // about the fixed axes, as one vector
+  if (!spin && c.peek() != '(' && !c.accept_word("euler"))
+    return c.fail_here(ErrorCode::type, "a turning speed is wanted here",
+                       "as in axis(0 1 0, 90deg) or euler(0 90deg 0)");
+  if (!c.open()) return false;
+  for (int i = 0; i < 3; ++i)
+    if (!values(k).angle(v[i])) return false;
+  if (!c.close()) return false;
+  out = spin || type == Type::orientation ? Value(v) : Value(Angles{v});
+  return true;
+}
+
+namespace {
+
+// quat(w x y z): the change of the four numbers per second, as glTF has it; or a turning speed about fixed axes. What
+// is kept is the former, of which there is one for any orientation.
+bool turning_tangent(Command& k, const Selected& to, const Event& e, Value& out) {
+  Cursor& c = k.cursor;
+  const auto* q = std::get_if<Quat>(&e.value);
+  if (!q) return c.fail_here(ErrorCode::type, "keep has no orientation that a tangent could be of");
+  if (c.accept_word("quat")) {
+    Quat rate;
+    if (!c.open()) return false;
+    for (double* n : {&rate.w, &rate.x, &rate.y, &rate.z})
+      if (!c.number(*n)) return false;
+    out = rate;
+    return c.close();
+  }
+  if (c.peek_word() == "euler" || c.peek() == '(')
+    return c.fail_here(ErrorCode::type, "an orientation's tangent is a turning speed or quat(…)",
+                       "as in tangent=axis(0 1 0, 90deg) or tangent=spin(0 90deg 0)");
+  Value speed;
+  if (!rate_of_change(k, to, speed)) return false;
+  const Vec3 w = 0.5 * std::get<Vec3>(speed);
+  out = Quat{0, w.x, w.y, w.z} * *q;
+  return true;
+}
+
+}  // namespace
+
+// tangent=V, tangent-in=V, tangent-out=V: where hermite comes from and goes, per second.
+bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
+  auto& [s, c, time, layer, script] = k;
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+  const Type type = to.type();
+  if (!row_of(type).tangents) return c.fail(ErrorCode::type, fmt::format("{} has no tangents", to_string(type)), key);
+  Value v;
+  c.space();
+  const char* const start = c.at;
+  const bool turns = type == Type::orientation || std::holds_alternative<Quat>(e.value);
+  if (turns && !to.velocity ? !turning_tangent(k, to, e, v)
+                            : !values(k).value(unbounded(*to.spec), to.component, v))  // a speed may be of any size
+    return false;
+  if (std::holds_alternative<Quat>(v) && !turns)
+    return c.fail(ErrorCode::type, "angles have tangents of angles", c.since(start), "as in tangent=euler(0 90deg 0)");
+  if (key != "tangent-out") e.detail.edit().tangent_in = v;
+  if (key != "tangent-in") e.detail.edit().tangent_out = v;
+  return true;
+}
+
+}  // namespace betwixt
