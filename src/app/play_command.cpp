@@ -47,6 +47,9 @@ class Player {
         head_(frames, call.loop) {}
 
   Status run() {
+    // Time begins with the first picture, however long that takes.
+    if (Status s = show(0); !s) return s;
+    head_.jump(0);
     bool closed = false;
     while (!stop_requested() && !closed && !quit_) {
       const int k = head_.now();

@@ -125,7 +125,8 @@ struct Asking {
   // Counts work; true: it was too much, here or before.
   bool work(std::uint64_t steps) {
     cost += steps;
-    if (cost - begun > most_work) given_up = true, cut = 0;  // nothing found from here on is kept
+    given_up = given_up || cost - begun > most_work;
+    if (given_up) cut = 0;  // nothing found from here on is kept
     return given_up;
   }
 

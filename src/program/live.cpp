@@ -64,7 +64,7 @@ struct Worker {
 
   // None where it errs; then `problems` says so.
   std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
-    if (asking.given_up) return std::nullopt;
+    if (asking.work(0)) return std::nullopt;
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);

@@ -8,14 +8,28 @@
 #include <memory>
 
 #include "betwixt/render.h"
+#include "render/canvas.h"
 #include "render/columns.h"
+#include "render/things.h"
 
 namespace betwixt {
 
+// It keeps what it drew last: where nothing differs, that is the picture.
 class Module {
  public:
   virtual ~Module() = default;
-  virtual void draw(const Columns&, Picture& out) = 0;
+  Module(const Module&) = delete;
+  Module& operator=(const Module&) = delete;
+  void draw(const Columns&, Picture& out);
+
+ protected:
+  Module(Canvas canvas, Purpose purpose)
+      : canvas_(std::move(canvas)), things_(purpose, canvas_.width(), canvas_.height()) {}
+  virtual void draw_anew() = 0;
+
+  Canvas canvas_;
+  Things things_;
+  Scenery scenery_;
 };
 
 using MakeModule = Result<std::unique_ptr<Module>> (*)(const RenderOptions&);

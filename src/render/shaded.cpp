@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The style `shaded`: a shadow map, then solid surfaces, the background, glass, and the picture.
-#include "render/canvas.h"
 #include "render/lines.h"
 #include "render/module.h"
 #include "render/surfaces.h"
@@ -15,20 +14,13 @@ constexpr Gradient gradient{{0.26, 0.28, 0.31}, {0.12, 0.125, 0.13}};
 class Shaded final : public Module {
  public:
   Shaded(Canvas canvas, Surfaces surfaces, Shadow shadow, Lines lines)
-      : canvas_(std::move(canvas)),
+      : Module(std::move(canvas), Purpose::surfaces),
         surfaces_(std::move(surfaces)),
         shadow_(std::move(shadow)),
-        lines_(std::move(lines)),
-        things_(Purpose::surfaces, canvas_.width(), canvas_.height()) {}
-
-  void draw(const Columns& columns, Picture& out) override {
-    const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);
-    if (other_things || other_scenery) draw_anew();
-    canvas_.read(out);
-  }
+        lines_(std::move(lines)) {}
 
  private:
-  void draw_anew() {
+  void draw_anew() override {
     std::vector<std::uint32_t> solid, glass, hairlines;
     for (std::uint32_t i = 0; i < things_.all().size(); ++i)
       if (const Thing& t = things_[i]; t.visible) (!t.surface ? hairlines : t.transparent ? glass : solid).push_back(i);
@@ -57,13 +49,10 @@ class Shaded final : public Module {
     for (const Batch& b : batches.batches) lines_.draw(b, line_instances_);
   }
 
-  Canvas canvas_;
   Surfaces surfaces_;
   Shadow shadow_;
   Lines lines_;
   Instances line_instances_;
-  Things things_;
-  Scenery scenery_;
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The styles `wireframe` and `hidden-line`: edges as broad lines whose borders fade over a pixel.
-#include "render/canvas.h"
 #include "render/lines.h"
 #include "render/module.h"
 
@@ -28,19 +27,10 @@ const char* const hide_fragment = "void main() {}";
 class Wireframe final : public Module {
  public:
   Wireframe(Canvas canvas, Lines lines, gl::Program hide)
-      : canvas_(std::move(canvas)),
-        lines_(std::move(lines)),
-        hide_(std::move(hide)),
-        things_(Purpose::lines, canvas_.width(), canvas_.height()) {}
-
-  void draw(const Columns& columns, Picture& out) override {
-    const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);
-    if (other_things || other_scenery) draw_anew();
-    canvas_.read(out);
-  }
+      : Module(std::move(canvas), Purpose::lines), lines_(std::move(lines)), hide_(std::move(hide)) {}
 
  private:
-  void draw_anew() {
+  void draw_anew() override {
     const View& view = things_.view();
     std::vector<std::uint32_t> seen;
     for (std::uint32_t i = 0; i < things_.all().size(); ++i)
@@ -69,12 +59,9 @@ class Wireframe final : public Module {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
 
-  Canvas canvas_;
   Lines lines_;
   gl::Program hide_;  // none: nothing is hidden
   Instances instances_;
-  Things things_;
-  Scenery scenery_;
 };
 
 Result<std::unique_ptr<Module>> make(RenderOptions options, bool hidden) {

@@ -109,10 +109,12 @@ Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::stri
 Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, Nanos now) {
   std::size_t end = w.size();
   Time t = transport_.time(now);
+  const Program film = program();  // others may change the document while it is made, and while it is read
+  const Document& document = film.document();
   if (w.size() >= 3 && w[w.size() - 2] == "at") {
     const std::string& text = w.back();
     const bool bare = text.find_first_not_of("0123456789.-") == std::string::npos;
-    const auto asked = parse_time(bare ? text + "f" : text, document());
+    const auto asked = parse_time(bare ? text + "f" : text, document);
     if (!asked) return asked.error();
     t = *asked, end -= 2;
   }
@@ -122,11 +124,11 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
   if (end < 2) return fail(ErrorCode::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
   std::vector<Target> targets;
   for (std::size_t i = 1; i < end; ++i) {
-    const auto found = find_targets(w[i], document());
+    const auto found = find_targets(w[i], document);
     if (!found) return found.error();
     bool killed = false;
     for (const Target& target : *found) {
-      if (killed_by(document().scene(), target, t))
+      if (killed_by(document.scene(), target, t))
         killed = true;
       else if (std::find(targets.begin(), targets.end(), target) == targets.end())
         targets.push_back(target);
@@ -137,9 +139,7 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
   }
   std::vector<std::string> problems;
   std::vector<Value> values;
-  const Document asked = document();
-  const Program film = program();
-  // What code and filters say may take long; it is of the document that was asked about.
+  // What code and filters say may take long.
   const auto read = [&] { problems.clear(), values = film.read(targets, t, &problems); };
   if (!options_.beside)
     read();
@@ -147,7 +147,8 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
     return std::string();
   std::string out = fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()));
   for (std::size_t i = 0; i < targets.size(); ++i)
-    out += fmt::format("{}{}:{}", i ? "," : "", json_text(asked.name(targets[i])), json(values[i], targets[i], asked));
+    out += fmt::format("{}{}:{}", i ? "," : "", json_text(document.name(targets[i])),
+                       json(values[i], targets[i], document));
   return out + "}" + said(fmt::format("{}", fmt::join(problems, "\n")));
 }
 

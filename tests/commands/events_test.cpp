@@ -101,8 +101,7 @@ TEST(Events, AnOrientationsTangentIsATurningSpeedAboutFixedAxes) {
 
 TEST(Events, TangentsThatMeanNothingAreRefused) {
   const auto said_of = [](const std::string& row) {
-    const auto all = errors(read("create b box\nb.rotation\n  1f " + row + "\n"));
-    return all.empty() ? "" : all[0];
+    return first_error("create b box\nb.rotation\n  1f " + row + "\n");
   };
   EXPECT_EQ(said_of("axis(x, 50deg) hermite tangent=(1 2 3)"), "3:37: an orientation's tangent is a turning speed or quat(…)");
   EXPECT_EQ(said_of("axis(x, 50deg) hermite tangent=euler(0 9deg 0)"),

@@ -88,8 +88,7 @@ TEST(Filters, AndLayersMixLight) {
 
 TEST(Filters, PlainNumbersHaveNoUnit) {
   const auto first = [](const std::string& filter) {
-    const auto all = errors(read("create b sphere\nb.position\n  1f (0 0 0)\nfilter b.position " + filter + "\n"));
-    return all.empty() ? "" : all[0];
+    return first_error("create b sphere\nb.position\n  1f (0 0 0)\nfilter b.position " + filter + "\n");
   };
   EXPECT_EQ(first("wobble amount=0.1 frequency=3f"), "4:47: frequency is a plain number, without a unit");
   EXPECT_EQ(first("noise seed=5f"), "4:30: seed is a plain number, without a unit");

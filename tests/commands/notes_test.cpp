@@ -36,10 +36,7 @@ TEST(Notes, ThingsOfThatNameAreTargetsAsBefore) {
 }
 
 TEST(Notes, WhatCannotBeIsSaid) {
-  const auto first = [](const std::string& line) {
-    const auto all = errors(read("at 5f note \"b\"\n" + line + "\n"));
-    return all.empty() ? "" : all[0];
-  };
+  const auto first = [](const std::string& line) { return first_error("at 5f note \"b\"\n" + line + "\n"); };
   EXPECT_EQ(first("move notes 1f..9f by 4000000000s"), "");
   EXPECT_EQ(first("at 4000000000s note \"c\"\nmove notes 1f..4000000000s by 4000000000s"),
             "3:6: this takes notes beyond all times");

@@ -92,4 +92,10 @@ inline std::vector<std::string> errors(const Loaded& loaded) {
 
 inline Loaded read(std::string_view text) { return load_text(text, "test.bx"); }
 
+// The first error of a text, as errors() has it; empty: there is none.
+inline std::string first_error(const std::string& text) {
+  const auto all = errors(read(text));
+  return all.empty() ? std::string() : all[0];
+}
+
 }  // namespace betwixt

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/module.h"
+
+namespace betwixt {
+
+void Module::draw(const Columns& columns, Picture& out) {
+  const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);  // both are told
+  if (other_things || other_scenery) draw_anew();
+  canvas_.read(out);
+}
+
+}  // namespace betwixt
