@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "commands/command.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -57,20 +58,6 @@ constexpr Verb attachments_rows[] = {
      "at 20f attach ball to hand\nat 60f letgo ball", Verb::timed, let_loose<AttachmentKind::letgo>},
 };
 
-// Whether a fall, as `fall` writes it, goes on beyond this time: hermite of all three components, at the same times.
-bool falls_beyond(const Scene& s, ObjectId id, Time t) {
-  const auto tracks = tracks_of(s, {id, fn::position});
-  if (tracks.size() != 3) return false;
-  std::optional<Event> last;
-  tracks[1]->events.each_between(from_the_beginning, t - Time{1}, [&](const Event& e) { last = e; });
-  if (!last || last->twerper != Twerper::hermite || !last->detail->tangent_out) return false;
-  const auto later = tracks[1]->events.between(t + Time{1}, for_good);
-  return !later.empty() && later[0].twerper == Twerper::hermite && later[0].detail->tangent_in &&
-         std::all_of(tracks.begin(), tracks.end(), [&](const Track* track) {
-           return track->events.find(last->time) && track->events.find(later[0].time);
-         });
-}
-
 }  // namespace
 
 // Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).
@@ -112,9 +99,11 @@ bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachm
       set_value(s, {child, fn::attachment}, to);
       continue;
     }
-    if (to.kind >= AttachmentKind::hang && falls_beyond(s, child, *when))
-      script.note(Severity::notice, fmt::format("{} goes on falling while it is held", s.objects[child.index].name),
-                  about, "a fall ends at a catch that is written before it");
+    if (to.kind >= AttachmentKind::hang && end_fall(s, child, *when))
+      script.note(Severity::notice,
+                  fmt::format("{} falls no further than to {}, where it is held from now on",
+                              s.objects[child.index].name, format_time(*when, s.rate)),
+                  about);
     Event e;
     e.time = *when;
     e.value = to;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -64,6 +65,8 @@ bool targets(Command&, std::string_view word, Selected& out, Meant = Meant::alik
 bool alike(Command&, const Selected&);
 // The rest of a command about targets of which there are none is read by nobody.
 bool pass_over(Command&, const char* from);
+// Reads what stands behind a target for all that it names: where types may be translated, once for each type.
+bool to_each_type(Command&, std::string_view word, const char* from, const std::function<bool(const Selected&)>& read);
 // One or more objects: a name that exists, an alias, or a pattern (which may name none).
 bool objects(Command&, std::string_view& word, std::vector<ObjectId>& out);
 
@@ -99,6 +102,8 @@ bool moving(Command&, const Selected& to, Time from, std::optional<Time> until);
 // Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).
 bool attachment(Command&, const std::vector<ObjectId>& children, const Attachment&, std::optional<Time>,
                 std::string_view about);
+// Ends what `fall` has written where it goes on beyond this time; tells whether there was any.
+bool end_fall(Scene&, ObjectId, Time);
 
 // What operations on times have made of motions, said where they last otherwise than before.
 void say_lasting(const Command&, const Scene& before, const Selected& on, std::string_view about);

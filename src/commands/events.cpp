@@ -132,11 +132,6 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   if (to.spec->type == Type::shape) {
     for (const Target& t : to.targets)
       if (!draws(k, t, about)) return false;
-    if (!is_own(event.twerper) && row_of(event.twerper).cubics != nullptr && !std::exchange(script.sheet.warned, true))
-      script.note(Severity::notice,
-                  fmt::format("shapes go straight from one to the next, without a curve through others: {} is {} here",
-                              name_of(event.twerper), row_of(event.twerper).factor ? "at rest at both ends" : "linear"),
-                  about);
   }
   withhold(k, to, event, about);
   for (const Target& t : to.targets) {

@@ -5,6 +5,8 @@
 // it are plain events on plain tracks. (twixt notes, G4, G52)
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -166,7 +168,61 @@ constexpr Verb fall_rows[] = {
      "Objects fall and bounce, as plain events; a ball's ground is its radius.", "at 24f fall ball", Verb::timed, fall},
 };
 
+// Of a fall, as `fall` writes it: hermite, a parabola.
+bool falls(const Event& from, const Event& to) {
+  if (from.twerper != Twerper::hermite || !from.detail->tangent_out || !to.detail->tangent_in) return false;
+  const auto number = [](const Value& v) { return std::get_if<double>(&v); };
+  const double *p = number(from.value), *q = number(to.value);
+  const double *out = number(*from.detail->tangent_out), *in = number(*to.detail->tangent_in);
+  if (!p || !q || !out || !in) return false;
+  const double h = (to.time - from.time).seconds(), way = (*out + *in) / 2 * h;
+  return std::abs(*q - *p - way) <= 1e-6 * (1 + std::abs(*p) + (std::abs(*out) + std::abs(*in)) * h);
+}
+
+// The event that ends it on one of its pieces.
+Event end_between(const Event& from, const Event& to, Time t) {
+  const double h = (to.time - from.time).seconds(), d = (t - from.time).seconds();
+  const double out = std::get<double>(*from.detail->tangent_out), in = std::get<double>(*to.detail->tangent_in);
+  const double pull = (in - out) / h;
+  Event e;
+  e.time = t;
+  e.value = std::get<double>(from.value) + (out + pull / 2 * d) * d;
+  e.twerper = Twerper::hermite;
+  e.detail.edit().tangent_in = out + pull * d;
+  e.detail.edit().tangent_out = 0.0;
+  return e;
+}
+
 }  // namespace
+
+bool end_fall(Scene& s, ObjectId id, Time t) {
+  const auto now = tracks_of(s, {id, fn::position});
+  if (now.size() != 3) return false;
+  // Pieces of all three components, one behind the other, the first of them over this time.
+  std::array<std::vector<Event>, 3> pieces;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<Event>& out = pieces[axis];
+    now[axis]->events.each_between(from_the_beginning, t, [&](const Event& e) { out.assign(1, e); });
+    bool on = !out.empty();
+    now[axis]->events.each_between(t + Time{1}, for_good, [&](const Event& e) {
+      if (on = on && falls(out.back(), e); on) out.push_back(e);
+    });
+  }
+  std::size_t length = std::min({pieces[0].size(), pieces[1].size(), pieces[2].size()});
+  for (std::size_t i = 0; i < length; ++i)
+    if (pieces[0][i].time != pieces[1][i].time || pieces[0][i].time != pieces[2][i].time) length = i;
+  if (length < 2) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Track* track = edit_track(s, Target{id, fn::position, static_cast<int>(axis)});
+    const auto& events = pieces[axis];
+    if (events[0].time == t)
+      track->events.edit_between(t, t, [](Event& e) { e.detail.edit().tangent_out = 0.0; });
+    else
+      track->events.put(end_between(events[0], events[1], t));
+    track->events.erase(t + Time{1}, events[length - 1].time);
+  }
+  return true;
+}
 
 std::span<const Verb> fall_verbs() { return fall_rows; }
 

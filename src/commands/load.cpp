@@ -10,6 +10,7 @@
 #include "exchange/geometry.h"
 #include "program/compiled.h"
 #include "scene/names.h"
+#include "scene/shape_blend.h"
 
 namespace betwixt {
 namespace {
@@ -39,8 +40,19 @@ void look_at_blends(const Scene& s, Diagnostics& out) {
         return code.shape(find_object(s, id) ? id.index : static_cast<std::uint32_t>(i), time, nullptr, asking);
       };
       std::string why;
-      if (can_blend(shape(from->value, from->time), shape(e.value, e.time), &why)) return;
+      const Shape a = shape(from->value, from->time), b = shape(e.value, e.time);
+      const bool blends = can_blend(a, b, &why), curve = !is_own(t) && row_of(t).cubics != nullptr;
+      if (blends && (!curve || one_topology(a, b))) return;
       said = true;
+      if (blends)
+        return out.push_back(
+            {Severity::notice,
+             fail(ErrorCode::type,
+                  fmt::format("{}.geometry goes straight from {} to {}: {} is a curve through shapes of one kind, with "
+                              "as many points, and not through texts",
+                              o.name, format_time(from->time, s.rate), format_time(e.time, s.rate), name_of(t))),
+             {},
+             0});
       out.push_back(
           {Severity::warning,
            fail(ErrorCode::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,

@@ -171,14 +171,15 @@ bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
   return true;
 }
 
-bool no_function(const Search& q, ObjectId id) {
+bool no_function(const Search& q, ObjectId id, std::string_view function) {
   const Object& o = q.scene().objects[id.index];
   auto names = function_names(q.scene(), o.kind);
   names.push_back("world");
-  const std::string near = did_you_mean(q.words.function, names);
+  std::string near = did_you_mean(function, names);
+  if (function.find('.') != std::string_view::npos) near = "components stand behind all of them: {position,scale}.y";
   return q.fail(ErrorCode::name,
-                fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), q.words.function.substr(0, 40)),
-                q.words.function, near.empty() ? std::string(road(q.words.function)) : near);
+                fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), function.substr(0, 40)),
+                q.words.function, near.empty() ? std::string(road(function)) : near);
 }
 
 bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
@@ -190,12 +191,17 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
     if (!braces) return q.fail(braces.error().code, braces.error().message, function);
     wanted = std::move(*braces);
   }
+  std::vector<bool> found(wanted.size());
   for (const ObjectId id : objects)
-    for (const std::string& want : wanted)
-      for (const FunctionId f : functions(q, q.kind(id), want))
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      for (const FunctionId f : functions(q, q.kind(id), wanted[i])) {
+        found[i] = true;
         if (!take(q, id, f, many)) return false;
+      }
+  for (std::size_t i = 0; i < wanted.size() && wanted.size() > 1; ++i)  // a word that is wrong among others
+    if (!found[i] && !is_pattern(wanted[i])) return no_function(q, objects[0], wanted[i]);
   if (!q.out.targets.empty()) return true;
-  return many ? q.names_nothing(q.words.whole) : no_function(q, objects[0]);
+  return many ? q.names_nothing(q.words.whole) : no_function(q, objects[0], function);
 }
 
 }  // namespace
@@ -215,6 +221,30 @@ bool alike(Command& k, const Selected& of) {
     if (const FunctionSpec& spec = spec_of(k.scene, t.function); differ(spec, *of.spec))
       return unlike(k, *of.spec, spec, words_of(of.text).function);
   return true;
+}
+
+bool to_each_type(Command& k, std::string_view word, const char* from,
+                  const std::function<bool(const Selected&)>& read) {
+  Selected all;
+  const bool translates = k.scene.policy == Policy::translate;
+  if (!targets(k, word, all, translates ? Meant::any : Meant::alike)) return false;
+  if (!all.spec) return pass_over(k, from);
+  if (!translates) return read(all);
+  std::vector<Selected> types;
+  for (const Target& t : all.targets) {
+    const FunctionSpec& spec = spec_of(k.scene, t.function);
+    const auto alike = [&](const Selected& other) { return !differ(spec, *other.spec); };
+    const auto known = std::find_if(types.begin(), types.end(), alike);
+    if (known != types.end())
+      known->targets.push_back(t);
+    else
+      types.push_back({{t}, &spec, t.component, all.text, all.velocity});
+  }
+  const char* const value = k.cursor.at;
+  return std::all_of(types.begin(), types.end(), [&](const Selected& one) {
+    k.cursor.at = value;
+    return read(one);
+  });
 }
 
 bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {

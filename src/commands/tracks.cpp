@@ -31,12 +31,10 @@ bool at(Command& k) {
     return c.fail_here(ErrorCode::syntax, sets ? "a target is missing here" : "a target or a command is missing here");
   if (sets || w.find('.') != std::string_view::npos) {
     show_lists(s, script);
-    Selected to;
-    if (!targets(timed, w, to)) return false;
-    if (!to.spec) return pass_over(k, start);
-    if (until && to.type() == Type::motion) return moving(timed, to, from, until);
-    if (until) return one_time_only(c, segment);
-    return event(timed, to, from);
+    return to_each_type(timed, w, start, [&](const Selected& to) {
+      if (until && to.type() == Type::motion) return moving(timed, to, from, until);
+      return until ? one_time_only(c, segment) : event(timed, to, from);
+    });
   }
   if (until) return one_time_only(c, segment);
   c.at = start;
@@ -62,12 +60,9 @@ void say_unseen(Command& k, const Selected& to, std::string_view about) {
                              fmt::format("at TIME {} VALUE changes one; clear takes them out", about.substr(0, 60)));
 }
 
-bool set(Command& k) {
+bool set_alike(Command& k, const Selected& to) {
   auto& [s, c, time, layer, script] = k;
-  const std::string_view w = c.next_word();
-  Selected to;
-  if (!targets(k, w, to)) return false;
-  if (!to.spec) return pass_over(k, w.data());
+  const std::string_view w = to.text;
   if (time) return event(k, to, *time);
   Value v;
   c.space();
@@ -107,6 +102,11 @@ bool set(Command& k) {
   say_unseen(k, to, w);
   for (const Target& t : to.targets) set_value(s, t, v);
   return true;
+}
+
+bool set(Command& k) {
+  const std::string_view w = k.cursor.next_word();
+  return to_each_type(k, w, w.data(), [&](const Selected& to) { return set_alike(k, to); });
 }
 
 bool global_twerper(Command& k) {

@@ -31,16 +31,21 @@ void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, doubl
 namespace {
 
 // As many points as both have, each on its way; none where these are no such points.
-std::optional<Value> points_between(std::span<const Value> values, const Between& w) {
+std::optional<Value> points_between(const StepTrack& track, const Between& w) {
+  const auto values = track.values();
   const auto *from = std::get_if<Points>(&values[w.a]), *to = std::get_if<Points>(&values[w.b]);
   if (!from || !to || from == to || (*from)->size() != (*to)->size()) return std::nullopt;
   std::vector<Vec3> all((*from)->size());
   if (w.splines) {
-    const std::size_t four[] = {w.before, w.a, w.b, w.after};
+    const auto as_many = [](const Value& a, const Value& b) {
+      const auto *p = std::get_if<Points>(&a), *q = std::get_if<Points>(&b);
+      return p && q && (*p)->size() == (*q)->size();
+    };
+    const Weights four = track.weigh(w, as_many);
     for (std::size_t k = 0; k < 4; ++k)
-      if (w.weights[k] != 0)
+      if (four.weights[k] != 0)
         for (std::size_t i = 0; i < all.size(); ++i)
-          all[i] = all[i] + w.weights[k] * (*std::get<Points>(values[four[k]]))[i];
+          all[i] = all[i] + four.weights[k] * (*std::get<Points>(values[four.values[k]]))[i];
   } else {
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = mix((**from)[i], (**to)[i], w.s);
   }
@@ -54,7 +59,7 @@ Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
   if (b.steps < 0) return b.constant;
   const Between w = between(b, t);
   const auto values = steps_of(b).values();
-  if (auto points = points_between(values, w)) return *std::move(points);
+  if (auto points = points_between(steps_of(b), w)) return *std::move(points);
   return values[w.s >= 1 ? w.b : w.a];
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/stages.h"
 #include "program/placing.h"
+#include "scene/shape_blend.h"
 
 namespace betwixt {
 namespace {
@@ -43,7 +44,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled)
     segments_[i].channels = use.curve.channels, segments_[i].affects = s.affects, segments_[i].bounded = use.bounded;
   }
   const std::size_t drawables = compiled.drawables.size();
-  looks.resize(drawables), forms_.resize(drawables), stale_.assign(drawables, true), renewed_.resize(drawables);
+  looks.resize(drawables), forms_.resize(2 * drawables), stale_.assign(drawables, true), renewed_.resize(2 * drawables);
 }
 
 void Evaluator::touch(std::uint32_t source, std::int64_t t) {
@@ -258,6 +259,25 @@ std::uint32_t Evaluator::shape_of(const Value& v, std::uint32_t drawable, Asking
   return form(compiled_.node_of[other.index], asking);
 }
 
+// On a curve through shapes of one topology: a number; none where those that it is between are not.
+std::uint32_t Evaluator::splined(const StepTrack& track, const Between& w, std::uint32_t drawable, Asking& asking) {
+  const auto of = [&](const Value& v) { return shape(shape_of(v, drawable, asking)); };
+  const auto alike = [&](const Value& a, const Value& b) { return one_topology(*of(a), *of(b)); };
+  const auto values = track.values();
+  if (!alike(values[w.a], values[w.b])) return nothing;
+  const Weights four = track.weigh(w, alike);
+  std::vector<ShapeShare> shares;
+  for (const std::size_t k : {1u, 0u, 2u, 3u}) {  // what is no number is that of the one it comes from
+    const Value& v = values[four.values[k]];
+    if (four.weights[k] == 1) return shape_of(v, drawable, asking);
+    if (four.weights[k] != 0) shares.push_back({of(v).get(), four.weights[k]});
+  }
+  const std::uint32_t slot = static_cast<std::uint32_t>(looks.size()) + drawable;
+  auto made = std::make_shared<const Shape>(sum_of(shares));
+  if (!forms_[slot] || !(*forms_[slot] == *made)) forms_[slot] = std::move(made), renewed_[slot] = turn_;
+  return static_cast<std::uint32_t>(compiled_.shapes.size()) + slot;
+}
+
 void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
   const Drawable& d = compiled_.drawables[i];
   const Node& n = compiled_.nodes[i];
@@ -270,8 +290,10 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
     } else {
       const Between b = compiled_.between(geometry, now_);
       const auto values = compiled_.steps_of(geometry).values();
-      now.shape = shape_of(values[b.a], i, asking);
-      if (b.a != b.b && b.s != 0) now.toward = shape_of(values[b.b], i, asking), now.blend = b.s;
+      if (b.a != b.b && b.splines) now.shape = splined(compiled_.steps_of(geometry), b, i, asking);
+      const bool straight = now.shape == nothing;
+      if (straight) now.shape = shape_of(values[b.a], i, asking);
+      if (straight && b.a != b.b && b.s != 0) now.toward = shape_of(values[b.b], i, asking), now.blend = b.s;
     }
     if (!solids) {
       now.color = vec3(&numbers_[n.color]);

@@ -80,6 +80,7 @@ class Evaluator {
   void look(std::uint32_t drawable, Asking&, bool solids);
   std::uint32_t form(std::uint32_t drawable, Asking&);
   std::uint32_t shape_of(const Value&, std::uint32_t drawable, Asking&);
+  std::uint32_t splined(const StepTrack&, const Between&, std::uint32_t drawable, Asking&);
   Quat turn(std::uint32_t node) const { return turns_.empty() ? Quat{} : turns_[node]; }
   // Its own matrix is kept: it is held, or may be turned.
   bool kept(std::uint32_t node) const { return held_[node] || compiled_.nodes[node].kind == Kind::camera; }
@@ -123,7 +124,8 @@ class Evaluator {
   std::vector<std::uint32_t> alike_[2];  // nodes to be placed that have angles, and orientations
   std::vector<std::uint32_t> dirty_places_;
 
-  std::vector<std::shared_ptr<const Shape>> forms_;  // by drawable: those that vary
+  std::vector<std::shared_ptr<const Shape>>
+      forms_;  // by drawable: those that vary; then those on curves through others
   std::vector<std::uint8_t> stale_;                  // … and must be made anew
   std::vector<std::uint32_t> renewed_;               // the turn at which it was
   playing::Marks flags_;                             // nodes that differ; `changed` has the drawables among them

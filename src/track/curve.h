@@ -5,6 +5,7 @@
 // light here, angles radians, orientations four numbers with signs chosen so that neighbours take the short way (R-T8).
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -145,16 +146,21 @@ std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bo
 struct Between {
   std::size_t a = 0, b = 0;  // into StepTrack::values()
   double s = 0;
-  // Where the blend looks at the neighbours too: those, and what each of the four counts (before, a, b, after). Of
-  // points only, as many everywhere.
-  std::size_t before = 0, after = 0;
+  double eased = 0;      // how far in time, eases in it
+  std::size_t key = 0;   // where the segment begins, of the track's
+  bool splines = false;  // the blend looks at the neighbours too, where they are alike
+};
+// What each of four values counts: the one before, a, b, the one after.
+struct Weights {
+  std::array<std::size_t, 4> values{};
   std::array<double, 4> weights{};
-  bool splines = false;
 };
 class StepTrack {
  public:
   StepTrack(const Track& track, Type type);
   Between at(Time t, const CurveSet& set) const;
+  // Of a blend that looks at its neighbours: not at those that are not alike, whatever that means of such values.
+  Weights weigh(const Between&, const std::function<bool(const Value&, const Value&)>& alike) const;
   std::span<const Value> values() const { return values_; }
   // As Program::next_change.
   std::optional<Time> next_change(Time t) const;
@@ -168,8 +174,6 @@ class StepTrack {
     std::uint8_t twerper = 0;
     DetailBox detail;
   };
-  void spline(std::size_t key, double s, Between&) const;
-
   std::vector<Key> keys_;
   std::vector<Value> values_;
   Extrapolation before_ = Extrapolation::hold, after_ = Extrapolation::hold;

@@ -40,34 +40,31 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
   to.ease_in = static_cast<double>(next->detail->ease_in.flicks);
   const double s = eased(static_cast<double>(t - key.time.flicks) / h, &from, &to, h);
   Between between{key.goes_on, next->comes_to, set.factor(twerper, s, &from)};
-  if (!is_own(twerper) && row_of(twerper).cubics) spline(static_cast<std::size_t>(&key - keys_.data()), s, between);
+  between.splines = !is_own(twerper) && row_of(twerper).cubics;
+  between.key = static_cast<std::size_t>(&key - keys_.data()), between.eased = s;
   return between;
 }
 
 // The weights are what the cubics make of numbers that are 1 at one of the four and 0 at the others.
-void StepTrack::spline(std::size_t k, double s, Between& out) const {
-  const auto points = [&](std::size_t value) { return std::get_if<Points>(&values_[value]); };
-  const Points* here = points(out.a);
-  const auto as_many = [&](std::size_t value) {
-    const Points* other = points(value);
-    return here && other && (*other)->size() == (*here)->size();
-  };
-  if (!as_many(out.b)) return;
+Weights StepTrack::weigh(const Between& w, const std::function<bool(const Value&, const Value&)>& alike) const {
+  const auto as_here = [&](std::size_t value) { return alike(values_[w.a], values_[value]); };
   constexpr auto hold = static_cast<std::uint8_t>(Twerper::hold);
+  const std::size_t k = w.key;
   const auto length = [&](std::size_t i) { return static_cast<double>((keys_[i + 1].time - keys_[i].time).flicks); };
   const auto cut = [&](std::size_t i) { return keys_[i].comes_to != keys_[i].goes_on; };
   static constexpr double one[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  Weights out{{w.a, w.a, w.b, w.b}, {}};
   Blend g;
   g.channels = 4, g.from = one[1], g.to = one[2];
   g.length = g.length_before = g.length_after = length(k);
-  if (k > 0 && !cut(k) && keys_[k - 1].twerper != hold && as_many(keys_[k - 1].goes_on))
-    g.before = one[0], g.length_before = length(k - 1), out.before = keys_[k - 1].goes_on;
-  if (k + 2 < keys_.size() && !cut(k + 1) && keys_[k + 1].twerper != hold && as_many(keys_[k + 2].comes_to))
-    g.after = one[3], g.length_after = length(k + 1), out.after = keys_[k + 2].comes_to;
+  if (k > 0 && !cut(k) && keys_[k - 1].twerper != hold && as_here(keys_[k - 1].goes_on))
+    g.before = one[0], g.length_before = length(k - 1), out.values[0] = keys_[k - 1].goes_on;
+  if (k + 2 < keys_.size() && !cut(k + 1) && keys_[k + 1].twerper != hold && as_here(keys_[k + 2].comes_to))
+    g.after = one[3], g.length_after = length(k + 1), out.values[3] = keys_[k + 2].comes_to;
   Cubic cubics[4];
   row_of(static_cast<Twerper>(keys_[k].twerper)).cubics(g, cubics);
-  for (std::size_t i = 0; i < 4; ++i) out.weights[i] = cubics[i].at(s);
-  out.splines = true;
+  for (std::size_t i = 0; i < 4; ++i) out.weights[i] = cubics[i].at(w.eased);
+  return out;
 }
 
 std::optional<Time> StepTrack::next_change(Time t) const {

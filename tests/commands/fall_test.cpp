@@ -89,16 +89,32 @@ TEST(Fall, EndsWhereSomethingTakesHold) {
   expect_place(s, "ball", "49f", {0, 10 - 9.81 / 2 * 0.25, 0}, 1e-6);
 }
 
-TEST(Fall, ThatACatchIsWrittenTooLateIsSaid) {
-  const std::string fall = "rate 24\ncreate hand group\ncreate ball sphere position=(0 10 0)\nat 1f fall ball\n";
-  const Loaded late = read(fall + "at 13f attach ball to hand keep-world\n");
-  ASSERT_EQ(late.diagnostics.size(), 1u) << said(late.diagnostics);
-  EXPECT_EQ(late.diagnostics[0].severity, Severity::notice);
-  EXPECT_EQ(late.diagnostics[0].what.message, "ball goes on falling while it is held");
-  EXPECT_EQ(late.diagnostics[0].what.hint, "a fall ends at a catch that is written before it");
-  // When it lies, and before it falls, nothing is to be said; nor of what is let go.
-  for (const char* fine : {"at 400f attach ball to hand\n", "at 1f attach ball to hand\n", "at 13f letgo ball\n"})
+TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
+  const std::string fall =
+      "rate 24\ncreate hand group\ncreate ball sphere position=(0 10 0)\nball.position.x\n  1f 0 linear\n  25f 3\n"
+      "at 1f fall ball delay=0.25s bounce=0.5 for 6s\n";
+  const std::string hold = "attach ball to hand keep-world\n";
+  // In every piece of it: on air, in the first fall, in a hop, and at the very events.
+  for (const double frame : {1.0, 4.0, 7.0, 13.0, 37.0, 48.0, 61.0, 90.0}) {
+    const std::string at = fmt::format("at {}f ", frame);
+    const LoadedFilm late(fall + at + hold), free(fall);
+    ASSERT_EQ(late.loaded.diagnostics.size(), 1u) << frame;
+    EXPECT_EQ(late.loaded.diagnostics[0].severity, Severity::notice);
+    EXPECT_EQ(late.loaded.diagnostics[0].what.message,
+              fmt::format("ball falls no further than to {}f, where it is held from now on", frame));
+    for (const double t : {1.0, 5.5, 12.75, 30.0, 44.0, 59.0, 75.0, 200.0}) {
+      const auto want = free.numbers("ball.position", fmt::format("{}f", std::min(t, frame)));
+      expect_numbers(late, "ball.position", fmt::format("{}f", t), want, 1e-6);
+    }
+  }
+  // When it lies, and before it falls, there is nothing to end; nor where it is let go.
+  for (const char* fine : {"at 400f attach ball to hand\n", "at 0f attach ball to hand\n", "at 13f letgo ball\n"})
     EXPECT_TRUE(read(fall + fine).diagnostics.empty()) << fine;
+  // Curves of the author's own stay.
+  const std::string own =
+      "create hand group\ncreate b sphere\nb.position\n  1f (0 0 0) hermite tangent-out=(0 4 0)\n"
+      "  25f (0 1 0) hermite tangent-in=(0 9 0)\n";
+  EXPECT_TRUE(read(own + "at 13f attach b to hand\n").diagnostics.empty());
 }
 
 }  // namespace

@@ -29,6 +29,31 @@ TEST(Settings, PolicyDecidesWhatAMeaninglessValueGets) {
 }
 
 // shows: G27
+TEST(Policy, TranslateFitsOneValueToEachOfSeveralTypes) {
+  const LoadedFilm film(
+      "rate 24\npolicy translate\ncreate {a,b} sphere\nset {a,b}.{radius,position,color} 2\n"
+      "at 25f {a,b}.{radius,position} (3 4 0)\nset a.{display,transparency} 0\n");
+  for (const char* name : {"a", "b"}) {
+    const std::string o = name;
+    expect_numbers(film, o + ".position", "24f", {2, 2, 2}, 1e-12);
+    expect_numbers(film, o + ".radius", "24f", {2}, 1e-12), expect_numbers(film, o + ".radius", "25f", {5}, 1e-12);
+    expect_numbers(film, o + ".position", "25f", {3, 4, 0}, 1e-12);
+  }
+  EXPECT_EQ(film.frame("1f").items.size(), 1u);  // a is off
+  EXPECT_EQ(errors(read("create a sphere\nset a.{radius,position} 2\n")),
+            std::vector<std::string>{
+                "2:7: these functions have values of different types: radius is a number, position is a vector"});
+}
+
+TEST(Targets, EachWordInBracesMustBeAFunctionOfOneOfThem) {
+  EXPECT_EQ(first_error("create a sphere\ncreate b torus\nset {a,b}.{radius,tube} 0.2\n"), "");  // each has one of them
+  EXPECT_EQ(first_error("create a sphere\nset a.{radius,shinines} 2\n"),
+            "2:7: 'a', a sphere, has no function 'shinines'");
+  const Loaded l = read("create a sphere\nset a.{position,scale.y} 3\n");
+  ASSERT_EQ(errors(l), std::vector<std::string>{"2:7: 'a', a sphere, has no function 'scale.y'"});
+  EXPECT_EQ(l.diagnostics[0].what.hint, "components stand behind all of them: {position,scale}.y");
+}
+
 TEST(Settings, PolicyTranslatesTypesUnitsAndSizes) {
   const LoadedFilm s(
       "policy translate\ncreate b sphere\ncreate p plane\ncreate eye camera\ncreate word text text=\"a\"\n"
