@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "base/diagnostic.h"
 #include "base/files.h"
 
 namespace betwixt {
@@ -19,18 +20,7 @@ Diagnostic placed_error(const Frame::CodeError& e, const std::string& file) {
   d.what = fail(ErrorCode::type, e.message);
   d.what.place.file = file;
   const auto text = read_whole(file);
-  const std::size_t at = text && !e.source.empty() ? text->find(e.source) : std::string::npos;
-  if (at == std::string::npos) return d;
-  const std::size_t begin = at == 0 ? 0 : text->rfind('\n', at - 1) + 1, end = text->find('\n', at);
-  const auto characters = [](std::string_view s) {
-    return static_cast<int>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-  };
-  d.line = text->substr(begin, end - begin);
-  d.caret = characters(std::string_view(*text).substr(begin, at - begin));
-  d.what.place.line =
-      static_cast<int>(std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(at), '\n')) + 1;
-  d.what.place.column = d.caret + 1;
-  d.what.place.length = characters(std::string_view(e.source).substr(0, std::min(e.source.find('\n'), end - at)));
+  if (text) point_at(d, *text, e.source);
   return d;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
+#include "base/diagnostic.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/utf8.h"
-#include "betwixt/result.h"
 
 namespace betwixt {
 
@@ -30,6 +31,19 @@ std::string to_string(const Diagnostic& d) {
   }
   if (!d.what.hint.empty()) out += "  " + d.what.hint + "\n";
   return out;
+}
+
+void point_at(Diagnostic& d, std::string_view text, std::string_view part) {
+  const std::size_t at = part.empty() ? std::string_view::npos : text.find(part);
+  if (at == std::string_view::npos) return;
+  const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1,
+                    end = std::min(text.find('\n', at), text.size());
+  d.line = text.substr(begin, end - begin);
+  d.caret = static_cast<int>(count_characters(text.substr(begin, at - begin)));
+  d.what.place.line =
+      static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) + 1;
+  d.what.place.column = d.caret + 1;
+  d.what.place.length = static_cast<int>(count_characters(part.substr(0, std::min(part.find('\n'), end - at))));
 }
 
 bool has_errors(const Diagnostics& all) {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-#include "commands/command.h"
+#include "commands/segments.h"
 #include "program/compiled.h"
 
 namespace betwixt {
@@ -91,6 +91,32 @@ Laws until_caught(const Object& o, Time start, Laws laws) {
   return laws;
 }
 
+// Of a fall, as `fall` writes it: hermite, a parabola.
+bool falls(const Event& from, const Event& to) {
+  if (from.twerper != Twerper::hermite || !from.detail->tangent_out || !to.detail->tangent_in) return false;
+  const auto number = [](const Value& v) { return std::get_if<double>(&v); };
+  const double *p = number(from.value), *q = number(to.value);
+  const double *out = number(*from.detail->tangent_out), *in = number(*to.detail->tangent_in);
+  if (!p || !q || !out || !in) return false;
+  const double h = (to.time - from.time).seconds(), way = (*out + *in) / 2 * h;
+  return std::abs(*q - *p - way) <= 1e-6 * (1 + std::abs(*p) + (std::abs(*out) + std::abs(*in)) * h);
+}
+
+// How many events of the author's own stand behind the beginning of a fall, where it will go on.
+std::size_t displaced(const Scene& s, ObjectId id, Time from, Time until) {
+  std::size_t most = 0;
+  for (const Track* track : tracks_of(s, {id, fn::position})) {
+    std::size_t n = 0;
+    std::optional<Event> before;
+    track->events.each([&](const Event& e) {
+      n += e.time > from && e.time <= until && !(before && falls(*before, e));
+      before = e;
+    });
+    most = std::max(most, n);
+  }
+  return most;
+}
+
 bool fall(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view word;
@@ -145,6 +171,11 @@ bool fall(Command& k) {
     const std::vector<Mark> marks =
         path(*time, kinematics.position, kinematics.velocity, until_caught(s.objects[id.index], *time, laws));
     const Time last = marks.back().time;
+    if (const std::size_t n = displaced(s, id, *time, last); n > 0)
+      script.note(Severity::notice,
+                  fmt::format("{} of {}.position make{} room for the fall", plural(n, "event"),
+                              s.objects[id.index].name, n == 1 ? "s" : ""),
+                  word, "for LENGTH says how long it falls");
     end_reign(s, id, *time, last);
     for (int axis = 0; axis < 3; ++axis) {
       Track* track = edit_track(s, Target{id, fn::position, axis});
@@ -167,17 +198,6 @@ constexpr Verb fall_rows[] = {
     {"fall", "at TIME fall A [delay=L] [gravity=G] [ground=Y] [bounce=K] [for L]",
      "Objects fall and bounce, as plain events; a ball's ground is its radius.", "at 24f fall ball", Verb::timed, fall},
 };
-
-// Of a fall, as `fall` writes it: hermite, a parabola.
-bool falls(const Event& from, const Event& to) {
-  if (from.twerper != Twerper::hermite || !from.detail->tangent_out || !to.detail->tangent_in) return false;
-  const auto number = [](const Value& v) { return std::get_if<double>(&v); };
-  const double *p = number(from.value), *q = number(to.value);
-  const double *out = number(*from.detail->tangent_out), *in = number(*to.detail->tangent_in);
-  if (!p || !q || !out || !in) return false;
-  const double h = (to.time - from.time).seconds(), way = (*out + *in) / 2 * h;
-  return std::abs(*q - *p - way) <= 1e-6 * (1 + std::abs(*p) + (std::abs(*out) + std::abs(*in)) * h);
-}
 
 // The event that ends it on one of its pieces.
 Event end_between(const Event& from, const Event& to, Time t) {

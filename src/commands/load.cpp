@@ -2,81 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/names.h"
 #include "commands/command.h"
+#include "commands/look_over.h"
 #include "commands/reader.h"
-#include "exchange/geometry.h"
 #include "program/compiled.h"
 #include "scene/names.h"
-#include "scene/shape_blend.h"
 
 namespace betwixt {
 namespace {
-
-// Shapes that are asked to blend but can only step: said once for each track.
-void look_at_blends(const Scene& s, Diagnostics& out) {
-  Program program;
-  bool compiled = false;
-  for (std::size_t i = 0; i < s.objects.size(); ++i) {
-    const Object& o = s.objects[i];
-    const Slot* slot = o.removed ? nullptr : o.find(fn::geometry);
-    if (!slot || slot->track->events.size() < 2) continue;
-    const Event* last = nullptr;
-    bool said = false;
-    slot->track->events.each([&](const Event& e) {
-      const Event* from = last;
-      last = &e;
-      if (!from || said || e.keep || from->keep) return;
-      const Twerper t = slot->track->global != Twerper::unset ? slot->track->global : from->twerper;
-      if (t == Twerper::unset || t == Twerper::hold) return;
-      if (!compiled) program = Program::compile(Document(std::make_shared<const Scene>(s))), compiled = true;
-      const auto& code = program.compiled();
-      if (!std::holds_alternative<ObjectId>(from->value) || !std::holds_alternative<ObjectId>(e.value)) return;
-      const auto shape = [&](const Value& v, Time time) {
-        const ObjectId id = std::get<ObjectId>(v);
-        Asking asking;
-        return code.shape(find_object(s, id) ? id.index : static_cast<std::uint32_t>(i), time, nullptr, asking);
-      };
-      std::string why;
-      const Shape a = shape(from->value, from->time), b = shape(e.value, e.time);
-      const bool blends = can_blend(a, b, &why), curve = !is_own(t) && row_of(t).cubics != nullptr;
-      if (blends && (!curve || one_topology(a, b))) return;
-      said = true;
-      if (blends)
-        return out.push_back(
-            {Severity::notice,
-             fail(ErrorCode::type,
-                  fmt::format("{}.geometry goes straight from {} to {}: {} is a curve through shapes of one kind, with "
-                              "as many points, and not through texts",
-                              o.name, format_time(from->time, s.rate), format_time(e.time, s.rate), name_of(t))),
-             {},
-             0});
-      out.push_back(
-          {Severity::warning,
-           fail(ErrorCode::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,
-                                             format_time(from->time, s.rate), format_time(e.time, s.rate), why)),
-           {},
-           0});
-    });
-  }
-}
-
-// Notes that nobody will ever see: said once, of the first.
-void look_at_notes(const Scene& s, Diagnostics& out) {
-  if (!s.range || s.notes->empty() || !s.notes_shown) return;
-  const auto outside = [&](const auto& note) { return note.first < s.range->first || note.first > s.range->second; };
-  const auto first = std::find_if(s.notes->begin(), s.notes->end(), outside);
-  if (first == s.notes->end()) return;
-  out.push_back(
-      {Severity::notice,
-       fail(ErrorCode::range, fmt::format("the note at {} is outside the range, {} to {}: it never plays",
-                                          format_time(first->first, s.rate), format_time(s.range->first, s.rate),
-                                          format_time(s.range->second, s.rate))),
-       {},
-       0});
-}
 
 template <class Read>
 Loaded load(const LoadOptions& options, Read&& read) {
@@ -84,7 +18,7 @@ Loaded load(const LoadOptions& options, Read&& read) {
   Diagnostics diagnostics;
   Script script(scene, diagnostics, options);
   read(scene, script);
-  if (!has_errors(diagnostics)) look_at_blends(scene, diagnostics), look_at_notes(scene, diagnostics);
+  if (!has_errors(diagnostics)) look_over(scene, diagnostics);
   return {Document(std::make_shared<const Scene>(std::move(scene))), std::move(diagnostics)};
 }
 

@@ -245,6 +245,15 @@ bool by_verb(const Document& d, const Begun& b, const Session::Doors& doors, Wor
   return all.size() > before || (b.verb == "create" && b.place() < 2);
 }
 
+// Where a time or a number is due, or nothing at all.
+bool nothing_known(const Begun& b) {
+  static constexpr std::string_view of_numbers[] = {"at",   "rate", "ticks", "range", "note",
+                                                    "play", "undo", "redo",  "exit",  "quit"};
+  if (b.row || b.words.empty()) return false;
+  return b.words.back() == "at" ||
+         std::find(std::begin(of_numbers), std::end(of_numbers), b.verb) != std::end(of_numbers);
+}
+
 void offered(const Document& d, const Begun& b, const std::string& sheet, const Session::Doors& doors, Words& all) {
   if (!b.key.empty()) return behind_key(d, b, all);
   if (b.in_list && b.words.empty()) {
@@ -253,6 +262,7 @@ void offered(const Document& d, const Begun& b, const std::string& sheet, const 
     return;
   }
   if (b.row && !b.in_list && !b.words.empty()) return event_words(d, sheet, b.words.size() == 1, all);
+  if (nothing_known(b)) return;
   if (b.words.empty()) first_words(b, all);
   const bool target = b.verb.find('.') != std::string::npos;
   if (b.timed && target) return event_words(d, b.verb, b.words.size() == 1, all);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostic.h"
 #include "base/names.h"
 #include "commands/command.h"
 #include "commands/reader.h"
@@ -64,9 +65,14 @@ Session::Answer Session::State::only_looks() const {
   return refused(fmt::format("another shell has {} open: this one may only look", called()));
 }
 
+// Where the text that was entered last begins, among all lines.
+int Session::State::line_of(std::string_view text) const {
+  return std::max(1, lines - static_cast<int>(std::count(text.begin(), text.end(), '\n')));
+}
+
 // What the reader says of a line, at the line's place among all that were entered.
 std::string Session::State::told(const Diagnostics& all, std::string_view line) const {
-  const int first = std::max(1, lines - static_cast<int>(std::count(line.begin(), line.end(), '\n')));
+  const int first = line_of(line);
   std::string said;
   for (Diagnostic d : all) {
     if (d.what.place.file.empty() && d.what.place.line != 0) d.what.place.file = "line", d.what.place.line += first - 1;
@@ -127,16 +133,24 @@ Session::Answer Session::State::command(std::string_view line) {
 std::string Session::State::tried(const Words& words, std::string_view line) {
   if (line.find('"') == std::string_view::npos && document().scene().procedures->empty()) return {};
   const auto [first, last] = document().range();
+  const int first_line = line_of(line);
   std::vector<Time> times{first, last};
   for (const std::string& w : words)
     if (starts_like_time(w[0]))
       if (const Result<Time> t = parse_time(w, document())) times.push_back(*t);
   program = Program::compile(document(), program);
   std::string said;
-  for (const Time t : times)
-    for (const std::string& p : program.frame(t).problems)
-      if (problems.insert(p).second)
-        said += to_string(Diagnostic{Severity::warning, {ErrorCode::syntax, p, {}, {"line", lines, 1, 0}}, {}, 0});
+  for (const Time t : times) {
+    const Frame made = program.frame(t);
+    for (const std::string& p : made.problems) {
+      if (!problems.insert(p).second) continue;
+      Diagnostic d{Severity::warning, {ErrorCode::syntax, p, {}, {"line", first_line, 1, 0}}, {}, 0};
+      for (const Frame::CodeError& e : made.errors)
+        if (e.message == p) point_at(d, line, e.source);
+      if (!d.line.empty()) d.what.place.line += first_line - 1;
+      said += to_string(d);
+    }
+  }
   return said;
 }
 

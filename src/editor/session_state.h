@@ -68,6 +68,7 @@ struct Session::State {
   // session.cpp: lines
   Answer enter(std::string_view line);
   Answer command(std::string_view line);
+  int line_of(std::string_view text) const;
   std::string told(const Diagnostics& all, std::string_view line) const;
   std::string tried(const Words& words, std::string_view line);
   Answer only_looks() const;

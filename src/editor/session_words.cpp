@@ -94,7 +94,8 @@ Answer Session::State::eval(const Words& w) {
       patterns.push_back(w[i]);
       continue;
     }
-    const Result<Time> t = parse_time(w[i], document());
+    const bool bare = w[i].find_first_not_of("0123456789.-") == std::string::npos;  // frames, as of `play`
+    const Result<Time> t = parse_time(bare ? w[i] + "f" : w[i], document());
     if (!t) return refused(t.error());
     times.emplace_back(w[i], *t);
   }

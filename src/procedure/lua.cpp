@@ -183,13 +183,18 @@ class Lua final : public Routine {
     constexpr std::string_view before = "(global '";
     const auto at = why.find(before);
     if (at == std::string_view::npos) return {};
+    const int top = lua_gettop(l);
     const std::string_view name =
         why.substr(at + before.size(), why.find('\'', at + before.size()) - at - before.size());
     std::vector<std::string> known;
-    lua_pushglobaltable(l);
-    for (lua_pushnil(l); lua_next(l, -2) != 0; lua_pop(l, 1))
-      if (lua_type(l, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(l, -2));
-    lua_pop(l, 1);
+    lua_pushglobaltable(l);  // each table stands before the next one
+    for (bool more = true; more;) {
+      for (lua_pushnil(l); lua_next(l, -2) != 0; lua_pop(l, 1))
+        if (lua_type(l, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(l, -2));
+      more = luaL_getmetafield(l, -1, "__index") == LUA_TTABLE;
+      if (more) lua_replace(l, -2);
+    }
+    lua_settop(l, top);
     std::sort(known.begin(), known.end());
     const std::string near = did_you_mean(name, {known.begin(), known.end()});
     return near.empty() ? near : "; " + near;

@@ -91,7 +91,7 @@ TEST(Fall, EndsWhereSomethingTakesHold) {
 
 TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
   const std::string fall =
-      "rate 24\ncreate hand group\ncreate ball sphere position=(0 10 0)\nball.position.x\n  1f 0 linear\n  25f 3\n"
+      "rate 24\ncreate hand group\ncreate ball sphere position=(0 10 0)\nat 1f ball.position.velocity (3 0 0)\n"
       "at 1f fall ball delay=0.25s bounce=0.5 for 6s\n";
   const std::string hold = "attach ball to hand keep-world\n";
   // In every piece of it: on air, in the first fall, in a hop, and at the very events.
@@ -108,7 +108,7 @@ TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
     }
   }
   // When it lies, and before it falls, there is nothing to end; nor where it is let go.
-  for (const char* fine : {"at 400f attach ball to hand\n", "at 0f attach ball to hand\n", "at 13f letgo ball\n"})
+  for (const char* fine : {"at 400f attach ball to hand\n", "at 0f attach ball to hand\n", "at 0f attach ball to hand\nat 13f letgo ball\n"})
     EXPECT_TRUE(read(fall + fine).diagnostics.empty()) << fine;
   // Curves of the author's own stay.
   const std::string own =

@@ -23,6 +23,8 @@ TEST(Session, CompletesWhatIsBegun) {
   EXPECT_EQ(one("at 5f ball.radius 1 bez"), "bezier");
   EXPECT_EQ(one("twerper ball.radius hol"), "hold");
   EXPECT_EQ(one("set nobody.rad"), "0 of them");
+  for (const char* numbers : {"eval ball.position at ", "undo ", "at ", "range ", "play "})
+    EXPECT_EQ(one(numbers), "0 of them") << numbers;
 }
 
 // shows: G22

@@ -201,7 +201,9 @@ TEST(Session, CodeIsTriedAsItIsSaid) {
   expect_done(s, "show ball");
   const auto said = s.enter("at 9f ball.radius = \"nix.y\"");
   EXPECT_TRUE(said.done);
-  EXPECT_TRUE(said.said.starts_with("line:2:1: warning: ball.radius: the procedure \"nix.y\" gives no value"))
+  EXPECT_TRUE(said.said.starts_with("line:2:22: warning: ball.radius: the procedure \"nix.y\" gives no value"))
+      << said.said;
+  EXPECT_NE(said.said.find("\n  at 9f ball.radius = \"nix.y\"\n                       ^~~~~\n"), std::string::npos)
       << said.said;
   EXPECT_EQ(s.enter("hide ball").said, "");
   expect_done(s, "procedure worse filter lua \"input() + nix\"");

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/look_over.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exchange/geometry.h"
+#include "program/compiled.h"
+#include "scene/names.h"
+#include "scene/shape_blend.h"
+
+namespace betwixt {
+namespace {
+
+void say(Diagnostics& out, ErrorCode code, std::string what, std::string hint = {}) {
+  out.push_back({Severity::notice, fail(code, std::move(what), std::move(hint)), {}, 0});
+}
+
+// Shapes that are asked to blend but can only step: said once for each track.
+void look_at_blends(const Scene& s, Diagnostics& out) {
+  Program program;
+  bool compiled = false;
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    const Slot* slot = o.removed ? nullptr : o.find(fn::geometry);
+    if (!slot || slot->track->events.size() < 2) continue;
+    const Event* last = nullptr;
+    bool said = false;
+    slot->track->events.each([&](const Event& e) {
+      const Event* from = last;
+      last = &e;
+      if (!from || said || e.keep || from->keep) return;
+      const Twerper t = slot->track->global != Twerper::unset ? slot->track->global : from->twerper;
+      if (t == Twerper::unset || t == Twerper::hold) return;
+      if (!compiled) program = Program::compile(Document(std::make_shared<const Scene>(s))), compiled = true;
+      const auto& code = program.compiled();
+      if (!std::holds_alternative<ObjectId>(from->value) || !std::holds_alternative<ObjectId>(e.value)) return;
+      const auto shape = [&](const Value& v, Time time) {
+        const ObjectId id = std::get<ObjectId>(v);
+        Asking asking;
+        return code.shape(find_object(s, id) ? id.index : static_cast<std::uint32_t>(i), time, nullptr, asking);
+      };
+      std::string why;
+      const Shape a = shape(from->value, from->time), b = shape(e.value, e.time);
+      const bool blends = can_blend(a, b, &why), curve = !is_own(t) && row_of(t).cubics != nullptr;
+      if (blends && (!curve || one_topology(a, b))) return;
+      said = true;
+      if (blends)
+        return say(
+            out, ErrorCode::type,
+            fmt::format("{}.geometry goes straight from {} to {}: {} is a curve through shapes of one kind, with "
+                        "as many points, and not through texts",
+                        o.name, format_time(from->time, s.rate), format_time(e.time, s.rate), name_of(t)));
+      out.push_back(
+          {Severity::warning,
+           fail(ErrorCode::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,
+                                             format_time(from->time, s.rate), format_time(e.time, s.rate), why)),
+           {},
+           0});
+    });
+  }
+}
+
+// Notes that nobody will ever see: said once, of the first.
+void look_at_notes(const Scene& s, Diagnostics& out) {
+  if (!s.range || s.notes->empty() || !s.notes_shown) return;
+  const auto outside = [&](const auto& note) { return note.first < s.range->first || note.first > s.range->second; };
+  const auto first = std::find_if(s.notes->begin(), s.notes->end(), outside);
+  if (first == s.notes->end()) return;
+  say(out, ErrorCode::range,
+      fmt::format("the note at {} is outside the range, {} to {}: it never plays", format_time(first->first, s.rate),
+                  format_time(s.range->first, s.rate), format_time(s.range->second, s.rate)));
+}
+
+// Tangents that no `hermite` asks for: said once for each track.
+void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Strand& strand, Diagnostics& out) {
+  const auto look = [&](const Track& track, int component) {
+    const Event* before = nullptr;
+    bool said = false;
+    track.events.each([&](const Event& e) {
+      const auto hermite = [&](const Event* from) {
+        return from && (track.global != Twerper::unset ? track.global : from->twerper) == Twerper::hermite;
+      };
+      const bool idle = (e.detail->tangent_out || e.detail->tangent_in) && !hermite(&e) && !hermite(before);
+      before = &e;
+      if (!idle || std::exchange(said, true)) return;
+      Target t{id, slot.function, component};
+      t.layer = slot.layer, t.velocity = &strand != &slot;
+      say(out, ErrorCode::type,
+          fmt::format("{} has a tangent at {} that nothing asks for", target_name(s, t), format_time(e.time, s.rate)),
+          "hermite takes tangents, before an event and behind it");
+    });
+  };
+  look(*strand.track, -1);
+  for (std::size_t i = 0; i < strand.components.size(); ++i) look(*strand.components[i], static_cast<int>(i));
+}
+
+// Components with events of their own, of what code computes as a whole: it does not reach them.
+void look_at_code(const Scene& s, ObjectId id, const Slot& slot, Diagnostics& out) {
+  if (!slot.set || !std::holds_alternative<Procedure>(*slot.set)) return;
+  for (std::size_t i = 0; i < slot.components.size(); ++i) {
+    if (slot.components[i]->events.empty()) continue;
+    Target whole{id, slot.function, -1}, part{id, slot.function, static_cast<int>(i)};
+    whole.layer = part.layer = slot.layer;
+    say(out, ErrorCode::type,
+        fmt::format("{} has events of its own: the code of {} does not reach it", target_name(s, part),
+                    target_name(s, whole)));
+  }
+}
+
+// Things that are let go while nothing holds them: said once for each.
+void look_at_letting_go(const Scene& s, const Object& o, Diagnostics& out) {
+  bool held = false, said = false;
+  for (const AttachmentSpan& a : attachments(o)) {
+    const bool holds = a.to.kind >= AttachmentKind::hang;
+    if (!holds && !held && a.from != from_the_beginning && !std::exchange(said, true))
+      say(out, ErrorCode::type,
+          fmt::format("{} is let go at {}, where nothing holds it", o.name, format_time(a.from, s.rate)));
+    held = holds;
+  }
+}
+
+}  // namespace
+
+void look_over(const Scene& s, Diagnostics& out) {
+  look_at_blends(s, out);
+  look_at_notes(s, out);
+  for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    if (o.removed) continue;
+    look_at_letting_go(s, o, out);
+    for (const Slot& slot : o.slots)
+      look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out),
+          look_at_code(s, {i}, slot, out);
+  }
+}
+
+}  // namespace betwixt
