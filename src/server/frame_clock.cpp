@@ -3,7 +3,6 @@
 #include "server/frame_clock.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <pthread.h>
 #include <sys/eventfd.h>
 #include <sys/prctl.h>
@@ -23,7 +22,9 @@ namespace {
 
 constexpr int fifo_priority = 20;    // before everything ordinary, behind what the system itself needs
 constexpr Nanos earliest = 500'000;  // that it is woken before a moment
-constexpr Nanos millisecond = 1'000'000, second = 1'000'000'000;
+constexpr Nanos second = 1'000'000'000;
+constexpr Nanos soon = second / 10;  // what is drawn when all ends is shown if its moment is not later
+constexpr int maker_nice = -10;      // before what is ordinary, and yet it leaves a tenth of a processor to that
 
 void ring(int event) {
   const std::uint64_t one = 1;
@@ -34,11 +35,8 @@ void hush(int event) {
   [[maybe_unused]] const ssize_t n = ::read(event, &ignored, sizeof ignored);
 }
 
-void sleep_until(Nanos moment) {
-  const timespec t{moment / second, moment % second};
-  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr) == EINTR) {
-  }
-}
+// As the system numbers it.
+id_t this_thread() { return static_cast<id_t>(::syscall(SYS_gettid)); }
 
 }  // namespace
 
@@ -56,42 +54,45 @@ Nanos monotonic_now() {
 FrameClock::FrameClock(Options options)
     : options_(std::move(options)),
       period_(static_cast<Nanos>(static_cast<double>(second) / options_.rate.per_second())),
-      wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       told_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
 Result<std::unique_ptr<FrameClock>> FrameClock::start(Options options) {
   std::unique_ptr<FrameClock> clock(new FrameClock(std::move(options)));
-  if (clock->wake_ < 0 || clock->told_ < 0)
-    return fail(ErrorCode::machine, fmt::format("no clock can be had: {}", std::strerror(errno)));
-  std::promise<Status> ready;
-  auto began = ready.get_future();
+  if (clock->told_ < 0) return fail(ErrorCode::machine, fmt::format("no clock can be had: {}", std::strerror(errno)));
+  std::promise<void> in_time;
+  std::promise<Status> screen;
+  auto has_priority = in_time.get_future();
+  auto has_screen = screen.get_future();
   try {
-    clock->thread_ = std::thread([c = clock.get(), &ready] {
-      if (c->options_.screen) {  // what a screen starts itself stays ordinary
-        auto screen = c->options_.screen();
-        if (!screen) return ready.set_value(screen.error());
-        c->screen_ = *std::move(screen);
-      }
+    clock->clock_thread_ = std::thread([c = clock.get(), &in_time] {
       c->take_priority();
-      ready.set_value(Nothing{});
-      c->run();
+      in_time.set_value();
+      c->keep_time();
+    });
+    has_priority.get();
+    clock->making_thread_ = std::thread([c = clock.get(), &screen] {
+      const Status opened = c->open_screen();
+      screen.set_value(opened);
+      if (opened) c->make_frames();
       c->screen_.reset();
     });
   } catch (const std::system_error& e) {
     return fail(ErrorCode::machine, fmt::format("no thread can be had for the clock: {}", e.what()));
   }
-  if (const Status s = began.get(); !s) return s.error();
+  if (const Status s = has_screen.get(); !s) return s.error();
   return clock;
 }
 
 FrameClock::~FrameClock() {
   stop_ = true;
-  if (wake_ >= 0) ring(wake_);
-  if (thread_.joinable()) thread_.join();
+  maker_.ring(), clock_.ring();
+  if (making_thread_.joinable()) making_thread_.join();
+  over_ = true;
+  clock_.ring();
+  if (clock_thread_.joinable()) clock_thread_.join();
   delete post_.load();
   for (Posted* p = done_.load(); p;) delete std::exchange(p, p->next);
-  for (const int file : {wake_, told_})
-    if (file >= 0) ::close(file);
+  if (told_ >= 0) ::close(told_);
 }
 
 void FrameClock::take_priority() {
@@ -108,8 +109,7 @@ void FrameClock::take_priority() {
     why_ = fmt::format("fifo is not granted: {}", std::strerror(failed));
   }
   if (asked(Priority::nice)) {
-    const auto self = static_cast<id_t>(::syscall(SYS_gettid));
-    if (::setpriority(PRIO_PROCESS, self, -20) == 0) {
+    if (::setpriority(PRIO_PROCESS, this_thread(), -20) == 0) {
       priority_ = Priority::nice;
       return;
     }
@@ -117,26 +117,23 @@ void FrameClock::take_priority() {
   }
 }
 
-// ---- the two threads' ways to each other
+Status FrameClock::open_screen() {
+  if (options_.screen) {  // what a screen starts itself stays ordinary
+    auto screen = options_.screen();
+    if (!screen) return screen.error();
+    screen_ = *std::move(screen);
+  }
+  ::prctl(PR_SET_TIMERSLACK, 1);
+  if (options_.priority != Priority::ordinary) ::setpriority(PRIO_PROCESS, this_thread(), maker_nice);  // if granted
+  return Nothing{};
+}
+
+// ---- to others, and from them
 
 void FrameClock::publish(Edition edition) {
   for (Posted* p = done_.exchange(nullptr); p;) delete std::exchange(p, p->next);
   delete post_.exchange(new Posted{std::move(edition)});  // not null: it was never looked at
-  if (dozing_.exchange(false)) ring(wake_);
-}
-
-void FrameClock::take_post() {
-  Posted* const next = post_.exchange(nullptr);
-  if (!next) return;
-  if (Posted* const old = current_.release()) {  // freed by who made it: that may take long
-    old->next = done_.load();
-    while (!done_.compare_exchange_weak(old->next, old)) {
-    }
-  }
-  const Transport before = std::exchange(transport_, next->edition.transport);
-  if (!(transport_ == before)) last_.reset();
-  current_.reset(next);
-  fresh_ = true;
+  maker_.ring();
 }
 
 std::vector<Shown> FrameClock::shown() {
@@ -147,6 +144,15 @@ std::vector<Shown> FrameClock::shown() {
     out.push_back(std::move(belt_[at % most_told]));
   taken_.store(at, std::memory_order_release);
   return out;
+}
+
+void FrameClock::lose_screen(const Error& why) {
+  {
+    const std::lock_guard lock(trouble_mutex_);
+    trouble_ = why;
+  }
+  screen_.reset();
+  ring(told_);
 }
 
 std::optional<Error> FrameClock::trouble() {
@@ -163,109 +169,104 @@ std::string FrameClock::stats() const {
       untold_.load(), wakes_.load(), us(late_.quantile(0.5)), us(late_.quantile(0.99)), us(late_.largest()));
 }
 
-// ---- the thread
+// ---- the clock
 
-// True: something was published, or it is over. Only sleeps that are longer than a frame are broken off.
-bool FrameClock::doze(std::optional<Nanos> until) {
-  dozing_ = true;
-  bool woken = stop_ || post_.load() != nullptr;
-  while (!woken) {
-    int wait = -1;
-    if (until) {
-      const Nanos left = *until - monotonic_now();
-      if (left <= 0) break;
-      wait = static_cast<int>(std::min<Nanos>(left / millisecond + 1, 3'600'000));
+// Whatever is due: none where nothing will be.
+std::optional<std::int64_t> FrameClock::due_after(const Program& program, std::int64_t number) const {
+  const std::optional<Time> change = program.next_change(time_of(number));
+  if (!change) return std::nullopt;
+  return std::max(number + 1, number_from(*change));
+}
+
+void FrameClock::keep_time() {
+  for (;;)
+    if (stage_ != Stage::none) {
+      accompany();
+    } else if (over_) {
+      return;
+    } else {
+      clock_.wait();
+      ++wakes_;
     }
-    pollfd one{wake_, POLLIN, 0};
-    ::poll(&one, 1, wait);
-    ++wakes_;
-    if (one.revents) hush(wake_);
-    woken = stop_ || post_.load() != nullptr;
-  }
-  dozing_ = false;
-  return woken;
 }
 
-std::optional<Time> FrameClock::next_change(Time after) const { return current_->edition.program.next_change(after); }
-
-// The next frame that is due, and its moment; none: nothing will be, as things are.
-std::optional<FrameClock::Plan> FrameClock::plan(Nanos now) {
-  const Transport& t = current_->edition.transport;
-  if (!t.running) {
-    if (!fresh_) return std::nullopt;
-    return Plan{number_at(t.at), t.at, now};
+// A frame from when it is begun to when it is shown.
+void FrameClock::accompany() {
+  const Edition& of = current_->edition;
+  const std::int64_t number = making_.shown.number;
+  if (making_.anew) counted_.reset();
+  bool wanted = true;
+  for (auto due = making_.due; due && *due < number && wanted; due = due_after(of.program, *due)) {
+    wanted = await(of.transport.when(time_of(*due)));
+    if (wanted) miss(*due);
   }
-  // The first one that can be ready in time.
-  std::int64_t number = std::max(number_at(t.time(now + cost_)) + 1, last_ ? *last_ + 1 : number_at(t.at));
-  if (!fresh_ && last_) {
-    const std::optional<Time> change = next_change(time_of(*last_));
-    if (!change) return std::nullopt;
-    number = std::max(number, number_from(*change));
+  wanted = wanted && await(making_.deadline);
+  overdue_ = true;
+  if (stage_ != Stage::ready && of.transport.running && wanted) {
+    miss(number);
+    // The one before is seen on, and each moment at which there should have been another one counts.
+    for (auto due = due_after(of.program, number); due; due = due_after(of.program, *due)) {
+      if (await_ready(of.transport.when(time_of(*due)))) break;
+      miss(*due);
+    }
   }
-  return Plan{number, time_of(number), t.when(time_of(number))};
-}
-
-// Frames between two that were shown: due, and so missed, or not.
-void FrameClock::count_between(std::int64_t from, std::int64_t to) {
-  std::uint64_t missed = 0;
-  for (std::int64_t n = from; n + 1 < to;) {
-    const std::optional<Time> change = next_change(time_of(n));
-    if (!change) break;
-    n = std::max(n + 1, number_from(*change));
-    if (n < to) ++missed;
-  }
-  missed_ += missed, due_ += missed;
-  idle_ += static_cast<std::uint64_t>(to - from - 1) - missed;
+  await_ready({});
+  overdue_ = false;
+  if (wanted) show();
+  stage_ = Stage::none;
+  maker_.ring();
 }
 
 // Sleep ends a little late, by more the busier the machine is. Who has been granted the first place wakes so much
-// earlier and looks at the clock until it is time.
-void FrameClock::await(Nanos moment) {
+// earlier and looks at the clock until it is time. False: all ends before that.
+bool FrameClock::await(Nanos moment) {
   const Nanos wake = moment - early_;
-  if (wake > monotonic_now()) {
-    sleep_until(wake);
+  while (wake > monotonic_now()) {
+    const bool rung = clock_.wait(wake);
     ++wakes_;
+    if (stop_ && moment > monotonic_now() + soon) return false;
+    if (rung) continue;
     const Nanos late = monotonic_now() - wake;
     if (priority_ == Priority::fifo) early_ = late > early_ ? std::min(late, earliest) : early_ - (early_ - late) / 256;
   }
   while (monotonic_now() < moment) {
   }
+  return true;
 }
 
-void FrameClock::make(const Plan& p) {
-  const bool look = current_->edition.look;
-  Shown s{p.number, p.time, 0, {}};
-  const auto lost = [&](const Error& why) {
-    const std::lock_guard lock(trouble_mutex_);
-    trouble_ = why;
-    screen_.reset();
-    ring(told_);
-  };
-  const Nanos begun = monotonic_now();
-  if (look || screen_) {
-    std::optional<Evaluation>& played = current_->evaluation;
-    if (!played) played.emplace(current_->edition.program);
-    played->to(p.time);
-    s.problems = played->problems();
-    if (screen_)
-      if (Status drawn = screen_->draw(*played); !drawn) lost(drawn.error());
+// The frame; false: the moment has come before it.
+bool FrameClock::await_ready(std::optional<Nanos> until) {
+  while (stage_ != Stage::ready) {
+    const bool rung = clock_.wait(until);
+    ++wakes_;
+    if (!rung) return stage_ == Stage::ready;
   }
-  const Nanos took = monotonic_now() - begun;
-  cost_ = took > cost_ ? took : cost_ - (cost_ - took) / 8;  // what it has taken of late, at most
-  await(p.deadline);
-  const Nanos late = std::max<Nanos>(0, monotonic_now() - p.deadline);
-  s.late = late;
+  return true;
+}
+
+void FrameClock::pass(std::int64_t number) {
+  if (counted_) idle_ += static_cast<std::uint64_t>(number - *counted_ - 1);
+  counted_ = number;
+  ++due_;
+}
+void FrameClock::miss(std::int64_t number) {
+  pass(number);
+  ++missed_;
+}
+
+void FrameClock::show() {
+  Shown& s = making_.shown;
+  s.late = std::max<Nanos>(0, monotonic_now() - making_.deadline);
   if (screen_)
-    if (Status done = screen_->show(s); !done) lost(done.error());
+    if (Status done = screen_->show(s); !done) making_.lost = done.error();
   if (current_->edition.transport.running) {
-    if (last_ && p.number > *last_ + 1) count_between(*last_, p.number);
-    last_ = p.number;
-    late_.add(static_cast<std::uint64_t>(late));
-    ++due_;
-    ++(late < period_ ? made_ : missed_);
+    late_.add(static_cast<std::uint64_t>(s.late));
+    if (!counted_ || *counted_ < s.number) {
+      pass(s.number);
+      ++(s.late < period_ ? made_ : missed_);
+    }
   }
-  fresh_ = false;
-  if (!look) return;
+  if (!current_->edition.look) return;
   const std::uint64_t at = put_.load(std::memory_order_relaxed);
   if (at - taken_.load(std::memory_order_acquire) >= most_told) {
     ++untold_;
@@ -274,26 +275,6 @@ void FrameClock::make(const Plan& p) {
   belt_[at % most_told] = std::move(s);
   put_.store(at + 1, std::memory_order_release);
   ring(told_);
-}
-
-void FrameClock::run() {
-  while (!stop_) {
-    take_post();
-    if (!current_) {
-      doze(std::nullopt);
-      continue;
-    }
-    const Nanos now = monotonic_now();
-    const std::optional<Plan> next = plan(now);
-    if (!next) {
-      doze(std::nullopt);
-    } else if (next->deadline - now > 2 * period_ + cost_) {
-      // It is drawn shortly before, by what is published then.
-      if (!doze(next->deadline - period_ - cost_) && !stop_) make(*next);
-    } else {
-      make(*next);
-    }
-  }
 }
 
 }  // namespace betwixt

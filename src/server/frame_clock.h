@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The clock: a thread that makes every frame at its moment, whatever hosts and the rest of the process do. Moments are
-// absolute; nothing is ever counted, so that what is late is late once. Where nothing changes it sleeps.
+// The clock: a thread that shows every frame at its moment, whatever hosts and the rest of the process do, and a thread
+// that makes them, on which hosts' code runs. Moments are absolute; nothing is ever counted, so that what is late is
+// late once. A frame that is not ready at its moment is missed: the one before stands. Where nothing changes both
+// sleep.
 //
 // Source: Animation Imaging Model 3.3.2, 3.3.3 (its two processes; R-E1, R-E14).
 #pragma once
@@ -17,12 +19,13 @@
 #include <thread>
 #include <vector>
 
+#include "server/bell.h"
 #include "server/histogram.h"
 #include "server/screen.h"
 
 namespace betwixt {
 
-// How the system treats a thread. fifo: before all ordinary ones; nice: with the largest share of them.
+// How the system treats the clock's thread. fifo: before all ordinary ones; nice: with the largest share of them.
 enum class Priority { fifo, nice, ordinary };
 std::string_view to_string(Priority);
 
@@ -65,23 +68,20 @@ class FrameClock {
   explicit FrameClock(Options);
   struct Posted {
     Edition edition;
-    std::optional<Evaluation> evaluation = {};  // the thread's; freed with the program that it plays
-    Posted* next = nullptr;  // among those that have had their time
+    std::optional<Evaluation> evaluation = {};  // the maker's; freed with the program that it plays
+    Posted* next = nullptr;                     // among those that have had their time
   };
-  struct Plan {
-    std::int64_t number = 0;
-    Time time;
+  // A frame on its way: begun by the maker, shown by the clock, which also counts the moments that pass without it.
+  struct Making {
+    Shown shown;
     Nanos deadline = 0;
+    std::optional<std::int64_t> due;  // the first number after the last one that was counted at which a frame is due
+    bool anew = false;                // the time is another one: nothing was counted before
+    std::optional<Error> lost;        // the screen, as it was shown
   };
-  void run();
-  void take_priority();
-  void take_post();
-  std::optional<Plan> plan(Nanos now);
-  void count_between(std::int64_t from, std::int64_t to);
-  bool doze(std::optional<Nanos> until);
-  void await(Nanos moment);
-  void make(const Plan&);
-  std::optional<Time> next_change(Time after) const;
+  enum class Stage { none, begun, ready };  // none, begun: the maker's; ready: the clock's
+
+  std::optional<std::int64_t> due_after(const Program&, std::int64_t number) const;
   Time time_of(std::int64_t number) const { return options_.rate.frame(static_cast<double>(number)); }
   std::int64_t number_at(Time t) const { return options_.rate.whole(t) + 1; }  // the last one not after t
   std::int64_t number_from(Time t) const {                                     // the first one not before t
@@ -89,22 +89,52 @@ class FrameClock {
     return time_of(n) == t ? n : n + 1;
   }
 
+  // The maker.
+  Status open_screen();
+  void make_frames();
+  void take_post();
+  std::optional<Making> plan(Nanos now) const;
+  void doze(std::optional<Nanos> until);
+  void make(Making);
+  void draw();
+  void expect_cost(Nanos took);
+  void lose_screen(const Error&);
+
+  // The clock.
+  void take_priority();
+  void keep_time();
+  void accompany();
+  bool await(Nanos moment);
+  bool await_ready(std::optional<Nanos> until);
+  void pass(std::int64_t number);
+  void miss(std::int64_t number);
+  void show();
+
   const Options options_;
   const Nanos period_;
   Priority priority_ = Priority::ordinary;
   std::string why_;
-  int wake_ = -1, told_ = -1;  // eventfd
+  int told_ = -1;  // eventfd
   std::atomic<Posted*> post_{nullptr}, done_{nullptr};
-  std::atomic<bool> dozing_{false}, stop_{false};
+  std::atomic<bool> stop_{false}, over_{false};  // over: the maker has ended
 
-  // Of the thread.
-  std::unique_ptr<Screen> screen_;
-  std::unique_ptr<Posted> current_;
+  Bell maker_, clock_;
+  std::atomic<Stage> stage_{Stage::none};
+  std::atomic<bool> overdue_{false};  // the clock waits for it to be ready
+  Making making_;
+  std::optional<std::int64_t>
+      counted_;                      // moments up to that of this number; written by the clock while there is a frame
+  std::unique_ptr<Screen> screen_;   // drawn by the maker, shown by the clock when that is done
+  std::unique_ptr<Posted> current_;  // the maker's; while there is a frame it stays
+
+  // Of the maker.
   Transport transport_;
   bool fresh_ = false;  // what is published has not been shown yet
   std::optional<std::int64_t> last_;
-  Nanos cost_ = 0;   // of drawing, as of late
-  Nanos early_ = 0;  // how late sleep ends, as of late
+  std::array<Nanos, 3> took_{};  // the last frames
+  Nanos cost_ = 0;               // of drawing, as of late
+
+  Nanos early_ = 0;  // how late the clock's sleep ends, as of late
 
   // What was shown, on its way to the other thread: one writes, one reads.
   static constexpr std::size_t most_told = 1024;
@@ -115,7 +145,7 @@ class FrameClock {
 
   std::atomic<std::uint64_t> due_{0}, made_{0}, missed_{0}, idle_{0}, wakes_{0}, untold_{0};
   Histogram late_;
-  std::thread thread_;
+  std::thread making_thread_, clock_thread_;
 };
 
 }  // namespace betwixt

@@ -142,7 +142,7 @@ class Imaging {
   };
   static std::span<const Word> words();
   static const Word* find_word(std::string_view);
-  static bool starts_show(std::string_view verb);  // the clock begins with it
+  static bool starts_show(std::string_view verb);  // a time that stands goes on with it
 
   // `from` has the sheet that the host's rows go to.
   Result<Carried> carry_out(const Point& from, std::size_t events, std::string_view line, std::int64_t stamp) const;

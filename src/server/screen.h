@@ -15,12 +15,12 @@
 
 namespace betwixt {
 
-// Belongs to one thread, from its making to its end.
+// One thread makes it, draws and ends it; another one shows what was drawn. Never two at a time.
 class Screen {
  public:
   virtual ~Screen() = default;
   virtual Status draw(const Evaluation&) = 0;
-  virtual Status show(const Shown&) = 0;  // what was drawn last; quick
+  virtual Status show(const Shown&) = 0;  // what was drawn last; quick, and without the graphics interface
 };
 using NewScreen = std::function<Result<std::unique_ptr<Screen>>()>;
 

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
 #include <mutex>
 #include <thread>
 
@@ -142,6 +144,144 @@ TEST(FrameClock, TakesEditionsAsTheyCome) {
     return !seen.shown.empty() && seen.shown.back() == Time{1999};
   }));
   EXPECT_TRUE(std::is_sorted(seen.shown.begin(), seen.shown.end()));
+}
+
+// Draws when it is let, and looks whether what it is given is right and in order.
+struct Gate {
+  std::atomic<bool> open{true}, inside{false};  // inside: it waits to be let
+  std::atomic<int> at_once{0};
+  std::mutex mutex;
+  struct Picture {
+    Time time;
+    std::size_t objects;
+    bool right;
+  };
+  std::vector<Picture> shown;
+  void await() {
+    for (; !open; std::this_thread::sleep_for(std::chrono::milliseconds(1))) inside = true;
+    inside = false;
+  }
+  std::size_t count() {
+    const std::lock_guard lock(mutex);
+    return shown.size();
+  }
+  bool shows(Time t) {
+    const std::lock_guard lock(mutex);
+    return shown.back().time == t;
+  }
+};
+
+class GatedScreen final : public Screen {
+ public:
+  explicit GatedScreen(Gate& gate) : gate_(gate) {}
+  Status draw(const Evaluation& e) override {
+    EXPECT_EQ(++gate_.at_once, 1);
+    gate_.await();
+    const Frame seen = e.frame(), pure = e.program().frame(e.time());
+    next_ = {e.time(), pure.items.size(), seen.items.size() == pure.items.size()};
+    for (std::size_t i = 0; i < pure.items.size() && next_.right; ++i)
+      next_.right = seen.items[i].world == pure.items[i].world;
+    --gate_.at_once;
+    return Nothing{};
+  }
+  Status show(const Shown& s) override {
+    EXPECT_EQ(++gate_.at_once, 1);
+    EXPECT_EQ(s.time, next_.time);
+    const std::lock_guard lock(gate_.mutex);
+    gate_.shown.push_back(next_);
+    --gate_.at_once;
+    return Nothing{};
+  }
+
+ private:
+  Gate& gate_;
+  Gate::Picture next_{};
+};
+
+std::unique_ptr<FrameClock> gated(Gate& gate) {
+  FrameClock::Options o;
+  o.rate = {100, 1};
+  o.screen = [&gate]() -> Result<std::unique_ptr<Screen>> {
+    return std::unique_ptr<Screen>(std::make_unique<GatedScreen>(gate));
+  };
+  auto clock = FrameClock::start(std::move(o));
+  EXPECT_TRUE(clock);
+  return *std::move(clock);
+}
+
+constexpr const char* turning =
+    "create ball sphere\nset ball.environments (e)\nanimate e every 1t by rotate(1deg, y)\n";
+
+// Whatever a frame takes, the clock keeps time: moments that pass without it are missed as they pass, the last one
+// stands, everybody else goes on; and then the newest is shown.
+TEST(FrameClock, WhatIsNotReadyIsMissedAtItsMoment) {
+  Gate gate;
+  const auto clock = gated(gate);
+  const std::string one = std::string("ticks 100\n") + turning, two = one + "create box box\n";
+  FrameClock::Edition e = edition(one);
+  clock->publish(e);
+  ASSERT_TRUE(soon([&] { return gate.count() >= 3; }));
+  gate.open = false;
+  ASSERT_TRUE(soon([&] { return gate.inside.load(); }));
+  const std::size_t stands = gate.count();
+  const long missed = figure(*clock, "frames_missed"), made = figure(*clock, "frames_made");
+  ASSERT_TRUE(soon([&] { return figure(*clock, "frames_missed") >= missed + 20; }));
+  const Time stuck = e.transport.time(monotonic_now());
+  for (int i = 0; i < 100; ++i) clock->publish({Program::compile(load_text(two, "").document), e.transport, true});
+  ASSERT_TRUE(soon([&] { return figure(*clock, "frames_missed") >= missed + 40; }));
+  EXPECT_EQ(gate.count(), stands);
+  EXPECT_EQ(figure(*clock, "frames_made"), made);
+  gate.open = true;
+  ASSERT_TRUE(soon([&] { return gate.count() >= stands + 5; }));
+  const long late = figure(*clock, "frames_missed");
+  ASSERT_TRUE(soon([&] { return figure(*clock, "frames_made") >= made + 3; })) << late;
+  const std::lock_guard lock(gate.mutex);
+  for (std::size_t i = 0; i < gate.shown.size(); ++i) {
+    const Gate::Picture& p = gate.shown[i];
+    EXPECT_TRUE(p.right) << i;
+    EXPECT_EQ(p.objects, i <= stands ? 1u : 2u) << i;  // that which was stuck is shown, too
+    EXPECT_EQ(p.time > stuck, i > stands) << i;
+    EXPECT_TRUE(i == 0 || gate.shown[i - 1].time < p.time) << i;
+  }
+}
+
+// Each moment counts once: shown in time, missed, or nothing was due at it.
+TEST(FrameClock, EveryMomentCountsOnce) {
+  Gate gate;
+  auto clock = gated(gate);
+  FrameClock::Edition e = edition(std::string("ticks 50\n") + turning);  // every other moment
+  clock->publish(e);
+  for (int k = 0; k < 6; ++k) {
+    const std::size_t n = gate.count();
+    ASSERT_TRUE(soon([&] { return gate.count() >= n + 3; }));
+    gate.open = false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(7 * k));
+    gate.open = true;
+  }
+  e.transport = {false, monotonic_now(), e.transport.time(monotonic_now())};
+  clock->publish(e);
+  ASSERT_TRUE(soon([&] { return gate.shows(e.transport.at); }));
+  const long due = figure(*clock, "frames_due"), idle = figure(*clock, "frames_idle");
+  EXPECT_EQ(due, figure(*clock, "frames_made") + figure(*clock, "frames_missed"));
+  const std::lock_guard lock(gate.mutex);
+  const auto number = [](Time t) { return Rate{100, 1}.whole(t) + 1; };
+  EXPECT_GE(due + idle, number(gate.shown[gate.shown.size() - 2].time) - number(gate.shown[0].time) + 1);
+  EXPECT_LE(due + idle, number(e.transport.at) - number(gate.shown[0].time) + 2);
+  EXPECT_LE(std::abs(due - idle), 8 + figure(*clock, "frames_missed")) << "every other moment, but for what was late";
+}
+
+// It ends while a frame is being made: that is waited for, and nothing else.
+TEST(FrameClock, EndsInTheMiddleOfAFrame) {
+  Gate gate;
+  auto clock = gated(gate);
+  gate.open = false;
+  clock->publish(edition(turning));
+  ASSERT_TRUE(soon([&] { return gate.inside.load(); }));
+  std::thread end([&] { clock.reset(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  gate.open = true;
+  end.join();
+  EXPECT_LE(gate.count(), 1u);
 }
 
 TEST(FrameClock, SaysWhatAScreenCannot) {

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The clock's other thread: it takes what is published and makes the next frame that can be ready in time. One frame is
+// on its way at a time: the next one is begun when it has been shown, from what is published by then.
+#include <algorithm>
+
+#include "server/frame_clock.h"
+
+namespace betwixt {
+
+void FrameClock::take_post() {
+  Posted* const next = post_.exchange(nullptr);
+  if (!next) return;
+  if (Posted* const old = current_.release()) {  // freed by who made it: that may take long
+    old->next = done_.load();
+    while (!done_.compare_exchange_weak(old->next, old)) {
+    }
+  }
+  const Transport before = std::exchange(transport_, next->edition.transport);
+  if (!(transport_ == before)) last_.reset();
+  current_.reset(next);
+  fresh_ = true;
+}
+
+void FrameClock::doze(std::optional<Nanos> until) {
+  maker_.wait(until);
+  ++wakes_;
+}
+
+void FrameClock::make_frames() {
+  while (!stop_) {
+    take_post();
+    const Nanos now = monotonic_now();
+    std::optional<Making> next = current_ ? plan(now) : std::nullopt;
+    if (!next)
+      doze(std::nullopt);
+    else if (next->deadline - now > 2 * period_ + cost_)
+      doze(next->deadline - period_ - cost_);  // it is drawn shortly before, by what is published then
+    else
+      make(*std::move(next));
+  }
+}
+
+// The next frame that is due, and its moment; none: nothing will be, as things are.
+std::optional<FrameClock::Making> FrameClock::plan(Nanos now) const {
+  const Transport& t = current_->edition.transport;
+  const Program& program = current_->edition.program;
+  Making m;
+  m.anew = !last_;
+  if (!t.running) {
+    if (!fresh_) return std::nullopt;
+    m.shown.number = number_at(t.at), m.shown.time = t.at, m.deadline = now;
+    return m;
+  }
+  // The first one that can be ready in time.
+  std::int64_t number = std::max(number_at(t.time(now + cost_)) + 1, last_ ? *last_ + 1 : number_at(t.at));
+  if (last_) {
+    const auto due = due_after(program, *last_);
+    if (!due && !fresh_) return std::nullopt;
+    if (!fresh_) number = std::max(number, *due);
+    m.due = counted_ == last_ || !counted_ ? due : due_after(program, *counted_);
+  }
+  m.shown.number = number, m.shown.time = time_of(number), m.deadline = t.when(m.shown.time);
+  return m;
+}
+
+void FrameClock::make(Making m) {
+  making_ = std::move(m);
+  stage_ = Stage::begun;
+  clock_.ring();
+  draw();
+  stage_ = Stage::ready;
+  if (overdue_) clock_.ring();
+  while (stage_ != Stage::none) doze(std::nullopt);
+  if (making_.lost) lose_screen(*making_.lost);
+  if (current_->edition.transport.running) last_ = making_.shown.number;
+  fresh_ = false;
+}
+
+void FrameClock::draw() {
+  if (!current_->edition.look && !screen_) return;
+  const Nanos begun = monotonic_now();
+  std::optional<Evaluation>& played = current_->evaluation;
+  if (!played) played.emplace(current_->edition.program);
+  played->to(making_.shown.time);
+  making_.shown.problems = played->problems();
+  if (screen_)
+    if (Status drawn = screen_->draw(*played); !drawn) lose_screen(drawn.error());
+  expect_cost(monotonic_now() - begun);
+}
+
+// What frames have taken of late, at most; one alone that took long, as the first one does, says nothing of the next.
+void FrameClock::expect_cost(Nanos took) {
+  std::rotate(took_.begin(), took_.begin() + 1, took_.end());
+  took_.back() = took;
+  auto sorted = took_;
+  std::sort(sorted.begin(), sorted.end());
+  const Nanos usual = sorted[1];
+  cost_ = usual > cost_ ? usual : cost_ - (cost_ - usual) / 8;
+}
+
+}  // namespace betwixt
