@@ -218,7 +218,7 @@ int serve(ServeCall& call) {
     std::_Exit(all_done);
   };
   const Status served = betwixt::serve(imaging, *clock, doors, call.serve);
-  if (const Status whole = served ? imaging.finish() : Status(Nothing{}); !whole)
+  if (const Status whole = served ? imaging.finish(monotonic_now()) : Status(Nothing{}); !whole)
     call.imaging.warn(whole.error().message + "; the journal beside it has all that was answered");
   if (served) end_soon();
   clock.reset();  // what it showed is finished

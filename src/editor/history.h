@@ -66,6 +66,8 @@ class History {
   std::size_t bytes() const { return bytes_; }  // of the commands that stand behind the base
   // Since the base was begun: it grows with every step, undone ones too.
   std::size_t length() const { return length_; }
+  // The file's text, as it was read or written last.
+  Fingerprint known() const { return known_.value_or(Fingerprint{}); }
   const std::string& path() const { return path_; }  // of the script; empty: nothing is kept
   std::string journal() const { return journal_path(path_); }
 

@@ -117,6 +117,7 @@ Imaging::Reply Imaging::enter_too_long(Host host, Nanos now) {
 
 Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   Visitor& h = hosts_.at(host);
+  latest_ = std::max(latest_, now);
   bytes_ += line.size();
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
   if (line.size() > longest_line) return enter_too_long(host, now);

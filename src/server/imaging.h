@@ -24,6 +24,7 @@
 #include "editor/history.h"
 #include "editor/said_line.h"
 #include "server/ceilings.h"
+#include "server/time_file.h"
 
 namespace betwixt {
 
@@ -82,10 +83,12 @@ class Imaging {
   Reply enter(Host, std::string_view line, Nanos now);
   // A line that is too long to be looked at.
   Reply enter_too_long(Host, Nanos now);
-  // Everything that was answered is on the disk. An error: it may not be, and the server must end.
-  Status sync();
+  // Everything that was answered is on the disk, the time too. An error: it may not be, and the server must end.
+  Status sync(Nanos now = 0);
+  // When that must be done again, though nothing is said: the time goes on. None: it stands, or no history is kept.
+  std::optional<Nanos> sync_again() const;
   // The server ends: the file is the whole history. Errors: file, machine; then the journal has it.
-  Status finish();
+  Status finish(Nanos now = 0);
 
   void work_beside(decltype(Options::beside) how) { options_.beside = std::move(how); }
 
@@ -155,6 +158,8 @@ class Imaging {
   Reply collect(Visitor&, std::string_view line, Nanos now);
   void start_clock(Nanos now);
   Result<Kept> gather(const std::string& from, bool goes_on, bool overwrite);
+  Status begin_time(const Kept&, bool goes_on, Nanos now);
+  Status keep_time();
   std::size_t checkpoint_every() const;
   void take_checkpoint();
   Reply end_bundle(Visitor&, Nanos now);
@@ -199,6 +204,10 @@ class Imaging {
   std::int64_t next_names_ = 1;
   std::size_t event_count_ = 0;  // of the document
   Transport transport_;
+  Nanos latest_ = 0;  // that somebody has said it is
+  std::optional<TimeFile> time_file_;
+  Transport kept_transport_;  // as that file has it …
+  KeptTime kept_time_;        // … with a time that nobody has been told yet, while it goes on
   std::uint64_t version_ = 1, compiled_ = 0;
   Program program_;
   bool long_to_compile_ = false;  // it was, the last time

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 // Hosts make names from numbers that the server gives them, so many at once: O3000 (betwixt/aim.h).
 constexpr std::int64_t names_at_once = 1000, last_name = 2'147'483'647;
+constexpr Time time_ahead{2 * flicks_per_second};  // so much at most is left out where a server is killed
 constexpr std::string_view name_letters = "EOT";
 
 // One path for one file, whether it is there or not.
@@ -105,15 +106,45 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   if (!save.empty() && !kept->goes_on)
     if (Status s = history_.keep(kept->base); !s) return s.error();
   checkpoint_at_ = history_.length() + checkpoint_every();
-  transport_ = {!options_.wait, now, Time{}};
-  begun_ = now;
+  begun_ = latest_ = now;
+  if (Status s = begin_time(*kept, goes_on, now); !s) return s.error();
   return all;
+}
+
+// It is the history's: it goes on, or stands, as it did when the server before ended.
+Status Imaging::begin_time(const Kept& kept, bool goes_on, Nanos now) {
+  transport_ = {!options_.wait, now, Time{}};
+  if (save_.empty()) return Nothing{};
+  auto file = TimeFile::open(save_);
+  if (!file) return file.error();
+  time_file_.emplace(*std::move(file));
+  const auto& was = time_file_->found();
+  if (was && goes_on && (kept.goes_on || time_file_->is_of(kept.base)))
+    transport_ = {was->running, now, was->at}, told_ = was->at;
+  return keep_time();
+}
+
+// While it goes on the file is ahead of it: what is there is written once for all answers up to then.
+Status Imaging::keep_time() {
+  if (!time_file_) return Nothing{};
+  const Time time = transport_.time(latest_);
+  const bool same = kept_transport_ == transport_ && kept_time_.running == transport_.running;
+  if (same && (!transport_.running || time < kept_time_.at)) return Nothing{};
+  kept_transport_ = transport_;
+  kept_time_ = {transport_.running, transport_.running ? time + time_ahead : time};
+  return time_file_->write(kept_time_, history_.known());
+}
+
+std::optional<Nanos> Imaging::sync_again() const {
+  if (!time_file_ || !transport_.running) return std::nullopt;
+  return transport_.when(kept_time_.at);
 }
 
 // Where little is allowed, half of it.
 std::size_t Imaging::checkpoint_every() const { return std::min(options_.checkpoint, options_.ceilings.history / 2); }
 
-Status Imaging::sync() {
+Status Imaging::sync(Nanos now) {
+  latest_ = std::max(latest_, now);
   if (checkpoint_ && checkpoint_->done()) {
     take_checkpoint();
     checkpoint_.reset();
@@ -121,6 +152,7 @@ Status Imaging::sync() {
   }
   if (!checkpoint_ && history_.length() > checkpoint_at_ && editor_.settled() > 0)
     checkpoint_.emplace(editor_.settled_document(), editor_.settled(), name_, author_);
+  if (Status s = keep_time(); !s) return s;
   return history_.sync();
 }
 
@@ -136,9 +168,11 @@ void Imaging::take_checkpoint() {
     options_.warn(fmt::format("the history stays as long as it is: {}", done.error().message));
 }
 
-Status Imaging::finish() {
+Status Imaging::finish(Nanos now) {
   if (save_.empty()) return Nothing{};
+  latest_ = std::max(latest_, now);
   if (Status s = history_.save(editor_.base(), editor_.steps()); !s) return s;
+  if (Status s = time_file_->write({transport_.running, transport_.time(latest_)}, history_.known()); !s) return s;
   history_.finish();
   return Nothing{};
 }

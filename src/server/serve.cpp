@@ -19,6 +19,7 @@
 
 #include "base/tell_user.h"
 #include "server/answers.h"
+#include "server/guest.h"
 #include "server/leaders.h"
 
 namespace betwixt {
@@ -26,32 +27,12 @@ namespace {
 
 constexpr std::size_t most_bytes_waiting = 4 << 20;   // bytes of answers that a host has not read
 constexpr std::size_t most_events_waiting = 1 << 20;  // … beyond which it is told of no more events
-constexpr std::size_t chunk = 1 << 16;                // bytes that are read of a host in one turn
 constexpr int turn_lines = 64;                        // of a host in one turn …
 constexpr Nanos turn_time = 4'000'000;                // … unless they take longer than this
 constexpr Nanos patience = 10'000'000'000;            // for a token
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
 constexpr std::size_t most_strangers = 64;  // who have not said it yet
-
-struct Guest {
-  int file = -1;
-  std::optional<Imaging::Host> host;  // none: has not said the token yet
-  Nanos came = 0;
-  int guesses = 0;
-  std::string in;            // what has come and has not been looked at
-  std::size_t seen = 0;      // bytes of it that hold no end of a line
-  bool skipping = false;     // a line that is too long
-  bool last_word = false;    // nothing more is read; it goes when it has its answers
-  bool half_closed = false;  // it will say no more
-  bool stuck = false;        // it had not read all its answers when it was last looked at
-  bool in_hand = false;      // a thread works on what it said; nobody else touches it
-  bool gone = false;         // meanwhile: it takes back what it asked
-  std::string out;
-  std::size_t sent = 0;
-  std::uint64_t lost = 0;  // events that it was not told of
-  std::uint32_t watched = 0;
-};
 
 class Server {
  public:
@@ -80,12 +61,12 @@ class Server {
     publish();
     imaging_.work_beside([this](const auto& work) { return beside(work); });
     const bool served = leaders_.run(options_.give_up ? [this] {
-      (void)imaging_.sync();
+      (void)imaging_.sync(monotonic_now());
       options_.give_up();
     } : std::function<void()>());
     imaging_.work_beside({});
     if (!served) return fail(ErrorCode::machine, "no thread can be had for the hosts");
-    return failed_ ? Status(*failed_) : imaging_.sync();
+    return failed_ ? Status(*failed_) : imaging_.sync(monotonic_now());
   }
 
  private:
@@ -116,20 +97,18 @@ class Server {
         take_turn(found->second);
     if (leaders_.stopped()) return;
     for (auto& e : imaging_.events()) tell(e);
-    if (Status s = imaging_.sync(); !s) {  // nothing is answered that is not safe
+    if (Status s = imaging_.sync(monotonic_now()); !s) {  // nothing is answered that is not safe
       failed_ = s.error();
       return leaders_.stop(), wake();
     }
     publish();
     for (auto it = guests_.begin(); it != guests_.end();) {
       const auto next = std::next(it);
-      if (waiting(it->second) > 0 || it->second.last_word || it->second.half_closed) send(it->second);
+      if (it->second.waiting() > 0 || it->second.last_word || it->second.half_closed) send(it->second);
       it = next;
     }
     if (!busy_.empty() && !leaders_.leads()) wake();
   }
-
-  static std::size_t waiting(const Guest& g) { return g.out.size() - g.sent; }
 
   void watch(int file, std::uint32_t events, int how) {
     epoll_event e{};
@@ -137,9 +116,20 @@ class Server {
     ::epoll_ctl(epoll_, how, file, &e);
   }
 
+  // Milliseconds until there is something to do that nobody tells; -1: there will not be.
+  int patience_now() const {
+    if (!busy_.empty()) return 0;
+    int most = strangers_ > 0 || resting_ ? 500 : -1;
+    if (const auto again = imaging_.sync_again()) {
+      const auto left = static_cast<int>(std::max<Nanos>(0, *again - monotonic_now()) / 1'000'000 + 1);
+      most = most < 0 ? left : std::min(most, left);
+    }
+    return most;
+  }
+
   void wait(Leaders::Lock& lock) {
     std::array<epoll_event, 256> events;
-    const int timeout = !busy_.empty() ? 0 : strangers_ > 0 || resting_ ? 500 : -1;
+    const int timeout = patience_now();
     lock.unlock();
     const int n = ::epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), timeout);
     lock.lock();
@@ -236,36 +226,16 @@ class Server {
 
   // One host's turn: bounded, so that none waits long for another.
   void take_turn(Guest& g) {
-    if (!g.last_word && !g.half_closed && g.seen == g.in.size() && !read(g)) return leave(g);
+    if (!g.last_word && !g.half_closed && g.seen == g.in.size() && !g.read()) return leave(g);
     const Nanos until = monotonic_now() + turn_time;
     for (int n = 0; n < turn_lines && monotonic_now() < until && !g.last_word; ++n)
       if (!take_line(g) || g.gone) {
         if (g.gone) return leave(g);
         if (g.half_closed) g.last_word = true;
-        if (g.half_closed && waiting(g) == 0) leave(g);
+        if (g.half_closed && g.waiting() == 0) leave(g);
         return;
       }
     if (!g.last_word) busy_.insert(g.file);
-  }
-
-  // What has come; false: it has gone for good.
-  bool read(Guest& g) {
-    std::array<char, chunk> bytes;
-    const ssize_t n = ::recv(g.file, bytes.data(), bytes.size(), MSG_DONTWAIT);
-    if (n < 0) return errno == EAGAIN || errno == EINTR;
-    if (n == 0) {
-      g.half_closed = true;
-      return true;
-    }
-    const char* from = bytes.data();
-    const char* const end = from + n;
-    if (g.skipping) {
-      from = std::find(from, end, '\n');
-      if (from == end) return true;
-      g.skipping = false, ++from;
-    }
-    g.in.append(from, end);
-    return true;
   }
 
   // The next whole line; false: there is none yet.
@@ -274,7 +244,7 @@ class Server {
     const std::size_t longest = g.host ? Imaging::longest_line : longest_token_line;
     if (end == std::string::npos ? g.in.size() > longest : end > longest) {
       g.skipping = end == std::string::npos;
-      drop(g, g.skipping ? g.in.size() : end + 1);
+      g.drop(g.skipping ? g.in.size() : end + 1);
       if (!g.host) return answer(g, {refuse_token(g), g.guesses >= most_guesses});
       return answer(g, imaging_.enter_too_long(*g.host, monotonic_now()));
     }
@@ -283,17 +253,12 @@ class Server {
       return false;
     }
     const std::string line = g.in.substr(0, end);
-    drop(g, end + 1);
+    g.drop(end + 1);
     if (!g.host) return answer(g, meet(g, line));
     served = &g;
     const Imaging::Reply reply = imaging_.enter(*g.host, line, monotonic_now());
     served = nullptr;
     return answer(g, reply);
-  }
-
-  static void drop(Guest& g, std::size_t bytes) {
-    g.in.erase(0, bytes), g.seen = 0;
-    if (g.in.empty() && g.in.capacity() > 2 * chunk) g.in = {};
   }
 
   bool answer(Guest& g, Imaging::Reply reply) {
@@ -321,7 +286,7 @@ class Server {
     if (file == files_.end()) return;
     Guest& g = guests_.at(file->second);
     if (g.last_word) return;
-    if (waiting(g) > most_events_waiting) {
+    if (g.waiting() > most_events_waiting) {
       ++g.lost;
       return;
     }
@@ -330,29 +295,29 @@ class Server {
   }
 
   void send(Guest& g) {
-    while (waiting(g) > 0) {
-      const ssize_t n = ::send(g.file, g.out.data() + g.sent, waiting(g), MSG_NOSIGNAL | MSG_DONTWAIT);
+    while (g.waiting() > 0) {
+      const ssize_t n = ::send(g.file, g.out.data() + g.sent, g.waiting(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (n < 0 && errno == EINTR) continue;
       if (n < 0 && errno != EAGAIN) return leave(g);
       if (n < 0) break;
       g.sent += static_cast<std::size_t>(n);
     }
-    if (waiting(g) == 0) {
+    if (g.waiting() == 0) {
       g.out.clear(), g.sent = 0;
-      if (g.out.capacity() > chunk) g.out.shrink_to_fit();
+      if (g.out.capacity() > Guest::chunk) g.out.shrink_to_fit();
       if (g.last_word) return leave(g);
-    } else if (g.sent > chunk) {
+    } else if (g.sent > Guest::chunk) {
       g.out.erase(0, g.sent), g.sent = 0;
     }
     // One answer may be larger than that; more must not gather behind it.
-    if (waiting(g) > most_bytes_waiting && g.stuck) {
+    if (g.waiting() > most_bytes_waiting && g.stuck) {
       tell_user("betwixt: a host that does not read its answers is cut off\n");
       return leave(g);
     }
-    g.stuck = waiting(g) > 0;
+    g.stuck = g.waiting() > 0;
     if (g.in_hand) return;
     const std::uint32_t wanted = (g.last_word || g.half_closed ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
-                                 (waiting(g) > 0 ? static_cast<std::uint32_t>(EPOLLOUT) : 0u);
+                                 (g.waiting() > 0 ? static_cast<std::uint32_t>(EPOLLOUT) : 0u);
     if (wanted != g.watched) watch(g.file, g.watched = wanted, EPOLL_CTL_MOD);
   }
 

@@ -61,12 +61,15 @@ line 10: there is no object 'bax'
 set ball.color red
 gone
 deep.fbx is damaged: what reads such files fell over it"
+told=$(host 'print(s.time()["seconds"])')
 kill -KILL $server
 wait $server 2>/dev/null
 has 'what was answered is kept when the server is killed' "$(tr -d '\0' <.live.bx.journal)" 'set ball.radius 2'
 is 'and not in the script' "$(cat live.bx)" "$(cat show.bx)"
 
 begin --socket "$socket" --save live.bx
+goes_on=$(host 'print(s.time()["seconds"])')
+verdict 'its time goes on' "$(awk -v a="$told" -v b="$goes_on" 'BEGIN { if (b >= a && b < a + 10) print "yes" }')" "$goes_on s after $told s"
 out=$(host 'print(s.eval("ball.radius"), s.do("help stats")["said"].split("\n")[0])')
 is 'another server goes on with it, at the same socket' "$out" "{'ball.radius': 2} How the server is doing: frames, lateness, hosts."
 "$program" serve --socket "$socket" 2>err
