@@ -34,7 +34,7 @@ struct Verb {
     layered = 2,       // `on LAYER` may stand before it
     stamped = 4,       // without a time it happens now, where the author is a live host (LoadOptions::now)
     opens_sheet = 8,   // its rows go below it
-    starts_show = 16,  // a live host's time begins with it
+    starts_show = 16,  // a live host's time goes on with it where it stands; it is not set back
   };
   std::string_view word, usage, sentence;
   std::string_view example;  // lines that can be entered one after another
