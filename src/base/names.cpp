@@ -119,6 +119,20 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
   }
 }
 
+std::vector<std::size_t> brace_ranges(std::string_view pattern) {
+  std::vector<std::size_t> sizes;
+  for (std::size_t open; (open = pattern.find('{')) != std::string_view::npos;) {
+    const std::size_t close = closing(pattern, open);
+    if (close == std::string_view::npos) return {};
+    const std::string_view body = pattern.substr(open + 1, close - open - 1);
+    const auto parts = alternatives(body, 1'000'000);
+    if (!parts || body.find('{') != std::string_view::npos) return {};
+    sizes.push_back(parts->size());
+    pattern.remove_prefix(close + 1);
+  }
+  return sizes;
+}
+
 bool matches(std::string_view p, std::string_view s) {
   // Greedy with one way back to the last star: linear in practice, never exponential.
   std::size_t i = 0, j = 0, star = std::string_view::npos, mark = 0;

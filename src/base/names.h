@@ -19,6 +19,9 @@ bool is_pattern(std::string_view);  // has one of * ? [ {
 
 // {a,b} and {1..100} written out, in the order written; at most `most` results. Errors: syntax, range.
 Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::size_t most = 1'000'000);
+// How many each {…} of a pattern stands for, the leftmost first, where none is inside another: the last one runs
+// fastest. Empty where there are none.
+std::vector<std::size_t> brace_ranges(std::string_view pattern);
 // * ? [a-c]; neither * nor ? crosses '/' or '.'. The pattern has no braces left.
 bool matches(std::string_view pattern, std::string_view name);
 

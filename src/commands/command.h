@@ -83,6 +83,13 @@ bool computed(Command&, const Selected& to, Value& out);
 // A twerper's word and what stands in brackets behind it.
 bool twerper(Command&, const Selected& to, Twerper& out, std::array<double, 4>& bezier);
 
+// What a pattern names; where the command is carried out once for each, the one that it is about now.
+std::vector<ObjectId> named(Command&, std::string_view pattern);
+// Carries out a command or a row once, or where its formulas speak of their place (i, n, i1 …) once for each that its
+// pattern names; all of it or nothing.
+bool in_places(Command&, const std::function<bool()>& command);
+bool in_places(Command&, const Selected& of_row, const std::function<bool(const Selected&)>& row);
+
 // TIME, or A..B where a motion may follow.
 bool time_or_segment(Cursor&, Time& from, std::optional<Time>& until);
 bool one_time_only(Cursor&, std::string_view segment);

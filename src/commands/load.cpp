@@ -36,6 +36,7 @@ Result<Time> parse_time(std::string_view text, const Document& d) {
   Cursor c(text);
   c.rate = d.rate();
   c.ticks = d.scene().ticks;
+  c.lets = &*d.scene().lets;
   Time t;
   if (c.time(t) && c.at_line_end() && c.at == c.end) return t;
   if (c.error) return *c.error;

@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "commands/command.h"
+#include "language/colors.h"
+#include "language/formula.h"
 
 namespace betwixt {
 namespace {
@@ -27,6 +30,59 @@ bool alias(Command& k) {
     elements.emplace_back(e);
   }
   s.aliases.edit()[std::string(name)] = std::move(elements);
+  return true;
+}
+
+// A number, an angle, a length, a time; a vector or a pair; a colour.
+bool let_value(Command& k, Let& out) {
+  Cursor& c = k.cursor;
+  ValueReader reader = values(k);
+  c.space();
+  if (c.at_line_end())
+    return c.fail_here(ErrorCode::syntax, "a formula, a vector or a colour is missing here", "as in let beat = 12f");
+  if (c.peek() == '(' && reader.is_vector()) {
+    Vec3 v;
+    if (!reader.point(v)) return false;
+    return out = v, true;
+  }
+  if (const auto* v = reader.let<Vec3>()) return out = *v, true;
+  const std::string_view word = c.peek_word();
+  const bool color_begins = word == "rgb" || word == "hsv";
+  if (!color_begins && (c.peek() == '(' || reader.looks_like_number() || formula_begins(c))) {
+    Quantity q;
+    if (!formula(c, q)) return false;
+    return out = q, true;
+  }
+  Color color;
+  if (!reader.color(color)) return false;
+  return out = color, true;
+}
+
+bool let(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  const bool again = c.accept_word("again");
+  const std::string_view name = c.next_word();
+  const auto fits = [](char ch) { return std::isalnum(static_cast<unsigned char>(ch)) || ch == '_'; };
+  if (name.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
+  if (!std::isalpha(static_cast<unsigned char>(name[0])) || name.size() > 100 ||
+      !std::all_of(name.begin(), name.end(), fits))
+    return c.fail(ErrorCode::syntax, fmt::format("'{}' cannot be a name in formulas", name.substr(0, 60)), name,
+                  "a letter, then letters, digits and '_'");
+  if (is_formula_word(name) || named_color(name))
+    return c.fail(ErrorCode::name, fmt::format("'{}' has a meaning in formulas already", name), name);
+  const bool known = s.lets->contains(name);
+  if (known && !again && !script.live)
+    return c.fail(ErrorCode::name, fmt::format("there is a 'let {}' already", name), name,
+                  fmt::format("let again {} = … changes what it stands for from there on", name));
+  if (again && !known)
+    return c.fail(ErrorCode::name, fmt::format("there is no 'let {}' above that could change", name), name);
+  if (s.lets->size() >= 100'000 && !s.lets->contains(name))
+    return c.fail(ErrorCode::range, "no more than 100000 names can be given", name);
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing here");
+  Let value;
+  if (!let_value(k, value) || !finish(c)) return false;
+  if (known && !again) script.respell_live({name.data(), 0}, "again ");
+  s.lets.edit().insert_or_assign(std::string(name), value);
   return true;
 }
 
@@ -70,6 +126,9 @@ bool define(Command& k) {
 constexpr Verb names_rows[] = {
     {"alias", "alias NAME = ELEMENT …", "A name for many objects; patterns inside are read at each use.",
      "alias toys = ball wheel*", 0, alias},
+    {"let", "let NAME = FORMULA, or let again NAME = FORMULA",
+     "A number, time, length, angle, vector or colour that formulas know by name from there on.",
+     "let beat = 12f\nlet turn_by = tau/6", 0, let},
     {"define", "define NAME TYPE [default]", "A function of your own that every object has.", "define heat number 20",
      0, define},
 };

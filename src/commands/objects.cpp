@@ -113,6 +113,8 @@ bool create(Command& k) {
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
   auto names = expand_braces(word);
   if (!names) return c.fail(names.error().code, names.error().message, word);
+  if (script.only && !std::exchange(script.only->met, true)) names = std::vector{script.only->name};
+  if (!script.only && names->size() > 1) script.touched = names->size();
   for (const auto& name : *names)
     if (!free_name(k, name, word)) return false;
   const std::string_view kind_word = c.next_word();
@@ -324,7 +326,7 @@ bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   auto& [s, c, time, layer, script] = k;
   word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");
-  out = select(s, word);
+  out = named(k, word);
   const bool any = !out.empty();
   if (!is_pattern(word) && out.size() == 1 && !own(k, out[0], word)) return false;
   std::erase_if(out, [&](ObjectId id) { return s.objects[id.index].derived; });

@@ -11,6 +11,7 @@
 #include "commands/list_rows.h"
 #include "commands/roads.h"
 #include "commands/verbs.h"
+#include "language/formula.h"
 #include "language/line_words.h"
 
 namespace betwixt {
@@ -81,13 +82,12 @@ bool since_row_above(Command& k, Time& out) {
   return true;
 }
 
-bool row(Command& k) {
+bool row_of(Command& k, const Selected& on) {
   auto& [s, c, time, layer, script] = k;
   Sheet& sheet = script.sheet;
-  if (!sheet.list.empty()) return list_row(k);
-  if (!sheet.on.spec) return pass_over(k, c.at);
   Time from;
-  if (!starts_like_time(c.peek()))
+  c.space();
+  if (!starts_like_time(c.peek()) && !formula_begins(c))
     return c.fail_here(ErrorCode::syntax,
                        fmt::format("a row begins with a time, not with '{}'",
                                    c.peek_word().empty() ? std::string_view(c.at, 1) : c.peek_word()),
@@ -100,8 +100,15 @@ bool row(Command& k) {
     return false;
   }
   sheet.above = until.value_or(from);
-  if (until && sheet.on.type() != Type::motion) return one_time_only(c, c.since(start));
-  return (until ? moving(k, sheet.on, from, until) : event(k, sheet.on, from)) && finish(c);
+  if (until && on.type() != Type::motion) return one_time_only(c, c.since(start));
+  return (until ? moving(k, on, from, until) : event(k, on, from)) && finish(c);
+}
+
+bool row(Command& k) {
+  const Sheet& sheet = k.script.sheet;
+  if (!sheet.list.empty()) return list_row(k);
+  if (!sheet.on.spec) return pass_over(k, k.cursor.at);
+  return in_places(k, sheet.on, [&](const Selected& on) { return row_of(k, on); });
 }
 
 // One logical line: whether it could be carried out.
@@ -115,7 +122,7 @@ bool line(Command& k, const char* line_start) {
   }
   close_list(s, script);
   sheet.open = false;
-  const bool done = carry_out(k);
+  const bool done = in_places(k, [&] { return carry_out(k); });
   if (sheet.open) sheet.opener = {line_start, c.at};
   return done;
 }
@@ -151,7 +158,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
       c.at = p + 1;
       continue;
     }
-    c.rate = s.rate, c.ticks = s.ticks;
+    c.rate = s.rate, c.ticks = s.ticks, c.lets = &*s.lets;
     c.frames_read = script.frames_read, c.ticks_read = script.ticks_read;
     c.depth = 0;
     Command k{s, c, {}, {}, script};
@@ -227,7 +234,8 @@ bool carry_out(Command& k) {
 }
 
 std::vector<std::string> names_made(std::string_view line) {
-  static constexpr std::string_view makers[] = {"create", "layer", "alias", "define", "procedure", "animate", "make"};
+  static constexpr std::string_view makers[] = {"create", "layer",     "alias",   "let",
+                                                "define", "procedure", "animate", "make"};
   Cursor c(line);
   const std::string_view verb = c.next_word(), word = c.next_word();
   if (word.empty() || std::find(std::begin(makers), std::end(makers), verb) == std::end(makers)) return {};

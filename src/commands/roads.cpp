@@ -7,6 +7,8 @@
 namespace betwixt {
 namespace {
 
+constexpr std::string_view to_reckon =
+    "let gives a number a name, formulas use it: let beat = 12f, then at 1f+2*beat ball.radius 3/4";
 constexpr std::string_view to_repeat =
     "extend ball.position cycle repeats a track, copy ball.position 1f..24f to 24f times 3 a part of it";
 constexpr std::string_view to_ease =
@@ -46,6 +48,17 @@ constexpr Road all_roads[] = {
     {"path", "a path is a track of positions: at 1f ball.position (0 0 0) smooth, and so on; smooth goes through all",
      "smooth bspline motion"},
     {"spline", "smooth goes through its events, bspline past them, hermite has tangents", "smooth bspline hermite"},
+    {"formula", to_reckon, "let"},
+    {"variable", to_reckon, "let"},
+    {"var", to_reckon, "let"},
+    {"const", to_reckon, "let"},
+    {"for", "a pattern takes the place of a loop: create b{1..10} box position=(i*2 0 0); i is the place, n how many",
+     "let create"},
+    {"foreach",
+     "a pattern takes the place of a loop: create b{1..10} box position=(i*2 0 0); i is the place, n how many",
+     "let create"},
+    {"random", "hash(i) is between 0 and 1, the same each time: set b*.position.y hash(i)*3; noise(x) is smooth",
+     "let"},
     {"opacity", to_fade, "transparency"},
     {"alpha", to_fade, "transparency"},
     {"fade", to_fade, "transparency"},

@@ -35,7 +35,12 @@ Home::Home(const std::string& called) : name(called) {
 // In place of a part of the line: the time of now.
 void Script::stamp(const Scene& s, std::string_view place, std::string_view before, std::string_view behind) {
   const auto at = static_cast<std::size_t>(place.data() - source.text.data());
+  in_time = true;
   stamps.push_back({at, place.size(), fmt::format("{}{}t{}", before, s.ticks.whole(*options.now), behind)});
+}
+
+void Script::respell_live(std::string_view place, std::string instead) {
+  stamps.push_back({static_cast<std::size_t>(place.data() - source.text.data()), place.size(), std::move(instead)});
 }
 
 void Script::respell(std::string_view place, std::string instead) {

@@ -40,7 +40,8 @@ struct Sheet {
   std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
   bool warned = false;
   bool fresh = false;  // the track had no events when the sheet was opened
-  std::optional<Time> above;  // when the row before was
+  std::optional<Time> above;     // when the row before was …
+  std::vector<Time> each_above;  // … of each object, where that is not the same
   std::string opener;  // the line
   // Of a display list:
   std::string list;
@@ -133,10 +134,21 @@ struct Script : SoFar {
   };
   std::vector<Stamp> stamps;
   bool spells_out = false;  // what the policy made of values stands there too, as values that mean it
+  bool in_time = false;     // one of them says when
   void respell(std::string_view place, std::string instead);
+  void respell_live(std::string_view place, std::string instead);  // a line of a live author
+  std::size_t touched = 0;     // how many the pattern of the command named, where that is more than one
   const char* verb = nullptr;  // of the command that is carried out
   void stamp(const Scene&, std::string_view place, std::string_view before, std::string_view behind);
   std::string stamped() const;
+
+  // Of a command that is carried out once for each that its pattern names: which one it is about now.
+  struct Only {
+    ObjectId object;
+    std::string name;  // of what is created
+    bool met = false;  // the pattern has been read
+  };
+  std::optional<Only> only;
 
   // Names that lines would have made which were refused: what lines below lack then is said once.
   std::set<std::string, std::less<>> failed;

@@ -270,7 +270,7 @@ bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {
       return true;
     }
   }
-  std::vector<ObjectId> objects = select(s, object);
+  std::vector<ObjectId> objects = named(k, object);
   if (!asking) {  // patterns name only what can be changed
     if (objects.size() == 1 && !is_pattern(object) && !own(k, objects[0], word)) return false;
     std::erase_if(objects, [&](ObjectId id) { return s.objects[id.index].derived; });

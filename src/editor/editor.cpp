@@ -42,7 +42,8 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   if (!deed.done) return deed;
   deed.line = script.stamped();
   if (!row) deed.line.erase(0, deed.line.find_first_not_of(" \t\r,"));  // in a history it must not look like a row
-  deed.stamped = !row && !translated && !script.stamps.empty();
+  deed.stamped = !row && !translated && script.in_time;
+  deed.touched = script.touched;
   if (!row && !script.verb) script.left = from.script.left;  // a remark closes no sheet
   deed.opens = !row && script.verb && script.left;
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), script};

@@ -35,6 +35,7 @@ struct Deed {
   std::string sheet;     // what it stands below there: it is a row
   bool stamped = false;  // it happens at a time because it came then
   bool opens = false;    // a sheet is open behind it that was not before
+  std::size_t touched = 0;  // how many its pattern named, where that is more than one
   Diagnostics said;      // a place without a file is of the line itself
 };
 

@@ -125,6 +125,7 @@ Session::Answer Session::State::command(std::string_view line) {
   }
   if (Status s = editor.take(std::move(deed.after), {{std::move(deed.line)}, {}}); !s) return refused(s.error());
   tally.command(), sheet_refused = false;
+  if (deed.touched > 1 && !row) answer.said += fmt::format("{} objects\n", deed.touched);
   answer.said += tried(said.words, line);
   return answer;
 }

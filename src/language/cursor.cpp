@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "betwixt/math.h"
+#include "language/formula.h"
 
 namespace betwixt {
 namespace {
@@ -112,16 +113,41 @@ bool Cursor::close() {
 }
 
 bool Cursor::number(double& out) {
+  const char* const start = (space(), at);
+  std::optional<Quantity> q;
+  if (!number(out, q)) return false;
+  if (!q || q->of == Quantity::Of::number) return true;
+  return fail(ErrorCode::type, fmt::format("a plain number is wanted here, not {}", to_string(q->of)), since(start));
+}
+
+bool Cursor::number(double& out, std::optional<Quantity>& of) {
+  space();
+  const char* const start = at;
+  const char c = peek();
+  if (!digit(c) && c != '.' && formula_begins(*this)) {
+    of.emplace();
+    return formula(*this, *of) && (out = of->value, true);
+  }
+  if (!literal(out)) return false;
+  const char* p = at;
+  while (p < end && letter(*p)) ++p;
+  if (!formula_goes_on(p, end)) return true;
+  at = start;
+  of.emplace();
+  return formula(*this, *of) && (out = of->value, true);
+}
+
+bool Cursor::literal(double& out) {
   space();
   const char* start = at;
   const char* p = at;
   const bool plus = p < end && *p == '+';
   if (p < end && (*p == '-' || *p == '+')) ++p;
-  if (!(p < end && (digit(*p) || (*p == '.' && p + 1 < end && digit(p[1])))))
-    return fail_here(ErrorCode::syntax,
-                     at_line_end() ? "a number is missing here"
-                                   : fmt::format("{} is not a number",
-                                                 quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
+  if (!(p < end && (digit(*p) || (*p == '.' && p + 1 < end && digit(p[1]))))) {
+    if (at_line_end()) return fail_here(ErrorCode::syntax, "a number is missing here");
+    const std::string_view word = peek_word().empty() ? std::string_view(at, 1) : peek_word();
+    return fail_here(ErrorCode::syntax, fmt::format("{} is not a number", quoted(word)), near_name(*this, word));
+  }
   const auto r = fast_float::from_chars(plus ? p : at, end, out);
   at = r.ptr;
   // "1..24": the second dot is not the number's, nor is the first.
@@ -210,7 +236,7 @@ bool Cursor::clock(Time& out, const char* start, bool negative) {
   long double seconds = 0;
   for (int part = 0;; ++part) {
     double d = 0;
-    if (!number(d)) return false;
+    if (!literal(d)) return false;
     seconds = seconds * 60 + static_cast<long double>(d);
     if (peek() != ':') break;
     if (part == 2 || d != std::floor(d))
@@ -218,6 +244,20 @@ bool Cursor::clock(Time& out, const char* start, bool negative) {
     ++at;
   }
   return store(out, negative ? -seconds : seconds, start);
+}
+
+// Frames of a point in time count from frame 1.
+bool Cursor::from_formula(const Quantity& q, bool length, Time& out, const char* start) {
+  if (q.of != Quantity::Of::time)
+    return fail(ErrorCode::type,
+                fmt::format("a {} is wanted here, not {}", length ? "length of time" : "time", to_string(q.of)),
+                since(start), q.of == Quantity::Of::number ? "write …*1f for frames, …*1s for seconds" : "");
+  if (std::abs(q.frames) > longest_seconds * rate.per_second()) return store(out, 1e18L, start);
+  Time seconds;
+  if (!store(seconds, static_cast<long double>(q.value), start)) return false;
+  const Time frames = q.counts_frames && !length ? rate.frame(q.frames) : rate.span(q.frames);
+  out = frames + seconds;
+  return std::abs(out.seconds()) <= longest_seconds || store(out, 1e18L, start);
 }
 
 bool Cursor::time_or_length(Time& out, bool length) {
@@ -244,14 +284,18 @@ bool Cursor::time_or_length(Time& out, bool length) {
     return true;
   }
   double n = 0;
-  if (!number(n)) {
+  std::optional<Quantity> q;
+  if (!number(n, q)) {
+    if (q) return false;
     if (error->code == ErrorCode::syntax)
       error->message = at_line_end() ? "a time is missing here"
                                      : fmt::format("{} is not a time",
                                                    quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word()));
-    error->hint = error->code == ErrorCode::syntax ? "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5" : "";
+    if (error->hint.empty() && error->code == ErrorCode::syntax)
+      error->hint = "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5";
     return false;
   }
+  if (q) return from_formula(*q, length, out, start);
   const std::string_view u = unit();
   if (!over(at))
     return fail(ErrorCode::syntax,
@@ -298,8 +342,12 @@ bool Cursor::angle(double& radians) {
   space();
   const char* start = at;
   double n = 0;
-  if (!number(n)) return false;
-  const std::string_view u = unit();
+  std::optional<Quantity> q;
+  if (!number(n, q)) return false;
+  if (q && q->of != Quantity::Of::angle && n != 0)
+    return fail(ErrorCode::type, fmt::format("an angle is wanted here, not {}", to_string(q->of)), since(start),
+                q->of == Quantity::Of::number ? "write …*1deg for degrees" : "");
+  const std::string_view u = q ? std::string_view("deg") : unit();
   if (u == "deg")
     radians = n * (pi / 180);
   else if (u == "turn")
@@ -319,10 +367,10 @@ bool Cursor::per_second(Rate& out, const char* what) {
   space();
   const char* start = at;
   double num = 0, den = 1;
-  if (!number(num)) return false;
+  if (!literal(num)) return false;
   if (peek() == '/') {
     ++at;
-    if (!number(den)) return false;
+    if (!literal(den)) return false;
   }
   // 23.976 means 23976/1000: whole numbers stay whole.
   while ((num != std::floor(num) || den != std::floor(den)) && den < 1e6) num *= 10, den *= 10;

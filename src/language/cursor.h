@@ -13,6 +13,7 @@
 
 #include "betwixt/result.h"
 #include "betwixt/time.h"
+#include "scene/quantity.h"
 
 namespace betwixt {
 
@@ -30,6 +31,8 @@ class Cursor {
   Rate rate, ticks{30, 1};                // what f and t mean
   bool frames_read = false;               // a time has been given in frames
   bool ticks_read = false;
+  const Lets* lets = nullptr;  // what names in formulas stand for
+  PatternPlace place;
 
   // The first failure since the last clear; `where` is the text it is about.
   std::optional<Error> error;
@@ -50,7 +53,12 @@ class Cursor {
   bool open();                           // (
   bool close();                          // )
 
+  // A number as it stands, without a formula.
+  bool literal(double& out);
+  // A number, or a formula whose value is one.
   bool number(double& out);
+  // … or is of something else: then `formula` is what, and no unit follows.
+  bool number(double& out, std::optional<Quantity>& formula);
   bool whole_number(long low, long high, const char* what, long& out);
   // Letters that stand directly behind a number.
   std::string_view unit();
@@ -64,6 +72,7 @@ class Cursor {
  private:
   bool time_or_length(Time& out, bool length);
   bool store(Time& out, long double seconds, const char* start);
+  bool from_formula(const Quantity&, bool length, Time& out, const char* start);
   bool clock(Time& out, const char* start, bool negative);
 };
 

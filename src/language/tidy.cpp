@@ -42,7 +42,7 @@ std::string shortest(std::string_view w) {
     return shortest(w.substr(0, dots)) + ".." + shortest(w.substr(dots + 2));
   Cursor c(w);
   double d = 0;
-  if (!c.number(d)) return std::string(w);
+  if (!c.literal(d)) return std::string(w);
   const std::string_view unit = c.unit();
   const bool later = w[0] == '+' && (unit == "f" || unit == "s" || unit == "t");  // than the row above
   return c.at == c.end ? (later ? "+" : "") + write_number(d) + std::string(unit) : std::string(w);

@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "language/colors.h"
+#include "language/formula.h"
 #include "language/line_words.h"
 #include "track/curve.h"
 
@@ -40,13 +41,16 @@ bool ValueReader::scalar(double& out, Unit unit) {
   c.space();
   const char* start = c.at;
   if (translates() && meant_as_number(start, out)) return true;
-  if (c.peek() == '(') return c.fail(ErrorCode::type, "a number is wanted here, not a vector", {c.at, 1});
+  if (c.peek() == '(' && is_vector())
+    return c.fail(ErrorCode::type, "a number is wanted here, not a vector", {c.at, 1});
   if (c.peek() == '"')
     return c.fail_here(ErrorCode::type, "a number is wanted here, not a text",
                        "without quotes; behind '=' quotes hold a procedure");
   if (const std::string_view w = c.peek_word(); w == "on" || w == "off")
     return c.fail(ErrorCode::type, fmt::format("'{}' is not a number", w), w);
-  if (!c.number(out)) return false;
+  std::optional<Quantity> q;
+  if (!c.number(out, q)) return false;
+  if (q) return in_unit(*q, unit, out, since(start, c));
   if (c.peek() == '%' && c.at > start) {
     if (translates()) return ++c.at, out /= 100, translate(start, write_number(out)), true;
     return c.fail(ErrorCode::type, "a part of 1 is wanted here, not a percentage", since(start, c),
@@ -70,9 +74,32 @@ bool ValueReader::scalar(double& out, Unit unit) {
   return true;
 }
 
+// What a formula gives, in the unit that is wanted; plain numbers are in it already.
+bool ValueReader::in_unit(const Quantity& q, Unit unit, double& out, std::string_view about) {
+  const bool length = q.of == Quantity::Of::length && unit != Unit::none;
+  if (q.of == Quantity::Of::angle && translates() && unit == Unit::none) return out = q.value, true;
+  if (q.of != Quantity::Of::number && !length)
+    return c.fail(ErrorCode::type, fmt::format("a plain number is wanted here, not {}", to_string(q.of)), about);
+  out = length && unit == Unit::millimetres ? q.value * 1000 : q.value;
+  return true;
+}
+
+// Whether brackets hold several numbers, and not one formula.
+bool ValueReader::is_vector() {
+  Cursor ahead = c;
+  double first = 0;
+  std::optional<Quantity> q;
+  if (!ahead.open() || !ahead.number(first, q)) return ahead.at < ahead.end && ahead.peek() == ')';
+  ahead.unit();
+  ahead.space();
+  return !(ahead.peek() == ')' || formula_goes_on(ahead.at, ahead.end) ||
+           (ahead.at < ahead.end && std::string_view("+-*/%^").find(*ahead.at) != std::string_view::npos &&
+            ahead.at + 1 < ahead.end && ahead.at[1] == ' '));
+}
+
 // A vector for a number is its length, on and off are 1 and 0.
 bool ValueReader::meant_as_number(const char* start, double& out) {
-  if (c.peek() == '(') {
+  if (c.peek() == '(' && is_vector()) {
     Vec3 v;
     if (!vector(3, v)) return false;
     out = length(v);
@@ -94,7 +121,9 @@ bool ValueReader::angle(double& radians) {
   if (!translates()) return c.angle(radians);
   double degrees = 0;
   bool meant = meant_as_number(start, degrees);
-  if (!meant && !c.error && looks_like_number()) meant = c.number(degrees) && c.unit().empty();
+  std::optional<Quantity> q;
+  if (!meant && !c.error && looks_like_number())
+    meant = c.number(degrees, q) && (q ? q->of == Quantity::Of::number : c.unit().empty());
   if (c.error) return false;
   if (!meant) return c.at = start, c.angle(radians);
   radians = degrees * (pi / 180);
@@ -110,6 +139,7 @@ bool ValueReader::looks_like_number() const {
 bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   c.space();
   const char* start = c.at;
+  if (const auto* named = let<Vec3>()) return out = *named, true;
   if (c.peek() != '(') {
     if (c.at_line_end())
       return c.fail_here(ErrorCode::syntax,
@@ -147,8 +177,11 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
     }
     ++given;
     double d = 0;
-    if (!c.number(d)) return false;
-    const std::string_view u = c.unit();
+    std::optional<Quantity> q;
+    c.space();
+    const char* const number = c.at;
+    if (!c.number(d, q) || (q && !in_unit(*q, unit, d, since(number, c)))) return false;
+    const std::string_view u = q ? std::string_view() : c.unit();
     if (!u.empty()) {
       if (unit != Unit::metres || (u != "m" && u != "cm" && u != "mm"))
         return c.fail(ErrorCode::type, fmt::format("'{}' is not a unit that fits here", u), u);
@@ -186,6 +219,7 @@ bool ValueReader::color(Color& out) {
     out = {v.x, v.y, v.z};
     return true;
   }
+  if (const auto* named = let<Color>()) return out = *named, true;
   if (looks_like_number()) {
     double grey = 0;
     if (translates() && !scalar(grey)) return false;

@@ -32,6 +32,17 @@ struct ValueReader {
   bool vector(int numbers, Vec3& out, Unit unit = Unit::none);
   bool scalar(double& out, Unit unit = Unit::none);
   bool angle(double& radians);
+  bool in_unit(const Quantity&, Unit, double& out, std::string_view about);
+  bool is_vector();
+  // What the next word stands for, where that is of this type; then it is taken.
+  template <class T>
+  const T* let() {
+    if (!c.lets || c.lets->empty()) return nullptr;
+    const auto known = c.lets->find(c.peek_word());
+    const T* value = known == c.lets->end() ? nullptr : std::get_if<T>(&known->second);
+    if (value) c.word();
+    return value;
+  }
   bool meant_as_number(const char* start, double& out);
   bool looks_like_number() const;
   bool translates() const { return scene.policy == Policy::translate; }

@@ -48,6 +48,8 @@ int random_of(lua_State* l) { return lua_pushnumber(l, hashed(up_to_three(l))), 
 int clamp_of(lua_State* l) {
   return lua_pushnumber(l, std::fmax(number(l, 2), std::fmin(number(l, 1), number(l, 3)))), 1;
 }
+int round_of(lua_State* l) { return lua_pushnumber(l, std::floor(number(l, 1) + 0.5)), 1; }
+int sign_of(lua_State* l) { return lua_pushnumber(l, (number(l, 1) > 0) - (number(l, 1) < 0)), 1; }
 int smoothstep(lua_State* l) {
   const double low = number(l, 1), high = number(l, 2), x = number(l, 3);
   const double u = low == high ? x >= high : std::fmax(0, std::fmin((x - low) / (high - low), 1));
@@ -80,6 +82,9 @@ const luaL_Reg arithmetic_functions[] = {{"vec", make<Kind::vector, 3>},
                                          {"normalize", normalized},
                                          {"noise", noise_of},
                                          {"random", random_of},
+                                         {"hash", random_of},
+                                         {"round", round_of},
+                                         {"sign", sign_of},
                                          {"clamp", clamp_of},
                                          {"mix", mix},
                                          {"smoothstep", smoothstep},

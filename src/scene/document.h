@@ -16,6 +16,7 @@
 #include "scene/environment.h"
 #include "scene/functions.h"
 #include "scene/kinds.h"
+#include "scene/quantity.h"
 #include "track/filter.h"
 #include "track/track.h"
 #include "track/twerpers.h"
@@ -138,6 +139,7 @@ struct Scene {
   NameIndex names;
   Cow<std::vector<FunctionSpec>> defined;  // the user's own functions; ids follow the built-in ones
   Cow<Aliases> aliases;
+  Cow<Lets> lets;                                        // what names in formulas stand for
   Cow<std::vector<std::pair<Time, std::string>>> notes;  // sorted by time
   Cow<std::vector<NamedProcedure>> procedures;           // events speak of twerpers by their place here
   Cow<std::vector<Dial>> dials;

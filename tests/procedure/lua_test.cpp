@@ -52,7 +52,7 @@ TEST(Lua, EveryErrorInWords) {
   EXPECT_EQ(make_lua(Role::value, "local x = ").error().message, "unexpected symbol near <eof>");
   const std::pair<const char*, const char*> table[] = {
       {"local p\nreturn p.x", "line 2: attempt to index a nil value (local 'p')"},
-      {"sinn(t)", "attempt to call a nil value (global 'sinn'); did you mean 'sin'?"},
+      {"coss(t)", "attempt to call a nil value (global 'coss'); did you mean 'cos'?"},
       {"valu('x')", "attempt to call a nil value (global 'valu'); did you mean 'value'?"},
       {"nil", "it gave no value"},
       {"0/0", "it gave a number that is not finite"},

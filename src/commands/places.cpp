@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Patterns take the place of loops: a command whose formulas speak of i, the place among what its pattern names, is
+// carried out once for each.
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "commands/verbs.h"
+#include "language/formula.h"
+#include "scene/rollback.h"
+
+namespace betwixt {
+namespace {
+
+// A word with all that its brackets and quotes hold together, as the time behind `at` may be.
+std::string_view piece(std::string_view& rest) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r'; };
+  while (!rest.empty() && blank(rest[0])) rest.remove_prefix(1);
+  int depth = 0;
+  bool quoted = false;
+  std::size_t at = 0;
+  for (; at < rest.size() && (depth > 0 || quoted || !blank(rest[at])); ++at) {
+    if (rest[at] == '"') quoted = !quoted;
+    if (rest[at] == '(' || rest[at] == '{') ++depth;
+    if (rest[at] == ')' || rest[at] == '}') --depth;
+  }
+  const std::string_view out = rest.substr(0, at);
+  rest.remove_prefix(at);
+  return out;
+}
+
+// The pattern that a line is about: of `at T on L move a* …` it is a*.
+struct Subject {
+  std::string_view pattern;
+  bool creates = false;
+};
+Subject subject(std::string_view line) {
+  std::string_view word = piece(line);
+  while (word == "at" || word == "on") piece(line), word = piece(line);
+  if (!find_verb(word)) return {word};
+  const bool creates = word == "create";
+  word = piece(line);
+  return {word, creates};
+}
+
+// Places among what braces stand for, by names.
+std::vector<PatternPlace> places(const std::vector<std::string>& names, std::string_view pattern) {
+  std::vector<PatternPlace> out(names.size());
+  const auto sizes = brace_ranges(pattern);
+  std::vector<std::string> all;
+  if (!sizes.empty())
+    if (auto expanded = expand_braces(pattern)) all = *std::move(expanded);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    out[k].i = k + 1, out[k].n = names.size();
+    std::size_t at = names.size() == all.size()
+                         ? k
+                         : static_cast<std::size_t>(std::find(all.begin(), all.end(), names[k]) - all.begin());
+    if (at >= all.size()) continue;
+    for (std::size_t r = sizes.size(); r-- > 0; at /= sizes[r])
+      if (r < out[k].ranges.size()) out[k].ranges[r] = at % sizes[r] + 1;
+  }
+  return out;
+}
+
+struct Alone {  // whatever way out
+  Command& k;
+  explicit Alone(Command& command) : k(command) {}
+  Alone(const Alone&) = delete;
+  Alone& operator=(const Alone&) = delete;
+  ~Alone() { k.script.only.reset(), k.cursor.place = {}; }
+};
+
+bool says_place(const Command& k, const char* from) {
+  const LogicalLine line = logical_line({from, k.cursor.end});
+  return speaks_of_place({from, static_cast<std::size_t>(line.end - from)});
+}
+
+}  // namespace
+
+std::vector<ObjectId> named(Command& k, std::string_view pattern) {
+  auto& only = k.script.only;
+  if (only && !std::exchange(only->met, true)) return {only->object};
+  auto all = select(k.scene, pattern);
+  if (!k.script.only && k.script.touched == 0 && all.size() > 1) k.script.touched = all.size();
+  return all;
+}
+
+bool in_places(Command& k, const std::function<bool()>& command) {
+  const char* const start = k.cursor.at;
+  if (k.script.only || !says_place(k, start)) return command();
+  const LogicalLine line = logical_line({start, k.cursor.end});
+  const Subject about = subject({start, static_cast<std::size_t>(line.end - start)});
+  const std::string_view pattern = about.pattern.substr(0, first_dot(about.pattern));
+  std::vector<std::string> names;
+  std::vector<ObjectId> objects;
+  if (about.creates) {
+    if (auto expanded = expand_braces(pattern)) names = *std::move(expanded);
+  } else {
+    objects = select(k.scene, pattern);
+    for (const ObjectId id : objects) names.push_back(k.scene.objects[id.index].name);
+  }
+  if (names.empty()) return command();  // it says what is wrong
+  if (names.size() > 1) k.script.touched = names.size();
+  const std::vector<PatternPlace> all = places(names, pattern);
+  const Alone alone(k);
+  Rollback rollback(k.scene);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    k.cursor.at = start, k.cursor.depth = 0;
+    k.cursor.place = all[i];
+    k.script.only = {about.creates ? ObjectId{} : objects[i], names[i], false};
+    if (!command()) return false;
+  }
+  rollback.keep();
+  return true;
+}
+
+bool in_places(Command& k, const Selected& of, const std::function<bool(const Selected&)>& row) {
+  const char* const start = k.cursor.at;
+  Sheet& sheet = k.script.sheet;
+  const std::vector<Time> above = std::exchange(sheet.each_above, {});
+  const bool apart = !above.empty() && (k.cursor.space(), k.cursor.peek() == '+');
+  if (!apart && !says_place(k, start)) return row(of);
+  std::vector<Selected> each;
+  std::vector<std::string> names;
+  for (const Target& t : of.targets) {
+    if (each.empty() || each.back().targets[0].object != t.object) {
+      each.push_back(of), each.back().targets.clear();
+      names.push_back(k.scene.objects[t.object.index].name);
+    }
+    each.back().targets.push_back(t);
+  }
+  if (each.empty()) return row(of);
+  const std::vector<PatternPlace> all = places(names, of.text.substr(0, first_dot(of.text)));
+  const Alone alone(k);
+  const std::optional<Time> before = sheet.above;
+  bool done = true;
+  {
+    Rollback rollback(k.scene);
+    for (std::size_t i = 0; done && i < each.size(); ++i) {
+      k.cursor.at = start, k.cursor.depth = 0;
+      k.cursor.place = all[i];
+      sheet.above = above.size() == each.size() ? above[i] : before;
+      done = row(each[i]);
+      sheet.each_above.push_back(sheet.above.value_or(Time{}));
+    }
+    if (done) rollback.keep();
+  }
+  find_tracks(k.scene, sheet);  // they are others now
+  return done;
+}
+
+}  // namespace betwixt
