@@ -25,6 +25,7 @@ struct Guest {
   bool stuck = false;        // it had not read all its answers when it was last looked at
   bool in_hand = false;      // a thread works on what it said; nobody else touches it
   bool gone = false;         // meanwhile: it takes back what it asked
+  bool kept = false;         // its next line waits until another host's is done
   std::string out;
   std::size_t sent = 0;
   std::uint64_t lost = 0;  // events that it was not told of

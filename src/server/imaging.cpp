@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <new>
+#include <tuple>
 
 #include "base/names.h"
 #include "commands/verbs.h"
@@ -17,7 +18,7 @@ namespace betwixt {
 namespace {
 
 constexpr int most_open_lines = 10'000;  // of one command
-constexpr int most_attempts = 3;         // beside others, before they wait
+constexpr int most_attempts = 3;         // while others change the document, before they wait
 
 }  // namespace
 
@@ -46,9 +47,31 @@ void Imaging::leave(Host host) { hosts_.erase(host); }
 
 std::int64_t Imaging::tick(Nanos now) const { return document().scene().ticks.whole(transport_.time(now)); }
 
+// While it lives nobody else changes the document, unless somebody else is being waited for already.
+class Imaging::Alone {
+ public:
+  explicit Alone(Imaging& all) : all_(all) {}
+  ~Alone() {
+    if (mine_) all_.alone_.reset();
+  }
+  Alone(const Alone&) = delete;
+  Alone& operator=(const Alone&) = delete;
+  void ask(Host host) {
+    if (!all_.alone_) all_.alone_ = host, mine_ = true;
+  }
+  // Somebody else is alone, and must not be disturbed.
+  bool others() const { return all_.alone_ && !mine_; }
+
+ private:
+  Imaging& all_;
+  bool mine_ = false;
+};
+
 const Program& Imaging::program() {
   constexpr auto soon = std::chrono::milliseconds(5);
+  Alone alone(*this);
   for (int n = 0; compiled_ != version_; ++n) {
+    if (n >= most_attempts) alone.ask(0);
     const std::uint64_t version = version_;
     const Document from = document();
     const Program before = program_;
@@ -57,7 +80,7 @@ const Program& Imaging::program() {
     const auto begun = std::chrono::steady_clock::now();
     const std::size_t objects = compiled_ > 0 ? before.document().scene().objects.size() : 0;
     const bool much = long_to_compile_ || from.scene().objects.size() > objects + 10'000;
-    if (much && options_.beside && n < most_attempts)
+    if (much && options_.beside)
       options_.beside(compile);
     else
       compile();
@@ -77,14 +100,23 @@ bool Imaging::takes_long(const SaidLine& line) {
   return !row && std::find(std::begin(quick), std::end(quick), line.verb) == std::end(quick);
 }
 
-bool Imaging::work_out(bool takes_long, const std::function<void(const Point&, std::size_t)>& work) {
-  for (int n = 0;; ++n) {
+Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
+                                  const std::function<void(const Point&, std::size_t)>& work) {
+  Alone alone(*this);
+  for (;; ++h.attempts) {
+    if (h.attempts >= most_attempts) alone.ask(h.host);
     const Point from = editor_.now();
     const std::size_t events = event_count_;
-    if (!takes_long || !options_.beside || n == most_attempts) return work(from, events), true;
-    if (!options_.beside([&] { work(from, events); })) return false;
-    if (&from.document.scene() == &document().scene()) return true;
+    if (!takes_long || !options_.beside) {
+      work(from, events);
+      break;
+    }
+    if (!options_.beside([&] { work(from, events); })) return Worked::gone;
+    if (alone.others()) return Worked::later;
+    if (&from.document.scene() == &document().scene()) break;
   }
+  h.attempts = 0;
+  return Worked::done;
 }
 
 // ---- answers
@@ -118,9 +150,18 @@ Imaging::Reply Imaging::enter_too_long(Host host, Nanos now) {
 Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   Visitor& h = hosts_.at(host);
   latest_ = std::max(latest_, now);
-  bytes_ += line.size();
+  const std::size_t bytes = line.size();
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
-  if (line.size() > longest_line) return enter_too_long(host, now);
+  if (alone_ && changes_document(h, line)) return {{}, false, true};
+  const auto before = std::tuple(h.line, h.open, h.open_lines);
+  bytes_ += bytes;
+  Reply reply = enter_next(h, line, now);
+  if (reply.later) std::tie(h.line, h.open, h.open_lines) = before, --lines_, bytes_ -= bytes;
+  return reply;
+}
+
+Imaging::Reply Imaging::enter_next(Visitor& h, std::string_view line, Nanos now) {
+  if (line.size() > longest_line) return enter_too_long(h.host, now);
   ++h.line, ++lines_;
   if (h.bundling) return collect(h, line, now);
   std::string whole = std::exchange(h.open, {});
@@ -139,11 +180,27 @@ Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   return yes(h, now, ",\"more\":true");
 }
 
-// A word of the server, or a command. One that is both (`notes`, `start`) is a command where more words follow.
-Imaging::Reply Imaging::enter_whole(Visitor& h, const SaidLine& line, Nanos now) {
+// A word of the server; none: it is a command. One that is both (`notes`, `start`) is a command where more words
+// follow.
+const Imaging::Word* Imaging::word_of(const Visitor& h, const SaidLine& line) {
   const bool row = line.indented && h.sheet;
-  const Word* word = row ? nullptr : find_word(line.verb);
-  if (!word || (!line.alone() && is_verb(line.verb))) return command(h, line, now);
+  return row || (!line.alone() && is_verb(line.verb)) ? nullptr : find_word(line.verb);
+}
+
+// Whether carrying it out may; lines that others follow are only kept.
+bool Imaging::changes_document(const Visitor& h, std::string_view line) {
+  if (line.size() > longest_line) return false;
+  if (h.open_lines > 0 && !h.bundling) return true;
+  const SaidLine said = look_at(line);
+  if (h.bundling) return ends_bundle(h, said);
+  if (said.open || said.words.empty()) return false;
+  const Word* const word = word_of(h, said);
+  return !word || word->run == &Imaging::undo || word->run == &Imaging::redo;
+}
+
+Imaging::Reply Imaging::enter_whole(Visitor& h, const SaidLine& line, Nanos now) {
+  const Word* word = word_of(h, line);
+  if (!word) return command(h, line, now);
   if (line.words.size() > word->most + 1) return no(h, now, one_word_too_many(line.words[word->most + 1], word->usage));
   const auto done = (this->*word->run)(h, line.words, now);
   if (!done) return no(h, now, done.error());
@@ -193,7 +250,8 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
     made.reset();
     if (takes_time && c && c->kept) made = Program::compile(c->deed.after.document, before);
   };
-  if (!work_out(takes_time, carry)) return {};
+  if (const Worked worked = work_out(h, takes_time, carry); worked != Worked::done)
+    return {{}, false, worked == Worked::later};
   if (!c) {
     Error e = c.error();
     if (!line.indented) h.sheet.reset();

@@ -69,6 +69,7 @@ class Imaging {
   struct Reply {
     std::string line;  // one line of JSON with its end; empty inside a bundle
     bool quit = false;
+    bool later = false;  // it was not looked at, and is to be entered again when nobody is waited for any more
   };
   static constexpr std::size_t longest_line = 1 << 20;  // bytes
 
@@ -81,6 +82,8 @@ class Imaging {
   void leave(Host);
   // One line, with or without its end.
   Reply enter(Host, std::string_view line, Nanos now);
+  // Somebody is being waited for: lines of others that change the document are for later.
+  bool waits() const { return alone_.has_value(); }
   // A line that is too long to be looked at.
   Reply enter_too_long(Host, Nanos now);
   // Everything that was answered is on the disk, the time too. An error: it may not be, and the server must end.
@@ -122,6 +125,7 @@ class Imaging {
     std::shared_ptr<const OpenSheet> sheet;  // that its rows go to; null: none is open
     std::string open;                        // lines of a command that is not whole yet
     int open_lines = 0;
+    int attempts = 0;  // at its line, that were in vain
     bool bundling = false, leaving = false;
     std::vector<Bundled> bundle;
     std::size_t bundle_size = 0;
@@ -149,11 +153,18 @@ class Imaging {
 
   // `from` has the sheet that the host's rows go to.
   Result<Carried> carry_out(const Point& from, std::size_t events, std::string_view line, std::int64_t stamp) const;
+  Reply enter_next(Visitor&, std::string_view line, Nanos now);
   Reply enter_whole(Visitor&, const SaidLine&, Nanos now);
+  static const Word* word_of(const Visitor&, const SaidLine&);
+  static bool changes_document(const Visitor&, std::string_view line);
+  static bool ends_bundle(const Visitor&, const SaidLine&);
   static bool takes_long(const SaidLine&);
   // Works something out from how things are. Where that may take long others go on meanwhile, and it is worked out
-  // again if the document is another one then; in the end everybody waits for it. False: nobody wants it any more.
-  bool work_out(bool takes_long, const std::function<void(const Point&, std::size_t events)>&);
+  // again if the document is another one then; in the end what would change that waits. gone: nobody wants it any more;
+  // later: somebody else must not be disturbed.
+  enum class Worked { done, gone, later };
+  Worked work_out(Visitor&, bool takes_long, const std::function<void(const Point&, std::size_t events)>&);
+  class Alone;
   Reply command(Visitor&, const SaidLine&, Nanos now);
   Reply collect(Visitor&, std::string_view line, Nanos now);
   void start_clock(Nanos now);
@@ -211,6 +222,7 @@ class Imaging {
   std::uint64_t version_ = 1, compiled_ = 0;
   Program program_;
   bool long_to_compile_ = false;  // it was, the last time
+  std::optional<Host> alone_;     // who is waited for; 0: nobody's host
   std::map<Host, Visitor> hosts_;
   Host last_host_ = 0;
   std::optional<ContactWatch> watch_;  // while anybody wants to know

@@ -36,11 +36,16 @@ struct Imaging::Together {
 };
 
 // Display lists have an `end` of their own: an indented one does not end the bundle.
+bool Imaging::ends_bundle(const Visitor& h, const SaidLine& said) {
+  const bool goes_on = !h.bundle.empty() && h.bundle.back().open;
+  return said.alone() && !said.indented && !goes_on && said.verb == "end";
+}
+
 Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
   const bool goes_on = !h.bundle.empty() && h.bundle.back().open;
   const SaidLine said = look_at(line);
   const bool lone = said.alone() && !said.indented && !goes_on;
-  if (lone && said.verb == "end") return end_bundle(h, now);
+  if (ends_bundle(h, said)) return end_bundle(h, now);
   if (lone && said.verb == "names") {  // it changes nothing, and hosts may need more of them here
     const auto given = names(h, said.words, now);
     return given ? yes(h, now, *given) : no(h, now, given.error());
@@ -90,9 +95,10 @@ std::optional<Error> Imaging::carry_out(const Bundled& line, Together& all, std:
 }
 
 Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
-  const auto lines = std::exchange(h.bundle, {});
+  auto lines = std::exchange(h.bundle, {});
   const auto broken = std::exchange(h.bundle_broken, {});
-  h.bundling = false, h.bundle_size = 0, h.sheet.reset();
+  const std::size_t size = std::exchange(h.bundle_size, 0);
+  h.bundling = false, h.sheet.reset();
   if (broken) return no(h, now, *broken);
   const std::int64_t at = stamp(now);
   Together all;
@@ -106,10 +112,12 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
       if (auto e = carry_out(line, all, at)) all.note(line.number, *std::move(e));
     if (!all.first && lines.size() > 20) made = Program::compile(all.point.document, before);
   };
-  if (!work_out(lines.size() > 20 || std::any_of(lines.begin(), lines.end(),
-                                                 [](const Bundled& l) { return takes_long(look_at(l.text)); }),
-                carry))
-    return {};
+  const bool takes_time = lines.size() > 20 || std::any_of(lines.begin(), lines.end(), [](const Bundled& l) {
+                            return takes_long(look_at(l.text));
+                          });
+  const Worked worked = work_out(h, takes_time, carry);
+  if (worked == Worked::later) h.bundle = std::move(lines), h.bundle_size = size, h.bundling = true;
+  if (worked != Worked::done) return {{}, false, worked == Worked::later};
   if (all.first) return no(h, now, *all.first, ",\"errors\":[" + all.errors + "]");
   if (all.lines.empty()) return yes(h, now, "");
   if (Status s = editor_.take(std::move(all.point), {all.lines, ""}); !s) return no(h, now, s.error());

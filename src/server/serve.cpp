@@ -90,11 +90,11 @@ class Server {
 
   void round(Leaders::Lock& lock) {
     wait(lock);
-    const std::set<int> busy = std::exchange(busy_, {});
-    for (const int file : busy)
-      if (const auto found = guests_.find(file);
-          found != guests_.end() && !found->second.in_hand && !leaders_.stopped())
-        take_turn(found->second);
+    for (const int file : std::set(busy_)) {
+      if (busy_.erase(file) == 0) continue;  // somebody else has led meanwhile
+      const auto found = guests_.find(file);
+      if (found != guests_.end() && !found->second.in_hand && !leaders_.stopped()) take_turn(found->second);
+    }
     if (leaders_.stopped()) return;
     for (auto& e : imaging_.events()) tell(e);
     if (Status s = imaging_.sync(monotonic_now()); !s) {  // nothing is answered that is not safe
@@ -107,6 +107,7 @@ class Server {
       if (it->second.waiting() > 0 || it->second.last_word || it->second.half_closed) send(it->second);
       it = next;
     }
+    if (!imaging_.waits()) let_on();
     if (!busy_.empty() && !leaders_.leads()) wake();
   }
 
@@ -146,7 +147,9 @@ class Server {
         hear_clock();
         continue;
       }
-      if (const auto guest = guests_.find(file); guest != guests_.end() && guest->second.in_hand)
+      const bool over = events[static_cast<std::size_t>(i)].events & (EPOLLHUP | EPOLLERR);
+      if (const auto guest = guests_.find(file);
+          guest != guests_.end() && (guest->second.in_hand || (guest->second.kept && over)))
         leave(guest->second);  // nothing but its end is heard of it now
       else if (guest != guests_.end())
         busy_.insert(file);
@@ -208,7 +211,7 @@ class Server {
       imaging_.leave(*g.host), files_.erase(*g.host);
     else
       --strangers_;
-    busy_.erase(g.file);
+    busy_.erase(g.file), kept_.erase(g.file);
     ::close(g.file);
     guests_.erase(g.file);
   }
@@ -231,6 +234,7 @@ class Server {
     for (int n = 0; n < turn_lines && monotonic_now() < until && !g.last_word; ++n)
       if (!take_line(g) || g.gone) {
         if (g.gone) return leave(g);
+        if (g.kept) return;
         if (g.half_closed) g.last_word = true;
         if (g.half_closed && g.waiting() == 0) leave(g);
         return;
@@ -253,12 +257,26 @@ class Server {
       return false;
     }
     const std::string line = g.in.substr(0, end);
-    g.drop(end + 1);
-    if (!g.host) return answer(g, meet(g, line));
+    if (!g.host) return g.drop(end + 1), answer(g, meet(g, line));
     served = &g;
     const Imaging::Reply reply = imaging_.enter(*g.host, line, monotonic_now());
     served = nullptr;
+    if (reply.later) return keep(g), false;
+    g.drop(end + 1);
     return answer(g, reply);
+  }
+
+  // What it says next is for later; nothing is read meanwhile.
+  void keep(Guest& g) {
+    g.kept = true, kept_.insert(g.file);
+    watch(g.file, g.watched = 0, EPOLL_CTL_MOD);
+  }
+  void let_on() {
+    for (const int file : std::exchange(kept_, {})) {
+      Guest& g = guests_.at(file);
+      g.kept = false, busy_.insert(file);
+      watch(file, g.watched = EPOLLIN, EPOLL_CTL_MOD);
+    }
   }
 
   bool answer(Guest& g, Imaging::Reply reply) {
@@ -316,7 +334,7 @@ class Server {
     }
     g.stuck = g.waiting() > 0;
     if (g.in_hand) return;
-    const std::uint32_t wanted = (g.last_word || g.half_closed ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
+    const std::uint32_t wanted = (g.last_word || g.half_closed || g.kept ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
                                  (g.waiting() > 0 ? static_cast<std::uint32_t>(EPOLLOUT) : 0u);
     if (wanted != g.watched) watch(g.file, g.watched = wanted, EPOLL_CTL_MOD);
   }
@@ -348,6 +366,7 @@ class Server {
   std::unordered_map<int, Guest> guests_;  // by their files
   std::unordered_map<Imaging::Host, int> files_;
   std::set<int> busy_;  // with lines that have not been looked at
+  std::set<int> kept_;  // … and whose next one is for later
   Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};
   std::optional<Error> failed_;
   std::size_t strangers_ = 0;

@@ -216,6 +216,38 @@ True True
 0'
 end
 
+# ---- lines that take long, of two hosts, while a third one changes the document and a fourth one asks
+begin show.bx --socket "$socket" --save busy.bx
+out=$(host '
+import threading
+s.do("create o{1..3000} sphere")
+made, stop, slowest = [0, 0, 0], False, 0
+def flood():
+    f = Server(where)
+    while not stop:
+        f.do(f"set ball.radius {1 + made[0]}")
+        made[0] += 1
+def heavy(k):
+    h = Server(where, timeout=50)
+    for i in range(3):
+        h.do(f"set o*.radius {10 * k + i}")
+        made[k] += 1
+threads = [threading.Thread(target=flood)] + [threading.Thread(target=heavy, args=(k,)) for k in (1, 2)]
+for t in threads: t.start()
+answers = 0
+while made[1] + made[2] < 6 and all(t.is_alive() for t in threads[:1]):
+    begun = time.monotonic()
+    s.eval("ball.radius")
+    slowest = max(slowest, time.monotonic() - begun)
+    answers += 1
+stop = True
+for t in threads: t.join()
+print(made[1:], slowest < 5, answers > 6, len(set(s.eval("o1.radius", "o3000.radius").values())) == 1, s.eval("ball.radius")["ball.radius"] == made[0])
+')
+is 'whoever is always interrupted gets there, and so does everybody else' "$out" '[3, 3] True True True True'
+end
+has 'and all is in the history' "$(grep -c 'set o\*' busy.bx)" 6
+
 # ---- pictures in shared memory, and a film
 begin show.bx --socket "$socket" --to "ring:betwixt-test-$$" --size 64x36
 out=$(host "
