@@ -131,10 +131,13 @@ std::optional<std::pair<std::size_t, Diagnostics>> Editor::restore(const std::ve
   return std::nullopt;
 }
 
-void Editor::settle(std::string base, std::size_t steps) {
+std::vector<Step> Editor::settle(std::string base, std::size_t steps) {
   base_ = std::move(base);
-  steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(steps));
+  const auto end = steps_.begin() + static_cast<std::ptrdiff_t>(steps);
+  std::vector<Step> rest(std::make_move_iterator(end), std::make_move_iterator(steps_.end()));
+  steps_.erase(end, steps_.end());
   standing_ -= steps;
+  return std::exchange(steps_, std::move(rest));
 }
 
 }  // namespace betwixt

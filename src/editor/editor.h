@@ -85,8 +85,8 @@ class Editor {
   // Steps that cannot be taken back any more, and the document behind them.
   std::size_t settled() const { return standing_ - before_.size(); }
   const Document& settled_document() const { return (before_.empty() ? now_ : before_.front().point).document; }
-  // So many of them become a part of the author's text.
-  void settle(std::string base, std::size_t steps);
+  // So many of them become a part of the author's text; these.
+  std::vector<Step> settle(std::string base, std::size_t steps);
   std::size_t undo_bytes() const { return bytes_; }
 
  private:

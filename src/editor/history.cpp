@@ -3,9 +3,17 @@
 #include "editor/history.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "base/files.h"
 
 namespace betwixt {
 namespace {
@@ -29,7 +37,75 @@ std::vector<Record> records_of(std::span<const Step> steps, std::span<const Step
   return out;
 }
 
+Error not_put(const std::string& path) {
+  return fail(ErrorCode::machine, fmt::format("'{}' cannot be written: {}", path, std::strerror(errno)));
+}
+
+// Where the text of a script stands, and that of the next one until it does.
+std::string place_of(const std::string& path) {
+  std::error_code none;
+  const std::filesystem::path real = std::filesystem::canonical(path, none);
+  return none ? path : real.string();
+}
+std::string part_of(const std::string& place) {
+  const std::filesystem::path p(place);
+  return (p.parent_path() / fmt::format(".{}.checkpoint", p.filename().string())).string();
+}
+
+// Another one where anybody has written there; empty: there is none.
+std::string file_at(const std::string& place) {
+  struct stat s {};
+  if (::stat(place.c_str(), &s) != 0) return {};
+  return fmt::format("{} {} {} {} {}", s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec);
+}
+
+bool begins_with(std::string_view script, const Fingerprint& text) {
+  return script.size() >= text.size && fingerprint(script.substr(0, text.size)) == text;
+}
+
+// Of the last checkpoint whose text the script begins with: that, and for how many commands it stands.
+std::optional<std::pair<Fingerprint, std::size_t>> checkpoint_in(const std::vector<Record>& records,
+                                                                 std::string_view script) {
+  for (auto r = records.rbegin(); r != records.rend(); ++r) {
+    Fingerprint print;
+    std::size_t commands = 0;
+    if (r->what == Did::checkpoint &&
+        std::sscanf(r->text.c_str(), "%" SCNu64 " %" SCNx64 " %zu", &print.size, &print.hash, &commands) == 3 &&
+        begins_with(script, print))
+      return std::pair(print, commands);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+Status finish_checkpoint(Journal& journal, const std::string& script) {
+  if (!journal.base() || begins_with(script, *journal.base())) return Nothing{};
+  const auto is = checkpoint_in(journal.records(), script);
+  if (!is) return Nothing{};
+  StepList all;
+  for (const Record& r : journal.records()) all.count(r.what, r.what == Did::command ? unpacked(r.text) : Step{});
+  if (is->second > all.standing) return Nothing{};
+  return journal.begin_with(is->first, records_of(all.stand().subspan(is->second), all.undone()));
+}
+
+Result<ScriptBeside> write_beside(const std::string& path, std::string_view script) {
+  ScriptBeside out;
+  out.place = place_of(path), out.part = part_of(out.place), out.print = fingerprint(script);
+  out.seen_file = file_at(out.place);
+  const auto there = read_script(path);
+  if (!there) return there.error();
+  if (*there) out.seen = fingerprint(**there);
+  struct stat old {};
+  const mode_t rights = ::stat(out.place.c_str(), &old) == 0 ? old.st_mode & 07777 : 0600;
+  drop_beside(path);
+  int reason = make_file(out.part, script, rights);
+  if (reason == 0 && ::chmod(out.part.c_str(), rights) != 0) reason = errno;
+  if (reason != 0) return errno = reason, not_put(path);
+  return out;
+}
+
+void drop_beside(const std::string& path) { ::unlink(part_of(place_of(path)).c_str()); }
 
 void StepList::count(Did what, Step step) {
   if (what == Did::undo && standing > 0) --standing;
@@ -49,8 +125,9 @@ Status History::hold(const std::string& path) {
   return Nothing{};
 }
 
-Result<Kept> History::found(const std::optional<std::string>& script) const {
+Result<Kept> History::found(const std::optional<std::string>& script) {
   Kept out;
+  if (Status s = finish_checkpoint(*journal_, script.value_or("")); !s) return s.error();
   out.base = out.script = script.value_or("");
   const Journal& j = *journal_;
   const Fingerprint present = fingerprint(out.base);
@@ -138,28 +215,28 @@ Status History::save(const std::string& base, std::span<const Step> steps) {
   return known_ == fingerprint(script) ? unchanged() : write(script);
 }
 
-Status History::checkpoint(const std::string& base, std::span<const Step> steps, std::span<const Step> undone) {
-  if (journal_) {
-    const std::string script = as_script(base, steps);
-    std::vector<Record> all = records_of(steps, undone);
-    all.push_back({Did::save, to_string(fingerprint(script))});
+Status History::checkpoint(const std::optional<ScriptBeside>& to, std::size_t before, std::span<const Step> steps,
+                           std::span<const Step> undone) {
+  if (journal_ && to) {
+    if (to->seen != known_ || to->seen_file != file_at(to->place))
+      if (Status s = unchanged(); !s) return s;
+    const std::string mark = fmt::format("{} {}", to_string(to->print), before);
+    if (Status s = journal_->append(Did::checkpoint, mark); !s) return s;
     if (others_) ::link(path_.c_str(), (path_ + ".orig").c_str());  // unless one is there
     others_ = false;
-    if (Status s = journal_->prepare(fingerprint(base), all); !s) return s;
-    if (Status s = write(script); !s) return s;
-    if (Status s = journal_->commit(); !s) return broken_ = s.error(), s;  // two texts that do not go together
+    if (::rename(to->part.c_str(), to->place.c_str()) != 0) return not_put(path_);
+    sync_folder_of(to->place);
+    known_ = to->print;
+    if (Status s = journal_->begin(to->print, records_of(steps, undone)); !s) return s;
   }
   measure(steps, undone);
   return Nothing{};
 }
 
-Status History::sync() {
-  if (broken_) return *broken_;
-  return journal_ ? journal_->sync() : Status(Nothing{});
-}
+Status History::sync() { return journal_ ? journal_->sync() : Status(Nothing{}); }
 
 void History::finish() {
-  if (journal_) journal_->remove();
+  if (journal_) drop_beside(path_), journal_->remove();
   journal_.reset();
 }
 

@@ -35,6 +35,21 @@ struct Kept {
   std::string script;    // the whole, as it stands in the file
 };
 
+// A checkpoint was stopped between the script, which is the new one, and the journal, which is not: it is written anew
+// as it would have been.
+Status finish_checkpoint(Journal&, const std::string& script);
+
+// A script on the disk that has not taken its place yet.
+struct ScriptBeside {
+  std::string part, place;
+  Fingerprint print;
+  // What stood in the place when it was written, and of which file that was said: the system's words for it.
+  std::optional<Fingerprint> seen;
+  std::string seen_file;
+};
+Result<ScriptBeside> write_beside(const std::string& path, std::string_view script);
+void drop_beside(const std::string& path);  // what is left of one
+
 // A sink of an editor: it is told of every step before it is done.
 class History {
  public:
@@ -45,7 +60,7 @@ class History {
   Status hold(const std::string& path);
   // What stands in the script (none: it is not there) and in the journal that is held. What is torn or damaged is left
   // out, and kept under another name where it was not just torn.
-  Result<Kept> found(const std::optional<std::string>& script) const;
+  Result<Kept> found(const std::optional<std::string>& script);
   // From now on the file holds the text, and the journal what will be noted. Errors: file, machine.
   Status keep(const std::string& base);
   // … and they do so already: a history that was found goes on.
@@ -57,9 +72,10 @@ class History {
   Status sync();
   // The file holds all that stands. It is refused where somebody else has written there. Errors: file, machine.
   Status save(const std::string& base, std::span<const Step> steps);
-  // The file begins with another text, and the journal anew behind it: what stood before the `steps` is in the `base`.
-  // A stop at any moment leaves the old or the new.
-  Status checkpoint(const std::string& base, std::span<const Step> steps, std::span<const Step> undone);
+  // The file is another text, and the journal begins anew behind it: what stood before the `steps`, so many of them, is
+  // in that. A stop at any moment leaves what makes the same. `to`: none where nothing is kept.
+  Status checkpoint(const std::optional<ScriptBeside>& to, std::size_t before, std::span<const Step> steps,
+                    std::span<const Step> undone);
   // The file holds everything: no journal is needed.
   void finish();
 
@@ -80,7 +96,6 @@ class History {
   std::string path_;
   std::unique_ptr<Journal> journal_;
   std::optional<Fingerprint> known_;  // what the file held when it was last read or written; none: there was none
-  std::optional<Error> broken_;
   bool others_ = false;  // the file was there before us
   std::size_t bytes_ = 0, length_ = 0;
 };

@@ -84,10 +84,7 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   }
 }
 
-Journal::~Journal() {
-  discard_next();
-  ::close(file_);
-}
+Journal::~Journal() { ::close(file_); }
 
 void Journal::read() {
   const auto read = text_of(file_, path_);
@@ -125,7 +122,7 @@ bool Journal::read_record(const std::string& all, std::size_t& at) {
   const bool said =
       stop < longest_head && std::sscanf(line.c_str(), "%c %" SCNu64 " %" SCNx64, &kind, &size, &sum) == 3;
   const std::size_t left = said ? rest.size() - stop - 1 : 0;
-  const bool known = kind == 'c' || kind == 'u' || kind == 'r' || kind == 's';
+  const bool known = kind == 'c' || kind == 'u' || kind == 'r' || kind == 's' || kind == 'k';
   if (said && known && size < left) {
     const std::string_view text = rest.substr(stop + 1, size);
     const std::string whole = record(static_cast<Did>(kind), text, expected);
@@ -141,51 +138,35 @@ bool Journal::read_record(const std::string& all, std::size_t& at) {
   return false;
 }
 
+// Written whole under another name, then in place.
 Status Journal::begin(const Fingerprint& base, std::span<const Record> records) {
-  if (Status s = prepare(base, records); !s) return s;
-  return commit();
-}
-
-Status Journal::prepare(const Fingerprint& base, std::span<const Record> records) {
   std::string all = header(base);
   std::uint64_t sum = fnv(all);
   for (const Record& r : records) all += record(r.what, r.text, sum);
   const std::string beside = path_ + next_name;
-  discard_next();
   ::unlink(beside.c_str());  // of a process that was killed here
   OpenFile file(::open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   int reason = file ? 0 : errno;
   if (reason == 0 && ::flock(file.fd(), LOCK_EX | LOCK_NB) != 0) reason = errno;
   if (reason == 0) reason = write_all(file.fd(), all, 0);
   if (reason == 0 && ::fdatasync(file.fd()) != 0) reason = errno;
+  if (reason == 0 && ::rename(beside.c_str(), path_.c_str()) != 0) reason = errno;
   if (reason != 0) {
     if (file) ::unlink(beside.c_str());
     return machine(path_, "written", reason);
   }
-  next_ = {file.release(), base, sum, all.size()};
-  return Nothing{};
-}
-
-Status Journal::commit() {
-  if (::rename((path_ + next_name).c_str(), path_.c_str()) != 0) {
-    const int reason = errno;
-    discard_next();
-    return machine(path_, "written", reason);
-  }
   sync_folder_of(path_);
-  ::close(std::exchange(file_, next_->file));
-  base_ = next_->base, sum_ = next_->sum, end_ = next_->end, torn_ = 0;
+  ::close(std::exchange(file_, file.release()));
+  base_ = base, sum_ = sum, end_ = all.size(), torn_ = 0;
   foreign_ = damaged_ = dirty_ = false;
   records_.clear();
-  next_.reset();
   return Nothing{};
 }
 
-void Journal::discard_next() {
-  if (!next_) return;
-  ::close(next_->file);
-  ::unlink((path_ + next_name).c_str());
-  next_.reset();
+Status Journal::begin_with(const Fingerprint& base, std::vector<Record> records) {
+  if (Status s = begin(base, records); !s) return s;
+  records_ = std::move(records);
+  return Nothing{};
 }
 
 Status Journal::write(Did what, std::string_view text) {

@@ -28,7 +28,7 @@ std::string to_string(const Fingerprint&);  // "SIZE HASH"
 
 struct Record {
   Did what = Did::command;
-  std::string text;  // of save: the fingerprint of the file
+  std::string text;  // of save: the fingerprint of the file; of checkpoint: that, and how many commands it stands for
 };
 
 // How many commands stand, and how many of them a file does not know.
@@ -74,9 +74,8 @@ class Journal {
 
   // Another journal takes its place, whole and on the disk, or it stays as it was.
   Status begin(const Fingerprint& base, std::span<const Record> records = {});
-  // The same in two: all of it is on the disk under another name; and it takes the place.
-  Status prepare(const Fingerprint& base, std::span<const Record> records);
-  Status commit();
+  // … with records that are as if they had been found in it.
+  Status begin_with(const Fingerprint& base, std::vector<Record> records);
   // The record is on the disk when this returns; on failure the journal is as it was.
   Status append(Did what, std::string_view text);
   // The same in two: written at its end, which is taken back on failure; and what was written is on the disk. Of a
@@ -91,7 +90,6 @@ class Journal {
  private:
   Journal(std::string path, int file) : path_(std::move(path)), file_(file) {}
   void read();
-  void discard_next();
   bool read_record(const std::string& all, std::size_t& at);
 
   const std::string path_;
@@ -102,12 +100,6 @@ class Journal {
   std::vector<Record> records_;
   std::size_t torn_ = 0;
   bool foreign_ = false, damaged_ = false, dirty_ = false;
-  struct Next {
-    int file = -1;
-    Fingerprint base;
-    std::uint64_t sum = 0, end = 0;
-  };
-  std::optional<Next> next_;  // prepared
 };
 
 // Errors: file, machine. A file that is not there: none.

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "editor/describe.h"
+#include "editor/history.h"
 #include "editor/session_state.h"
 
 namespace betwixt {
@@ -67,6 +68,7 @@ Status Session::State::put_aside(Opening& o, bool fits) const {
 
 // What the journal holds decides how the session begins.
 Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
+  if (Status s = finish_checkpoint(*journal, o.text); !s) return refused(s.error());
   const Fingerprint present = fingerprint(o.text);
   // The text that the records follow: all of the file, or what stands in it before the commands that were saved.
   std::optional<std::string> under;

@@ -18,7 +18,8 @@ struct Step {
   friend bool operator==(const Step&, const Step&) = default;
 };
 
-enum class Did : char { command = 'c', undo = 'u', redo = 'r', save = 's' };  // save: a file holds all that stands
+// save: a file holds all that stands; checkpoint: it may begin anew with another text, that of the first steps.
+enum class Did : char { command = 'c', undo = 'u', redo = 'r', save = 's', checkpoint = 'k' };
 
 // Whether its rows go on below the step above it, whose sheet they share.
 bool stands_below(const Step&, const Step* above);

@@ -151,19 +151,19 @@ Status Imaging::sync(Nanos now) {
     checkpoint_at_ = history_.length() + checkpoint_every();
   }
   if (!checkpoint_ && history_.length() > checkpoint_at_ && editor_.settled() > 0)
-    checkpoint_.emplace(editor_.settled_document(), editor_.settled(), name_, author_);
+    checkpoint_.emplace(editor_.settled_document(), editor_.settled(), name_, save_, author_);
   if (Status s = keep_time(); !s) return s;
   return history_.sync();
 }
 
 // The text that others wrote has come; what was said meanwhile follows it.
 void Imaging::take_checkpoint() {
-  const auto& script = checkpoint_->script();
   const std::size_t n = checkpoint_->steps();
-  Status done = script ? history_.checkpoint(*script, editor_.steps().subspan(n), editor_.undone())
-                       : fail(ErrorCode::machine, "no script makes the document as it is");
+  const auto& script = checkpoint_->script();
+  Status done = script ? history_.checkpoint(checkpoint_->beside(), n, editor_.steps().subspan(n), editor_.undone())
+                       : script.error();
   if (done)
-    editor_.settle(*script, n);
+    Checkpoint::free_beside(editor_.settle(checkpoint_->take_script(), n));
   else if (options_.warn)
     options_.warn(fmt::format("the history stays as long as it is: {}", done.error().message));
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <random>
 #include <set>
 #include <thread>
@@ -210,7 +211,54 @@ TEST(Imaging, ACheckpointMayStopAtAnyMoment) {
     folder.put(".live.bx.journal.new", old_journal.substr(0, 100));
     Stage again(short_log(), "", folder / "live.bx");
     EXPECT_TRUE(again.imaging.document() == document) << script;
+    again.done(again.imaging.arrive(), "undo");
+    again.done(again.imaging.arrive(), "redo");
+    EXPECT_TRUE(again.imaging.document() == document) << script;
   }
+  // A shell comes in between, and what it finds is the same.
+  folder.put("live.bx", new_script);
+  folder.put(".live.bx.journal", old_journal);
+  Session shell;
+  const auto opened = shell.open(folder / "live.bx", Session::Earlier::recover);
+  ASSERT_TRUE(opened.done) << opened.said;
+  EXPECT_TRUE(load_text(shell.text(), "").document == document);
+}
+
+// The new script beside what is left of the old journal: what was answered, up to a step, and all that is in the
+// script.
+TEST(Imaging, ACheckpointAndADamagedJournal) {
+  const Folder folder;
+  folder.put("live.bx", "create ball sphere\n");
+  const auto radius = [](Stage& s) {
+    const std::string answer = s.say(s.imaging.arrive(), "eval ball.radius");
+    return std::stoi(answer.substr(answer.find("\"ball.radius\":") + 14));
+  };
+  const std::string old_script = folder.get("live.bx");
+  int last = 0;
+  {
+    Stage s(short_log(), "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    std::filesystem::create_hard_link(folder / ".live.bx.journal", folder / "old");
+    while (folder.get("live.bx") == old_script && last < 100000) {
+      s.done(host, fmt::format("set ball.radius {}", ++last));
+      ASSERT_TRUE(s.imaging.sync());
+    }
+  }
+  EXPECT_FALSE(folder.has(".live.bx.checkpoint"));
+  const std::string new_script = folder.get("live.bx"), old_journal = folder.get("old");
+  const int first = radius(*std::make_unique<Stage>(Imaging::Options(), folder.put("copy.bx", new_script)));
+  EXPECT_LE(first, last - 5) << "what can be undone is in the journal";
+  int before = first;
+  const std::size_t size = old_journal.size();
+  for (std::size_t cut = 0; cut <= size; cut = cut == size ? size + 1 : std::min(cut + 997, size)) {
+    folder.put("live.bx", new_script);
+    folder.put(".live.bx.journal", old_journal.substr(0, cut));
+    Stage again(short_log(), "", folder / "live.bx");
+    const int found = radius(again);
+    EXPECT_TRUE(found >= before && found <= last) << cut;
+    before = found;
+  }
+  EXPECT_EQ(before, last);
 }
 
 // What somebody else has written into the file meanwhile is not lost.
