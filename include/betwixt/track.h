@@ -36,7 +36,8 @@ struct EventView {
   What what = What::value;
   const Value* value = nullptr;  // null: keep, release
   std::string_view twerper;      // "linear", the name of one of the author's; empty: nothing was said
-  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};  // of "bezier": x1 y1 x2 y2, as CSS counts them
+  std::array<double, 4> arguments{0.25, 0.1, 0.25,
+                                  1};  // in brackets behind it; of "bezier" x1 y1 x2 y2, as CSS counts them
   Time ease_out, ease_in;                            // how long it takes to leave and to arrive; 0: at once
   const Value* before = nullptr;  // a cut: what the track comes to; `value` is what it goes on from. Null: the same
   const Value *tangent_in = nullptr, *tangent_out = nullptr;  // of "hermite"; null: none was given
@@ -48,7 +49,7 @@ struct TrackView {
   Time first, last;  // of its events, where there are any
   // The one twerper of the whole track, whatever its events say; empty: each event's own.
   std::string_view twerper;
-  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};  // of that
+  std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};  // of that
   std::string_view unsaid;         // what it is where neither the track nor the event has said one: "smooth"
   std::string_view before, after;  // the extrapolation: "hold", "linear", "cycle", "bounce"
   bool srgb = false;               // colours blend as the numbers are written, not as light

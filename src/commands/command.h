@@ -81,7 +81,7 @@ bool parameters(Command&, Object&);
 // = "…": a value that code computes.
 bool computed(Command&, const Selected& to, Value& out);
 // A twerper's word and what stands in brackets behind it.
-bool twerper(Command&, const Selected& to, Twerper& out, std::array<double, 4>& bezier);
+bool twerper(Command&, const Selected& to, Twerper& out, std::array<double, 4>& arguments);
 
 // What a pattern names; where the command is carried out once for each, the one that it is about now.
 std::vector<ObjectId> named(Command&, std::string_view pattern);

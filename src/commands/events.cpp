@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/names.h"
 #include "commands/command.h"
 #include "commands/roads.h"
+#include "language/line_words.h"
 #include "procedure/lua.h"
 #include "scene/names.h"
 #include "track/curve.h"
@@ -111,7 +113,7 @@ bool keep_there(Scene& s, const Target& t, const Event& event) {
     other.twerper = event.twerper;
     if (event.detail || other.detail) {
       EventDetail& d = other.detail.edit();
-      d.bezier = event.detail->bezier;
+      d.arguments = event.detail->arguments;
       if (event.detail->ease_in > Time{}) d.ease_in = event.detail->ease_in;
       if (event.detail->ease_out > Time{}) d.ease_out = event.detail->ease_out;
       if (event.detail->tangent_in) d.tangent_in = event.detail->tangent_in;
@@ -156,8 +158,53 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
 
 }  // namespace
 
+namespace {
+
+// What stands in brackets behind a twerper.
+bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, std::array<double, 4>& out) {
+  const TwerperRow& row = row_of(t);
+  c.space();
+  const char* const start = c.at;
+  if (row.arguments.empty())
+    return c.peek() != '(' || c.fail_here(ErrorCode::syntax, fmt::format("'{}' takes nothing in brackets", name));
+  if (c.peek() != '(')
+    return c.fail(ErrorCode::syntax,
+                  t == Twerper::bezier ? "bezier needs its two control points"
+                                       : fmt::format("{} needs {} in brackets", name, row.arguments[0].name),
+                  name, fmt::format("as in {}", row.example.substr(row.example.rfind(' ', row.example.find('(')) + 1)));
+  if (!c.open()) return false;
+  for (std::size_t i = 0; i < row.arguments.size(); ++i) {
+    const TwerperArgument& a = row.arguments[i];
+    c.space();
+    const char* const at = c.at;
+    if (!c.number(out[i])) return false;
+    if (out[i] >= a.low && out[i] <= a.high && (!a.whole || out[i] == std::floor(out[i]))) continue;
+    if (t == Twerper::bezier && a.name[0] == 'x')
+      return c.fail(ErrorCode::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
+    return c.fail(ErrorCode::range,
+                  fmt::format("{} is {} from {} to {}", a.name, a.whole ? "a whole number" : "a number",
+                              write_number(a.low), write_number(a.high)),
+                  c.since(at));
+  }
+  c.space();
+  if (!row.words.empty()) {
+    double& which = out[row.arguments.size()] = 0;
+    if (const std::string_view w = c.peek_word(); !w.empty()) {
+      const auto known = std::find(row.words.begin(), row.words.end(), w);
+      if (known == row.words.end())
+        return c.fail(ErrorCode::syntax, fmt::format("'{}' is none of {}", w.substr(0, 40), fmt::join(row.words, ", ")),
+                      w);
+      which = static_cast<double>(known - row.words.begin());
+      c.word();
+    }
+  }
+  return c.close();
+}
+
+}  // namespace
+
 // A twerper's word and what stands in brackets behind it.
-bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>& bezier) {
+bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>& arguments) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();
   const auto found = find_twerper(w);
@@ -181,22 +228,7 @@ bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>
   if (!fits(out, to.type(), &why))
     return c.fail(ErrorCode::type, why, w,
                   to.type() == Type::text ? "letters turn into others by geometry: at 24f A.geometry shape(B) …" : "");
-  c.space();
-  const bool bracket = c.peek() == '(';
-  if (out == Twerper::bezier) {
-    const char* start = c.at;
-    if (!bracket)
-      return c.fail(ErrorCode::syntax, "bezier needs its two control points", w, "as in bezier(0.25 0.1 0.25 1)");
-    if (!c.open()) return false;
-    for (double& v : bezier)
-      if (!c.number(v)) return false;
-    if (!c.close()) return false;
-    if (bezier[0] < 0 || bezier[0] > 1 || bezier[2] < 0 || bezier[2] > 1)
-      return c.fail(ErrorCode::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
-  } else if (bracket) {
-    return c.fail_here(ErrorCode::syntax, fmt::format("'{}' takes nothing in brackets", w));
-  }
-  return true;
+  return twerper_arguments(c, out, w, arguments);
 }
 
 // = "…": a value that code computes.
@@ -278,11 +310,18 @@ bool way(Command& k, const Selected& to, Event& e) {
   while (!c.at_line_end()) {
     const char* start = c.at;
     const std::string_view w = c.peek_word();
-    if (w == "ease-in" || w == "ease-out") {
-      c.word();
-      if (!c.accept('='))
+    const bool ease = w == "ease-in" || w == "ease-out";  // with a length an option, without one a twerper
+    if (ease) {
+      c.word(), c.space();
+      if (starts_like_time(c.peek()))
         return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", w),
                            fmt::format("as in {}=4f", w));
+    }
+    if (ease && c.peek() != '=') c.at = start;
+    if (w == "ease" && c.at + w.size() < c.end && c.at[w.size()] == '=')
+      return c.fail(ErrorCode::name, "there is no option 'ease'", w,
+                    "behind an event's value, ease-in=4f slows down before it and ease-out=4f starts slowly behind it");
+    if (ease && c.accept('=')) {
       Time length;
       if (!c.length(length)) return false;
       if (length < Time{}) return c.fail(ErrorCode::range, "an ease cannot be shorter than nothing", c.since(start));
@@ -297,9 +336,9 @@ bool way(Command& k, const Selected& to, Event& e) {
     if (chosen)
       return c.fail_here(ErrorCode::syntax,
                          fmt::format("'{}' is not expected here: this event has its twerper", w.substr(0, 40)));
-    std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
-    if (!twerper(k, to, e.twerper, bezier)) return false;
-    if (e.twerper == Twerper::bezier) e.detail.edit().bezier = bezier;
+    std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};
+    if (!twerper(k, to, e.twerper, arguments)) return false;
+    if (takes_arguments(e.twerper)) e.detail.edit().arguments = arguments;
     chosen = true;
   }
   return !e.keep || chosen || c.fail_here(ErrorCode::syntax, "keep needs a twerper, as in keep linear");

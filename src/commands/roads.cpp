@@ -12,7 +12,8 @@ constexpr std::string_view to_reckon =
 constexpr std::string_view to_repeat =
     "extend ball.position cycle repeats a track, copy ball.position 1f..24f to 24f times 3 a part of it";
 constexpr std::string_view to_ease =
-    "behind an event's value, ease-in=4f slows down before it and ease-out=4f starts slowly behind it";
+    "behind a value stands how it goes on: at 12f ball.radius 2 ease-in-out, or sine-in, back-out, bounce-out; "
+    "ease-in=4f and ease-out=4f say how long it takes to arrive and to leave";
 constexpr std::string_view to_fade = "transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5";
 constexpr std::string_view to_blend =
     "a twerper says how a track goes on from an event to the next: at 12f ball.radius 2 linear";
@@ -42,9 +43,8 @@ constexpr Road all_roads[] = {
     {"cycle", to_repeat, "extend copy"},
     {"bounce", "extend ball.position bounce plays a track back and forth; at 12f fall ball lets it fall and bounce",
      "extend fall"},
-    {"ease", to_ease, "ease-in ease-out"},
-    {"easing", to_ease, "ease-in ease-out"},
-    {"ease-in-out", to_ease, "ease-in ease-out"},
+    {"easing", to_ease, "ease-in ease-out sine-in-out"},
+    {"steps-end", to_ease, "steps"},
     {"path", "a path is a track of positions: at 1f ball.position (0 0 0) smooth, and so on; smooth goes through all",
      "smooth bspline motion"},
     {"spline", "smooth goes through its events, bspline past them, hermite has tangents", "smooth bspline hermite"},

@@ -115,8 +115,8 @@ bool global_twerper(Command& k) {
   if (!targets(k, c.next_word(), to, Meant::any)) return false;
   if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
   Twerper chosen = Twerper::unset;
-  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};
-  if (!c.accept_word("none") && !(alike(k, to) && twerper(k, to, chosen, bezier))) return false;
+  std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};
+  if (!c.accept_word("none") && !(alike(k, to) && twerper(k, to, chosen, arguments))) return false;
   std::optional<bool> srgb;
   if (!c.at_line_end()) {
     const std::string_view key = c.peek_word();
@@ -134,7 +134,7 @@ bool global_twerper(Command& k) {
   for (const Target& t : to.targets)
     for (Track* track : edit_tracks(s, t)) {
       track->global = chosen;
-      track->bezier = bezier;
+      track->arguments = arguments;
       if (srgb) track->srgb = *srgb;
     }
   return true;

@@ -25,10 +25,6 @@ constexpr HelpEntry other_words[] = {
     {function, "touching", "The names of what it touches; it can be asked for, not set.", "", ""},
     {function, "in-view", "Whether any of it is in view; it can be asked for, not set.", "", ""},
 
-    {option, "ease-in", "How long before its event a value slows down.", "ease-in=LENGTH",
-     "at 12f ball.radius 2 ease-in=4f"},
-    {option, "ease-out", "How long behind its event a value takes to come to speed.", "ease-out=LENGTH",
-     "at 12f ball.radius 2 ease-out=4f"},
     {option, "cut", "A jump: the track comes to the first value and goes on from the second.", "VALUE cut VALUE",
      "at 12f ball.radius 2 cut 1"},
     {option, "keep", "The twerper changes, the value is what it would have been.", "keep TWERPER",

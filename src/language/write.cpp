@@ -8,6 +8,7 @@
 #include <set>
 
 #include "betwixt/language.h"
+#include "language/formula.h"
 #include "language/values.h"
 #include "scene/names.h"
 #include "scene/power.h"
@@ -46,9 +47,16 @@ struct Writer {
     const std::string f = format_time(t, s.rate);
     return f.back() == 'f' ? f : write_seconds(t);
   }
-  static std::string bezier(const std::array<double, 4>& b) {
-    return fmt::format("bezier({} {} {} {})", write_number(b[0]), write_number(b[1]), write_number(b[2]),
-                       write_number(b[3]));
+  // A twerper with what stands in brackets behind it.
+  std::string twerper(Twerper t, const std::array<double, 4>& arguments) const {
+    std::string text = twerper_name(s, t);
+    if (!takes_arguments(t)) return text;
+    const TwerperRow& row = row_of(t);
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < row.arguments.size(); ++i) all.push_back(write_number(arguments[i]));
+    if (!row.words.empty() && arguments[all.size()] > 0)
+      all.emplace_back(row.words[static_cast<std::size_t>(arguments[all.size()])]);
+    return fmt::format("{}({})", text, fmt::join(all, " "));
   }
 
   void row(const Event& e, const FunctionSpec& spec, int component) { row(e, spec, component, "", e.detail->ease_in); }
@@ -64,10 +72,7 @@ struct Writer {
       if (e.detail->before) out += value(*e.detail->before, spec, component) + " cut ";
       out += value(e.value, spec, component);
     }
-    if (e.twerper == Twerper::bezier)
-      out += " " + bezier(e.detail->bezier);
-    else if (e.twerper != Twerper::unset)
-      out += " " + twerper_name(s, e.twerper);
+    if (e.twerper != Twerper::unset) out += " " + twerper(e.twerper, e.detail->arguments);
     if (e.detail->tangent_in) out += " tangent-in=" + value(*e.detail->tangent_in, spec, component);
     if (e.detail->tangent_out) out += " tangent-out=" + value(*e.detail->tangent_out, spec, component);
     if (ease_in != Time{}) out += " ease-in=" + length(ease_in);
@@ -119,10 +124,7 @@ struct Writer {
   void manner(const Track& t, const Target& target) {
     const std::string name = document.name(target), layer = on(target.layer);
     if (t.global != Twerper::unset || t.srgb) {
-      out += layer + "twerper " + name + " " +
-             (t.global == Twerper::unset    ? "none"
-              : t.global == Twerper::bezier ? bezier(t.bezier)
-                                            : twerper_name(s, t.global));
+      out += layer + "twerper " + name + " " + (t.global == Twerper::unset ? "none" : twerper(t.global, t.arguments));
       out += t.srgb ? " in=srgb\n" : "\n";
     }
     if (t.before == t.after && t.before != Extrapolation::hold)

@@ -56,7 +56,7 @@ struct Cutter {
   std::vector<Piece> pieces() {
     add_primary({INT64_MIN}, primary);
     Track reign;
-    reign.global = velocity.global, reign.bezier = velocity.bezier;
+    reign.global = velocity.global, reign.arguments = velocity.arguments;
     const auto close = [&](std::optional<Time> release) {
       if (reign.events.empty()) return;
       reign.after = release ? Extrapolation::hold : velocity.after;
@@ -114,7 +114,7 @@ struct Cutter {
     e.time = release;
     e.value = there;
     e.twerper = last ? last->twerper : Twerper::unset;
-    if (last && last->twerper == Twerper::bezier) e.detail.edit().bezier = last->detail->bezier;
+    if (last && takes_arguments(last->twerper)) e.detail.edit().arguments = last->detail->arguments;
     if (const Event* own = rest.events.find(release); own && !own->keep) {  // the author says where to go on
       Event cut = *own;
       cut.detail.edit().before = there;

@@ -132,7 +132,7 @@ struct Worker {
                        (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
     if (alone && !last->keep) return event_value(last->value, part, t, t);
     Track few;
-    few.global = part.track.global, few.bezier = part.track.bezier, few.srgb = part.track.srgb;
+    few.global = part.track.global, few.arguments = part.track.arguments, few.srgb = part.track.srgb;
     for (const Event* e : near) {
       Event made = *e;
       made.value = event_value(e->value, part, t, e == last ? t : e->time);

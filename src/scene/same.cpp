@@ -45,7 +45,7 @@ struct Compare {
   bool events(const Event& x, const Event& y) const {
     return x.time == y.time && same_twerper(x.twerper, y.twerper) && x.keep == y.keep && x.release == y.release &&
            (x.keep || x.release || values(x.value, y.value)) && x.detail->ease_in == y.detail->ease_in &&
-           x.detail->ease_out == y.detail->ease_out && x.detail->bezier == y.detail->bezier &&
+           x.detail->ease_out == y.detail->ease_out && x.detail->arguments == y.detail->arguments &&
            maybe(x.detail->before, y.detail->before) && maybe(x.detail->tangent_in, y.detail->tangent_in) &&
            maybe(x.detail->tangent_out, y.detail->tangent_out);
   }
@@ -53,7 +53,7 @@ struct Compare {
     if (!same_twerper(x.global, y.global) || x.before != y.before || x.after != y.after || x.srgb != y.srgb ||
         x.events.size() != y.events.size())
       return false;
-    if (x.global == Twerper::bezier && x.bezier != y.bezier) return false;
+    if (takes_arguments(x.global) && x.arguments != y.arguments) return false;
     const auto p = x.events.between({INT64_MIN}, {INT64_MAX}), q = y.events.between({INT64_MIN}, {INT64_MAX});
     return std::equal(p.begin(), p.end(), q.begin(), q.end(),
                       [&](const Event& e, const Event& f) { return events(e, f); });

@@ -55,7 +55,7 @@ TrackView view_of(const Scene& s, const Target& t, const Track& track) {
                  {},
                  {},
                  said(s, track.global),
-                 track.bezier,
+                 track.arguments,
                  said(s, unsaid(t, spec_of(s, t.function).type, track)),
                  extrapolation(track.before),
                  extrapolation(track.after),
@@ -72,7 +72,7 @@ EventView view_of(const Scene& s, const Event& e) {
   if (view.what == EventView::What::value) view.value = &e.value;
   view.twerper = said(s, e.twerper);
   if (!e.detail) return view;
-  view.bezier = e.detail->bezier;
+  view.arguments = e.detail->arguments;
   view.ease_out = e.detail->ease_out, view.ease_in = e.detail->ease_in;
   view.before = maybe(e.detail->before);
   view.tangent_in = maybe(e.detail->tangent_in), view.tangent_out = maybe(e.detail->tangent_out);

@@ -127,12 +127,12 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     all.values.insert(all.values.end(), n.begin(), n.begin() + c.channels);
     const Twerper t = resolve(track, e, type, c.orientation);
     all.twerpers.push_back(static_cast<std::uint8_t>(t));
-    if (!e.detail && !(track.global == Twerper::bezier)) return;
+    if (!e.detail && !takes_arguments(track.global)) return;
     CurveDetail d;
     d.event = index;
     d.ease_in = static_cast<double>(e.detail->ease_in.flicks);
     d.ease_out = static_cast<double>(e.detail->ease_out.flicks);
-    d.bezier = track.global == Twerper::bezier ? track.bezier : e.detail->bezier;
+    d.arguments = takes_arguments(track.global) ? track.arguments : e.detail->arguments;
     if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
     const auto tangent = [&](const std::optional<Value>& said, bool& has, Numbers& rate) {
       if (!said || (c.orientation && !std::holds_alternative<Quat>(*said))) return;  // that of an angle among orientations
@@ -193,7 +193,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
 double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
   if (!is_own(t)) {
     const auto row = row_of(t).factor;
-    return row ? row(s, from ? from->bezier : std::array<double, 4>{0.25, 0.1, 0.25, 1}) : s;
+    return row ? row(s, from ? from->arguments : std::array<double, 4>{0.25, 0.1, 0.25, 1}) : s;
   }
   const auto i = static_cast<std::size_t>(t) - first_own_twerper;
   if (i >= own.size() || !own[i]) return s;

@@ -23,7 +23,7 @@ namespace betwixt {
 struct CurveDetail {
   std::uint32_t event = 0;           // index into the columns
   double ease_in = 0, ease_out = 0;  // flicks
-  std::array<double, 4> bezier{};
+  std::array<double, 4> arguments{};
   bool cut = false, has_in = false, has_out = false;
   std::array<double, 4> before{}, tangent_in{}, tangent_out{};
 };

@@ -48,7 +48,7 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
   const double shrink = std::max(1.0, out_part + in_part), eased_slope = 1 / (1 - (out_part + in_part) / shrink / 2);
   const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
   std::optional<double> rise = 1;
-  if (twerper == Twerper::bezier && !(rise = bezier_slope(from->bezier, after))) return;
+  if (twerper == Twerper::bezier && !(rise = bezier_slope(from->arguments, after))) return;
   if (row && !c.orientation && (row->cubics || !row->factor || twerper == Twerper::bezier)) {
     Cubic cubics[4];
     const Blend g = blend(c, k);

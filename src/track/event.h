@@ -18,14 +18,15 @@ namespace betwixt {
 enum class Twerper : std::uint8_t { unset, hold, linear, smooth, bspline, hermite, bezier, slerp, squad };
 
 // Above the built-in ones: the document's own, by their place among its procedures.
-inline constexpr std::uint8_t first_own_twerper = 16;
+inline constexpr std::uint8_t first_own_twerper = 56;
 constexpr bool is_own(Twerper t) { return static_cast<std::uint8_t>(t) >= first_own_twerper; }
 
 // What few events have.
 struct EventDetail {
   Time ease_in, ease_out;
   std::optional<Value> before;  // a cut: what the track comes to; the event's value is what it goes on from
-  std::array<double, 4> bezier{0.25, 0.1, 0.25, 1};  // x1 y1 x2 y2, as CSS counts them
+  std::array<double, 4> arguments{0.25, 0.1, 0.25,
+                                  1};  // what stands in brackets behind the twerper; of bezier x1 y1 x2 y2
   std::optional<Value> tangent_in, tangent_out;      // hermite: per second
   friend bool operator==(const EventDetail&, const EventDetail&) = default;
 };

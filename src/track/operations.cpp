@@ -199,13 +199,13 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
       if (seen && (after != e.value || corner)) before = e.value;
       e.value = std::move(after);
     }
-    if (e.detail || leader.detail || before || e.twerper == Twerper::bezier) {
+    std::array<double, 4> arguments = leader.detail->arguments;
+    if (i > 0) reverse(e.twerper, arguments);
+    if (e.detail || leader.detail || before || takes_arguments(e.twerper)) {
       EventDetail& d = e.detail.edit();
       std::swap(d.ease_in, d.ease_out);
       d.before = std::move(before);
-      d.bezier = leader.detail->bezier;
-      if (i > 0 && e.twerper == Twerper::bezier)
-        d.bezier = {1 - d.bezier[2], 1 - d.bezier[3], 1 - d.bezier[0], 1 - d.bezier[1]};
+      d.arguments = arguments;
       std::swap(d.tangent_in, d.tangent_out);
       for (auto* tangent : {&d.tangent_in, &d.tangent_out})
         if (*tangent) *tangent = steeper(**tangent, -1);

@@ -17,7 +17,7 @@ StepTrack::StepTrack(const Track& track, Type type) : before_(track.before), aft
     const std::size_t comes_to = values_.size() - (e.keep || (e.detail && e.detail->before) ? 1 : 0);
     if (!e.keep) values_.push_back(e.value);
     keys_.push_back({e.time, comes_to, values_.size() - 1, twerper, e.detail});
-    if (track.global == Twerper::bezier) keys_.back().detail.edit().bezier = track.bezier;
+    if (takes_arguments(track.global)) keys_.back().detail.edit().arguments = track.arguments;
   });
 }
 
@@ -36,7 +36,7 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
   if (next == keys_.end() || twerper == Twerper::hold) return {key.goes_on, key.goes_on, 0};
   const double h = static_cast<double>((next->time - key.time).flicks);
   CurveDetail from, to;
-  from.ease_out = static_cast<double>(key.detail->ease_out.flicks), from.bezier = key.detail->bezier;
+  from.ease_out = static_cast<double>(key.detail->ease_out.flicks), from.arguments = key.detail->arguments;
   to.ease_in = static_cast<double>(next->detail->ease_in.flicks);
   const double s = eased(static_cast<double>(t - key.time.flicks) / h, &from, &to, h);
   Between between{key.goes_on, next->comes_to, set.factor(twerper, s, &from)};

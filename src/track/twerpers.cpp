@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "betwixt/time.h"
+#include "track/easings.h"
 #include "track/turns.h"
 
 namespace betwixt {
@@ -27,6 +28,23 @@ void smooth_cubics(const Blend& g, Cubic* out) {
   for (std::uint32_t i = 0; i < g.channels; ++i) {
     const double a = g.left(i), b = g.from[i], e = g.to[i], d = g.right(i), chord = e - b;
     out[i] = hermite(b, e, ((b - a) * before + chord * h0) * w1, (chord * h2 + (d - e) * after) * w2);
+  }
+}
+
+// The harmonic mean of the slopes on both sides, weighted by their times; 0 where they differ in sign: it rises and
+// falls with the events (Fritsch and Butland 1984).
+void auto_cubics(const Blend& g, Cubic* out) {
+  const double h = g.length;
+  const auto tangent = [h](double a, double ha, double b, double hb) {
+    if (!(a * b > 0)) return 0.0;
+    const double p = a / ha, q = b / hb, w = 2 * hb + ha, v = hb + 2 * ha;
+    return (w + v) / (w / p + v / q) * h;
+  };
+  for (std::uint32_t i = 0; i < g.channels; ++i) {
+    const double chord = g.to[i] - g.from[i];
+    const double before = g.before ? g.from[i] - g.before[i] : chord, after = g.after ? g.after[i] - g.to[i] : chord;
+    out[i] = hermite(g.from[i], g.to[i], tangent(before, g.before ? g.length_before : h, chord, h),
+                     tangent(chord, h, after, g.after ? g.length_after : h));
   }
 }
 
@@ -90,7 +108,9 @@ Quat squad_turn(const Blend& g) {
 }
 
 // Numbers of the named ones are their places; new ones come last.
-constexpr TwerperRow twerper_rows[] = {
+constexpr TwerperArgument of_bezier[] = {
+    {"x1", 0, 1, false}, {"y1", -1e6, 1e6, false}, {"x2", 0, 1, false}, {"y2", -1e6, 1e6, false}};
+constexpr TwerperRow first_rows[] = {
     {.name = "unset"},
     {.name = "hold", .sentence = "Stays, then jumps at the next event.", .example = "at 12f ball.radius 2 hold"},
     {.name = "linear",
@@ -119,7 +139,8 @@ constexpr TwerperRow twerper_rows[] = {
      .sentence = "To the next event along a curve of speed.",
      .written = "bezier(x1 y1 x2 y2)",
      .example = "at 12f ball.radius 2 bezier(0.25 0.1 0.25 1)",
-     .factor = bezier_factor},
+     .factor = bezier_factor,
+     .arguments = of_bezier},
     {.name = "slerp",
      .sentence = "The shortest way between two orientations.",
      .example = "at 12f hand.rotation axis(0 1 0, 90deg) slerp",
@@ -129,7 +150,18 @@ constexpr TwerperRow twerper_rows[] = {
      .example = "at 12f hand.rotation axis(0 1 0, 90deg) squad",
      .turn = squad_turn,
      .for_numbers = Twerper::smooth},
+    {.name = "auto",
+     .sentence = "Smooth, and never beyond the values of its events.",
+     .example = "at 12f ball.radius 2 auto",
+     .cubics = auto_cubics,
+     .for_orientations = Twerper::squad},
 };
+constexpr auto twerper_rows = [] {
+  std::array<TwerperRow, std::size(first_rows) + std::size(easings::rows)> all;
+  std::copy(std::begin(first_rows), std::end(first_rows), all.begin());
+  std::copy(std::begin(easings::rows), std::end(easings::rows), all.begin() + std::size(first_rows));
+  return all;
+}();
 static_assert(std::size(twerper_rows) <= first_own_twerper, "the numbers above are the document's own");
 
 }  // namespace
@@ -143,6 +175,19 @@ std::optional<Twerper> find_twerper(std::string_view name) {
                                [&](const auto& row) { return row.name == name; });
   if (at == std::end(twerper_rows)) return std::nullopt;
   return static_cast<Twerper>(at - std::begin(twerper_rows));
+}
+
+void reverse(Twerper& t, std::array<double, 4>& a) {
+  if (is_own(t)) return;
+  const TwerperRow& row = row_of(t);
+  const auto as_bezier = [&](std::array<double, 4> b) {
+    t = Twerper::bezier;
+    a = {1 - b[2], 1 - b[3], 1 - b[0], 1 - b[1]};
+  };
+  if (const auto other = row.reversed.empty() ? std::nullopt : find_twerper(row.reversed)) t = *other;
+  if (t == Twerper::bezier) as_bezier(a);
+  if (row.name == "ease") as_bezier({0.25, 0.1, 0.25, 1});
+  if (row.name == "steps" && a[1] < 2) a[1] = 1 - a[1];  // what jumped at its end jumps at its start
 }
 
 double bezier_factor(double u, const std::array<double, 4>& xy) {

@@ -29,19 +29,30 @@ struct Blend {
   double right(std::uint32_t i) const { return after ? after[i] : 2 * to[i] - from[i]; }
 };
 
+// What stands in brackets behind a twerper.
+struct TwerperArgument {
+  std::string_view name;  // as in "NAME is from 1 to 9"
+  double low = 0, high = 0;
+  bool whole = false;
+};
+
 // A twerper's place among the rows is its number: the first are named in `Twerper`, any others by their rows only.
 struct TwerperRow {
   std::string_view name = {};
   std::string_view sentence = {}, written = {},
                    example = {};  // for help; `written`: where there is more to write than the name
-  // How far the blend between two values is at s; null: s itself. `bezier`: what the author said to a bezier.
-  double (*factor)(double s, const std::array<double, 4>& bezier) = nullptr;
+  // How far the blend between two values is at s; null: s itself.
+  double (*factor)(double s, const std::array<double, 4>& arguments) = nullptr;
   // Of a segment of numbers the cubic of s of each channel, and of one of orientations, where the two ends and a factor
   // are not all that counts.
   void (*cubics)(const Blend&, Cubic* out) = nullptr;
   Quat (*turn)(const Blend&) = nullptr;
   // The one that stands for it where orientations are blended, or numbers (then it turns orientations only); unset:
   // itself.
+  // All of its arguments are said, and one of the words may be; its place is the next argument.
+  std::span<const TwerperArgument> arguments = {};
+  std::span<const std::string_view> words = {};
+  std::string_view reversed = {};  // the one that goes the same way back; empty: see reverse()
   Twerper for_orientations = Twerper::unset, for_numbers = Twerper::unset;
 };
 
@@ -56,6 +67,10 @@ inline const std::vector<std::string_view> twerper_names = [] {
   for (const TwerperRow& row : twerpers()) names.push_back(row.name);
   return names;
 }();
+
+inline bool takes_arguments(Twerper t) { return !is_own(t) && !row_of(t).arguments.empty(); }
+// The twerper that goes the same way back.
+void reverse(Twerper&, std::array<double, 4>& arguments);
 
 double bezier_factor(double u, const std::array<double, 4>& xy);
 Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen

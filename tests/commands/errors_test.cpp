@@ -135,7 +135,7 @@ TEST(Errors, ValuesAndEvents) {
            {"at 5f rate 24", 7, "'rate' has no time: it holds for the whole film"},
            {"at 5f set", 10, "a target is missing here"},
            {"at 5f set ball", 11, "'ball' is not a target", "a target is an object and a function"},
-           {"at 5f ball.radius 1 ease=4f", 21, "there is no twerper 'ease'", "behind an event's value, ease-in=4f"},
+           {"at 5f ball.radius 1 ease=4f", 21, "there is no option 'ease'", "behind an event's value, ease-in=4f"},
            {"set ball.opacity 1", 10, "'ball', a sphere, has no function 'opacity'", "transparency goes the other way"},
            {"set ball.colour red", 10, "'ball', a sphere, has no function 'colour'", "did you mean 'color'?"},
            {"create b cube", 10, "there is no kind 'cube'", "box is one"},

@@ -53,7 +53,7 @@ TEST(Plugins, ScriptsDoNotLoadThem) {
   EXPECT_EQ(errors(l), std::vector<std::string>{
                            "1:1: 'load' is no word of a script: plug-ins are programs, which a script must not start"});
   EXPECT_EQ(l.diagnostics.at(0).what.hint, "who shows the film loads it: betwixt play --load PLUGIN FILE");
-  EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 elastic\n").diagnostics.at(0).what.hint,
+  EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 swirly\n").diagnostics.at(0).what.hint,
             "where it is a plug-in's: --load PLUGIN");
 }
 

@@ -67,7 +67,7 @@ struct Lister {
                                                  : value(*e.value));
     if (!e.twerper.empty()) out << ' ' << e.twerper;
     if (e.twerper == "bezier")
-      for (const double x : e.bezier) out << ' ' << x;
+      for (const double x : e.arguments) out << ' ' << x;
     if (e.ease_out != Time{}) out << " out " << e.ease_out.seconds();
     if (e.ease_in != Time{}) out << " in " << e.ease_in.seconds();
     if (e.tangent_in) out << " arrives " << value(*e.tangent_in);

@@ -77,7 +77,7 @@ TEST(Session, CompletesWhatCanFollow) {
            {"set ball.position.", {"ball.position.velocity", "ball.position.x", "ball.position.y", "ball.position.z"}},
            {"eval ball.wor", {"ball.world"}},
            {"set ball.wor", {}},
-           {"at 5f ball.radius 2 ease", {"ease-in=", "ease-out="}},
+           {"at 5f ball.radius 2 ease", {"ease", "ease-in", "ease-in-out", "ease-in=", "ease-out", "ease-out="}},
            {"at 5f ball.color red sl", {}},
            {"at 5f ball.position (1 2 3) ben", {}},
            {"at 5f ball.position (1 2 3) sm", {"smooth"}},

@@ -141,7 +141,7 @@ TEST(Curve, BezierIsSolvedForTime) {
     }
   }
   Event e = event(0, 10.0, Twerper::bezier);
-  e.detail.edit().bezier = {0.42, 0, 0.58, 1};
+  e.detail.edit().arguments = {0.42, 0, 0.58, 1};
   EXPECT_NEAR(value(track({e, event(2, 20.0)}), 1), 15, 1e-12);  // symmetrical
   EXPECT_EQ(bezier_factor(0, {1, 1, 0, 0}), 0);
   EXPECT_EQ(bezier_factor(1, {1, 1, 0, 0}), 1);
@@ -380,8 +380,8 @@ TEST(Twerpers, TheGlobalOneAlwaysWins) {
   EXPECT_NEAR(value(t, 0.5), 0.5, 1e-12);
   EXPECT_NEAR(value(t, 1.5), 4.5, 1e-12);
   t.global = Twerper::bezier;
-  t.bezier = {0.5, 0, 0.5, 0};
-  EXPECT_NEAR(value(t, 0.5), bezier_factor(0.5, t.bezier), 1e-12);
+  t.arguments = {0.5, 0, 0.5, 0};
+  EXPECT_NEAR(value(t, 0.5), bezier_factor(0.5, t.arguments), 1e-12);
   std::string why;
   EXPECT_FALSE(fits(Twerper::slerp, Type::vector, &why));
   EXPECT_EQ(why, "'slerp' turns orientations; this is a vector");

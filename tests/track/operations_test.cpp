@@ -141,7 +141,7 @@ TEST(Reverse, RunsEveryTwerperTheSameWayBack) {
   }
   // All at once: eases, a bezier of its own, tangents, cuts, holds, changes of twerper.
   Event a = shaped(event(0, 1.0, linear), 0, 0.3), b = shaped(event(1, 4.0, bezier), 0.2, 0.1);
-  b.detail.edit().bezier = {0.9, 0.1, 0.7, 0.3};
+  b.detail.edit().arguments = {0.9, 0.1, 0.7, 0.3};
   Event c = event(2, 0.0, hermite);
   c.detail.edit().tangent_in = Value(3.0), c.detail.edit().tangent_out = Value(-5.0);
   Event d = event(3, 2.0, smooth);
