@@ -170,7 +170,7 @@ bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, std::array<d
   if (c.peek() != '(')
     return c.fail(ErrorCode::syntax,
                   t == Twerper::bezier ? "bezier needs its two control points"
-                                       : fmt::format("{} needs {} in brackets", name, row.arguments[0].name),
+                                       : fmt::format("{} needs in brackets {}", name, row.arguments[0].name),
                   name, fmt::format("as in {}", row.example.substr(row.example.rfind(' ', row.example.find('(')) + 1)));
   if (!c.open()) return false;
   for (std::size_t i = 0; i < row.arguments.size(); ++i) {
