@@ -5,45 +5,111 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
+#include "base/names.h"
 #include "commands/command.h"
+#include "program/compiled.h"
 #include "track/curve.h"
 #include "track/operations.h"
 
 namespace betwixt {
 namespace {
 
+// When whose turn comes: so many times the length.
+struct Turns {
+  std::string_view from = "first";
+  std::int64_t seed = -1;
+  double metres = 0;  // by place: the length for so many
+  Vec3 point;
+};
+
+bool turns_from(Command& k, Turns& out) {
+  Cursor& c = k.cursor;
+  const char* const start = (c.space(), c.at);
+  static constexpr std::string_view orders[] = {"first", "last", "centre", "edges", "random"};
+  if (out.metres == 0) {
+    const std::string_view w = c.next_word();
+    const auto known = std::find(std::begin(orders), std::end(orders), w);
+    if (known == std::end(orders)) {
+      const std::string near = did_you_mean(w, {std::begin(orders), std::end(orders)});
+      return c.fail(ErrorCode::syntax, "the turns begin from first, last, centre, edges or random N",
+                    w.empty() ? c.since(start) : w, near.empty() ? "from a place: by 2f per 1m from (0 0 0)" : near);
+    }
+    out.from = *known;
+    long seed = -1;
+    if (out.from == "random" && !c.whole_number(0, 1'000'000'000, "the seed of random", seed)) return false;
+    out.seed = seed;
+    return true;
+  }
+  if (c.peek() == '(') return values(k).vector(3, out.point, Unit::metres);
+  ObjectId id;
+  if (!values(k).object(id)) return false;
+  const Program program = Program::compile(Document(std::make_shared<const Scene>(k.scene)));
+  out.point = program.kinematics(id, Time{}).position;
+  return true;
+}
+
+std::vector<double> turns_of(const Command& k, const std::vector<ObjectId>& objects, const Turns& how) {
+  std::vector<double> turn(objects.size());
+  const double last = static_cast<double>(objects.size()) - 1;
+  if (how.metres > 0) {
+    const Program program = Program::compile(Document(std::make_shared<const Scene>(k.scene)));
+    for (std::size_t i = 0; i < turn.size(); ++i)
+      turn[i] = length(program.kinematics(objects[i], Time{}).position - how.point) / how.metres;
+    return turn;
+  }
+  for (std::size_t i = 0; i < turn.size(); ++i) {
+    const double n = static_cast<double>(i), off = std::abs(n - last / 2);
+    turn[i] = how.from == "last" ? last - n : how.from == "centre" ? off : how.from == "edges" ? last / 2 - off : n;
+  }
+  if (how.seed >= 0) {  // Fisher and Yates, by a generator that is the same everywhere
+    std::mt19937_64 random(static_cast<std::uint64_t>(how.seed));
+    for (std::size_t i = turn.size(); i > 1; --i) std::swap(turn[i - 1], turn[random() % i]);
+  }
+  return turn;
+}
+
 bool stagger(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Selected on;
   Time by;
-  long seed = -1;
+  Turns how;
   const std::string_view word = c.next_word();
   if (!targets(k, word, on, Meant::any)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
-  if (c.accept_word("random") && !c.whole_number(0, 1'000'000'000, "the seed of random", seed)) return false;
-  if (on.targets.size() > 1 && std::abs(by.seconds()) * static_cast<double>(on.targets.size()) > longest_seconds)
-    return c.fail(ErrorCode::range, "the events would end up more than 146 years away", word);
+  if (c.accept_word("per")) {
+    c.space();
+    const char* const start = c.at;
+    if (!values(k).scalar(how.metres, Unit::metres)) return false;
+    if (!(how.metres > 0)) return c.fail(ErrorCode::range, "so many metres are more than 0", c.since(start));
+    if (!c.accept_word("from"))
+      return c.fail_here(ErrorCode::syntax, "'from' and a point or an object are missing here",
+                         "as in by 2f per 1m from (0 0 0)");
+    if (!turns_from(k, how)) return false;
+  } else if (c.accept_word("from")) {
+    if (!turns_from(k, how)) return false;
+  } else if (c.peek_word() == "random" && !turns_from(k, how)) {
+    return false;
+  }
+  if (!finish(c)) return false;
   std::vector<ObjectId> objects;  // all that one does is its turn
   for (const Target& t : on.targets)
     if (objects.empty() || objects.back() != t.object) objects.push_back(t.object);
-  std::vector<std::int64_t> turn(objects.size());
-  for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = static_cast<std::int64_t>(i);
-  if (seed >= 0) {  // Fisher and Yates, by a generator that is the same everywhere
-    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-    for (std::size_t i = turn.size(); i > 1; --i) std::swap(turn[i - 1], turn[random() % i]);
-  }
+  const std::vector<double> turn = turns_of(k, objects, how);
+  for (const double t : turn)
+    if (!(std::abs(by.seconds()) * t <= longest_seconds))
+      return c.fail(ErrorCode::range, "the events would end up more than 146 years away", word);
   const Segment all{{INT64_MIN}, {INT64_MAX}};
-  if (!finish(c)) return false;
   const Scene before = s;
   std::size_t whose = 0;
   for (std::size_t i = 0; i < on.targets.size(); ++i) {
     if (on.targets[i].object != objects[whose]) ++whose;
     if (!before.objects[on.targets[i].object.index].find(on.targets[i].function, on.targets[i].layer)) continue;
     for (Track* t : edit_tracks(s, on.targets[i])) {
-      const auto done = move_segment(*t, all, {by.flicks * turn[whose]});
+      const auto done = move_segment(*t, all, {std::llround(static_cast<double>(by.flicks) * turn[whose])});
       if (done) continue;
       s = before;
       return c.fail(done.error().code, done.error().message, word);
@@ -91,8 +157,12 @@ bool spread(Command& k) {
 }
 
 constexpr Verb groups_rows[] = {
-    {"stagger", "stagger TARGETS by LENGTH [random N]", "Makes many objects do the same one after another.",
-     "stagger wheel*.position by 6f", Verb::layered, stagger},
+    {"stagger",
+     "stagger TARGETS by LENGTH [from first|last|centre|edges|random N], or by LENGTH per METRES from POINT|NAME",
+     "Makes many objects do the same one after another.",
+     "stagger wheel*.position by 6f\nstagger wheel*.rotation by 2f from centre\nstagger wheel*.color by 1f per 1m from "
+     "(0 0 0)",
+     Verb::layered, stagger},
     {"spread", "spread TARGETS from VALUE to VALUE", "Lays values evenly from one object to the last.",
      "spread wheel*.position from (0 0 0) to (9 0 0)", Verb::layered, spread},
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Commands that work on many objects at once.
+#include "betwixt/track.h"
 #include "commands/tracks.h"
 
 namespace betwixt {
@@ -27,6 +28,42 @@ TEST(Groups, StaggerAndSpread) {
     orderly += i == 1 + static_cast<int>(r.numbers(fmt::format("b{}.radius", i), "12f")[0] == 2);
   }
   EXPECT_EQ(sum, 20 + 11);
+}
+
+// The frames at which five boxes begin.
+std::vector<double> begins(const std::string& how) {
+  const LoadedFilm s(
+      "rate 24\ncreate b{1..5} box position=(i*2 0 0)\ncreate post group position=(4 0 0)\nb*.scale\n  1f (1 1 "
+      "1)\nstagger b*.scale by " +
+      how + "\n");
+  std::vector<double> out;
+  for (int i = 1; i <= 5; ++i)
+    out.push_back(events(s.loaded.document, (*find_targets(fmt::format("b{}.scale", i), s.loaded.document))[0])[0]
+                          .time.seconds() *
+                      24 +
+                  1);
+  return out;
+}
+
+TEST(Stagger, FromWhereTheTurnsBegin) {
+  using Frames = std::vector<double>;
+  EXPECT_EQ(begins("2f"), (Frames{1, 3, 5, 7, 9}));
+  EXPECT_EQ(begins("2f from first"), (Frames{1, 3, 5, 7, 9}));
+  EXPECT_EQ(begins("2f from last"), (Frames{9, 7, 5, 3, 1}));
+  EXPECT_EQ(begins("2f from centre"), (Frames{5, 3, 1, 3, 5}));
+  EXPECT_EQ(begins("2f from edges"), (Frames{1, 3, 5, 3, 1}));
+  EXPECT_EQ(begins("2f from random 7"), begins("2f random 7"));
+  EXPECT_EQ(begins("3f per 1m from (4 0 0)"), (Frames{7, 1, 7, 13, 19}));
+  EXPECT_EQ(begins("3f per 100cm from post"), (Frames{7, 1, 7, 13, 19}));
+  const std::string two = "create a{1..3} box\na*.scale\n  1f (1 1 1)\n";
+  EXPECT_EQ(first_error(two + "stagger a*.scale by 2f from midle\n"),
+            "4:29: the turns begin from first, last, centre, edges or random N");
+  EXPECT_EQ(first_error(two + "stagger a*.scale by 2f per 0m from (0 0 0)\n"), "4:28: so many metres are more than 0");
+  EXPECT_EQ(first_error(two + "stagger a*.scale by 2f per 1m\n"),
+            "4:30: 'from' and a point or an object are missing here");
+  EXPECT_EQ(first_error(two + "stagger a*.scale by 2f per 1m from nobody\n"), "4:36: there is no object 'nobody'");
+  EXPECT_EQ(first_error(two + "stagger a*.scale by 1000000s per 1e-9m from (1 0 0)\n"),
+            "4:9: the events would end up more than 146 years away");
 }
 
 }  // namespace

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where things go by what they measure: in a row, a column, a grid, a circle, or one next to another.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "exchange/geometry.h"
+#include "program/compiled.h"
+#include "scene/extent.h"
+
+namespace betwixt {
+namespace {
+
+constexpr double far_away = 1e9;
+
+// What a thing measures in the world, with all that hangs on it.
+struct Measured {
+  ObjectId id;
+  Vec3 low, high;
+  Mat4 to_world;  // of what its position says
+  Vec3 position;  // that
+  bool any = false;
+  Vec3 middle() const { return 0.5 * (low + high); }
+  Vec3 size() const { return high - low; }
+};
+
+// The corners of what is drawn; texts by their letters.
+void take_in(Measured& m, const Item& item) {
+  Extent e = extent(*item.shape);
+  if (item.shape->kind == Kind::text) {
+    const Geometry g = realise(*item.shape);
+    const Box box = g.mesh->box();
+    e.low = transform_point(g.local, box.low), e.high = transform_point(g.local, box.high);
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at = transform_point(item.world, {(corner & 1 ? e.high : e.low).x, (corner & 2 ? e.high : e.low).y,
+                                                 (corner & 4 ? e.high : e.low).z});
+    for (int i = 0; i < 3; ++i) {
+      m.low[i] = m.any ? std::min(m.low[i], at[i]) : at[i];
+      m.high[i] = m.any ? std::max(m.high[i], at[i]) : at[i];
+    }
+    m.any = true;
+  }
+}
+
+// What an object is held by at a time; none: nothing.
+ObjectId held_by(const Scene& s, ObjectId id, Time t) {
+  ObjectId by;
+  for (const AttachmentSpan& a : attachments(s.objects[id.index]))
+    if (a.from <= t) by = a.to.kind >= AttachmentKind::hang ? a.to.parent : ObjectId{};
+  return by;
+}
+
+std::vector<Measured> measured(const Scene& s, const std::vector<ObjectId>& objects, Time t) {
+  const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
+  std::vector<Measured> all(objects.size());
+  std::vector<std::int32_t> whose(s.objects.size(), -1);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Kinematics k = program.kinematics(objects[i], t);
+    all[i] = {objects[i],
+              k.position,
+              k.position,
+              k.to_world,
+              std::get<Vec3>(program.read(Target{objects[i], fn::position}, t)),
+              false};
+    whose[objects[i].index] = static_cast<std::int32_t>(i);
+  }
+  for (const Item& item : program.frame(t).items) {
+    ObjectId at = item.id;
+    for (std::size_t up = 0; at && up < 1000 && whose[at.index] < 0; ++up) at = held_by(s, at, t);
+    if (at && whose[at.index] >= 0) take_in(all[static_cast<std::size_t>(whose[at.index])], item);
+  }
+  return all;
+}
+
+// Moves it by that much in the world: what is set, or an event at the command's time.
+bool move_to(Command& k, const Measured& m, Vec3 by, std::string_view about) {
+  const std::optional<Mat4> inward = inverse(m.to_world);
+  const Vec3 to = inward ? m.position + transform_vector(*inward, by) : Vec3{NAN, 0, 0};
+  if (!(length(to) < far_away))
+    return k.cursor.fail(ErrorCode::range,
+                         fmt::format("{} cannot be moved there: what holds it is flat, or it is too far",
+                                     k.scene.objects[m.id.index].name),
+                         about);
+  const Target t{m.id, fn::position};
+  if (!k.time) return set_value(k.scene, t, to), true;
+  Event e;
+  e.time = *k.time;
+  e.value = to;
+  put_event(k.scene, t, std::move(e));
+  return true;
+}
+
+struct Layout {
+  std::string_view in;
+  long columns = 0;
+  double gap = 0.2, radius = 0;
+  Vec3 centre;
+};
+
+// One behind the other along an axis, their middles on a line; downwards, where the axis is y.
+std::vector<Vec3> in_line(const std::vector<Measured>& all, const Layout& how, int axis) {
+  double whole = -how.gap;
+  for (const Measured& m : all) whole += m.size()[axis] + how.gap;
+  const double way = axis == 1 ? -1 : 1;
+  double at = how.centre[axis] - way * whole / 2;
+  std::vector<Vec3> out;
+  for (const Measured& m : all) {
+    Vec3 middle = how.centre;
+    middle[axis] = at + way * m.size()[axis] / 2;
+    at += way * (m.size()[axis] + how.gap);
+    out.push_back(middle);
+  }
+  return out;
+}
+
+// Cells as large as the largest; the first row is the top one.
+std::vector<Vec3> in_grid(const std::vector<Measured>& all, const Layout& how) {
+  const std::size_t columns = how.columns > 0
+                                  ? static_cast<std::size_t>(how.columns)
+                                  : static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(all.size()))));
+  const std::size_t rows = (all.size() + columns - 1) / columns;
+  double wide = 0, high = 0;
+  for (const Measured& m : all) wide = std::max(wide, m.size().x), high = std::max(high, m.size().y);
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double column = static_cast<double>(i % columns) - static_cast<double>(std::min(columns, all.size()) - 1) / 2;
+    const double row = static_cast<double>(i / columns) - static_cast<double>(rows - 1) / 2;
+    out.push_back(how.centre + Vec3{column * (wide + how.gap), -row * (high + how.gap), 0});
+  }
+  return out;
+}
+
+// The first one at the top, then clockwise. Without a radius they have their gaps on the chord.
+std::vector<Vec3> in_circle(const std::vector<Measured>& all, const Layout& how) {
+  double largest = 0;
+  for (const Measured& m : all) largest = std::max({largest, m.size().x, m.size().y});
+  const double n = static_cast<double>(all.size()), chord = largest + how.gap;
+  const double radius = how.radius > 0 ? how.radius : all.size() < 2 ? 0 : chord / (2 * std::sin(pi / n));
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double angle = 2 * pi * static_cast<double>(i) / n;
+    out.push_back(how.centre + Vec3{radius * std::sin(angle), radius * std::cos(angle), 0});
+  }
+  return out;
+}
+
+bool unknown_key(Cursor& c, std::string_view key, const char* start, std::string_view what, const char* known) {
+  return c.fail(ErrorCode::name, fmt::format("{} has no '{}'", what, key.empty() ? std::string_view(start, 1) : key),
+                key.empty() ? c.since(start) : key, known);
+}
+bool equals(Cursor& c, std::string_view key) {
+  return c.accept('=') || c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+}
+
+bool arrange(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  std::vector<ObjectId> things;
+  if (!objects(k, word, things)) return false;
+  if (!c.accept_word("in"))
+    return c.fail_here(ErrorCode::syntax, "'in' is missing here", "arrange b* in row, column, grid or circle");
+  static constexpr std::string_view ways[] = {"row", "column", "grid", "circle"};
+  Layout how;
+  how.in = c.next_word();
+  if (std::find(std::begin(ways), std::end(ways), how.in) == std::end(ways)) {
+    const std::string near = did_you_mean(how.in, {std::begin(ways), std::end(ways)});
+    return c.fail(ErrorCode::syntax, "things are arranged in a row, column, grid or circle",
+                  how.in.empty() ? std::string_view(c.at, 0) : how.in, near);
+  }
+  while (!c.at_line_end()) {
+    const char* const start = c.at;
+    const std::string_view key = c.word();
+    if (key != "gap" && key != "centre" && !(key == "columns" && how.in == "grid") &&
+        !(key == "radius" && how.in == "circle"))
+      return unknown_key(c, key, start, fmt::format("arrange … in {}", how.in),
+                         "gap= centre=, columns= of a grid, radius= of a circle");
+    if (!equals(c, key)) return false;
+    if (key == "columns" && !c.whole_number(1, 1'000'000, "columns", how.columns)) return false;
+    if (key == "centre" && !values(k).vector(3, how.centre, Unit::metres)) return false;
+    if (key == "gap" && !values(k).scalar(how.gap, Unit::metres)) return false;
+    if (key == "radius" && !values(k).scalar(how.radius, Unit::metres)) return false;
+    if (key == "radius" && !(how.radius > 0))
+      return c.fail(ErrorCode::range, "the radius is more than 0", c.since(start));
+  }
+  if (things.empty()) return true;
+  const std::vector<Measured> all = measured(s, things, time.value_or(Time{}));
+  const std::vector<Vec3> to = how.in == "row"      ? in_line(all, how, 0)
+                               : how.in == "column" ? in_line(all, how, 1)
+                               : how.in == "grid"   ? in_grid(all, how)
+                                                    : in_circle(all, how);
+  Rollback rollback(s);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!move_to(k, all[i], to[i] - all[i].middle(), word)) return false;
+  rollback.keep();
+  return true;
+}
+
+// An edge or the middle, along an axis.
+struct Side {
+  std::string_view word;
+  int axis, towards;  // -1: the low edge, 1: the high one, 0: the middle
+};
+constexpr Side sides[] = {{"left", 0, -1}, {"right", 0, 1}, {"bottom", 1, -1}, {"top", 1, 1},
+                          {"back", 2, -1}, {"front", 2, 1}, {"centre", 0, 0}};
+bool read_side(Command& k, const char* what, bool centre, Side& out) {
+  const std::string_view w = k.cursor.next_word();
+  std::vector<std::string_view> words;
+  for (const Side& side : sides) {
+    if (side.towards == 0 && !centre) continue;
+    if (side.word == w) return out = side, true;
+    words.push_back(side.word);
+  }
+  return k.cursor.fail(ErrorCode::syntax, fmt::format("{} is {}", what, fmt::join(words, ", ")),
+                       w.empty() ? std::string_view(k.cursor.at, 0) : w, did_you_mean(w, words));
+}
+
+bool place(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  std::vector<ObjectId> things;
+  ObjectId other;
+  if (!objects(k, word, things)) return false;
+  if (!c.accept_word("next-to"))
+    return c.fail_here(ErrorCode::syntax, "'next-to' is missing here", "as in place b next-to a side=right");
+  if (!values(k).object(other)) return false;
+  Side side = sides[1], align{"centre", 0, 0};
+  double gap = 0.2;
+  while (!c.at_line_end()) {
+    const char* const start = c.at;
+    const std::string_view key = c.word();
+    if (key != "side" && key != "gap" && key != "align")
+      return unknown_key(c, key, start, "place … next-to", "side= gap= align=");
+    if (!equals(c, key)) return false;
+    if (key == "side" && !read_side(k, "a side", false, side)) return false;
+    if (key == "gap" && !values(k).scalar(gap, Unit::metres)) return false;
+    if (key == "align" && !read_side(k, "align", true, align)) return false;
+  }
+  if (align.towards != 0 && align.axis == side.axis)
+    return c.fail(ErrorCode::syntax,
+                  fmt::format("what stands at the {} cannot be aligned to the {}", side.word, align.word), word);
+  if (!placed(s.objects[other.index].kind))
+    return c.fail(ErrorCode::type, fmt::format("nothing stands next to {}", a_kind(s.objects[other.index].kind)), word);
+  // One after another: each next to the one before.
+  std::vector<ObjectId> all{other};
+  for (const ObjectId id : things)
+    if (id != other) all.push_back(id);
+  const std::vector<Measured> m = measured(s, all, time.value_or(Time{}));
+  Vec3 low = m[0].low, high = m[0].high;
+  Rollback rollback(s);
+  for (std::size_t i = 1; i < m.size(); ++i) {
+    Vec3 by = 0.5 * (low + high) - m[i].middle();
+    by[side.axis] =
+        side.towards > 0 ? high[side.axis] + gap - m[i].low[side.axis] : low[side.axis] - gap - m[i].high[side.axis];
+    if (align.towards != 0)
+      by[align.axis] =
+          align.towards > 0 ? high[align.axis] - m[i].high[align.axis] : low[align.axis] - m[i].low[align.axis];
+    if (!move_to(k, m[i], by, word)) return false;
+    low = m[i].low + by, high = m[i].high + by;
+  }
+  rollback.keep();
+  return true;
+}
+
+constexpr Verb arranging_rows[] = {
+    {"arrange", "arrange A in row|column|grid|circle [columns=N] [gap=L] [radius=L] [centre=(X Y Z)]",
+     "Lays things out side by side, by what they measure.", "arrange wheel* in row gap=0.5", Verb::timed, arrange},
+    {"place", "place A next-to B [side=left|right|top|bottom|front|back] [gap=L] [align=top|…]",
+     "Puts things beside another, by what they measure.", "place ball next-to hand side=top gap=0", Verb::timed, place},
+};
+
+}  // namespace
+
+std::span<const Verb> arranging_verbs() { return arranging_rows; }
+
+}  // namespace betwixt

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where things go by what they measure, worked out by hand.
+#include <cmath>
+
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+TEST(Arranging, RowsAndColumnsByWhatThingsMeasure) {
+  // Widths 2, 4, 1 with gaps of 0.5: 8 in all, from -4 on.
+  const std::string things = "create a box size=(2 2 2)\ncreate b sphere radius=2\ncreate c box size=(1 3 1)\n";
+  const LoadedFilm row(things + "arrange {a,b,c} in row gap=50cm\n");
+  expect_numbers(row, "a.position", "1f", {-3, 0, 0}, 1e-12);
+  expect_numbers(row, "b.position", "1f", {0.5, 0, 0}, 1e-12);
+  expect_numbers(row, "c.position", "1f", {3.5, 0, 0}, 1e-12);
+  // Heights 2, 4, 3, downwards: 10 in all.
+  const LoadedFilm column(things + "arrange {a,b,c} in column gap=0.5 centre=(1 2 3)\n");
+  expect_numbers(column, "a.position", "1f", {1, 6, 3}, 1e-12);
+  expect_numbers(column, "b.position", "1f", {1, 2.5, 3}, 1e-12);
+  expect_numbers(column, "c.position", "1f", {1, -1.5, 3}, 1e-12);
+}
+
+TEST(Arranging, GridsAndCircles) {
+  const LoadedFilm grid("create b{1..5} box size=(i 1 1)\narrange b* in grid columns=3 gap=1\n");
+  expect_numbers(grid, "b1.position", "1f", {-6, 1, 0}, 1e-12);  // cells of 5 by 1, and gaps
+  expect_numbers(grid, "b3.position", "1f", {6, 1, 0}, 1e-12);
+  expect_numbers(grid, "b5.position", "1f", {0, -1, 0}, 1e-12);
+  const LoadedFilm circle("create b{1..8} box size=(1 1 1)\narrange b* in circle radius=3 centre=(0 1 0)\n");
+  for (int i = 0; i < 8; ++i)
+    expect_numbers(circle, fmt::format("b{}.position", i + 1), "1f",
+                   {3 * std::sin(i * pi / 4), 1 + 3 * std::cos(i * pi / 4), 0}, 1e-12);
+  const LoadedFilm tight(
+      "create b{1..6} sphere radius=0.5\narrange b* in circle gap=0\n");  // a hexagon of touching balls
+  expect_numbers(tight, "b1.position", "1f", {0, 1, 0}, 1e-12);
+}
+
+TEST(Arranging, WhatHangsOnThemCountsAndWhatHoldsThemIsHeeded) {
+  const LoadedFilm s(
+      "create room group position=(10 0 0) rotation=euler(0 0 90deg) scale=(2 2 2)\ncreate room/a box\n"
+      "create room/b group position=(5 5 5)\ncreate room/b/arm box size=(1 1 1) position=(3 0 0)\n"
+      "arrange room/{a,b} in row gap=0\n");
+  const auto at = [&](const char* name) {
+    return translation_of(*std::get<Matrix>(s.read(std::string(name) + ".world", "1f")));
+  };
+  // Both are 2 wide in the world; the arm is what is seen of b.
+  EXPECT_NEAR(at("room/a").x, -1, 1e-12);
+  EXPECT_NEAR(at("room/b/arm").x, 1, 1e-12);
+  EXPECT_NEAR(at("room/a").y, 0, 1e-12);
+  EXPECT_NEAR(at("room/b/arm").y, 0, 1e-12);
+}
+
+TEST(Arranging, BehindATimeTheyAreEvents) {
+  const LoadedFilm s("rate 24\ncreate b{1..2} box\nb*.position\n  1f (0 5 0) linear\nat 25f arrange b* in row gap=1\n");
+  expect_numbers(s, "b1.position", "1f", {0, 5, 0}, 0), expect_numbers(s, "b1.position", "13f", {-0.5, 2.5, 0}, 1e-12);
+  expect_numbers(s, "b2.position", "25f", {1, 0, 0}, 1e-12);
+}
+
+TEST(Arranging, NextToAnother) {
+  const std::string two = "create a box size=(2 4 2) position=(1 1 1)\ncreate b sphere radius=0.5\ncreate c box\n";
+  const auto b = [&](const std::string& how, std::vector<double> want) {
+    const LoadedFilm s(two + "place b next-to a " + how + "\n");
+    expect_numbers(s, "b.position", "1f", want, 1e-12);
+  };
+  b("", {2.7, 1, 1}), b("side=left gap=0", {-0.5, 1, 1}), b("side=top gap=1 align=left", {0.5, 4.5, 1});
+  b("side=right align=top gap=0", {2.5, 2.5, 1}), b("side=front gap=0", {1, 1, 2.5}),
+      b("side=back gap=0 align=bottom", {1, -0.5, -0.5});
+  const LoadedFilm line(two + "place {b,c} next-to a gap=0\n");
+  expect_numbers(line, "b.position", "1f", {2.5, 1, 1}, 1e-12),
+      expect_numbers(line, "c.position", "1f", {3.5, 1, 1}, 1e-12);
+}
+
+TEST(Arranging, ErrorsByTheirPlace) {
+  const std::string two = "create a box\ncreate b box\nlayer up add\n";
+  const std::pair<const char*, const char*> table[] = {
+      {"arrange", "4:8: the name of an object is missing here"},
+      {"arrange zz in row", "4:9: there is no object 'zz'"},
+      {"arrange a", "4:10: 'in' is missing here"},
+      {"arrange a in", "4:13: things are arranged in a row, column, grid or circle"},
+      {"arrange a in rwo", "4:14: things are arranged in a row, column, grid or circle"},
+      {"arrange a in row columns=2", "4:18: arrange … in row has no 'columns'"},
+      {"arrange a in row gap", "4:21: '=' is missing behind gap"},
+      {"arrange a in row gap=2deg", "4:22: 'deg' is not a unit of length"},
+      {"arrange a in grid columns=0", "4:27: columns is a whole number from 1 to 1000000"},
+      {"arrange a in circle radius=-1", "4:21: the radius is more than 0"},
+      {"place a", "4:8: 'next-to' is missing here"},
+      {"place a next-to zz", "4:17: there is no object 'zz'"},
+      {"place a next-to up", "4:7: nothing stands next to a layer"},
+      {"place a next-to b side=centre", "4:24: a side is left, right, bottom, top, back, front"},
+      {"place a next-to b side=left align=right", "4:7: what stands at the left cannot be aligned to the right"},
+      {"place a next-to b size=2", "4:19: place … next-to has no 'size'"}};
+  for (const auto& [line, words] : table) EXPECT_EQ(first_error(two + line + "\n"), words) << line;
+  EXPECT_EQ(first_error(two + "arrange nothing* in row\n"), "");
+}
+
+}  // namespace
+}  // namespace betwixt
