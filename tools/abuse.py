@@ -2,28 +2,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """See abuse.sh."""
 
+import collections
+import json
+import math
 import os
 import random
 import signal
-import socket
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
 
-from betwixt_client import Server
+from abuse_cases import CASES, FOR_THE_CLOCK, SCRIPT, Visits, lay_out
+from betwixt_client import Gone, Refused, Server
 
-SCRIPT = """rate 60
-ticks 60
-create ball sphere
-set ball.environments (spin)
-animate spin every 1t by rotate(3deg, z)
-"""
-HALVES = [b"create half sph", b"bundle\nremove ball\n", b"set ball.position (1 2", b'note """', b"ball.position\n  1f (",
-          b"(" * 1000, b"token x\n", b"at 9999999999999t halt spin", b"\n" * 1000, b"\x00\xff\xfe\n"]
-MOST_GROWTH = 0.5  # MiB a minute; the well-behaved host's own commands, one a second, take a tenth of it
-MINE = "good"  # what the well-behaved host's objects are called; the others know none of these
+QUIET = 20  # seconds before the abuse, to compare with
+CLOCK_TIME = 3  # seconds in which the clock has something that takes long
+MOST_GROWTH = 0.5  # MiB a minute; the well-behaved host's own commands take a tenth of it
+MOST_WAIT = 0.1  # seconds for an answer …
+MOST_NOISE = 20  # … or so many times the slowest one while nobody else was there: other machines have other clocks
 
 
 def memory(pid):
@@ -39,19 +37,14 @@ def growth(rests):
     return statistics.median(slopes) if len(settled) >= 4 else None
 
 
-def connect(where):
-    c = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-    c.settimeout(5)
-    c.connect(where)
-    return c
-
-
 def in_a_child(what):
-    """Runs `what` in a process of its own and gives its number."""
+    """Runs `what` in a process of its own and gives its number. It is as if it were another machine: what it takes of this
+    one's processors it takes after all others."""
     child = os.fork()
     if child:
         return child
     try:
+        os.nice(19)
         what()
     except OSError:
         pass
@@ -59,52 +52,12 @@ def in_a_child(what):
         os._exit(0)
 
 
-def garbage(where):
-    c = connect(where)
-    for _ in range(random.randrange(1, 40)):
-        c.sendall(random.randbytes(random.randrange(1, 65536)))
-
-
-def half(where):
-    c = connect(where)
-    c.sendall(random.choice(HALVES))
-
-
-def flood(where):
-    c = connect(where)
-    while True:
-        c.sendall(b"bundle\ncreate {a,b,c} sphere\nremove ball\nremo")
-
-
-def long_line(where):
-    c = connect(where)
-    for _ in range(1024):
-        c.sendall(b"x" * 2**20)
-    c.sendall(b"\ntime\n")
-    c.recv(1000)
-
-
-def crowd(where):
-    all_of_them = []
-    for _ in range(1000):
-        all_of_them.append(connect(where))
-    for c in all_of_them:
-        c.sendall(b"time\nhelp\n")
-    time.sleep(1)
-
-
-def deaf(where):
-    c = connect(where)
-    while True:
-        c.sendall(b"help\n" * 100)
-
-
-def abuse(where, until):
+def abuse(visits, until):
     random.seed()
     while time.monotonic() < until:
-        what = random.choice([garbage, garbage, half, half, half, flood, deaf, crowd, long_line])
-        child = in_a_child(lambda: what(where))
-        wait = time.monotonic() + random.choice([0.01, 0.1, 1, 10 if what is long_line else 2])
+        name = random.choice(CASES)
+        child = in_a_child(getattr(visits, name))
+        wait = time.monotonic() + random.choice([0.01, 0.1, 1, 10 if name in ("long_line", "heavy_line") else 2])
         while time.monotonic() < wait and os.waitpid(child, os.WNOHANG)[0] == 0:
             time.sleep(0.005)
         try:  # in the middle of whatever it does
@@ -114,74 +67,181 @@ def abuse(where, until):
             pass
 
 
+def share(sorted_times, part):
+    return 1000 * sorted_times[min(len(sorted_times) - 1, int(part * len(sorted_times)))]
+
+
+class Well:
+    """The well-behaved host: what it asks, how long it waits, and whether it is right."""
+
+    def __init__(self, port, token):
+        self.host = Server(f"127.0.0.1:{port}", token, timeout=60)
+        self.frames = Server(f"127.0.0.1:{port}", token, timeout=60)
+        self.waits = collections.defaultdict(list)
+        self.wrong, self.seen, self.said, self.frame = 0, 0, 0, None
+        self.events = self.frames.subscribe("frames", wait=60)
+
+    def timed(self, phase, what):
+        begun = time.monotonic()
+        out = what()
+        self.waits[phase].append(time.monotonic() - begun)
+        return out
+
+    def mistake(self, what):
+        self.wrong += 1
+        if self.wrong < 10:
+            print(f"WRONG: {what}", flush=True)
+
+    def ask(self, phase):
+        self.said += 1
+        value = 1 + self.said % 7
+        self.timed(phase, lambda: self.host.do(f"set good.radius {value}"))
+        tick = random.randrange(10_000)
+        asked = self.timed(phase, lambda: self.host.eval("good.radius", "good.world", at=f"{tick}t"))
+        turn = math.radians(3 * (tick + 1))
+        if asked["good.radius"] != value or abs(asked["good.world"][4] - math.sin(turn)) > 1e-9:
+            self.mistake(f"at {tick}t {asked}")
+
+    def look(self):
+        """The next frame. Honest ones: numbers go up by what has gone by, and the time is that of the number."""
+        event = next(self.events)
+        if event["event"] != "frame":
+            return
+        if self.frame and event["frame"] <= self.frame:
+            self.mistake(f"{event} after {self.frame}")
+        if abs(event["seconds"] - (event["frame"] - 1) / 60) > 1e-9:
+            self.mistake(event)
+        self.frame = event["frame"]
+        self.seen += 1
+
+    def go_on(self, phase, until):
+        while time.monotonic() < until:
+            for _ in range(6):
+                self.look()
+            self.ask(phase)
+
+    def report(self, phase):
+        times = sorted(self.waits[phase])
+        if not times:
+            return 0
+        print(f"{phase:28} {len(times)} answers: p50 {share(times, 0.5):.1f} ms, p99 {share(times, 0.99):.1f} ms, "
+              f"slowest {1000 * times[-1]:.1f} ms")
+        return times[-1]
+
+
+def frames(before, after):
+    return {k: after[k] - before[k] for k in ("frames_due", "frames_made", "frames_missed")}
+
+
+def told(part):
+    return f"{part['frames_due']} frames due, {part['frames_made']} made, {part['frames_missed']} missed"
+
+
+def begin(program, folder):
+    lay_out(folder)
+    script = os.path.join(folder, "film.bx")
+    with open(script, "w") as f:
+        f.write(SCRIPT)
+    server = subprocess.Popen([program, "serve", script, "--tcp", "127.0.0.1:0", "--hosts", "1100",
+                               "--checkpoint", "1000000"], stderr=subprocess.PIPE, text=True)
+    token = server.stderr.readline().split()[1]
+    said = server.stderr.readline().strip()
+    port = int(said.split(";")[0].rpartition(":")[2])
+    print(said)
+    server.stderr.close()  # nobody reads what it says any more
+    return server, port, token
+
+
+def names_given(folder):
+    """How many numbers were given twice."""
+    try:
+        with open(os.path.join(folder, "names")) as f:
+            first = [json.loads(line)["first"] for line in f if line.endswith("}\n")]
+    except OSError:
+        return 0, 0
+    return len(first), len(first) - len(set(first))
+
+
 def main():
     program, minutes = sys.argv[1], float(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
-        where, script = os.path.join(folder, "s"), os.path.join(folder, "film.bx")
-        with open(script, "w") as f:
-            f.write(SCRIPT)
-        server = subprocess.Popen([program, "serve", script, "--socket", where, "--hosts", "1100"],
-                                  stderr=subprocess.PIPE, text=True)
-        print(server.stderr.readline().strip())
-        drain = in_a_child(lambda: [None for _ in server.stderr])
-        good = Server(where, timeout=60)
-        good.do("create good sphere")
-        first, before = good.stats(), memory(server.pid)
-        print(f"memory {before:.1f} MiB at the start")
-        over = time.monotonic() + 60 * minutes
-
-        def round_of_abuse():
-            until = min(time.monotonic() + 60, over)
-            return until, [in_a_child(lambda: abuse(where, until)) for _ in range(3)]
-
-        until, abusers = round_of_abuse()
-        largest, slowest, wrong, seen, rests = before, 0.0, 0, 0, []
-        events = good.subscribe("frames", wait=30)
-        frame = None
-        for event in events:
-            if event["event"] != "frame":
-                continue
-            # Honest frames: numbers go up by what has gone by, and the value is that of the time.
-            if frame and event["frame"] <= frame:
-                wrong += 1
-            wrong += abs(event["seconds"] - (event["frame"] - 1) / 60) > 1e-9
-            frame = event["frame"]
-            seen += 1
-            if seen % 60 == 0:
-                begun = time.monotonic()
-                good.do(f"set good.radius {1 + seen % 7}")
-                value = good.eval("good.radius")["good.radius"]
-                slowest = max(slowest, time.monotonic() - begun)
-                wrong += value != 1 + seen % 7
-                largest = max(largest, memory(server.pid))
-                if time.monotonic() < until:
-                    continue
-                for child in abusers:
-                    os.waitpid(child, 0)
-                time.sleep(2)
-                rests.append(memory(server.pid))
-                print(f"memory {rests[-1]:.1f} MiB after minute {len(rests)}", flush=True)
-                if time.monotonic() > over:
-                    break
-                until, abusers = round_of_abuse()
-        good.do("unsubscribe")
-        last, after, grows = good.stats(), memory(server.pid), growth(rests)
-        good.close()
-        server.terminate()
-        code = server.wait()
-        os.kill(drain, signal.SIGKILL)
-        os.waitpid(drain, 0)
-        lines, refused = last["lines"] - first["lines"], last["refused"] - first["refused"]
-        print(f"{minutes:g} minutes, {last['bytes'] / 2**20:.0f} MiB in whole lines, {lines} lines, {refused} refused")
-        print(f"frames due {last['frames_due'] - first['frames_due']}, made {last['frames_made'] - first['frames_made']}, "
-              f"missed {last['frames_missed'] - first['frames_missed']}; late p50 {last['late_p50_us']} us, "
-              f"p99 {last['late_p99_us']} us, max {last['late_max_us']} us ({last['class']})")
-        print(f"the well-behaved host: {seen} frames, {wrong} of them wrong; slowest answer {1000 * slowest:.1f} ms")
-        print(f"memory {before:.1f} MiB before, {largest:.1f} at most, {after:.1f} after; "
-              f"{last['hosts']} host left; the server ended with {code}")
-        print("too short to tell whether memory grows: six minutes are enough" if grows is None else
-              f"memory grows by {grows:.2f} MiB a minute; {MOST_GROWTH} are allowed")
-        sys.exit(wrong > 0 or code != 0 or last["hosts"] != 1 or (grows or 0) > MOST_GROWTH)
+        server, port, token = begin(program, folder)
+        try:
+            return watch(server, Well(port, token), Visits(port, token, folder), minutes)
+        except (Gone, Refused, StopIteration) as why:
+            time.sleep(1)
+            print(f"the well-behaved host was let down: {why!r}; the server {ended(server.poll())}")
+            return 1
+        finally:
+            if server.poll() is None:
+                server.kill()
 
 
-main()
+def ended(code):
+    return "goes on" if code is None else f"has ended with {code}"
+
+
+def watch(server, good, visits, minutes):
+    good.go_on("alone", time.monotonic() + QUIET)
+    first, before = good.host.stats(), memory(server.pid)
+    print(f"alone, {QUIET} s: {told(frames({k: 0 for k in first}, first))}; late p50 {first['late_p50_us']} us, "
+          f"p99 {first['late_p99_us']} us, max {first['late_max_us']} us", flush=True)
+    over, rests, clock = time.monotonic() + 60 * minutes, [], collections.Counter()
+    heavy = list(FOR_THE_CLOCK.items())
+    while time.monotonic() < over:
+        until = min(time.monotonic() + 60, over)
+        abusers = [in_a_child(lambda: abuse(visits, until)) for _ in range(3)]
+        good.go_on("among others", until - 2 * CLOCK_TIME)
+        what, (lines, back) = heavy[len(rests) % len(heavy)]
+        start = good.host.stats()
+        for line in lines:
+            good.timed("when frames take long", lambda: good.host.do(line))
+        good.go_on("when frames take long", time.monotonic() + CLOCK_TIME)
+        for line in back:
+            good.timed("when frames take long", lambda: good.host.do(line))
+        part = frames(start, good.host.stats())
+        clock.update(part)
+        print(f"minute {len(rests) + 1}: {what}: {told(part)}", flush=True)
+        good.go_on("among others", until)
+        for child in abusers:
+            os.waitpid(child, 0)
+        good.go_on("at rest", time.monotonic() + 2)
+        rests.append(memory(server.pid))
+        print(f"memory {rests[-1]:.1f} MiB after minute {len(rests)}", flush=True)
+    return verdict(server, good, visits.folder, minutes, first, clock, before, rests)
+
+
+def verdict(server, good, folder, minutes, first, clock, before, rests):
+    good.frames.close()
+    time.sleep(1)
+    last = good.host.stats()
+    lines, refused = last["lines"] - first["lines"], last["refused"] - first["refused"]
+    print(f"{minutes:g} minutes, {last['bytes'] / 2**20:.0f} MiB in whole lines, {lines} lines, {refused} refused")
+    of_all = collections.Counter(frames(first, last))
+    of_all.subtract(clock)
+    print(f"among others {told(of_all)}; late p50 {last['late_p50_us']} us, p99 {last['late_p99_us']} us, "
+          f"max {last['late_max_us']} us ({last['class']})")
+    alone = good.report("alone")
+    slowest = max(good.report(phase) for phase in ("among others", "when frames take long", "at rest"))
+    given, twice = names_given(folder)
+    print(f"{given} times names were given, {twice} of them twice; "
+          f"files that should not be read: {'SOME WERE' if os.path.exists(os.path.join(folder, 'wrong')) else 'none was'}")
+    after, grows = memory(server.pid), growth(rests)
+    good.host.close()
+    stopped = time.monotonic()
+    server.terminate()
+    code = server.wait()
+    stopped = time.monotonic() - stopped
+    print(f"the well-behaved host: {good.seen} frames and {good.said} questions, {good.wrong} of them wrong")
+    print(f"memory {before:.1f} MiB before, {max(rests):.1f} at most, {after:.1f} after; {last['hosts']} host left; "
+          f"the server ended with {code}, in {stopped:.2f} s")
+    print("too short to tell whether memory grows: six minutes are enough" if grows is None else
+          f"memory grows by {grows:.2f} MiB a minute; {MOST_GROWTH} are allowed")
+    bound = max(MOST_WAIT, MOST_NOISE * alone)
+    print(f"slowest answer {1000 * slowest:.1f} ms; {1000 * bound:.0f} are allowed")
+    return int(good.wrong > 0 or code != 0 or last["hosts"] != 1 or (grows or 0) > MOST_GROWTH or slowest > bound or
+               twice > 0 or os.path.exists(os.path.join(folder, "wrong")) or stopped > 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

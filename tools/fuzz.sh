@@ -2,30 +2,73 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# fuzz.sh SECONDS [JOBS]: looks for texts that crash the language. What is found lies in build/fuzz/found; what was learnt
-# is kept in build/fuzz/corpus, so that the next run goes on from there.
+# Looks for texts that break what reads them.
+#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, language, protocol
+#   tools/fuzz.sh keep [TARGET…]             what was learnt becomes the corpus in tests/fuzz/corpus
+# It begins with that corpus, the examples and the tests' scripts. What is found lies in build/fuzz/found, what was said in
+# build/fuzz/TARGET.log; what was learnt is kept in build/fuzz/corpus, so that the next run goes on from there.
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/tools/setup.sh"
+keep=
+if [ "${1-}" = keep ]; then keep=1 && set -- 0 1 "${@:2}"; fi
 seconds=${1:-60} jobs=${2:-1}
+targets=("${@:3}")
+[ ${#targets[@]} != 0 ] || targets=(motion language protocol)
 need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/test-packages.txt"
-build fuzz fuzz_language
+build fuzz "${targets[@]/#/fuzz_}"
 
 folder=$root/build/fuzz
-mkdir -p "$folder/corpus" "$folder/found" "$folder/seeds"
-# Seeds: the examples, and every script that the tests hold.
-find "$root/examples" "$root/tests" -name '*.bx' -size -32k -exec cp -f {} "$folder/seeds/" \;
 cd "$folder" || die "there is no $folder"
-several=()
-[ "$jobs" = 1 ] || several=(-fork="$jobs")
-LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0 \
-  "$folder/bin/fuzz_language" corpus seeds -dict="$root/tests/fuzz/language.dict" -artifact_prefix=found/ \
-    -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=3000 "${several[@]}" >fuzz.log 2>&1
-status=$?
-runs=$(grep -aoE '^#[0-9]+' fuzz.log | tail -n 1 | tr -d '#')
-if [ "$status" = 0 ]; then
-  echo "${runs:-0} texts in $seconds s without a crash"
-else
-  grep -aE 'ERROR|SUMMARY|does not hold|runtime error|#[0-9]+ .*betwixt' fuzz.log | head -n 20
-  echo "a failure after ${runs:-0} texts: the text is in $folder/found, what was said in $folder/fuzz.log"
-fi
-exit "$status"
+mkdir -p found
+# Leaks are looked for at the end: after each execution that would take more than all the rest. Texts are short, as most
+# of what is to be found lies in few lines.
+declare -A longest=([motion]=400 [language]=2048 [protocol]=1024)
+options=(-dict="$root/tests/fuzz/language.dict" -artifact_prefix=found/ -detect_leaks=0 -entropic=0 -timeout=120
+  -rss_limit_mb=3000)
+export LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0
+
+# seeds TARGET: everything it begins with, in seeds/TARGET.
+seeds() {
+  rm -rf "seeds/$1"
+  mkdir -p "seeds/$1" "corpus/$1"
+  python3 "$root/tests/fuzz/corpus.py" unpack "$root/tests/fuzz/corpus/$1.txt" "seeds/$1" || die "the corpus cannot be read"
+  [ "$1" = motion ] || find "$root/examples" "$root/tests" -name '*.bx' -size -32k -exec cp -f {} "seeds/$1/" \;
+}
+
+# fuzz TARGET SECONDS
+fuzz() {
+  local several=() status runs
+  [ "$jobs" = 1 ] || several=(-fork="$jobs")
+  seeds "$1"
+  bin/fuzz_"$1" "corpus/$1" "seeds/$1" "${options[@]}" -max_len="${longest[$1]}" -max_total_time="$2" "${several[@]}" \
+    >"$1.log" 2>&1
+  status=$?
+  runs=$(grep -aoE '^#[0-9]+' "$1.log" | tail -n 1 | tr -d '#')
+  if [ "$status" = 0 ]; then
+    echo "$1: ${runs:-0} texts without a failure"
+  else
+    grep -aE 'ERROR|SUMMARY|does not hold|runtime error|#[0-9]+ .*betwixt' "$1.log" | head -n 20
+    echo "$1: a failure after ${runs:-0} texts: the text is in $folder/found, what was said in $folder/$1.log"
+  fi
+  return "$status"
+}
+
+# What is not needed to come wherever the corpus comes is left out.
+merge() {
+  seeds "$1"
+  rm -rf "kept/$1"
+  mkdir -p "kept/$1"
+  bin/fuzz_"$1" -merge=1 "${options[@]}" -max_len="${longest[$1]}" "kept/$1" "seeds/$1" "corpus/$1" >"$1.log" 2>&1 ||
+    die "the corpus cannot be merged (build/fuzz/$1.log)"
+  python3 "$root/tests/fuzz/corpus.py" pack "kept/$1" "$root/tests/fuzz/corpus/$1.txt"
+}
+
+failed=0
+for target in "${targets[@]}"; do
+  if [ -n "$keep" ]; then
+    merge "$target"
+  else
+    fuzz "$target" $(((seconds + ${#targets[@]} - 1) / ${#targets[@]})) || failed=1
+  fi
+done
+exit "$failed"

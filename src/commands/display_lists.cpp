@@ -22,12 +22,12 @@ bool list_name(Command& k, std::string_view& word) {
   word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of a display list is missing here");
   if (time ? list_at(s, word, *time) != nullptr : !versions(s, word).empty()) return true;
+  const std::string_view before(script.verb, static_cast<std::size_t>(word.data() - script.verb));
   if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
-    return c.fail(ErrorCode::name,
-                  fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)), word,
-                  std::string_view(script.verb).starts_with("delete")
-                      ? fmt::format("remove {} takes the object out", word)
-                      : "display lists are made by make NAME; objects are there without being started");
+    return c.fail(
+        ErrorCode::name, fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)), word,
+        before.starts_with("delete") ? fmt::format("remove {} takes the object out", word)
+                                     : "display lists are made by make NAME; objects are there without being started");
   return c.fail(ErrorCode::name,
                 fmt::format("there is no display list '{}'{}", word.substr(0, 60),
                             versions(s, word).empty() ? "" : " at that time"),

@@ -27,12 +27,8 @@ struct Writer {
   }
   std::string value(const Value& v, const FunctionSpec& spec, int component) const {
     const bool turns = row_of(spec.type).changes == Changes::by_turning;
-    if (const auto* m = std::get_if<Moves>(&v)) {  // a centre that is gone is the origin, as it is in the film
-      Motion motion = **m;
-      for (Factor& f : motion.factors)
-        if (!f.about.empty() && !s.names.find(f.about)) f.about.clear();
-      return write_value(Moves(std::move(motion)), spec, component, {});
-    }
+    if (const auto* m = std::get_if<Moves>(&v))
+      return write_value(Moves(about_what_is_there(s, **m)), spec, component, {});
     if (const auto* p = std::get_if<Vec3>(&v); p && turns && component < 0)  // a turning speed
       return "spin" + value(Angles{*p}, spec, -1).substr(5);
     return write_value(v, spec, component, [this](ObjectId id) { return name_of(id); });
@@ -307,9 +303,9 @@ struct Writer {
   void late(std::uint32_t i, const Slot& slot) {
     const FunctionSpec& spec = spec_of(s, slot.function);
     if (const auto* a = std::get_if<Attachment>(&*slot.set)) {
-      if (a->kind < AttachmentKind::hang || !find_object(s, a->parent)) return;
+      if (a->kind >= AttachmentKind::hang && !find_object(s, a->parent)) return;
       const std::string what = value(*slot.set, spec, -1);  // "couple to hand"
-      const auto space = what.find(' ');
+      const auto space = std::min(what.find(' '), what.size());  // none: nothing holds it, and that was said
       out += what.substr(0, space) + " " + s.objects[i].name + what.substr(space) + "\n";
       return;
     }

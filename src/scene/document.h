@@ -208,5 +208,7 @@ void set_value(Scene&, const Target&, const Value&);
 
 // Same content: names, values, tracks, everything the author can see; not how it came to be.
 bool same(const Scene&, const Scene&);
+// A centre that is gone is the origin, in the film, in what is written and in what is compared.
+Motion about_what_is_there(const Scene&, Motion);
 
 }  // namespace betwixt

@@ -34,6 +34,8 @@ struct Compare {
     const auto *p = std::get_if<ObjectId>(&x), *q = std::get_if<ObjectId>(&y);
     const auto *a1 = std::get_if<Attachment>(&x), *a2 = std::get_if<Attachment>(&y);
     if (a1 && a2) return a1->kind == a2->kind && ra(a1->parent) == rb(a2->parent) && a1->keep_world == a2->keep_world;
+    const auto *m1 = std::get_if<Moves>(&x), *m2 = std::get_if<Moves>(&y);
+    if (m1 && m2 && !(x == y)) return about_what_is_there(a, **m1) == about_what_is_there(b, **m2);
     return p && q ? ra(*p) == rb(*q) : x == y;
   }
   bool maybe(const std::optional<Value>& x, const std::optional<Value>& y) const {
@@ -113,6 +115,12 @@ struct Compare {
 };
 
 }  // namespace
+
+Motion about_what_is_there(const Scene& s, Motion m) {
+  for (Factor& f : m.factors)
+    if (!f.about.empty() && !s.names.find(f.about)) f.about.clear();
+  return m;
+}
 
 bool same(const Scene& a, const Scene& b) { return Compare{a, b}.all(); }
 

@@ -130,6 +130,20 @@ TEST(Reader, AbsurdTextsAreRefusedSoon) {
   EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::minutes(1)) << "not a measure, only a bound";
 }
 
+// A text need not end with a zero, nor a command with a line. (The address sanitizer sees where one was looked for.)
+TEST(Reader, WhatStandsBehindATextIsNotRead) {
+  const std::string text =
+      "create o sphere\nanimate spin every 1t by rotate(1deg, y)\nmake l\n  point (0 0)\nstart l\nat 2f delete l\n"
+      "set o.environments (spin)\nat 9f note \"x\"\no.radius\n  1f 2 linear\nset o.radius = \"t\"\nstart o";
+  for (std::size_t n = 0; n <= text.size(); ++n) {
+    const std::vector<char> exactly(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n));
+    load_text({exactly.data(), n}, "test.bx");
+  }
+  const std::vector<char> exactly(text.begin(), text.end());
+  EXPECT_EQ(errors(load_text({exactly.data(), exactly.size()}, "test.bx")),
+            std::vector<std::string>{"12:7: 'o' is a sphere, not a display list"});
+}
+
 TEST(Reader, NothingIsFine) {
   for (const char* text :
        {"", "\n", "\n\n  \n", "# only a comment", "#", "#!/usr/bin/betwixt play\nrate 24", "\xEF\xBB\xBF"}) {

@@ -271,6 +271,22 @@ void try_text(const std::string& text) {
   p.frame(from), p.frame(to);
 }
 
+// What was said and holds no more: an object that hung on nothing is let go, and a motion goes about what is not there.
+TEST(Documents, AreWrittenWholeWhereNothingIsHeldOrAnythingIsGone) {
+  const std::string drawn = "make star\n  point (0 0)\nstart star\ncreate a sphere\n";
+  for (const std::string& text : {std::string("create cat sphere\ndetach cat\n"),
+                                  std::string("create car group\ncreate cat sphere\ncouple cat to car\nletgo cat\n"),
+                                  std::string("create car group\ncreate cat sphere\ncouple cat to car\ndetach cat\n"),
+                                  drawn + "a.motion\n  1f..25f R(90deg @ star/point-1)\ndelete star\n"}) {
+    const Loaded loaded = load_text(text, "");
+    ASSERT_FALSE(has_errors(loaded.diagnostics)) << text;
+    const std::string written = write(loaded.document);
+    const Loaded again = load_text(written, "");
+    EXPECT_FALSE(has_errors(again.diagnostics)) << written;
+    EXPECT_TRUE(again.document == loaded.document) << text << "\n" << written;
+  }
+}
+
 TEST(AnyText, RandomBytesDoNotCrash) {
   EXPECT_TRUE(rc::check([] { try_text(*rc::gen::arbitrary<std::string>()); }));
 }

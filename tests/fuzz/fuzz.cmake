@@ -1,5 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-add_executable(fuzz_language tests/fuzz/language.cpp)
-target_link_libraries(fuzz_language PRIVATE betwixt_commands)
-target_link_options(fuzz_language PRIVATE -fsanitize=fuzzer)
+#
+# A target takes the rooms that it feeds and no more: what is linked is looked through after every execution.
+function(fuzz_target name room)
+  add_executable(fuzz_${name} tests/fuzz/${name}.cpp)
+  target_link_libraries(fuzz_${name} PRIVATE betwixt_${room})
+  target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+endfunction()
+fuzz_target(motion algebra)
+fuzz_target(language commands)
+fuzz_target(protocol server)

@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+"""A server that runs for months, in minutes: it carries out commands as fast as it can, then is killed and begins again.
+
+    tools/marathon.py PROGRAM [COMMANDS] [SECONDS]
+
+Ten million commands if not said, or as many as fit into the seconds. They come in bundles of a hundred, some of them on the
+way at once, and are about a thousand objects: values, events that replace others, environments, undo. Says as it goes how much
+memory the server takes and how long its log is; at last how long it takes to begin again, and whether what is there is
+what was answered. Ends with an exit code: 1 where it is not, or where memory or log go on growing.
+"""
+
+import json
+import os
+import random
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+OBJECTS = 1000
+BUNDLE = 100  # commands
+AHEAD = 20  # bundles that are on the way
+REPORTS = 20
+LOG = 64 << 20  # a checkpoint comes every 16 MiB, and what is said while it is made stands behind it
+
+
+def memory(pid):
+    with open(f"/proc/{pid}/status") as f:
+        return int(re.search(r"VmRSS:\s+(\d+)", f.read()).group(1)) / 1024
+
+
+def begin(program):
+    begun = time.monotonic()
+    server = subprocess.Popen([program, "serve", "--socket", "s", "--save", "live.bx", "--class", "ordinary"],
+                              stderr=subprocess.PIPE, text=True)
+    for line in server.stderr:
+        if line.startswith("serving at"):
+            return server, time.monotonic() - begun
+    raise RuntimeError("the server did not begin")
+
+
+class Host:
+    def __init__(self):
+        self.wire = socket.socket(socket.AF_UNIX)
+        self.wire.settimeout(300)
+        self.wire.connect("s")
+        self.answers = self.wire.makefile("rb")
+
+    def send(self, lines):
+        self.wire.sendall(("\n".join(lines) + "\n").encode())
+
+    def answer(self):
+        return json.loads(self.answers.readline())
+
+    def ask(self, line):
+        self.send([line])
+        return self.answer()
+
+
+class Film:
+    """What hosts say, and what is there then."""
+
+    def __init__(self):
+        self.rng = random.Random(13)
+        self.radius = {}
+
+    def bundle(self):
+        lines = ["bundle"]
+        for _ in range(BUNDLE):
+            k = self.rng.randrange(OBJECTS)
+            what = self.rng.randrange(20)
+            if what < 14:
+                value = self.rng.randrange(1, 1000)
+                self.radius[k] = value
+                lines.append(f"set o{k}.radius {value}")
+            elif what < 16:
+                lines.append(f"set o{k}.color #{self.rng.randrange(1 << 24):06x}")
+            elif what < 18:
+                lines.append(f"at {self.rng.randrange(1, 100)}f o{k}.position.x {self.rng.randrange(100)}")
+            elif what < 19:
+                lines.append(f"set o{k}.environments (e{self.rng.randrange(10)})")
+            else:
+                lines.append(f"hide o{k}" if self.rng.randrange(2) else f"show o{k}")
+        return [*lines, "end"]
+
+
+def log_size():
+    return sum(os.path.getsize(name) for name in (".live.bx.journal", "live.bx") if os.path.exists(name))
+
+
+def run(program, commands, seconds):
+    server, _ = begin(program)
+    host, film = Host(), Film()
+    host.send([f"create o{{0..{OBJECTS - 1}}} sphere"])
+    host.send([f"animate e{k} every 1t by rotate({k + 1}deg, y)" for k in range(10)])
+    assert all(host.answer()["ok"] for _ in range(11))
+    begun = time.monotonic()
+    done, ahead, refused, longest = 0, 0, 0, 0
+    reports, sizes, logs = 0, [], []
+    print(f"{'commands':>10} {'seconds':>8} {'a second':>9} {'memory MiB':>11} {'log MiB':>8} {'script MiB':>11}")
+    while done < commands and time.monotonic() - begun < seconds:
+        while ahead < AHEAD:
+            host.send(film.bundle())
+            ahead += 1
+        answer = host.answer()
+        ahead -= 1
+        done += BUNDLE
+        if not answer["ok"]:
+            refused += 1
+            print(f"refused: {answer['error']}")
+            if refused > 5:
+                break
+        part = max(done / commands, (time.monotonic() - begun) / seconds)
+        if done % 10000 == 0:
+            longest = max(longest, log_size())
+        if part * REPORTS >= reports + 1:
+            reports += 1
+            sizes.append(memory(server.pid))
+            logs.append(log_size())
+            gone = time.monotonic() - begun
+            print(f"{done:>10} {gone:8.1f} {done / gone:9.0f} {sizes[-1]:11.1f} {logs[-1] / 2**20:8.1f} "
+                  f"{os.path.getsize('live.bx') / 2**20:11.2f}", flush=True)
+    while ahead > 0:
+        refused += not host.answer()["ok"]
+        ahead, done = ahead - 1, done + BUNDLE
+    gone = time.monotonic() - begun
+    stats = host.ask("stats")["stats"]
+    history = host.ask("history")["said"]
+    memory_then = memory(server.pid)
+    server.send_signal(signal.SIGKILL)
+    server.communicate()
+    longest = max(longest, log_size())
+
+    server, again = begin(program)
+    host = Host()
+    same = host.ask("history")["said"] == history
+    names = sorted(film.radius)
+    values = host.ask("eval " + " ".join(f"o{k}.radius" for k in names))["values"]
+    right = all(values[f"o{k}.radius"] == film.radius[k] for k in names)
+    undone = host.ask("undo")["ok"]
+    after = memory(server.pid)
+    server.terminate()
+    server.communicate()
+    whole = os.path.getsize("live.bx")
+    server, clean = begin(program)
+    server.kill()
+    server.communicate()
+
+    sizes.append(memory_then)
+    half = len(sizes) // 2
+    grows = half > 2 and min(sizes[half:]) > 1.2 * max(sizes[1:half])
+    print(f"{done} commands in {gone:.0f} s, {done / gone:.0f} a second; {refused} bundles refused; "
+          f"the server counts {stats['commands']}")
+    print(f"log at most {longest / 2**20:.1f} MiB, memory {sizes[0]:.0f} to {sizes[-1]:.0f} MiB")
+    print(f"killed, it begins again in {again:.2f} s with {after:.0f} MiB; "
+          f"ended, its script is {whole / 2**20:.2f} MiB and begins in {clean:.2f} s")
+    print(f"the history is {'the same' if same else 'ANOTHER ONE'}, "
+          f"{len(names)} values are {'right' if right else 'WRONG'}, undo {'works' if undone else 'DOES NOT WORK'}")
+    return not (same and right and undone) or refused > 0 or grows or longest > LOG
+
+
+def main():
+    program = os.path.realpath(sys.argv[1])
+    commands = int(sys.argv[2]) if len(sys.argv) > 2 else 10_000_000
+    seconds = float(sys.argv[3]) if len(sys.argv) > 3 else float("inf")
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        failed = run(program, commands, seconds)
+        os.chdir("/")
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
