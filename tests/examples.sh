@@ -59,6 +59,9 @@ holds 'a stiff knee' 'same(v[1], 1.85) && v[2] < -50 && same(v[3], 1.69) && same
 holds 'the small gear turns twice as fast the other way' 'same(v[1], 60) && same(v[4], -120) && v[5] == 2' \
   clockwork 49f big.rotation.z small.rotation count.text
 # shows: C10 C132 C140
+holds 'after half of the time every other pendulum is on the other side' 'same(v[1], -30) && same(v[2], 30) && same(v[3], -30) && same(v[4], 30)' \
+  pendulum-wave 241f p1.rotation.z p2.rotation.z p15.rotation.z p14.rotation.z
+holds 'gears turn by the ratio of their teeth' 'same(v[1], -180) && same(v[2], 202.5)' gears 49f small.rotation.z large.rotation.z
 holds 'the flower rolls on by as much as it turns' 'same(v[4], -9 + 150 * 0.1222) && same(v[8], 1.75) && same(v[1], cos(600 * 3.14159265 / 180))' \
   flower 150f flower.world
 # Intervals of 1 to 5 ticks: 30, 15, 10, 8 and 6 updates, then it lies.

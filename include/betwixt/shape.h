@@ -29,8 +29,15 @@ enum class Kind : std::uint8_t {
   mesh,
   light,
   camera,
-  layer,       // no object of the scene: what it holds is laid over the tracks of others
-  environment  // no object of the scene: a matrix that others are moved by
+  layer,        // no object of the scene: what it holds is laid over the tracks of others
+  environment,  // no object of the scene: a matrix that others are moved by
+  rectangle,
+  ring,
+  arc,
+  regular,
+  star,
+  gear,
+  arrow
 };
 
 // What an object looks like in its own space, as a description; src/render turns it into triangles.
@@ -43,18 +50,26 @@ enum class Kind : std::uint8_t {
 //   text     text, font, size.y = height of one line (em) in metres, depth along z; centred on the origin,
 //            baseline at y = 0
 //   mesh     mesh
+// Flat shapes lie in the plane z = 0, facing +z, about the origin; `depth` along z.
+//   rectangle size x by y, corner: radius of its corners
+//   ring     radius, inner: between these        arc      radius, width, from and to: angles from +x on, anticlockwise
+//   regular  sides, radius of its corners, the first one up          star     sides: points, radius, inner
+//   gear     sides: teeth, module: metres of pitch diameter for each; involutes of 20 degrees
+//   arrow    from the origin to `size`, width
 struct Shape {
   Kind kind = Kind::group;
   Vec3 size{1, 1, 1};
   double radius = 1, height = 1, tube = 0.3, width = 0, depth = 0;
+  double inner = 0, corner = 0, from = 0, to = 0, sides = 0, module = 0;
   Points points;
   Text text, font;
   std::shared_ptr<const Mesh> mesh;
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 // Its numbers beside the size: what blends from shape to shape, and what meshes are made to.
-inline constexpr double Shape::*shape_measures[] = {&Shape::radius, &Shape::height, &Shape::tube, &Shape::width,
-                                                    &Shape::depth};
+inline constexpr double Shape::*shape_measures[] = {&Shape::radius, &Shape::height, &Shape::tube,   &Shape::width,
+                                                    &Shape::depth,  &Shape::inner,  &Shape::corner, &Shape::from,
+                                                    &Shape::to,     &Shape::sides,  &Shape::module};
 
 // plastic: a highlight from shininess; matte: none; metal: highlights and reflections in its own colour; glow: shines
 // by itself, unlit.

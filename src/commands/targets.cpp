@@ -182,6 +182,12 @@ bool no_function(const Search& q, ObjectId id, std::string_view function) {
                 q.words.function, near.empty() ? std::string(road(function)) : near);
 }
 
+// Objects that lack a function are left out; what no kind has is no function.
+bool anybody_has(const Scene& s, std::string_view function) {
+  return std::any_of(kinds().begin(), kinds().end(),
+                     [&](const KindRow& row) { return find_function(s, row.kind, function).has_value(); });
+}
+
 bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
   const std::string_view function = q.words.function;
   const bool many = is_pattern(function);
@@ -199,7 +205,8 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
         if (!take(q, id, f, many)) return false;
       }
   for (std::size_t i = 0; i < wanted.size() && wanted.size() > 1; ++i)  // a word that is wrong among others
-    if (!found[i] && !is_pattern(wanted[i])) return no_function(q, objects[0], wanted[i]);
+    if (!found[i] && !is_pattern(wanted[i]) && !anybody_has(q.scene(), wanted[i]))
+      return no_function(q, objects[0], wanted[i]);
   if (!q.out.targets.empty()) return true;
   return many ? q.names_nothing(q.words.whole) : no_function(q, objects[0], function);
 }

@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "scene/document.h"
+#include "scene/flat_functions.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
 
-// What a shape takes from a number.
-template <double Shape::*measure>
-void put_measure(Shape& s, const Value& v, const Scene&) {
-  s.*measure = std::get<double>(v);
-}
 void put_file(Shape& s, const Value& v, const Scene& scene) {
   const auto found = scene.meshes->find(*std::get<Text>(v));
   if (found != scene.meshes->end()) s.mesh = found->second;
@@ -29,8 +25,6 @@ bool has_word(std::string_view words, std::string_view word) {
   }
   return false;
 }
-
-constexpr double most_metres = 1e12;  // measures: a metre to the power of twelve is past Pluto
 
 constexpr std::uint32_t shared = 0;  // by the kinds whose rows name it
 
@@ -132,7 +126,7 @@ const FunctionSpec function_rows[] = {
      .low = 0,
      .high = most_metres,
      .shape = put_measure<&Shape::radius>,
-     .sentence = "Of spheres, discs, cylinders, cones and rings.",
+     .sentence = "Of spheres, discs, cylinders, cones, rings and what else is round.",
      .written = "a number",
      .example = "set ball.radius 2"},
     {.name = "size",
@@ -149,7 +143,7 @@ const FunctionSpec function_rows[] = {
     {.name = "size",
      .type = Type::pair,
      .rest = Vec3{1, 1, 0},
-     .kinds = bit(Kind::plane),
+     .kinds = bit(Kind::plane) | bit(Kind::rectangle),
      .unit = Unit::metres,
      .low = 0,
      .high = most_metres,
@@ -238,12 +232,12 @@ const FunctionSpec function_rows[] = {
     {.name = "depth",
      .type = Type::scalar,
      .rest = 0.0,
-     .kinds = bit(Kind::text),
+     .kinds = bit(Kind::text) | flat_kinds,
      .unit = Unit::metres,
      .low = 0,
      .high = most_metres,
      .shape = put_measure<&Shape::depth>,
-     .sentence = "How thick letters are.",
+     .sentence = "How thick letters and flat shapes are.",
      .written = "a number",
      .example = "create title text\nset title.depth 0.2"},
     {.name = "file",
@@ -370,6 +364,7 @@ const FunctionSpec function_rows[] = {
 
 std::vector<FunctionSpec> make_functions() {
   std::vector<FunctionSpec> made(std::begin(function_rows), std::end(function_rows));
+  made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   for (FunctionSpec& f : made) {
     const bool everywhere = f.kinds == all_kinds, by_kinds = f.kinds == shared;
     for (const KindRow& row : kinds()) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/utf8.h"
+#include "scene/flat_shapes.h"
 #include "scene/primitives.h"
 
 namespace betwixt {
@@ -30,7 +31,11 @@ Extent of_plane(const Shape& s) { return centred_on_origin({s.size.x / 2, s.size
 Extent of_disc(const Shape& s) { return centred_on_origin({s.radius, s.radius, 0}); }
 Extent of_round(const Shape& s) { return centred_on_origin({s.radius, s.height / 2, s.radius}); }  // cylinder, cone
 Extent of_ring(const Shape& s) { return centred_on_origin({s.radius + s.tube, s.tube, s.radius + s.tube}); }
-Extent of_polygon(const Shape& s) { return around_points(*s.points, 0); }
+Extent of_polygon(const Shape& s) {
+  Extent e = around_points(*s.points, 0);
+  if (!s.points->empty()) e.low.z -= s.depth / 2, e.high.z += s.depth / 2;
+  return e;
+}
 Extent of_points(const Shape& s) { return around_points(*s.points, s.width / 2); }
 Extent of_mesh(const Shape& s) { return s.mesh && !s.mesh->positions.empty() ? s.mesh->box() : Extent{}; }
 
@@ -47,6 +52,16 @@ Extent of_text(const Shape& s) {
   const double em = s.size.y;
   return {{-0.3 * widest * em, (-0.25 - 1.2 * (lines - 1)) * em, -s.depth / 2},
           {0.3 * widest * em, 0.8 * em, s.depth / 2}};
+}
+
+template <Contours (*contours)(const Shape&)>
+Extent of_contours(const Shape& s) {
+  Extent e;
+  bool any = false;
+  for (const auto& contour : contours(s))
+    for (const Vec3 p : contour) any ? e.add(p) : void(e = {p, p}), any = true;
+  e.low.z -= any ? s.depth / 2 : 0, e.high.z += any ? s.depth / 2 : 0;
+  return e;
 }
 
 // Round shapes reach less far than the corners of their boxes.
@@ -182,10 +197,11 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::polygon,
      .name = "polygon",
      .sentence = "A filled outline.",
-     .written = "points=((x y) …)",
+     .written = "points=((x y) …) depth=0",
      .example = "create p polygon points=((0 0) (2 0) (1 2))",
      .functions = "points",
      .fill = Fill::outline,
+     .deep = true,
      .extent = of_polygon,
      .contours = one_contour},
     {.kind = Kind::polyline,
@@ -223,6 +239,75 @@ constexpr KindRow kind_rows[] = {
      .example = "create tree mesh file=\"tree.obj\"",
      .fill = Fill::file,
      .extent = of_mesh},
+    {.kind = Kind::rectangle,
+     .name = "rectangle",
+     .sentence = "A flat rectangle; its corners may be round.",
+     .written = "size=(1 1) corner=0 depth=0",
+     .example = "create card rectangle size=(3 2) corner=0.2",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_contours<rectangle_contours>,
+     .contours = rectangle_contours},
+    {.kind = Kind::ring,
+     .name = "ring",
+     .sentence = "A flat ring.",
+     .written = "radius=1 inner=0.5 depth=0",
+     .example = "create target ring radius=2 inner=1.8",
+     .functions = "radius",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_contours<ring_contours>,
+     .contours = ring_contours},
+    {.kind = Kind::arc,
+     .name = "arc",
+     .article = "an",
+     .sentence = "A flat part of a ring, anticlockwise from the right.",
+     .written = "radius=1 from=0deg to=90deg width=0.1 depth=0",
+     .example = "create part arc radius=2 to=120deg width=0.3",
+     .functions = "radius",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_contours<arc_contours>,
+     .contours = arc_contours},
+    {.kind = Kind::regular,
+     .name = "regular",
+     .sentence = "A flat shape of equal sides, one corner up.",
+     .written = "sides=6 radius=1 depth=0",
+     .example = "create cell regular sides=6 radius=2",
+     .functions = "radius",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_contours<regular_contours>,
+     .contours = regular_contours},
+    {.kind = Kind::star,
+     .name = "star",
+     .sentence = "A flat star, one point up.",
+     .written = "points=5 radius=1 inner=0.4 depth=0",
+     .example = "create st star points=7 inner=0.6",
+     .functions = "radius",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_contours<star_contours>,
+     .contours = star_contours},
+    {.kind = Kind::gear,
+     .name = "gear",
+     .sentence = "A flat gear wheel; those of one module turn each other.",
+     .written = "teeth=20 module=0.1 inner=0 depth=0",
+     .example = "create g gear teeth=12 module=0.2",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_contours<gear_contours>,
+     .contours = gear_contours},
+    {.kind = Kind::arrow,
+     .name = "arrow",
+     .article = "an",
+     .sentence = "A flat arrow from its position on.",
+     .written = "to=(1 0 0) width=0.1 depth=0",
+     .example = "create a arrow to=(2 1 0)",
+     .fill = Fill::outline,
+     .deep = true,
+     .extent = of_contours<arrow_contours>,
+     .contours = arrow_contours},
     {.kind = Kind::light,
      .name = "light",
      .sentence = "A lamp, or the sun.",
@@ -271,6 +356,7 @@ const KindRow& row_of(Kind kind) {
 }
 
 std::optional<Kind> find_kind(std::string_view name) {
+  if (name == "circle") return Kind::disc;  // by its usual name
   for (const KindRow& row : kind_rows)
     if (row.name == name) return row.kind;
   return std::nullopt;

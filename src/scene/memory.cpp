@@ -41,17 +41,12 @@ class Weighing {
  private:
   void apart(const Strand& s, const Strand* other) {
     sum.bytes += bytes_held(s.components);
-    if (!other || !s.track.same(other->track)) apart(s.track);
+    apart(s.track, other ? other->track : Cow<Track>());
     for (std::size_t i = 0; i < s.components.size(); ++i)
-      if (!other || i >= other->components.size() || !s.components[i].same(other->components[i]))
-        apart(s.components[i]);
+      apart(s.components[i], other && i < other->components.size() ? other->components[i] : Cow<Track>());
   }
-  // An edit copies a chunk of it and the list of chunks.
-  void apart(const Cow<Track>& t) {
-    constexpr std::size_t chunk = 128 * sizeof(Event);
-    if (t)
-      sum.bytes +=
-          shared_bytes<Track> + std::min(t->events.bytes(), chunk + t->events.size() / 128 * sizeof(Cow<Event>));
+  void apart(const Cow<Track>& t, const Cow<Track>& other) {
+    if (t && !t.same(other)) sum.bytes += shared_bytes<Track> + t->events.bytes_apart(other->events);
   }
   void strand(const Strand& s) {
     sum.bytes += bytes_held(s.components);
@@ -100,7 +95,16 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
     lost.apart(before.objects[i], i < after.objects.size() ? &after.objects[i] : nullptr);
   });
   lost.sum.bytes += sizeof(Scene) + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
-  if (!before.lists.same(after.lists)) lost.sum.bytes += before.lists->size() * shared_bytes<DisplayLists::value_type>;
+  const auto whole = [&lost](const auto& was, const auto& is) {  // what an edit copies as a whole
+    if (!was.same(is)) lost.sum.bytes += bytes_held(*was);
+    return !was.same(is);
+  };
+  if (whole(before.notes, after.notes))
+    for (const auto& note : *before.notes) lost.sum.bytes += letters(note.second);
+  if (whole(before.later_lists, after.later_lists))
+    for (const auto& later : *before.later_lists) lost.sum.bytes += bytes_held(later.second);
+  whole(before.lists, after.lists), whole(before.expansion, after.expansion), whole(before.spare, after.spare);
+  whole(before.views, after.views), whole(before.cuts, after.cuts), whole(before.lets, after.lets);
   return lost.sum.bytes;
 }
 

@@ -79,6 +79,17 @@ std::size_t Events::bytes() const {
   return sum;
 }
 
+std::size_t Events::bytes_apart(const Events& edited) const {
+  const auto& others = edited.chunks_;
+  const std::size_t fewer = std::min(chunks_.size(), others.size());
+  std::size_t front = 0, back = 0;
+  while (front < fewer && chunks_[front].same(others[front])) ++front;
+  while (front + back < fewer && chunks_[chunks_.size() - 1 - back].same(others[others.size() - 1 - back])) ++back;
+  std::size_t sum = bytes_held(chunks_);
+  for (std::size_t c = front; c < chunks_.size() - back; ++c) sum += shared_bytes<Chunk> + bytes_held(*chunks_[c]);
+  return sum;
+}
+
 bool operator==(const Events& a, const Events& b) {
   if (a.size_ != b.size_) return false;
   std::vector<const Event*> x, y;

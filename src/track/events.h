@@ -53,6 +53,8 @@ class Events {
     return n;
   }
   std::size_t bytes() const;  // of what it holds, but for what values hold elsewhere
+  // Of that, about what `edited` does not share: what lies between the first and the last chunk that differs.
+  std::size_t bytes_apart(const Events& edited) const;
   friend bool operator==(const Events& a, const Events& b);
 
  private:

@@ -275,7 +275,6 @@ void try_text(const std::string& text) {
 TEST(Documents, AreWrittenWholeWhereNothingIsHeldOrAnythingIsGone) {
   const std::string drawn = "make star\n  point (0 0)\nstart star\ncreate a sphere\n";
   for (const std::string& text : {std::string("create cat sphere\ndetach cat\n"),
-                                  std::string("create car group\ncreate cat sphere\ncouple cat to car\nletgo cat\n"),
                                   std::string("create car group\ncreate cat sphere\ncouple cat to car\ndetach cat\n"),
                                   drawn + "a.motion\n  1f..25f R(90deg @ star/point-1)\ndelete star\n"}) {
     const Loaded loaded = load_text(text, "");

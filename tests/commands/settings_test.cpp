@@ -47,6 +47,7 @@ TEST(Policy, TranslateFitsOneValueToEachOfSeveralTypes) {
 
 TEST(Targets, EachWordInBracesMustBeAFunctionOfOneOfThem) {
   EXPECT_EQ(first_error("create a sphere\ncreate b torus\nset {a,b}.{radius,tube} 0.2\n"), "");  // each has one of them
+  EXPECT_EQ(first_error("create a sphere\nset a.{radius,tube} 0.2\n"), "");  // it lacks it, and is left out
   EXPECT_EQ(first_error("create a sphere\nset a.{radius,shinines} 2\n"),
             "2:7: 'a', a sphere, has no function 'shinines'");
   const Loaded l = read("create a sphere\nset a.{position,scale.y} 3\n");

@@ -4,6 +4,8 @@
 // What is part of a shape is animated, whoever says that it is part of one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "betwixt/program.h"
 #include "scene/document.h"
 
@@ -24,7 +26,7 @@ std::pair<Value, Value> two_values(const FunctionSpec& f) {
     case Type::text:
       return {Text(std::string("one")), Text(std::string("two"))};
     default:
-      return {1.0, 2.0};
+      return {std::max(1.0, f.low), std::max(1.0, f.low) + 1};
   }
 }
 

@@ -43,7 +43,7 @@ TEST(Kinds, EachHasOneRowWithItsWords) {
     EXPECT_FALSE(row.sentence.empty()) << row.name;
     EXPECT_EQ(row.example.empty(), !row.placed) << row.name;  // the others have commands of their own
   }
-  for (int k = 0; k <= static_cast<int>(Kind::environment); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
+  for (int k = 0; k <= static_cast<int>(Kind::arrow); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
   EXPECT_EQ(find_kind("blob"), std::nullopt);
   EXPECT_EQ(a_kind(Kind::sphere), "a sphere");
   EXPECT_EQ(a_kind(Kind::environment), "an environment");
@@ -117,13 +117,20 @@ TEST(Functions, KindsHaveTheirs) {
                                                                 {Kind::torus, {"radius", "tube"}},
                                                                 {Kind::plane, {"size"}},
                                                                 {Kind::disc, {"radius"}},
-                                                                {Kind::polygon, {"points"}},
+                                                                {Kind::polygon, {"points", "depth"}},
                                                                 {Kind::polyline, {"points", "width"}},
                                                                 {Kind::points, {"points", "size"}},
                                                                 {Kind::text, {"text", "font", "size", "depth"}},
                                                                 {Kind::mesh, {"file"}},
                                                                 {Kind::light, {"range", "intensity", "shines"}},
-                                                                {Kind::camera, {"lens", "fov", "height", "look-at"}}};
+                                                                {Kind::camera, {"lens", "fov", "height", "look-at"}},
+                                                                {Kind::rectangle, {"size", "corner", "depth"}},
+                                                                {Kind::ring, {"radius", "inner", "depth"}},
+                                                                {Kind::arc, {"radius", "from", "to", "width", "depth"}},
+                                                                {Kind::regular, {"sides", "radius", "depth"}},
+                                                                {Kind::star, {"points", "radius", "inner", "depth"}},
+                                                                {Kind::gear, {"teeth", "module", "inner", "depth"}},
+                                                                {Kind::arrow, {"to", "width", "depth"}}};
   const Scene s;
   const auto common = function_names(s, Kind::group);
   EXPECT_EQ(common.size(), 17U);
