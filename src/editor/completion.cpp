@@ -62,6 +62,8 @@ constexpr Following following[] = {
     {"stagger", 1, "by"},
     {"stagger", 3, "from per random"},
     {"stagger", 4, "first last centre edges random"},
+    {"bake", 2, "every within"},
+    {"bake", 4, "within"},
     {"arrange", 1, "in"},
     {"arrange", 2, "row column grid circle"},
     {"arrange", 3, "gap= centre= columns= radius="},
