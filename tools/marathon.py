@@ -26,6 +26,7 @@ OBJECTS = 1000
 BUNDLE = 100  # commands
 AHEAD = 20  # bundles that are on the way
 REPORTS = 20
+WORTH = "eval o*.radius o*.color o*.position.x o*.display at 50f"
 LOG = 64 << 20  # a checkpoint comes every 16 MiB, and what is said while it is made stands behind it
 
 
@@ -130,7 +131,7 @@ def run(program, commands, seconds):
         ahead, done = ahead - 1, done + BUNDLE
     gone = time.monotonic() - begun
     stats = host.ask("stats")["stats"]
-    history = host.ask("history")["said"]
+    worth = host.ask(WORTH)["values"]
     memory_then = memory(server.pid)
     server.send_signal(signal.SIGKILL)
     server.communicate()
@@ -138,7 +139,7 @@ def run(program, commands, seconds):
 
     server, again = begin(program)
     host = Host()
-    same = host.ask("history")["said"] == history
+    same = host.ask(WORTH)["values"] == worth
     names = sorted(film.radius)
     values = host.ask("eval " + " ".join(f"o{k}.radius" for k in names))["values"]
     right = all(values[f"o{k}.radius"] == film.radius[k] for k in names)
@@ -159,7 +160,7 @@ def run(program, commands, seconds):
     print(f"log at most {longest / 2**20:.1f} MiB, memory {sizes[0]:.0f} to {sizes[-1]:.0f} MiB")
     print(f"killed, it begins again in {again:.2f} s with {after:.0f} MiB; "
           f"ended, its script is {whole / 2**20:.2f} MiB and begins in {clean:.2f} s")
-    print(f"the history is {'the same' if same else 'ANOTHER ONE'}, "
+    print(f"what is there is {'the same' if same else 'SOMETHING ELSE'}, "
           f"{len(names)} values are {'right' if right else 'WRONG'}, undo {'works' if undone else 'DOES NOT WORK'}")
     return not (same and right and undone) or refused > 0 or grows or longest > LOG
 
