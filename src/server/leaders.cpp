@@ -56,12 +56,16 @@ void Leaders::serve() {
   }
 }
 
-void Leaders::beside(const std::function<void()>& work) {
+void Leaders::beside(const std::function<void()>& work, bool urgent) {
   const bool leads = this->leads();
   if (leads && idle_ == 0 && !hire()) return work();
   if (leads) leader_ = {};
   ++working_;
   changed_.notify_all();
+  Lock lock(mutex_, std::adopt_lock);
+  changed_.wait(lock, [&] { return urgent || at_work_ < at_once || stop_; });
+  lock.release();
+  ++at_work_;
   mutex_.unlock();
   std::exception_ptr failed;
   try {
@@ -70,8 +74,8 @@ void Leaders::beside(const std::function<void()>& work) {
     failed = std::current_exception();
   }
   mutex_.lock();
-  --working_;
-  if (stop_) changed_.notify_all();
+  --working_, --at_work_;
+  changed_.notify_all();  // whoever waits to work, and whoever waits for the end
   if (failed) std::rethrow_exception(failed);
 }
 

@@ -28,11 +28,13 @@ class Leaders {
   void stop();
   bool stopped() const { return stop_; }
   bool leads() const { return leader_ == std::this_thread::get_id(); }  // this thread
-  // Of those that lead, holding the lock: does the work without it. Everything may have changed then.
-  void beside(const std::function<void()>& work);
+  // Of those that lead, holding the lock: does the work without it. Everything may have changed then. What is not urgent
+  // waits where many work already.
+  void beside(const std::function<void()>& work, bool urgent = false);
 
  private:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 4000;  // threads; nearly all of them wait
+  static constexpr std::size_t at_once = 8;  // works, so that who leads has its share of the processors
   bool hire();
   void serve();
 
@@ -41,7 +43,7 @@ class Leaders {
   std::condition_variable changed_;
   std::vector<std::thread> threads_;
   std::thread::id leader_;
-  std::size_t idle_ = 0, working_ = 0;
+  std::size_t idle_ = 0, working_ = 0, at_work_ = 0;  // who works, or waits to; who does
   std::exception_ptr failed_;
   bool stop_ = false;
 };

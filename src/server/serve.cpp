@@ -76,7 +76,7 @@ class Server {
   bool beside(const std::function<void()>& work) {
     Guest* const g = served;
     if (g) g->in_hand = true, watch(g->file, g->watched = 0, EPOLL_CTL_MOD);
-    leaders_.beside(work);
+    leaders_.beside(work, !g);  // what is shown does not wait for what hosts ask
     if (g) g->in_hand = false;
     if (g && !g->gone) watch(g->file, g->watched = EPOLLIN, EPOLL_CTL_MOD);
     return !leaders_.stopped() && !(g && g->gone);
