@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "betwixt/result.h"
@@ -67,6 +68,9 @@ class Document {
   // First and last frame's time. Without a `range` command: frame 1 to the last event, one second where there are no
   // events.
   std::pair<Time, Time> range() const;
+  // What the script says of its pictures: pixels, and samples a pixel.
+  std::optional<std::pair<int, int>> size() const;
+  std::optional<int> samples() const;
   int frame_count() const;  // frames in the range, ends included; at least 1
 
   std::vector<std::string> names() const;  // of all objects, in the order they were created

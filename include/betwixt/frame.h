@@ -49,12 +49,30 @@ struct Camera {
   double height = 10;  // metres seen from bottom to top (orthographic)
 };
 
+// What is around the things of a film, and what light there is beside its lights. Colours: linear light.
+struct Surroundings {
+  struct Fog {
+    Vec3 color;
+    double from = 0, to = 0;  // metres from the eye: where it begins, where nothing else is seen
+    friend bool operator==(const Fog&, const Fog&) = default;
+  };
+  bool flat = false;            // a drawing: things show their own colours, there is no light
+  std::optional<Vec3> below;    // what the background goes over to at the bottom of the picture
+  std::optional<Vec3> ambient;  // the light from everywhere; none: the renderer's own
+  double exposure = 0;          // stops: all light is 2 to the power of this as much
+  std::optional<Fog> fog;
+  std::optional<Vec3> ground;  // the colour of an endless floor at y = 0; none: there is none
+  bool sky = false;
+  friend bool operator==(const Surroundings&, const Surroundings&) = default;
+};
+
 struct Frame {
   Time time;
   std::vector<Item> items;    // in object order
   std::vector<Light> lights;  // empty: the renderer brings its own
   Camera camera;
   std::optional<Vec3> background;  // linear light; none: the renderer's own soft gradient
+  Surroundings surroundings;
   std::vector<std::string> notes;  // notes exactly at this time
   // Procedures that erred or did not end, each named once with the reason; what they should have given is the value
   // that the track has without them.

@@ -57,12 +57,14 @@ void catch_stops();
 bool stop_requested();
 void release_stops();  // they end the program again
 
+struct PictureCall;
+
 // What the shell does with a document. `frames`: "A..B", or empty for all.
 Status plot_document(const Document&, const std::vector<std::string>& targets, const std::string& frames,
                      const std::string& out);
 // What keys have changed of how it is drawn stays in `picture`.
-Status play_document(const Document&, const std::string& frames, RenderOptions& picture);
+Status play_document(const Document&, const std::string& frames, PictureCall& picture);
 // Sets a style, a number of samples or a size, and says what it is then. Errors: range, name.
-Result<std::string> change_picture(RenderOptions&, const std::string& what, const std::string& value);
+Result<std::string> change_picture(PictureCall&, const Document&, const std::string& what, const std::string& value);
 
 }  // namespace betwixt

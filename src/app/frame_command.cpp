@@ -14,7 +14,7 @@ namespace {
 
 struct FrameCall {
   std::string file, at, out;
-  RenderOptions picture;
+  PictureCall picture;
   bool keep_old = false, keep_going = false;
 };
 
@@ -28,7 +28,7 @@ int frame(const FrameCall& call) {
   if (!document) return wrong_input;
   const Result<Time> time = read_time(call.at, *document, "--at");
   if (!time) return complain(time.error(), wrong_call);
-  Result<std::unique_ptr<Renderer>> renderer = make_renderer(call.picture);
+  Result<std::unique_ptr<Renderer>> renderer = make_renderer(call.picture.of(*document));
   if (!renderer) return complain(renderer.error(), wrong_call);
   Picture picture;
   const Frame made = Program::compile(*document).frame(*time);

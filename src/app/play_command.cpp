@@ -26,7 +26,7 @@ namespace {
 
 struct PlayCall {
   std::string file, frames, listen, record;
-  RenderOptions picture{960, 540, 1};  // a character blends its pixels anyway
+  PictureCall picture{{960, 540, 1}};  // a character blends its pixels anyway
   bool terminal = false, loop = false, overwrite = false;
   std::string said = "--frames";  // how whoever calls says the frames
 };
@@ -133,7 +133,7 @@ class Player {
 
   // Another style, other samples or another size, at once.
   void alter(Key key) {
-    RenderOptions& p = call_.picture;
+    RenderOptions p = call_.picture.of(document_);
     const auto next = [](const auto& all, const auto& now) {
       const auto at = std::find(std::begin(all), std::end(all), now);
       return at == std::end(all) || at + 1 == std::end(all) ? *std::begin(all) : *(at + 1);
@@ -148,6 +148,7 @@ class Player {
     const bool shrinks = key == Key::smaller && p.width >= 32 && p.height >= 32;
     if (grows) p.width *= 2, p.height *= 2;
     if (shrinks) p.width /= 2, p.height /= 2;
+    call_.picture = {p, std::pair(p.width, p.height), p.samples};
     renderer_.reset();
     altered_ = fmt::format("{} {}x{} {}", p.style, p.width, p.height, p.samples);
   }
@@ -157,7 +158,8 @@ class Player {
     int column = 1, row = 1, columns = 1, rows = 1;
   };
   Box box(const TerminalSize& s) const {
-    const double shape = static_cast<double>(call_.picture.width) / call_.picture.height / s.cell_aspect;  // in cells
+    const RenderOptions p = call_.picture.of(document_);
+    const double shape = p.width / (p.height * s.cell_aspect);  // in cells
     const int high = std::max(1, s.rows - 1);
     Box b;
     b.columns = std::clamp(static_cast<int>(std::lround(high * shape)), 1, s.columns);
@@ -171,7 +173,7 @@ class Player {
   Status fit(const TerminalSize& size) {
     if (renderer_ && size == size_) return Nothing{};
     size_ = size;
-    RenderOptions o = call_.picture;
+    RenderOptions o = call_.picture.of(document_);
     const Box b = box(size);
     const double shrink = std::min(1.0, 8.0 * b.columns / o.width);  // 8 pixels a character tell all symbols apart
     o.width = std::max(1, static_cast<int>(std::lround(o.width * shrink)));
@@ -335,7 +337,7 @@ int play(PlayCall& call) {
 
 }  // namespace
 
-Status play_document(const Document& document, const std::string& frames, RenderOptions& picture) {
+Status play_document(const Document& document, const std::string& frames, PictureCall& picture) {
   PlayCall call;
   call.frames = frames.empty() || frames.find("..") != std::string::npos ? frames : frames + "..";
   call.said = "play", call.picture = picture;

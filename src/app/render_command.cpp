@@ -21,7 +21,7 @@ namespace {
 
 struct RenderCall {
   std::string file, out, frames;
-  RenderOptions picture;
+  PictureCall picture;
   int jobs = 0;
   bool keep_old = false, keep_going = false, stats = false;
 };
@@ -87,6 +87,7 @@ int render(const RenderCall& call) {
   const Result<FrameList> frames = read_frames(call.frames, *document);
   if (!frames) return complain(frames.error(), wrong_call);
 
+  const RenderOptions pictures = call.picture.of(*document);
   const Program program = Program::compile(*document);
   const Time last = frames->time(frames->count - 1);
   const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
@@ -95,7 +96,7 @@ int render(const RenderCall& call) {
   for (const Diagnostic& d : found.errors) problems.known(d.what.message);
   Spending spent;
   const auto new_painter = [&]() -> Result<Painter> {
-    Result<std::unique_ptr<Renderer>> made = make_renderer(call.picture);
+    Result<std::unique_ptr<Renderer>> made = make_renderer(pictures);
     if (!made) return made.error();
     const auto evaluation = std::make_shared<Evaluation>(program);
     return Painter([&, evaluation, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Picture& out) {
@@ -110,7 +111,7 @@ int render(const RenderCall& call) {
   options.frames = frames->count;
   options.first_number = frames->number;
   options.rate = frames->rate;
-  options.width = call.picture.width, options.height = call.picture.height;
+  options.width = pictures.width, options.height = pictures.height;
   options.jobs = call.jobs;
   options.overwrite = !call.keep_old;
 

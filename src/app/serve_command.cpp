@@ -25,7 +25,7 @@ namespace {
 
 struct ServeCall {
   std::string file, socket, tcp, token_file, to, save, rate, priority;
-  RenderOptions picture{960, 540, 1};
+  PictureCall picture{{960, 540, 1}};
   Imaging::Options imaging;
   ServeOptions serve;
   bool anywhere = false, overwrite = false;
@@ -83,8 +83,8 @@ class WindowScreen final : public Screen {
   Picture picture_;
 };
 
-Result<NewScreen> screen_of(const ServeCall& call, Rate rate, std::function<void(const Error&)> trouble) {
-  const RenderOptions picture = call.picture;
+Result<NewScreen> screen_of(const ServeCall& call, const RenderOptions& picture, Rate rate,
+                            std::function<void(const Error&)> trouble) {
   if (call.to.empty() || call.to == "nowhere") return NewScreen();
   if (call.to.starts_with("film:")) return film_screen(call.to.substr(5), picture, rate, std::move(trouble));
   if (call.to.starts_with("ring:")) return ring_screen(call.to.substr(5), picture);
@@ -162,7 +162,8 @@ int serve(ServeCall& call) {
   ::mallopt(M_MMAP_THRESHOLD, 1 << 18);  // what hosts' long lines and answers took is given back when they go
   call.serve.stop = stops();
   call.imaging.load = load_options();
-  call.imaging.contacts.aspect = static_cast<double>(call.picture.width) / call.picture.height;
+  const RenderOptions asked = call.picture.of({});
+  call.imaging.contacts.aspect = static_cast<double>(asked.width) / asked.height;
   std::optional<Error> no_film;  // set by the film's thread, read when that has ended
   // The clock is asked for its figures while hosts are served; it begins after what it shows.
   std::unique_ptr<FrameClock> clock;
@@ -180,7 +181,8 @@ int serve(ServeCall& call) {
 
   const auto rate = rate_of(call.rate, imaging.document().rate());
   if (!rate) return complain(rate.error(), wrong_call);
-  auto screen = screen_of(call, *rate, [&no_film](const Error& e) { no_film = e; });
+  auto screen =
+      screen_of(call, call.picture.of(imaging.document()), *rate, [&no_film](const Error& e) { no_film = e; });
   if (!screen) return complain(screen.error(), wrong_call);
   std::vector<Listener> doors;
   if (!call.tcp.empty()) {

@@ -296,19 +296,21 @@ int shell(const ShellCall& call) {
     return plot_document(d, {target}, "", to);
   };
   doors.load = [](const std::string& file) { return use_plugin(file); };
-  RenderOptions picture{960, 540, 1};
+  PictureCall picture{{960, 540, 1}};
+  const Session* open = nullptr;
   doors.play = [&picture](const Document& d, const std::string& frames) {
     const Status played = play_document(d, frames, picture);
     release_stops();
     return played;
   };
-  doors.picture = [&picture](const std::string& what, const std::string& value) {
-    return change_picture(picture, what, value);
+  doors.picture = [&](const std::string& what, const std::string& value) {
+    return change_picture(picture, open->document(), what, value);
   };
   for (const Style& s : styles()) doors.styles.emplace_back(s.name);
   const bool terminal = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
   if (terminal) doors.ask_about_line = doors.ask;
   Session session(std::move(doors), load_options());
+  open = &session;
   if (terminal)
     in = std::make_unique<Keyboard>(session);
   else

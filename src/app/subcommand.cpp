@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <tuple>
 
 #include "app/command.h"
 #include "base/names.h"
 #include "betwixt/language.h"
+#include "scene/appearance.h"
 
 namespace betwixt {
 namespace {
@@ -20,14 +21,16 @@ std::vector<std::function<Subcommand()>>& enlisted() {
   return all;
 }
 
-// Reads "WxH".
-Status read_size(const std::string& text, RenderOptions& to) {
-  const auto fits = [](int side) { return side >= 1 && side <= 8192; };
-  int used = 0;
-  if (text.size() <= 11 && std::sscanf(text.c_str(), "%5dx%5d%n", &to.width, &to.height, &used) == 2 &&
-      used == static_cast<int>(text.size()) && fits(to.width) && fits(to.height))
-    return Nothing{};
+Status read_size(const std::string& text, PictureCall& to) {
+  if (const auto size = parse_size(text)) return to.size = size, Nothing{};
   return fail(ErrorCode::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
+}
+
+Status read_samples(const std::string& text, PictureCall& to) {
+  if (text != "1" && text != "4" && text != "9" && text != "16")
+    return fail(ErrorCode::range, fmt::format("'{}' is no number of samples: 1, 4, 9 or 16", text));
+  to.samples = std::stoi(text);
+  return Nothing{};
 }
 
 }  // namespace
@@ -94,8 +97,16 @@ Parameter flag(const std::string& name, const std::string& sentence, bool& given
   return {.name = name, .sentence = sentence, .into = &given};
 }
 
-Result<std::string> change_picture(RenderOptions& to, const std::string& what, const std::string& value) {
-  RenderOptions made = to;
+RenderOptions PictureCall::of(const Document& document) const {
+  RenderOptions made = otherwise;
+  if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
+  if (const auto n = samples ? samples : document.samples()) made.samples = *n;
+  return made;
+}
+
+Result<std::string> change_picture(PictureCall& to, const Document& document, const std::string& what,
+                                   const std::string& value) {
+  PictureCall made = to;
   if (what == "size" && !value.empty())
     if (Status s = read_size(value, made); !s) return s.error();
   if (what == "style" && !value.empty()) {
@@ -106,38 +117,37 @@ Result<std::string> change_picture(RenderOptions& to, const std::string& what, c
       return fail(ErrorCode::name, fmt::format("there is no style '{}'", value),
                   near.empty() ? fmt::format("styles are {}", fmt::join(names, ", ")) : near);
     }
-    made.style = value;
+    made.otherwise.style = value;
   }
-  if (what == "samples" && !value.empty()) {
-    if (value != "1" && value != "4" && value != "9" && value != "16")
-      return fail(ErrorCode::range, fmt::format("'{}' is no number of samples: 1, 4, 9 or 16", value));
-    made.samples = std::stoi(value);
-  }
+  if (what == "samples" && !value.empty())
+    if (Status s = read_samples(value, made); !s) return s.error();
   to = made;
-  return what == "size"    ? fmt::format("size {}x{}\n", to.width, to.height)
-         : what == "style" ? fmt::format("style {}\n", to.style)
-                           : fmt::format("samples {}\n", to.samples);
+  const RenderOptions now = to.of(document);
+  return what == "size"    ? fmt::format("size {}x{}\n", now.width, now.height)
+         : what == "style" ? fmt::format("style {}\n", now.style)
+                           : fmt::format("samples {}\n", now.samples);
 }
 
-std::vector<Parameter> picture_parameters(RenderOptions& to) {
+std::vector<Parameter> picture_parameters(PictureCall& to) {
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);
-  return {{.name = "--size",
-           .value = "WxH",
-           .sentence = fmt::format("pixels; {}x{} if not said", to.width, to.height),
-           .into = ReadValue([&to](const std::string& text) { return read_size(text, to); }),
-           .words = {"320x180", "640x360", "960x540", "1280x720", "1920x1080", "3840x2160"}},
-          {.name = "--style",
-           .value = "STYLE",
-           .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.style),
-           .into = &to.style,
-           .words = names},
-          {.name = "--samples",
-           .value = "N",
-           .sentence = fmt::format("samples a pixel: 1, 4, 9 or 16; {} if not said", to.samples),
-           .into = &to.samples,
-           .words_only = true,
-           .words = {"1", "4", "9", "16"}}};
+  return {
+      {.name = "--size",
+       .value = "WxH",
+       .sentence = fmt::format("pixels; the script's if not said, or {}x{}", to.otherwise.width, to.otherwise.height),
+       .into = ReadValue([&to](const std::string& text) { return read_size(text, to); }),
+       .words = {"320x180", "640x360", "960x540", "1280x720", "1920x1080", "3840x2160"}},
+      {.name = "--style",
+       .value = "STYLE",
+       .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.otherwise.style),
+       .into = &to.otherwise.style,
+       .words = names},
+      {.name = "--samples",
+       .value = "N",
+       .sentence = fmt::format("samples a pixel: 1, 4, 9 or 16; the script's if not said, or {}", to.otherwise.samples),
+       .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
+       .words_only = true,
+       .words = {"1", "4", "9", "16"}}};
 }
 
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>> parts) {

@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "betwixt/document.h"
 #include "betwixt/render.h"
 #include "betwixt/result.h"
 
@@ -92,7 +93,15 @@ Parameter file_option(const std::string& name, const std::string& value, const s
 Parameter option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
                  const std::string& excludes = {});
 Parameter flag(const std::string& name, const std::string& sentence, bool& given);
-std::vector<Parameter> picture_parameters(RenderOptions&);  // --size, --style, --samples
+
+// What is asked for of pictures; the rest is the script's to say, then `otherwise`.
+struct PictureCall {
+  RenderOptions otherwise;
+  std::optional<std::pair<int, int>> size = {};
+  std::optional<int> samples = {};
+  RenderOptions of(const Document&) const;
+};
+std::vector<Parameter> picture_parameters(PictureCall&);  // --size, --style, --samples
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>>);
 
 }  // namespace betwixt

@@ -48,19 +48,6 @@ bool range(Command& k) {
   return true;
 }
 
-bool background(Command& k) {
-  auto& [s, c, time, layer, script] = k;
-  if (c.accept_word("none")) {
-    if (!finish(c)) return false;
-    s.background.reset();
-    return true;
-  }
-  Color color;
-  if (!values(k).color(color) || !finish(c)) return false;
-  s.background = color;
-  return true;
-}
-
 bool policy(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();
@@ -81,8 +68,6 @@ constexpr Verb settings_rows[] = {
     {"ticks", "ticks N [smooth], environment ticks per second",
      "Environment ticks per second, for times such as 90t; smooth: motion between them too.", "ticks 60 smooth", 0,
      ticks},
-    {"background", "background COLOR", "The color behind everything; none makes it clear again.", "background navy", 0,
-     background},
     {"policy", "policy translate|ignore|ask", "What an operation gets that means nothing for a target.",
      "policy ignore", 0, policy},
 };

@@ -39,6 +39,15 @@ constexpr Following following[] = {
     {"notes", 0, "on off"},
     {"record", 0, "on off"},
     {"background", 0, "none"},
+    {"background", 1, "to"},
+    {"film", 0, "flat solid"},
+    {"ambient", 0, "off"},
+    {"fog", 0, "off"},
+    {"fog", 1, "from"},
+    {"fog", 3, "to"},
+    {"ground", 0, "on off"},
+    {"sky", 0, "on off"},
+    {"size", 0, "1280x720 1920x1080 3840x2160"},
     {"extend", 1, "hold linear cycle bounce"},
     {"extend", 2, "before after"},
     {"twerper", 2, "in=light in=srgb"},
@@ -231,6 +240,11 @@ void words_of_help(Words& all) {
     if (e.group != HelpGroup::verb || is_verb(e.word)) all.emplace_back(e.word);
 }
 
+bool takes_color(const Begun& b) {
+  const bool first = b.verb == "background" || b.verb == "ambient" || b.verb == "fog" || b.verb == "ground";
+  return (first && b.place() == 0) || (b.verb == "background" && b.place() == 2);
+}
+
 // Whether the verb's words are said by it alone; else names of objects may stand there too.
 bool by_verb(const Document& d, const Begun& b, const Session::Doors& doors, Words& all) {
   const Scene& s = d.scene();
@@ -241,7 +255,7 @@ bool by_verb(const Document& d, const Begun& b, const Session::Doors& doors, Wor
     for (const KindRow& k : kinds()) all.emplace_back(k.name);
   if (b.verb == "define" && b.place() == 1)
     for (const std::string_view w : type_words()) all.emplace_back(w);
-  if (b.verb == "background") value_words(d, spec_of(s, fn::color), all);
+  if (takes_color(b)) value_words(d, spec_of(s, fn::color), all);
   if (b.verb == "filter" && b.place() == 1) filters(s, all);
   if (b.verb == "twerper" && b.place() == 1) ways(s, Type::vector, all), all.emplace_back("none");
   if (b.verb == "look" && b.place() == 1) objects_of(s, Kind::camera, all);
@@ -255,8 +269,8 @@ bool by_verb(const Document& d, const Begun& b, const Session::Doors& doors, Wor
 
 // Where a time or a number is due, or nothing at all.
 bool nothing_known(const Begun& b) {
-  static constexpr std::string_view of_numbers[] = {"at",   "rate", "ticks", "range", "note",
-                                                    "play", "undo", "redo",  "exit",  "quit"};
+  static constexpr std::string_view of_numbers[] = {"at",   "rate", "ticks", "range", "note",    "play",
+                                                    "undo", "redo", "exit",  "quit",  "exposure"};
   if (b.row || b.words.empty()) return false;
   return b.words.back() == "at" ||
          std::find(std::begin(of_numbers), std::end(of_numbers), b.verb) != std::end(of_numbers);

@@ -72,6 +72,7 @@ std::string write_vector(Vec3, int numbers = 3);
 std::string write_angles(Vec3 radians);
 std::string write_angle(double radians);     // in degrees, if that reads back to the same; else in radians
 std::string write_matrix(const Mat4&);       // row by row
+std::string write_appearance(const Scene&);  // commands
 std::string write_rows(const DisplayList&);  // indented lines
 // What a script says of a target: its rows (of a component, that part of the whole one's), and all else that makes its
 // value, a command or a sheet each: what is set below events, twerper, extend, velocity, filters, layers.

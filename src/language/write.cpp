@@ -174,7 +174,7 @@ struct Writer {
     if (!(s.ticks == Rate{30, 1}) || s.smooth_ticks)
       out += "ticks " + rate(s.ticks) + (s.smooth_ticks ? " smooth\n" : "\n");
     if (s.range) out += "range " + point(s.range->first) + " " + point(s.range->second) + "\n";
-    if (s.background) out += "background " + write_color(*s.background) + "\n";
+    out += write_appearance(s);
     if (!s.notes_shown) out += "notes off\n";
     for (const NamedProcedure& p : *s.procedures)
       if (p.code->language == "lua")

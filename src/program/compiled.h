@@ -362,7 +362,9 @@ struct Program::Compiled {
 
   Extent stage() const;
   // The camera of documents that have none: sees all that is ever seen, from in front and a little above.
+  // That of a flat film, which sees what it sees: 9 m high, along -z.
   const Camera& own_camera() const;
+  bool sees_all(Time t) const;  // the camera does
   mutable std::once_flag own_camera_once;
   mutable Camera own_camera_made;
 

@@ -16,7 +16,7 @@ Frame Program::Compiled::solids(Time t, Asking& asking) const {
   Evaluator all(*this);
   all.to(t, asking, true);
   all.add_items(f);
-  if (camera_at(t)) f.camera = all.camera();
+  if (!sees_all(t)) f.camera = all.camera();
   return f;
 }
 
@@ -29,7 +29,7 @@ std::shared_ptr<const Contacts> Program::Compiled::contacts(Time t, Asking& aski
   Working working(asking);
   const Frame f = solids(t, asking);
   auto made = std::make_shared<Contacts>(betwixt::contacts(f));
-  if (!camera_at(t))  // the camera of a film that has none sees all there is
+  if (sees_all(t))  // the camera of a film that has none sees all there is
     for (ContactBox& b : made->boxes) b.sight = Sight::in;
   asking.cost += 10 * f.items.size();
   if (auto taken = working.done(); taken && asking.found_contacts.size() < 1000)
@@ -41,7 +41,7 @@ std::shared_ptr<const Contacts> Program::Compiled::contacts(Time t, Asking& aski
 Contacts Program::contacts(Time t, const ContactOptions& options) const {
   Asking asking;
   Frame f = code_->solids(t, asking);
-  if (!code_->camera_at(t)) f.camera = code_->own_camera();
+  if (code_->sees_all(t)) f.camera = code_->own_camera();
   return betwixt::contacts(f, options);
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "program/evaluator.h"
+#include "program/surroundings.h"
 
 namespace betwixt {
 
@@ -42,7 +43,7 @@ Frame Whole::frame() const {
   f.lights = lights;
   f.camera = evaluator.camera();
   const Scene& scene = compiled.document.scene();
-  if (scene.background) f.background = to_linear(*scene.background);
+  f.background = background_of(scene), f.surroundings = surroundings_of(scene);
   for (auto& [when, text] : compiled.document.notes(f.time, f.time)) f.notes.push_back(text);
   f.problems = problems;
   f.errors = errors;

@@ -37,10 +37,16 @@ Extent Program::Compiled::stage() const {
   return grounds.empty() ? Extent{{-1, -1, -1}, {1, 1, 1}} : grounds;
 }
 
+bool Program::Compiled::sees_all(Time t) const { return !document.scene().appearance.flat && !camera_at(t); }
+
 const Camera& Program::Compiled::own_camera() const {
   std::call_once(own_camera_once, [this] {
-    const Extent all = stage();
     Camera& c = own_camera_made;
+    if (document.scene().appearance.flat) {
+      c.world = translation({0, 0, 100}), c.orthographic = true, c.height = 9;
+      return;
+    }
+    const Extent all = stage();
     c.fov = 2 * std::atan(36.0 / 70);
     // The widest picture people make is 16:9; what fits its height and width fits taller ones better.
     const Vec3 middle = 0.5 * (all.low + all.high), half = 0.5 * (all.high - all.low);

@@ -17,9 +17,10 @@ namespace {
 const char* const gradient_fragment = R"(
 in vec2 at;
 uniform vec3 top, bottom;
+uniform float bends;
 out vec4 color;
 void main() {
-  vec3 c = mix(top, bottom, smoothstep(0.0, 1.0, at.y));
+  vec3 c = mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), bends));
 #ifdef ENCODED
   c = encoded(c);
 #endif
@@ -79,6 +80,7 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   if (!gradient) return gradient.error();
   c.gradient_ = *std::move(gradient);
   c.gradient_top_ = gl::uniform(c.gradient_, "top"), c.gradient_bottom_ = gl::uniform(c.gradient_, "bottom");
+  c.gradient_bends_ = gl::uniform(c.gradient_, "bends");
   if (c.side_ == 1) return c;
   auto pixels = gl::new_target(GL_SRGB8_ALPHA8, 0, c.width_, c.height_);
   if (!pixels) return pixels.error();
@@ -101,11 +103,11 @@ void Canvas::begin(const std::optional<Vec3>& background) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Canvas::draw_behind(const std::optional<Vec3>& background, const Gradient& gradient) const {
-  if (background) return;
+void Canvas::draw_behind(const Gradient& gradient) const {
   glUseProgram(gradient_.id());
   set_color(gradient_top_, gradient.top);
   set_color(gradient_bottom_, gradient.bottom);
+  glUniform1f(gradient_bends_, gradient.bends ? 1 : 0);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);

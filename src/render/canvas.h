@@ -14,6 +14,7 @@ namespace betwixt {
 
 struct Gradient {
   Vec3 top, bottom;  // linear light
+  bool bends = true;  // it begins and ends softly
 };
 
 // GLSL: vec3 encoded(vec3 linear), the sRGB curve within a quarter of a byte (0.1 above 0.02), without a power.
@@ -32,8 +33,8 @@ class Canvas {
   // after write_linear() linear light, which can be blended. Elsewhere always linear light.
   void write_linear() const;
   bool can_write_encoded() const { return can_write_encoded_; }
-  // Fills what is still empty with the gradient, where the frame has no background of its own.
-  void draw_behind(const std::optional<Vec3>& background, const Gradient&) const;
+  // Fills what is still empty with the gradient.
+  void draw_behind(const Gradient&) const;
   // Averages the samples in linear light.
   void finish() const;
   // Reads the picture that was finished last.
@@ -48,7 +49,7 @@ class Canvas {
   gl::Target large_;          // `side_` times the picture's size
   gl::Target pixels_;         // the picture's size; not there where `large_` is that
   gl::Program gradient_, average_;
-  GLint gradient_top_ = 0, gradient_bottom_ = 0;
+  GLint gradient_top_ = 0, gradient_bottom_ = 0, gradient_bends_ = 0;
 };
 
 }  // namespace betwixt

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scene/document.h"
+#include "program/surroundings.h"
 
 namespace betwixt {
 namespace {
@@ -25,19 +25,19 @@ std::uint32_t number_of(std::vector<T>& all, const T& one) {
 }  // namespace
 
 Columns columns_of(const Evaluation& e) {
-  const auto& background = e.program().document().scene().background;
+  const Scene& scene = e.program().document().scene();
   return {.worlds = e.worlds(), .looks = e.looks(), .shape = [&e](std::uint32_t n) -> const auto& {return e.shape(n);
 }
 , .texture = [&e](std::uint32_t n) -> const auto& { return e.texture(n); }
-, .changed = {}, .lights = e.lights(), .camera = e.camera(),
-  .background = background ? std::optional(to_linear(*background)) : std::nullopt
+, .changed = {}, .lights = e.lights(), .camera = e.camera(), .background = background_of(scene),
+  .surroundings = surroundings_of(scene)
 };  // namespace betwixt
 }
 
 bool Scenery::take(const Columns& c) {
-  const bool same = background == c.background &&
+  const bool same = background == c.background && surroundings == c.surroundings &&
                     std::equal(lights.begin(), lights.end(), c.lights.begin(), c.lights.end(), same_light);
-  lights = c.lights, background = c.background;
+  lights = c.lights, background = c.background, surroundings = c.surroundings;
   return !same;
 }
 
@@ -61,7 +61,8 @@ Columns FrameColumns::columns() const {
   return {.worlds = worlds_, .looks = looks_, .shape = [this](std::uint32_t n) -> const auto& {return shapes_[n];
 }
 , .texture = [this](std::uint32_t n) -> const auto& { return textures_[n]; }
-, .changed = {}, .lights = frame_.lights, .camera = frame_.camera, .background = frame_.background
+, .changed = {}, .lights = frame_.lights, .camera = frame_.camera, .background = frame_.background,
+  .surroundings = frame_.surroundings
 }
 ;
 }

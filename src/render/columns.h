@@ -21,6 +21,7 @@ struct Columns {
   const std::vector<Light>& lights;
   const Camera& camera;
   std::optional<Vec3> background;
+  Surroundings surroundings;
 };
 
 Columns columns_of(const Evaluation&);
@@ -29,6 +30,8 @@ Columns columns_of(const Evaluation&);
 struct Scenery {
   std::vector<Light> lights;
   std::optional<Vec3> background;
+  Surroundings surroundings;
+  bool plain() const { return background && !surroundings.below; }
   bool take(const Columns&);  // false: nothing differs from the picture before
 };
 

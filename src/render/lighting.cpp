@@ -31,11 +31,9 @@ double importance(const Lighting::One& l, Vec3 center) {
   return strength * w * w;
 }
 
-}  // namespace
-
-Lighting lighting_of(const std::vector<Light>& lights, const View& view, Vec3 center) {
+// The lights that count, or our own.
+Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center) {
   Lighting r;
-  r.sky = {0.2, 0.215, 0.24}, r.ground = {0.1, 0.09, 0.08};
   if (lights.empty()) {
     r.lights = rig(view);
     return r;
@@ -50,6 +48,27 @@ Lighting lighting_of(const std::vector<Light>& lights, const View& view, Vec3 ce
   std::stable_sort(r.lights.begin(), r.lights.end(),
                    [center](const auto& a, const auto& b) { return importance(a, center) > importance(b, center); });
   if (r.lights.size() > Lighting::most) r.lights.resize(Lighting::most);
+  return r;
+}
+
+// The light from everywhere, and how much of all there is.
+void surround(Lighting& r, const Surroundings& around) {
+  r.sky = {0.2, 0.215, 0.24}, r.ground = {0.1, 0.09, 0.08};
+  if (around.sky) r.sky = {0.2, 0.25, 0.33};
+  if (around.ground) r.ground = 0.3 * *around.ground;
+  if (around.ambient) r.sky = r.ground = *around.ambient;
+  r.zenith = {0.085, 0.22, 0.54}, r.horizon = {0.6, 0.72, 0.84}, r.below = {0.16, 0.155, 0.15};
+  const double share = std::exp2(around.exposure);
+  for (Vec3* light : {&r.sky, &r.ground, &r.zenith, &r.horizon, &r.below}) *light = share * *light;
+  for (Lighting::One& l : r.lights) l.color = share * l.color;
+}
+
+}  // namespace
+
+Lighting lighting_of(const std::vector<Light>& lights, const View& view, Vec3 center, const Surroundings& around) {
+  Lighting r = chosen(lights, view, center);
+  surround(r, around);
+  if (around.flat) r.lights.clear();
   return r;
 }
 

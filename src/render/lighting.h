@@ -27,9 +27,10 @@ struct Lighting {
   };
   std::vector<One> lights;  // the most important first, `most` at most; that one casts the shadow
   Vec3 sky, ground;         // ambient light from above and below
+  Vec3 zenith, horizon, below;  // the sky, if it is seen
 };
 
 // `center`: what the picture is about, in eye space.
-Lighting lighting_of(const std::vector<Light>&, const View&, Vec3 center);
+Lighting lighting_of(const std::vector<Light>&, const View&, Vec3 center, const Surroundings& = {});
 
 }  // namespace betwixt

@@ -10,4 +10,9 @@ void Module::draw(const Columns& columns, Picture& out) {
   canvas_.read(out);
 }
 
+Gradient Module::behind(const Gradient& own) const {
+  const auto& background = scenery_.background;
+  return background ? Gradient{*background, scenery_.surroundings.below.value_or(*background), false} : own;
+}
+
 }  // namespace betwixt

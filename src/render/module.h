@@ -26,6 +26,8 @@ class Module {
   Module(Canvas canvas, Purpose purpose)
       : canvas_(std::move(canvas)), things_(purpose, canvas_.width(), canvas_.height()) {}
   virtual void draw_anew() = 0;
+  // The background, as a gradient; `own`: the style's, where the film says nothing.
+  Gradient behind(const Gradient& own) const;
 
   Canvas canvas_;
   Things things_;

@@ -25,13 +25,19 @@ class Shaded final : public Module {
     for (std::uint32_t i = 0; i < things_.all().size(); ++i)
       if (const Thing& t = things_[i]; t.visible) (!t.surface ? hairlines : t.transparent ? glass : solid).push_back(i);
     const View& view = things_.view();
-    const Lighting lighting = lighting_of(scenery_.lights, view, {});
-    if (!lighting.lights.empty()) shadow_.update(things_, lighting.lights.front());
+    const Surroundings& around = scenery_.surroundings;
+    const Lighting lighting = lighting_of(scenery_.lights, view, {}, around);
+    const bool shadows = !lighting.lights.empty() && shadow_.update(things_, lighting.lights.front());
+    const Surfaces::Circumstances now{view, lighting, shadows ? &shadow_ : nullptr, around};
+    const bool encoded = canvas_.can_write_encoded();
     canvas_.begin(scenery_.background);
-    surfaces_.set(view, lighting, &shadow_);
-    surfaces_.write_encoded(canvas_.can_write_encoded());
+    surfaces_.set(now);
+    surfaces_.write_encoded(encoded);
     surfaces_.draw_opaque(things_, solid);
-    canvas_.draw_behind(scenery_.background, gradient);
+    if (around.ground || around.sky)
+      surfaces_.draw_setting(now, behind(gradient), encoded);
+    else if (!scenery_.plain())
+      canvas_.draw_behind(behind(gradient));
     if (!hairlines.empty() || !glass.empty()) {
       canvas_.write_linear();
       draw_hairlines(view, hairlines);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "render/batches.h"
+#include "render/canvas.h"
 #include "render/lighting.h"
 #include "render/shadow.h"
 
@@ -13,11 +14,18 @@ namespace betwixt {
 class Surfaces {
  public:
   static Result<Surfaces> create();
-  // Settings of a frame, for both calls below. `shadow`: of the first light, or null.
-  void set(const View&, const Lighting&, const Shadow* shadow);
+  struct Circumstances {  // of a frame
+    const View& view;
+    const Lighting& lighting;
+    const Shadow* shadow;  // of the first light, or null
+    const Surroundings& around;
+  };
+  void set(const Circumstances&);  // for the calls below
   void write_encoded(bool) const;  // see Canvas; linear light otherwise
   void draw_opaque(const Things&, std::span<const std::uint32_t>);
   void draw_transparent(const Things&, std::span<const std::uint32_t>);
+  // The endless floor, and in what is still empty the sky, or else the gradient.
+  void draw_setting(const Circumstances&, const Gradient&, bool encoded);
 
  private:
   struct Look {  // one variant of the program
@@ -25,8 +33,10 @@ class Surfaces {
     GLint part_color = 0, encodes = 0;
   };
   void draw_parts(const Batch&);
-  void set_program(const Look&, const View&, const Lighting&, const Shadow*) const;
+  static Result<Look> new_look(bool fills, const char* defines);
+  static void set_program(const Look&, const Circumstances&);
   Look plain_, textured_, balls_;
+  Look ground_;  // made when it is wanted
   Instances solid_, glass_;
 };
 

@@ -303,6 +303,12 @@ std::pair<Time, Time> Document::range() const {
   return {{}, last};
 }
 
+std::optional<std::pair<int, int>> Document::size() const {
+  const Appearance& a = scene_->appearance;
+  return !a.size && a.flat ? std::pair(1920, 1080) : a.size;
+}
+std::optional<int> Document::samples() const { return scene_->appearance.samples; }
+
 int Document::frame_count() const {
   const auto [from, to] = range();
   const double n = std::floor(scene_->rate.frame_number(to) - scene_->rate.frame_number(from) + 1e-9) + 1;

@@ -12,6 +12,7 @@
 
 #include "base/cow.h"
 #include "betwixt/document.h"
+#include "scene/appearance.h"
 #include "scene/display_list.h"
 #include "scene/environment.h"
 #include "scene/functions.h"
@@ -132,6 +133,7 @@ struct Scene {
   Rate rate, ticks{30, 1};
   std::optional<std::pair<Time, Time>> range;
   std::optional<Color> background;
+  Appearance appearance;
   bool notes_shown = true;
   Policy policy = Policy::ask;
 

@@ -137,6 +137,16 @@ check 'part by frames' 0 '5 frames in' render bounce.bx -o part.mp4 $small --fra
 check 'part by bare numbers' 0 '5 frames in' render bounce.bx -o part.mp4 $small --frames 3..7
 check 'part by seconds' 0 '7 frames in' render bounce.bx -o part.mp4 $small --frames 0s..0.25s
 check 'one frame' 0 '1 frame in' render bounce.bx -o part.gif $small --frames 3f..3f
+# The script's size and samples, unless the command line says others.
+printf 'size 48x32\nsamples 1\n%s\n' "$(cat bounce.bx)" > sized.bx
+pixels() { od -An -t u1 -j 16 -N 8 "$1" | awk '{ print $4 + 256 * $3 "x" $8 + 256 * $7 }'; }
+check "the script's size" 0 '' frame sized.bx --at 10f -o sized.png
+is "the script's size, seen" "$(pixels sized.png)" 48x32
+check 'the command line wins' 0 '' frame sized.bx --at 10f -o sized.png --size 40x20
+is 'the command line wins, seen' "$(pixels sized.png)" 40x20
+check 'a film of that size' 0 '1 frame in' render sized.bx --frames 3..3 -o sized-%d.png
+is 'a film of that size, seen' "$(pixels sized-3.png)" 48x32
+rm sized.bx sized.png sized-3.png
 check 'pictures' 0 '3 frames in' render bounce.bx -o p-%03d.png $small --frames 9..11
 is 'pictures have the numbers of their frames' "$(ls p-*)" $'p-009.png\np-010.png\np-011.png'
 check 'frame' 0 '' frame bounce.bx --at 10f -o one.png $small

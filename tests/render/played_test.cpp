@@ -26,7 +26,7 @@ std::string film(std::uint64_t seed) {
          "9)) width=0\ncreate glass torus radius=2 tube=0.4 transparency=0.4 position=(0 2 3)\ncreate floor plane "
          "size=(30 30) rotation=(-90deg 0 0)\nfloor.position\n  50f (0 -3 0) hold\n  60f (0 -4 0)\n" +
          (seed % 3 == 0   ? "create day light shines=sun position=(4 9 5)\n"
-          : seed % 3 == 1 ? "background #102030\n"
+          : seed % 3 == 1 ? "background #102030\nground on\nfog white from 5 to 90\n"
                           : "");
 }
 

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands about how the film looks beside its things.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/names.h"
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+bool size(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  const std::string_view w = c.next_word();
+  const auto size = parse_size(w);
+  if (w.empty()) return c.fail_here(ErrorCode::syntax, "a size is missing here");
+  if (!size) {
+    const std::string said(w.substr(0, 40));
+    return c.fail(ErrorCode::range, fmt::format("'{}' is no size: two numbers from 1 to 8192 with an x between", said),
+                  w, "as in size 1920x1080");
+  }
+  if (!finish(c)) return false;
+  s.appearance.size = size;
+  return true;
+}
+
+bool samples(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* const start = c.at;
+  double n = 0;
+  if (!values(k).scalar(n)) return false;
+  const auto whole = static_cast<int>(std::clamp(n, 0.0, 100.0));
+  if (whole != n || !samples_fit(whole))
+    return c.fail(ErrorCode::range, fmt::format("'{}' is no number of samples: 1, 4, 9 or 16", c.since(start)),
+                  c.since(start));
+  if (!finish(c)) return false;
+  s.appearance.samples = whole;
+  return true;
+}
+
+bool film(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  const std::string_view w = c.next_word();
+  if (w != "flat" && w != "solid")
+    return c.fail(ErrorCode::syntax, "a film is flat or solid", w, w.empty() ? "" : did_you_mean(w, {"flat", "solid"}));
+  if (!finish(c)) return false;
+  s.appearance.flat = w == "flat";
+  return true;
+}
+
+bool background(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::optional<Color> color, below;
+  if (!c.accept_word("none")) {
+    if (!values(k).color(color.emplace())) return false;
+    if (c.accept_word("to") && !values(k).color(below.emplace())) return false;
+  }
+  if (!finish(c)) return false;
+  s.background = color, s.appearance.below = below;
+  return true;
+}
+
+// A word that stands where a colour may, but is none, may have been meant as one of these.
+bool color_or(Command& k, std::initializer_list<std::string_view> words, Color& out) {
+  Cursor& c = k.cursor;
+  c.space();
+  const std::string_view w = c.peek_word();
+  if (values(k).color(out)) return true;
+  if (const std::string near = did_you_mean(w, words); !near.empty() && c.error) c.error->hint = near;
+  return false;
+}
+
+bool ambient(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  Color color{0, 0, 0};
+  if (!c.accept_word("off") && !color_or(k, {"off"}, color)) return false;
+  if (!finish(c)) return false;
+  s.appearance.ambient = color;
+  return true;
+}
+
+bool exposure(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* const start = c.at;
+  double stops = 0;
+  if (!values(k).scalar(stops)) return false;
+  if (!(std::abs(stops) <= 20))
+    return c.fail(ErrorCode::range, "an exposure is from -20 to 20", c.since(start), "each 1 is twice the light");
+  if (!finish(c)) return false;
+  s.appearance.exposure = stops;
+  return true;
+}
+
+bool distance(Command& k, const char* word, double& out, std::string_view& about) {
+  Cursor& c = k.cursor;
+  c.space();
+  if (!c.accept_word(word))
+    return c.fail(ErrorCode::syntax, fmt::format("'{}' and a distance are missing here", word), c.peek_word());
+  c.space();
+  const char* const start = c.at;
+  if (!values(k).scalar(out, Unit::metres)) return false;
+  about = c.since(start);
+  if (!(out >= 0 && out <= 1e12)) return c.fail(ErrorCode::range, "a distance is from 0 to 1e12 m", about);
+  return true;
+}
+
+bool fog(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  if (c.accept_word("off")) {
+    if (!finish(c)) return false;
+    s.appearance.fog.reset();
+    return true;
+  }
+  Appearance::Fog fog;
+  std::string_view about;
+  if (!color_or(k, {"off"}, fog.color) || !distance(k, "from", fog.from, about) || !distance(k, "to", fog.to, about))
+    return false;
+  if (!(fog.from < fog.to))
+    return c.fail(ErrorCode::range, "the fog is at its thickest before it begins", about,
+                  "from where it begins to where nothing is seen any more");
+  if (!finish(c)) return false;
+  s.appearance.fog = fog;
+  return true;
+}
+
+bool ground(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::optional<Color> color;
+  const bool off = c.accept_word("off");
+  if (!off && !c.accept_word("on") && !color_or(k, {"on", "off"}, color.emplace())) return false;
+  if (!finish(c)) return false;
+  s.appearance.ground = !off, s.appearance.ground_color = color;
+  return true;
+}
+
+bool sky(Command& k) { return on_or_off(k.cursor, "the sky is on or off", k.scene.appearance.sky); }
+
+constexpr Verb appearance_rows[] = {
+    {"size", "size WxH, as in size 1920x1080", "How many pixels the film's pictures have; the command line wins.",
+     "size 1920x1080", 0, size},
+    {"samples", "samples 1|4|9|16", "How many samples each pixel has: more is smoother; the command line wins.",
+     "samples 9", 0, samples},
+    {"film", "film flat|solid",
+     "flat: a drawing 9 m high, everything in its own color without light, on a dark background, 1920x1080.",
+     "film flat", 0, film},
+    {"background", "background COLOR [to COLOR] or background none",
+     "The color behind everything, or one at the top and one at the bottom; none makes it clear again.",
+     "background navy to black", 0, background},
+    {"ambient", "ambient COLOR|off", "The light that comes from everywhere.", "ambient #202428", 0, ambient},
+    {"exposure", "exposure STOPS", "Makes all light brighter or darker: 1 is twice as much, -1 half.", "exposure 0.5",
+     0, exposure},
+    {"fog", "fog COLOR from D to D or fog off",
+     "What is farther from the eye goes over into a color: not at all up to the first distance, wholly at the other.",
+     "fog lightsteelblue from 10 to 60", 0, fog},
+    {"ground", "ground on|off|COLOR", "An endless floor at y = 0 that takes shadows and fades into the background.",
+     "ground on", 0, ground},
+    {"sky", "sky on|off", "A blue sky with a pale horizon behind everything, and its light.", "sky on", 0, sky},
+};
+
+}  // namespace
+
+std::span<const Verb> appearance_verbs() { return appearance_rows; }
+
+}  // namespace betwixt

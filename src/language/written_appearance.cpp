@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Writing how a film looks.
+#include <fmt/format.h>
+
+#include "language/values.h"
+
+namespace betwixt {
+
+std::string write_appearance(const Scene& s) {
+  const Appearance& a = s.appearance;
+  std::string out;
+  if (a.size) out += fmt::format("size {}x{}\n", a.size->first, a.size->second);
+  if (a.samples) out += fmt::format("samples {}\n", *a.samples);
+  if (a.flat) out += "film flat\n";
+  if (s.background && a.below)
+    out += fmt::format("background {} to {}\n", write_color(*s.background), write_color(*a.below));
+  else if (s.background)
+    out += fmt::format("background {}\n", write_color(*s.background));
+  if (a.ambient) out += fmt::format("ambient {}\n", write_color(*a.ambient));
+  if (a.exposure != 0) out += fmt::format("exposure {}\n", write_number(a.exposure));
+  if (a.fog)
+    out += fmt::format("fog {} from {} to {}\n", write_color(a.fog->color), write_number(a.fog->from),
+                       write_number(a.fog->to));
+  if (a.ground_color) out += fmt::format("ground {}\n", write_color(*a.ground_color));
+  if (a.ground != a.ground_color.has_value()) out += a.ground ? "ground on\n" : "ground off\n";
+  if (a.sky) out += "sky on\n";
+  return out;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program/surroundings.h"
+
+namespace betwixt {
+namespace {
+
+constexpr Color dark{0.08, 0.088, 0.1};        // behind drawings
+constexpr Color floor_color{0.6, 0.6, 0.585};  // where nobody says another
+
+std::optional<Vec3> light(const std::optional<Color>& c) { return c ? std::optional(to_linear(*c)) : std::nullopt; }
+
+}  // namespace
+
+std::optional<Vec3> background_of(const Scene& s) {
+  if (s.background) return to_linear(*s.background);
+  // What goes over into fog goes over into the same behind everything.
+  if (s.appearance.fog && !s.appearance.sky) return to_linear(s.appearance.fog->color);
+  return s.appearance.flat ? std::optional(to_linear(dark)) : std::nullopt;
+}
+
+Surroundings surroundings_of(const Scene& s) {
+  const Appearance& a = s.appearance;
+  Surroundings r;
+  r.flat = a.flat, r.below = light(a.below), r.ambient = light(a.ambient), r.exposure = a.exposure, r.sky = a.sky;
+  if (a.fog) r.fog = {to_linear(a.fog->color), a.fog->from, a.fog->to};
+  if (a.ground) r.ground = to_linear(a.ground_color.value_or(floor_color));
+  return r;
+}
+
+}  // namespace betwixt

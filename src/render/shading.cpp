@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/shading.h"
+
+namespace betwixt {
+
+const char* const surface_vertex = R"(
+uniform mat4 clip;
+uniform vec4 toward_eye;  // a direction and 0 (orthographic), or the origin and 1
+#if defined(TEXTURED)
+out vec2 place;
+#elif defined(BALL)
+out vec3 disc;         // the same as `at` in mesh space
+flat out vec4 e;       // the eye in mesh space
+flat out vec3 move, turn;  // what e is to positions and normals
+#endif
+out vec3 at, facing;
+flat out vec4 paint;
+flat out vec2 gloss;
+vec3 normal_of(vec3 n) { return normal_x * n.x + normal_y * n.y + normal_z * n.z; }
+void main() {
+  vec4 p = vec4(position, 1.0);
+  facing = normal_of(normal);
+#if defined(TEXTURED)
+  place = uv;
+#elif defined(BALL)
+  p.xyz = outline(position.xy, toward_eye, e);
+  disc = p.xyz;
+  facing = normal_of(disc);
+  turn = normal_of(e.xyz);
+  move = (1.0 - e.w) * toward_eye.xyz;
+#endif
+  at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
+  paint = color;
+  gloss = look;
+  gl_Position = clip * vec4(at, 1.0);
+}
+)";
+
+const char* const surface_fragment = R"(
+#if defined(GROUND)
+in vec2 at;
+uniform vec4 floor_color;                     // and 1, or 0 where there is none
+uniform float floor_height;                   // in eye space
+uniform vec3 ray, ray_x, ray_y, from_x, from_y;  // through the picture's middle, and what its borders add
+uniform vec3 top, bottom, under;              // of the background; of the sky: above, at the horizon, below
+uniform vec2 shape;                           // 1: the background bends; 1: it is a sky
+#else
+in vec3 at, facing;
+flat in vec4 paint;
+flat in vec2 gloss;
+#endif
+uniform vec4 toward_eye;
+uniform vec3 part_color;
+uniform float unlit;     // 1: all show their own colours
+uniform vec3 fog_color;
+uniform vec2 fog_range;  // metres, and 1 / how many there are from nothing to all
+uniform int lights;
+uniform vec4 light_place[16];  // a position and 1, or a direction and 0
+uniform vec4 light_color[16];  // and 1 / range², 0 for suns
+uniform vec3 sky, ground;
+uniform sampler2DShadow shadow;
+uniform float encodes;      // 1: colours are written encoded, 0: as linear light
+uniform float shadow_step;  // between look-ups, in the map's measure
+uniform mat4 shadow_clip;
+uniform vec2 shadow_texel;  // metres across, or the same per metre of distance
+#if defined(TEXTURED)
+in vec2 place;
+uniform sampler2D picture;
+#elif defined(BALL)
+in vec3 disc;
+flat in vec4 e;
+flat in vec3 move, turn;
+#endif
+uniform vec4 depth_row, w_row;  // of the clip matrix
+out vec4 color;
+
+// How much of the first light reaches p, a point on a surface towards n. Looked up a little above it, against shadows of itself.
+float lit(vec3 spot, vec3 n) {
+  float distance_to_light = dot(vec4(shadow_clip[0].w, shadow_clip[1].w, shadow_clip[2].w, shadow_clip[3].w), vec4(spot, 1.0));
+  vec4 in_light = shadow_clip * vec4(spot + (shadow_texel.x + shadow_texel.y * distance_to_light) * n, 1.0);
+  vec3 p = in_light.xyz / in_light.w * 0.5 + 0.5;
+  p.z = min(p.z, 1.0);
+  float sum = 0.0;
+  for (int y = 0; y < TAPS; ++y)
+    for (int x = 0; x < TAPS; ++x) {
+      vec2 off = (vec2(x, y) - 0.5 * float(TAPS - 1)) * shadow_step;
+      sum += textureLod(shadow, vec3(p.xy + off, p.z), 0.0);
+    }
+  sum *= 1.0 / float(TAPS * TAPS);
+  // Fades out towards the border of the map, and behind the light.
+  vec2 border = clamp((1.0 - abs(2.0 * p.xy - 1.0)) * 16.0, 0.0, 1.0);
+  return in_light.w > 0.0 ? mix(1.0, sum, border.x * border.y) : 1.0;
+}
+
+// Sky above, ground below, a soft horizon between.
+vec3 surroundings(float up, float blur) {
+  return mix(ground, sky, clamp(0.5 + up / (0.35 + 1.65 * blur), 0.0, 1.0));
+}
+
+#if defined(GROUND)
+// What is behind everything, where one looks along d and `down` from the picture's top.
+vec3 behind(vec3 d, float down) {
+  float up = 1.0 - clamp(d.y, 0.0, 1.0), below = clamp(-4.0 * d.y, 0.0, 1.0);
+  vec3 sky_color = mix(mix(top, bottom, up * up * up), under, below * below * (3.0 - 2.0 * below));
+  return mix(mix(top, bottom, mix(down, smoothstep(0.0, 1.0, down), shape.x)), sky_color, shape.y);
+}
+#endif
+
+void main() {
+#if defined(GROUND)
+  vec2 p = 2.0 * at - 1.0;
+  vec3 through = normalize(ray + p.x * ray_x + p.y * ray_y);
+  vec3 back = behind(through, at.y);
+  vec3 along = mix(ray, through, toward_eye.w), from = p.x * from_x + p.y * from_y;
+  float drop = min(along.y, -1e-6), go = (floor_height - from.y) / drop;
+  vec3 spot = from + max(go, 0.0) * along, across = vec3(0.0, 1.0, 0.0);
+  // Where one looks along it, what is behind everything is seen in its place.
+  float cover = go > 0.0 ? floor_color.a * drop * drop / (drop * drop + 1e-3) : 0.0;
+  vec4 base = vec4(floor_color.rgb, 1.0), there = vec4(spot, 1.0);
+  vec2 gloss = vec2(0.0, 1.0);
+  gl_FragDepth = cover > 0.0 ? clamp(0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5, 0.0, 0.9999998) : 1.0;
+#else
+  vec4 base = paint * vec4(part_color, 1.0);
+#endif
+#if defined(TEXTURED)
+  base *= texture(picture, place);
+#endif
+  float metal = gloss.y == 2.0 ? 1.0 : 0.0;
+  float glossy = gloss.y == 1.0 ? 0.0 : 1.0;
+  float shine = gloss.x;
+  float roughness = mix(0.8, 0.08, shine);
+  float a = roughness * roughness, a2 = a * a;
+  vec3 f0 = mix(vec3(0.045 * min(1.0, 0.25 + shine)), base.rgb, metal) * glossy;
+
+#if !defined(GROUND)
+  vec3 spot = at, across = facing;
+#endif
+#if defined(BALL)
+  // From the disc along the line of sight to the sphere.
+  vec3 along = disc * e.w - e.xyz;
+  float stretch = inversesqrt(max(dot(along, along), 1e-30));
+  along *= stretch;
+  float b = dot(disc, along);
+  float go = -b - sqrt(max(b * b - dot(disc, disc) + 1.0, 0.0));
+  spot += go * stretch * (at * e.w - move);
+  across += go * stretch * (facing * e.w - turn);
+  vec4 there = vec4(spot, 1.0);
+  gl_FragDepth = 0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5;
+#endif
+  vec3 n = across * inversesqrt(max(dot(across, across), 1e-30));
+#if !defined(BALL) && !defined(GROUND)
+  if (!gl_FrontFacing) n = -n;
+#endif
+  vec3 v = toward_eye.xyz - toward_eye.w * spot;
+  v *= inversesqrt(max(dot(v, v), 1e-30));
+  float nv = dot(n, v);
+
+  vec3 diffuse = vec3(0.0), specular = vec3(0.0);
+  float unshadowed = lit(spot, n);
+  for (int i = 0; i < lights; ++i) {
+    vec3 to = light_place[i].xyz - light_place[i].w * spot;
+    float d2 = max(dot(to, to), 1e-30);
+    vec3 l = to * inversesqrt(d2);
+    float nl = dot(n, l);
+    float window = max(1.0 - d2 * light_color[i].w, 0.0);
+    float strength = max(nl, 0.0) * window * window;
+    strength *= i == 0 ? unshadowed : 1.0;
+    vec3 arriving = light_color[i].rgb * strength;
+    diffuse += arriving;
+    // GGX about the half vector h = l + v, of which only n·h and h·h are needed.
+    float nh = nl + nv, hh = 2.0 + 2.0 * dot(l, v);
+    float peak = hh / max(nh * nh * (a2 - 1.0) + hh, 1e-6);
+    specular += arriving * (peak * peak);
+  }
+  specular *= a2 / (1.0 + 2.0 * roughness);
+  vec3 r = 2.0 * nv * n - v;
+  float rim = 1.0 - clamp(nv, 0.0, 1.0), rim2 = rim * rim;
+  vec3 fresnel = f0 + (max(vec3(shine * shine * glossy), f0) - f0) * (rim2 * rim2 * rim);
+  vec3 ambient = surroundings(n.y, 1.0);
+  vec3 body = base.rgb * (1.0 - metal);
+  vec3 soft = body * ambient;
+  vec3 shiny = specular * f0 + fresnel * surroundings(r.y, roughness) * (1.0 + 2.0 * metal);
+  float opacity = base.a;
+  vec3 sum = (body * diffuse + soft) * opacity + shiny;
+  opacity = opacity + (1.0 - opacity) * max(fresnel.r, max(fresnel.g, fresnel.b));
+  // A soft shoulder for what is over-bright.
+  vec3 over = max(sum - 0.9, 0.0) * 10.0;
+  sum = min(sum, 0.9) + 0.1 * over / (1.0 + over);
+  bool glows = gloss.y == 3.0 || unlit > 0.5;
+  color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
+  float far = mix(-dot(spot, toward_eye.xyz), length(spot), toward_eye.w);
+  color.rgb = mix(color.rgb, fog_color * color.a, clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0));
+#if defined(GROUND)
+  color.rgb = mix(back, color.rgb, cover);
+#endif
+  color.rgb = mix(color.rgb, encoded(color.rgb), encodes);
+}
+)";
+
+}  // namespace betwixt

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is said of how a film looks.
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+double light(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }
+
+TEST(Appearance, IsInTheFrame) {
+  const LoadedFilm s(
+      "let far = 40m\nlet dusk = rgb(0.2 0.4 0.6)\nbackground navy to #ff8000\nambient dusk\nexposure 2/4\n"
+      "fog white from 50cm to far\nground #808080\nsky on\n");
+  const Surroundings a = s.frame("1f").surroundings;
+  EXPECT_NEAR(s.frame("1f").background->z, light(128 / 255.0), 1e-12);
+  EXPECT_NEAR(a.below->y, light(128 / 255.0), 1e-12);
+  EXPECT_NEAR(a.ambient->x, light(0.2), 1e-12);
+  EXPECT_EQ(a.exposure, 0.5);
+  EXPECT_EQ(a.fog, (Surroundings::Fog{{1, 1, 1}, 0.5, 40}));
+  EXPECT_NEAR(a.ground->x, light(128 / 255.0), 1e-12);
+  EXPECT_TRUE(a.sky);
+  EXPECT_FALSE(a.flat);
+  EXPECT_EQ(LoadedFilm("").frame("1f").surroundings, Surroundings{});
+}
+
+TEST(Appearance, TheLastWordCounts) {
+  const std::string all =
+      "background navy to red\nambient off\nexposure 3\nfog red from 1 to 2\nground red\nsky on\nfilm flat\n";
+  const LoadedFilm s(all + "background none\nexposure 0\nfog off\nground off\nsky off\nfilm solid\n");
+  Surroundings rest;
+  rest.ambient = Vec3{};  // off is no light from everywhere; nothing else is said of it
+  EXPECT_EQ(s.frame("1f").surroundings, rest);
+  EXPECT_FALSE(s.frame("1f").background);
+}
+
+TEST(Appearance, SizeAndSamplesAreTheScriptsToSay) {
+  const Document d = LoadedFilm("size 320x200\nsamples 9\n").loaded.document;
+  EXPECT_EQ(d.size(), std::pair(320, 200));
+  EXPECT_EQ(d.samples(), 9);
+  EXPECT_FALSE(Document().size());
+  EXPECT_FALSE(Document().samples());
+}
+
+// The view of a drawing: what is 4.5 m above the middle is at the upper border, wherever along z it is.
+TEST(Appearance, AFlatFilmIsADrawing) {
+  const LoadedFilm s("film flat\ncreate b box position=(3 2 -40)\ncreate lamp light\n");
+  EXPECT_EQ(s.loaded.document.size(), std::pair(1920, 1080));
+  EXPECT_EQ(LoadedFilm("size 64x64\nfilm flat\n").loaded.document.size(), std::pair(64, 64));
+  const Frame f = s.frame("1f");
+  EXPECT_TRUE(f.surroundings.flat);
+  EXPECT_TRUE(f.camera.orthographic);
+  EXPECT_EQ(f.camera.height, 9);
+  const Vec3 back = transform_vector(f.camera.world, {0, 0, 1}), up = transform_vector(f.camera.world, {0, 1, 0});
+  EXPECT_EQ(back, (Vec3{0, 0, 1}));
+  EXPECT_EQ(up, (Vec3{0, 1, 0}));
+  EXPECT_EQ(translation_of(f.camera.world).x, 0);
+  EXPECT_EQ(translation_of(f.camera.world).y, 0);
+  ASSERT_TRUE(f.background);
+  EXPECT_LT(f.background->x + f.background->y + f.background->z, 0.05);
+  EXPECT_EQ(LoadedFilm("film flat\nbackground white\n").frame("1f").background, (Vec3{1, 1, 1}));
+  EXPECT_EQ(LoadedFilm("film flat\ncreate eye camera height=3\n").frame("1f").camera.height, 3);
+}
+
+// What is outside the drawing's view is so for contacts too: its box ends 16 m wide of 9 m high pictures.
+TEST(Appearance, AFlatFilmsViewEnds) {
+  const LoadedFilm s("film flat\ncreate in box position=(7.4 0 0)\ncreate out box position=(8.6 0 0)\n");
+  expect_numbers(s, "in.in-view", "1f", {1});
+  expect_numbers(s, "out.in-view", "1f", {0});
+}
+
+TEST(Appearance, FogIsTheBackgroundWhereNoneIsSaid) {
+  EXPECT_EQ(LoadedFilm("fog white from 1 to 2\n").frame("1f").background, (Vec3{1, 1, 1}));
+  EXPECT_EQ(LoadedFilm("fog white from 1 to 2\nbackground black\n").frame("1f").background, Vec3{});
+  EXPECT_FALSE(LoadedFilm("fog white from 1 to 2\nsky on\n").frame("1f").background);
+}
+
+TEST(Appearance, IsWrittenAndCompared) {
+  const Document nothing;
+  for (const char* line :
+       {"size 320x200", "samples 16", "film flat", "background red to #010203", "ambient off", "ambient #123456",
+        "exposure -1.25", "fog gold from 0.1 to 1000", "ground on", "ground navy", "sky on"}) {
+    const Document d = LoadedFilm(std::string(line) + "\n").loaded.document;
+    EXPECT_FALSE(d == nothing) << line;
+    const Loaded again = read(write(d));
+    EXPECT_TRUE(again.diagnostics.empty()) << write(d) << said(again.diagnostics);
+    EXPECT_TRUE(again.document == d) << write(d);
+  }
+}
+
+TEST(Appearance, MistakesAreSaidWhereTheyAre) {
+  for (const auto& [line, what] : std::vector<std::pair<std::string, std::string>>{
+           {"size", "1:5: a size is missing here"},
+           {"size 1920", "1:6: '1920' is no size: two numbers from 1 to 8192 with an x between"},
+           {"size 0x5", "1:6: '0x5' is no size: two numbers from 1 to 8192 with an x between"},
+           {"size 64x9000", "1:6: '64x9000' is no size: two numbers from 1 to 8192 with an x between"},
+           {"size 99999999999999999999x1",
+            "1:6: '99999999999999999999x1' is no size: two numbers from 1 to 8192 with an x between"},
+           {"size 64x48x3", "1:6: '64x48x3' is no size: two numbers from 1 to 8192 with an x between"},
+           {"size 64 48", "1:6: '64' is no size: two numbers from 1 to 8192 with an x between"},
+           {"size 64x48 9", "1:12: '9' is not expected here"},
+           {"size -64x48", "1:6: '-64x48' is no size: two numbers from 1 to 8192 with an x between"},
+           {"samples", "1:8: a number is missing here"},
+           {"samples 5", "1:9: '5' is no number of samples: 1, 4, 9 or 16"},
+           {"samples -4", "1:9: '-4' is no number of samples: 1, 4, 9 or 16"},
+           {"samples 4.5", "1:9: '4.5' is no number of samples: 1, 4, 9 or 16"},
+           {"samples 4m", "1:9: a plain number is wanted here, without 'm'"},
+           {"samples many", "1:9: 'many' is not a number"},
+           {"film", "1:5: a film is flat or solid"},
+           {"film flatt", "1:6: a film is flat or solid"},
+           {"film flat 3", "1:11: '3' is not expected here"},
+           {"background red to", "1:18: a colour is missing here"},
+           {"background red too blue", "1:16: 'too' is not expected here"},
+           {"background none to red", "1:17: 'to' is not expected here"},
+           {"ambient", "1:8: a colour is missing here"},
+           {"ambient of", "1:9: there is no colour 'of'"},
+           {"exposure", "1:9: a number is missing here"},
+           {"exposure bright", "1:10: 'bright' is not a number"},
+           {"exposure 21", "1:10: an exposure is from -20 to 20"},
+           {"exposure 2deg", "1:10: a plain number is wanted here, without 'deg'"},
+           {"fog", "1:4: a colour is missing here"},
+           {"fog white", "1:10: 'from' and a distance are missing here"},
+           {"fog white 3 to 4", "1:11: 'from' and a distance are missing here"},
+           {"fog white from 3", "1:17: 'to' and a distance are missing here"},
+           {"fog white from 3 to 3", "1:21: the fog is at its thickest before it begins"},
+           {"fog white from -1 to 3", "1:16: a distance is from 0 to 1e12 m"},
+           {"fog white from 1 to 1e13", "1:21: a distance is from 0 to 1e12 m"},
+           {"fog white from 1f to 3", "1:16: 'f' is not a unit of length"},
+           {"ground onn", "1:8: there is no colour 'onn'"},
+           {"ground", "1:7: a colour is missing here"},
+           {"ground on red", "1:11: 'red' is not expected here"},
+           {"sky", "1:4: the sky is on or off"},
+           {"sky blue", "1:5: the sky is on or off"},
+           {"at 3f sky on", "1:7: 'sky' has no time: it holds for the whole film"},
+           {"at 3f size 3x3", "1:7: 'size' has no time: it holds for the whole film"}}) {
+    const Loaded l = read(line + "\n");
+    EXPECT_EQ(errors(l), std::vector<std::string>{what}) << line;
+    EXPECT_TRUE(l.document == Document()) << line;
+  }
+}
+
+TEST(Appearance, NearMisses) {
+  for (const auto& [line, hint] :
+       std::vector<std::pair<std::string, std::string>>{{"film flatt", "did you mean 'flat'?"},
+                                                        {"ground onn", "did you mean 'on'?"},
+                                                        {"ambient of", "did you mean 'off'?"},
+                                                        {"fogg white from 1 to 2", "did you mean 'fog'?"},
+                                                        {"exposur 1", "did you mean 'exposure'?"},
+                                                        {"size 64x", "as in size 1920x1080"}}) {
+    const Loaded l = read(line + "\n");
+    ASSERT_EQ(l.diagnostics.size(), 1u) << line;
+    EXPECT_EQ(l.diagnostics[0].what.hint, hint) << line;
+  }
+}
+
+}  // namespace
+}  // namespace betwixt
