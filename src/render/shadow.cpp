@@ -61,19 +61,22 @@ Ball around(const Ball& a, const Ball& b) {
   return {a.center + (r - a.radius) / d * (b.center - a.center), r};
 }
 
-// What the map must show finely: all casters but those that dwarf the rest (grounds and walls), whose own shadows
-// nobody misses. Relative to `anchor`.
-Ball subject(const Things& things, const std::vector<std::uint32_t>& casters, Vec3 anchor) {
-  std::vector<std::pair<double, std::uint32_t>> by_size;
-  for (const std::uint32_t i : casters) by_size.emplace_back(things[i].bounds.radius(), i);
-  std::sort(by_size.begin(), by_size.end());
-  const auto ball = [&](const auto& one) { return Ball{things[one.second].bounds.center - anchor, one.first}; };
-  Ball all = ball(by_size.front());
-  for (const auto& one : by_size) {
-    if (one.first > 4 * all.radius) break;
-    all = around(all, ball(one));
-  }
+Ball ball_of(const Thing& t, Vec3 anchor) { return {t.bounds.center - anchor, t.bounds.radius()}; }
+
+Ball around_all(const Things& things, std::span<const std::uint32_t> casters, Vec3 anchor) {
+  Ball all = ball_of(things[casters.front()], anchor);
+  for (const std::uint32_t i : casters) all = around(all, ball_of(things[i], anchor));
   return all;
+}
+
+// How many pixels a metre at the thing has, and about how large it is in the picture, wherever in it.
+struct Apparent {
+  double pixels, size;
+};
+Apparent apparent(const Thing& t, const View& view) {
+  const double r = t.bounds.radius(), away = std::max(length(t.bounds.center - view.eye) - r, 0.5 * r);
+  const double pixels = 0.5 * view.sx * view.width / (view.orthographic ? 1 : away);
+  return {pixels, pixels * r};
 }
 
 Mat4 looking(Vec3 from, Vec3 backward) {
@@ -112,7 +115,7 @@ Result<Shadow> Shadow::create() {
 // The map's view. Positions are relative to the lamp, or for suns to a place by the middle of what is shown, which
 // jumps by steps, so that f32 is enough for what is small and far from the world's origin.
 void Shadow::look(const Things& things, const Lighting::One& light, Vec3 anchor) {
-  Ball ball = subject(things, casters_, anchor);
+  Ball ball = around_all(things, fine_, anchor);
   perspective_ = !light.sun;
   Mat4 projection;
   if (light.sun) {
@@ -150,23 +153,55 @@ void Shadow::look(const Things& things, const Lighting::One& light, Vec3 anchor)
   }
 }
 
+// What the map must show finely, of all casters by their size: all but those that dwarf the rest (grounds and walls),
+// whose own shadows nobody misses; and where the map would be coarse for what is seen best, all but what is small
+// beside it.
+std::vector<std::uint32_t> Shadow::subject(const Things& things, Vec3 anchor) const {
+  std::vector<std::uint32_t> found;
+  Ball all;
+  for (const std::uint32_t i : by_size_) {
+    const Ball one = ball_of(things[i], anchor);
+    if (!found.empty() && one.radius > 4 * all.radius) break;
+    all = found.empty() ? one : around(all, one);
+    found.push_back(i);
+  }
+  Apparent best{};
+  for (const std::uint32_t i : found) {
+    const Apparent a = apparent(things[i], things.view());
+    best = {std::max(best.pixels, a.pixels), std::max(best.size, a.size)};
+  }
+  constexpr double coarse = 6, small = 0.2;  // pixels a texel; of the largest
+  if (2 * all.radius / map_size * best.pixels <= coarse) return found;
+  std::erase_if(found, [&](std::uint32_t i) { return apparent(things[i], things.view()).size < small * best.size; });
+  return found;
+}
+
 bool Shadow::update(Things& things, const Lighting::One& light) {
   const Vec3 eye = things.view().eye;
   // A whole kilometre by the eye: steps are measured from there, and they stay while the eye moves about.
   Vec3 anchor;
   for (int i = 0; i < 3; ++i) anchor[i] = 1000 * std::round(eye[i] / 1000);
   const Made now{things.casters(), light.sun, light.sun ? light.place : light.world, light.range, anchor};
-  if (!made_ || !(*made_ == now)) {
+  const bool others = !made_ || !(*made_ == now);
+  if (others) {
     made_ = now;
     casters_.clear();
     for (std::uint32_t i = 0; i < things.all().size(); ++i)
       if (things[i].casts && length(things[i].bounds.center - anchor) < 1e15) casters_.push_back(i);
-    if (!casters_.empty()) {
+    by_size_ = casters_;
+    std::stable_sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return things[a].bounds.radius() < things[b].bounds.radius();
+    });
+  }
+  if (casters_.empty()) return false;
+  if (others || things.all_changed()) {
+    std::vector<std::uint32_t> fine = subject(things, anchor);
+    if (others || fine != fine_) {
+      fine_ = std::move(fine);
       look(things, light, anchor);
       draw(things, light);
     }
   }
-  if (casters_.empty()) return false;
   clip_ = map_clip_ * translation(eye - origin_);
   return true;
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The shadow of the most important light: a depth map seen from it. It does not depend on the eye, and is drawn anew
-// only where what casts it or the light is another.
+// The shadow of the most important light: a depth map seen from it. What it must show finely are the
+// casters that are large in the picture, unless all fit; it is drawn anew only where those are others, what casts it or
+// the light is.
 #pragma once
 
 #include "render/batches.h"
@@ -31,6 +32,7 @@ class Shadow {
     Vec3 anchor;
     friend bool operator==(const Made&, const Made&) = default;
   };
+  std::vector<std::uint32_t> subject(const Things&, Vec3 anchor) const;
   void look(const Things&, const Lighting::One&, Vec3 anchor);
   void draw(Things&, const Lighting::One&);
   void draw_some(Things&, bool veils);
@@ -39,7 +41,8 @@ class Shadow {
   gl::Program meshes_, balls_, veils_;
   Instances instances_;
   std::optional<Made> made_;
-  std::vector<std::uint32_t> casters_;
+  std::vector<std::uint32_t> casters_, by_size_;
+  std::vector<std::uint32_t> fine_;  // those that the map shows finely
   Vec3 origin_;    // in the world; what is drawn is placed relative to it
   Mat4 map_clip_;  // from there to the map's clip space
   Mat4 clip_;
