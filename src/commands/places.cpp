@@ -72,10 +72,7 @@ struct Alone {  // whatever way out
   ~Alone() { k.script.only.reset(), k.cursor.place = {}; }
 };
 
-bool says_place(const Command& k, const char* from) {
-  const LogicalLine line = logical_line({from, k.cursor.end});
-  return speaks_of_place({from, static_cast<std::size_t>(line.end - from)});
-}
+bool says_place(const Command& k, const char* from) { return speaks_of_place(from, k.cursor.end); }
 
 }  // namespace
 

@@ -16,10 +16,12 @@ namespace {
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool ends_word(char c) {
-  return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == '(' || c == ')' || c == '=' || c == '"' ||
-         c == '@';
-}
+constexpr auto word_ends = [] {
+  std::array<bool, 256> ends{};
+  for (const char c : std::string_view(" \n\t\r,()=\"@")) ends[static_cast<unsigned char>(c)] = true;
+  return ends;
+}();
+bool ends_word(char c) { return word_ends[static_cast<unsigned char>(c)]; }
 // What the author sees of a token in a message.
 std::string quoted(std::string_view s) {
   return s.size() > 40 ? fmt::format("'{}…'", s.substr(0, 36)) : fmt::format("'{}'", s);
@@ -123,8 +125,8 @@ bool Cursor::number(double& out) {
 bool Cursor::number(double& out, std::optional<Quantity>& of) {
   space();
   const char* const start = at;
-  const char c = peek();
-  if (!digit(c) && c != '.' && formula_begins(*this)) {
+  const char* const first = at + (peek() == '-' || peek() == '+');
+  if (first < end && !digit(*first) && *first != '.' && formula_begins(*this)) {
     of.emplace();
     return formula(*this, *of) && (out = of->value, true);
   }

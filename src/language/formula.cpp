@@ -396,20 +396,33 @@ bool formula_begins(const Cursor& c) {
 
 bool formula(Cursor& c, Quantity& out) { return Reader(c).whole(out); }
 
-bool speaks_of_place(std::string_view line) {
+bool speaks_of_place(const char* at, const char* end) {
+  static constexpr auto in_name = [] {
+    std::array<bool, 256> all{};
+    for (int c = 0; c < 256; ++c)
+      all[static_cast<std::size_t>(c)] =
+          (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    return all;
+  }();
+  const auto part = [](char c) { return in_name[static_cast<unsigned char>(c)]; };
+  const char* const from = at;
   bool quoted = false;
-  for (std::size_t at = 0; at < line.size(); ++at) {
-    if (line[at] == '"' && (at == 0 || line[at - 1] != '\\')) quoted = !quoted;
-    if (quoted || !name_begins(line[at])) continue;
-    const std::string_view name = name_at(line.data() + at, line.data() + line.size());
-    const char before = at > 0 ? line[at - 1] : ' ',
-               behind = at + name.size() < line.size() ? line[at + name.size()] : ' ';
-    const bool place =
-        name == "i" || name == "n" || (name.size() == 2 && name[0] == 'i' && name[1] >= '1' && name[1] <= '4');
-    if (place && std::string_view(" \t,=(+-*/%^.").find(before) != std::string_view::npos &&
+  int depth = 0;
+  for (; at < end; ++at) {
+    if (*at == '"' && (at == from || at[-1] != '\\')) quoted = !quoted;
+    if (*at == '\n' && depth <= 0 && !quoted) break;
+    if (quoted) continue;
+    depth += (*at == '(') - (*at == ')');
+    if (!part(*at)) continue;
+    const char* const word = at;
+    while (at + 1 < end && part(at[1])) ++at;
+    const std::size_t length = static_cast<std::size_t>(at + 1 - word);
+    if (length > 2 || (*word != 'i' && *word != 'n')) continue;
+    if (length == 2 && (*word != 'i' || word[1] < '1' || word[1] > '4')) continue;
+    const char before = word > from ? word[-1] : ' ', behind = at + 1 < end ? at[1] : ' ';
+    if (std::string_view(" \t,=(+-*/%^.").find(before) != std::string_view::npos &&
         std::string_view(" \t\r\n,)+-*/%^.").find(behind) != std::string_view::npos)
       return true;
-    at += name.size() - 1;
   }
   return false;
 }

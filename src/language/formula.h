@@ -22,8 +22,8 @@ bool formula_goes_on(const char* at, const char* end);
 // than 100).
 bool formula(Cursor&, Quantity& out);
 
-// Whether the text speaks of its place in a pattern: i, n, i1 … outside texts in quotes.
-bool speaks_of_place(std::string_view line);
+// Whether the line that begins there speaks of its place in a pattern: i, n, i1 … outside texts in quotes.
+bool speaks_of_place(const char* at, const char* end);
 // "did you mean 'beat'?", of what `let` gave; empty where nothing is near.
 std::string near_name(const Cursor&, std::string_view word);
 // Whether formulas know the word without a `let`.
