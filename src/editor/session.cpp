@@ -181,7 +181,8 @@ Session::Answer Session::State::enter(std::string_view line) {
   if (indented(line) && (sheet_open() || sheet_refused)) return command(line);
   const Words all = line_words(trimmed(line));
   const Word* word = all.empty() ? nullptr : find_word(all[0]);
-  const bool of_picture = word && word->run == &State::picture;  // how play draws here, whatever the script says
+  // How play draws here, whatever the script says; where nothing plays these words are the script's.
+  const bool of_picture = word && word->run == &State::picture && doors.picture;
   if (!word || (all.size() > 1 && is_verb(all[0]) && !of_picture)) return command(line);
   if (all.size() > word->most + 1) return refused(fmt::format("'{}' is one word too many", all[word->most + 1]));
   return (this->*word->run)(all);
