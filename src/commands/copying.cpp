@@ -38,12 +38,27 @@ Track component_of(const Track& track, int component) {
   return out;
 }
 
-// One track, or the tracks of its components, of what stood before, onto another. How many events came of it.
-Result<std::size_t> copy_track(Scene& s, const Scene& before, const Target& from, const Target& to, const Copying& how,
-                               const std::optional<Value>& by) {
+// How many events of a track give way to copies, but for one that they go on from without a jump.
+std::size_t giving_way(const Track& into, const Track& source, const Copying& how, const std::optional<Value>& by) {
+  const Segment& s = how.from.segment;
+  const double span = static_cast<double>((s.to - s.from).flicks) * static_cast<double>(how.times);
+  const Time end{static_cast<std::int64_t>(std::min(9e18, static_cast<double>(how.start.flicks) + span))};
+  const Event *standing = into.events.find(how.start), *first = source.events.find(s.from);
+  const bool goes_on = standing && first &&
+                       standing->value == (by ? add_scaled(first->value, *by, 1).value_or(first->value) : first->value);
+  return into.events.count(how.start, end) - (goes_on ? 1 : 0);
+}
+
+// One track, or the tracks of its components, of what stood before, onto another. How many events came of it, and how
+// many gave way.
+Result<Changed> copy_track(Scene& s, const Scene& before, const Target& from, const Target& to, const Copying& how,
+                           const std::optional<Value>& by) {
   std::vector<Track> originals;
   for (const Track* t : tracks_of(before, from)) originals.push_back(*t);
-  std::size_t made = 0;
+  for (Track& t : originals)
+    fill_in_kept(t, how.from.segment, spec_of(before, from.function).type, from.velocity,
+                 from.component >= 0 || originals.size() > 1);
+  Changed sum;
   for (std::size_t k = 0; k < originals.size(); ++k) {
     if (originals[k].events.count(how.from.segment.from, how.from.segment.to) == 0) continue;
     Target place = to;
@@ -57,13 +72,14 @@ Result<std::size_t> copy_track(Scene& s, const Scene& before, const Target& from
       if (to.function == fn::motion)
         source = centred(source, before.objects[from.object.index].name, s.objects[to.object.index].name);
       const auto shift = by ? std::optional<Value>(part_of(*by, component)) : std::nullopt;
+      sum.replaced += giving_way(*tracks[i], source, how, shift);
       const auto done =
           copy_segment(source, how.from.segment, *tracks[i], how.start, shift, static_cast<int>(how.times));
       if (!done) return done.error();
-      made += done->events;
+      sum.events += done->events;
     }
   }
-  return made;
+  return sum;
 }
 
 bool shift(Command& k, Copying& how) {
@@ -159,23 +175,28 @@ bool copy(Command& k) {
   if (!arguments(k, how)) return false;
   if (!how.from.of.spec || !how.into.spec) return true;
   if (!fits(k, how) || !finish(k.cursor) || !affordable(k, how)) return false;
+  for (std::size_t i = 0; how.shift && i < how.into.targets.size(); ++i)
+    if (!reaches(k, how.from, how.source(i), *how.shift, "shifted")) return false;
   Rollback all(k.scene);
-  std::size_t made = 0;
+  Changed sum;
   for (std::size_t i = 0; i < how.into.targets.size(); ++i) {
     Target source = how.source(i), to = how.into.targets[i];
-    Result<std::size_t> done = copy_track(k.scene, all.before(), source, to, how, how.shift);
+    Result<Changed> done = copy_track(k.scene, all.before(), source, to, how, how.shift);
     if (done && !source.velocity &&
         has_velocity(type_of(k.scene, source))) {  // what goes on beside it, unshifted (R-T10)
-      made += *done;
+      sum.events += done->events, sum.replaced += done->replaced;
       source.velocity = to.velocity = true;
       done = copy_track(k.scene, all.before(), source, to, how, std::nullopt);
     }
     if (!done) return k.cursor.fail(done.error().code, done.error().message, how.from.word);
-    made += *done;
+    sum.events += done->events, sum.replaced += done->replaced;
   }
   all.keep();
-  if (made == 0)
+  if (sum.events == 0)
     k.script.note(Severity::notice, fmt::format("there are no events of '{}' there", how.from.of.text), how.from.word);
+  if (sum.replaced > 0)
+    k.script.note(Severity::notice, fmt::format("{} gave way", plural(sum.replaced, "event")), how.from.word,
+                  how.shift ? "" : "a copy begins with the value that the original began with; shift V adds the way");
   say_lasting(k, all.before(), how.into, how.from.word);
   return true;
 }

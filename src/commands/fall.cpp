@@ -12,6 +12,8 @@
 
 #include "commands/segments.h"
 #include "program/compiled.h"
+#include "program/placing.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -19,6 +21,13 @@ namespace {
 struct Laws {
   Time delay, length{10 * flicks_per_second};
   double gravity = 9.81, ground = 0, bounce = 0;
+};
+
+// What takes the values of a position's track to the world, and how fast it went with all that it carries: the speed
+// that is lost at that time, for what goes on goes on carrying.
+struct Carried {
+  Mat4 to_world;
+  Vec3 origin, speed;
 };
 
 // Where it is at a time, and how fast it comes and goes.
@@ -63,6 +72,61 @@ std::vector<Mark> path(Time start, Vec3 place, Vec3 speed, const Laws& laws) {
   }
   marks.back().out = {};
   return marks;
+}
+
+// Differences of places leave noise behind the eleventh digit, and nobody wants to read that.
+Vec3 tidied(Vec3 v, double size) {
+  const double unit = std::pow(10, std::max(0.0, 11 - std::ceil(std::log10(std::max(1.0, size)))));
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(v[i]) * unit < 1e15) v[i] = std::round(v[i] * unit) / unit + 0.0;
+  return v;
+}
+
+bool let_go_at(const Object& o, Time t) {
+  const auto all = attachments(o);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const AttachmentSpan& a) { return a.from == t && a.to.kind == AttachmentKind::letgo; });
+}
+
+Carried carried(const Program& program, ObjectId id, Time t) {
+  const Program::Compiled& compiled = program.compiled();
+  const Kinematics now = program.kinematics(id, t);
+  const auto value = [&](Time when) { return std::get<Vec3>(program.read(Target{id, fn::position}, when)); };
+  Carried c{now.to_world, now.position - transform_vector(now.to_world, value(t)), {}};
+  const Object& o = compiled.document.scene().objects[id.index];
+  if (!let_go_at(o, t) && !o.find(fn::motion)) return c;
+  Asking asking;
+  const std::uint32_t node = compiled.node_of[id.index];
+  // Environments go in steps, which have no speed.
+  const Mat4 around = linear_part(compiled.placement(node, t, asking).around);
+  const auto place = [&](Time when) { return translation_of(compiled.placement(node, when, asking).world); };
+  const auto speed = [&](int side) {
+    const auto beside = [&](int steps) { return Time{t.flicks + side * steps * (flicks_per_second / 2000)}; };
+    const auto slope = [&](auto&& f) {  // exact for cubics
+      return side * 2000.0 / 6 * (18.0 * f(beside(1)) - 11.0 * f(t) - 9.0 * f(beside(2)) + 2.0 * f(beside(3)));
+    };
+    return transform_vector(around, slope(place)) - transform_vector(now.to_world, slope(value));
+  };
+  c.speed = speed(-1) - speed(1);
+  return c;
+}
+
+// The same things, but only their own tracks say where they are: what filters and layers add is added to a fall too.
+Program bare(const Scene& s, const std::vector<ObjectId>& things, const Program& program) {
+  Scene plain = s;
+  bool any = false;
+  for (const ObjectId id : things) {
+    const auto adds = [](const Slot& slot) {
+      return slot.function == fn::position && (slot.layer || !slot.filters.empty());
+    };
+    if (const auto& slots = s.objects[id.index].slots; std::none_of(slots.begin(), slots.end(), adds)) continue;
+    any = true;
+    auto& slots = plain.objects.edit(id.index).slots;
+    std::erase_if(slots, [](const Slot& slot) { return slot.function == fn::position && slot.layer; });
+    for (Slot& slot : slots)
+      if (slot.function == fn::position) slot.filters.clear();
+  }
+  return any ? Program::compile(Document(std::make_shared<const Scene>(std::move(plain)))) : program;
 }
 
 // The fall rules from `from` on: velocities give way, and what they would have made after it too.
@@ -117,13 +181,9 @@ std::size_t displaced(const Scene& s, ObjectId id, Time from, Time until) {
   return most;
 }
 
-bool fall(Command& k) {
-  auto& [s, c, time, layer, script] = k;
-  std::string_view word;
-  std::vector<ObjectId> things;
-  if (!time) return c.fail_here(ErrorCode::syntax, "a fall needs a time", "as in at 24f fall ball");
-  if (!objects(k, word, things)) return false;
-  Laws laws;
+// delay= gravity= ground= bounce= and for LENGTH
+bool laws_of(Command& k, Laws& laws) {
+  Cursor& c = k.cursor;
   while (!c.at_line_end()) {
     const char* start = c.at;
     const std::string_view key = c.word();
@@ -149,27 +209,80 @@ bool fall(Command& k) {
     if (key == "bounce" && !(laws.bounce >= 0 && laws.bounce < 1))
       return c.fail(ErrorCode::range, "bounce is at least 0 and less than 1", c.since(start));
   }
+  return true;
+}
+
+// What else moves the thing while it falls, and what falls no way at all.
+void say_company(Command& k, ObjectId id, double height, const Laws& laws, std::string_view word) {
+  auto& [s, c, time, layer, script] = k;
+  const Object& o = s.objects[id.index];
+  for (const AttachmentSpan& a : attachments(o))
+    if (a.from <= *time && *time < a.until && a.to.parent)
+      script.note(
+          Severity::notice,
+          fmt::format("{} is still held by {}, which goes on carrying it", o.name, s.objects[a.to.parent.index].name),
+          word, fmt::format("to fall free it is let go first: at {} letgo {}", format_time(*time, s.rate), o.name));
+  if (const Slot* slot = o.find(fn::motion))
+    if (const auto later = slot->track->events.between(*time, {INT64_MAX}); !later.empty() && later.back().time > *time)
+      script.note(Severity::notice, fmt::format("{} falls while its motion goes on: the two are added", o.name), word,
+                  "let it fall when the motion has ended");
+  if (height < laws.ground)
+    script.note(Severity::notice,
+                fmt::format("{} is below the ground, y = {}: it does not fall", o.name, write_number(laws.ground)),
+                word, "ground=Y says where the ground is");
+}
+
+// One component of the way, in place of what its track had there.
+void put_marks(Scene& s, ObjectId id, int axis, const std::vector<Mark>& marks) {
+  Track* track = edit_track(s, Target{id, fn::position, axis});
+  EventDetail arrival = end_alone(*track, marks.front().time, component_track_type(Type::vector), true);
+  track->events.erase(marks.front().time, marks.back().time);
+  for (const Mark& m : marks) {
+    Event e;
+    e.time = m.time;
+    e.value = m.place[axis];
+    e.twerper = Twerper::hermite;
+    EventDetail& d = e.detail.edit();
+    d.tangent_in = m.in[axis];
+    if (&m == &marks.front()) {
+      d = std::move(arrival);
+      if (!d.tangent_in) d.tangent_in = m.in[axis];
+    }
+    d.tangent_out = m.out[axis];
+    track->events.put(std::move(e));
+  }
+}
+
+bool fall(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  std::vector<ObjectId> things;
+  if (!time) return c.fail_here(ErrorCode::syntax, "a fall needs a time", "as in at 24f fall ball");
+  if (!objects(k, word, things)) return false;
+  Laws laws;
+  if (!laws_of(k, laws)) return false;
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
+  const Program own = bare(s, things, program);
   for (const ObjectId id : things) {
-    const Vec3 p = std::get<Vec3>(program.read(Target{id, fn::position}, *time));
-    const Kinematics kinematics = program.kinematics(id, *time);
-    const std::optional<Mat4> inward = inverse(kinematics.to_world);
+    Target target{id, fn::position};
+    const Vec3 p = std::get<Vec3>(own.read(target, *time));
+    target.velocity = true;
+    const Vec3 rate = std::get<Vec3>(own.read(target, *time));
+    const Carried by = carried(program, id, *time);
+    const std::optional<Mat4> inward = inverse(by.to_world);
     if (!inward)
       return c.fail(ErrorCode::range,
                     fmt::format("{} is flattened by what it hangs on; it cannot fall", s.objects[id.index].name), word);
-    if (const Slot* slot = s.objects[id.index].find(fn::motion))
-      if (const auto later = slot->track->events.between(*time, {INT64_MAX});
-          !later.empty() && later.back().time > *time)
-        script.note(Severity::notice,
-                    fmt::format("{} falls while its motion goes on: the two are added", s.objects[id.index].name), word,
-                    "let it fall when the motion has ended");
-    if (kinematics.position.y < laws.ground)
-      script.note(Severity::notice,
-                  fmt::format("{} is below the ground, y = {}: it does not fall", s.objects[id.index].name,
-                              write_number(laws.ground)),
-                  word, "ground=Y says where the ground is");
-    const std::vector<Mark> marks =
-        path(*time, kinematics.position, kinematics.velocity, until_caught(s.objects[id.index], *time, laws));
+    const Vec3 place = by.origin + transform_vector(by.to_world, p);
+    const Vec3 speed = transform_vector(by.to_world, rate) + by.speed;
+    say_company(k, id, place.y, laws, word);
+    std::vector<Mark> marks = path(*time, place, speed, until_caught(s.objects[id.index], *time, laws));
+    const double size = std::max(length(place), length(speed));
+    for (Mark& m : marks) {
+      m.place = tidied(p + transform_vector(*inward, m.place - place), std::max(size, length(p)));
+      m.in = tidied(transform_vector(*inward, m.in), size), m.out = tidied(transform_vector(*inward, m.out), size);
+    }
+    marks.front().place = p;
     const Time last = marks.back().time;
     if (const std::size_t n = displaced(s, id, *time, last); n > 0)
       script.note(Severity::notice,
@@ -177,19 +290,9 @@ bool fall(Command& k) {
                               s.objects[id.index].name, n == 1 ? "s" : ""),
                   word, "for LENGTH says how long it falls");
     end_reign(s, id, *time, last);
-    for (int axis = 0; axis < 3; ++axis) {
-      Track* track = edit_track(s, Target{id, fn::position, axis});
-      track->events.erase(*time, last);
-      for (const Mark& m : marks) {
-        Event e;
-        e.time = m.time;
-        e.value = (p + transform_vector(*inward, m.place - kinematics.position))[axis];
-        e.twerper = Twerper::hermite;
-        e.detail.edit().tangent_in = transform_vector(*inward, m.in)[axis];
-        e.detail.edit().tangent_out = transform_vector(*inward, m.out)[axis];
-        track->events.put(std::move(e));
-      }
-    }
+    for (int axis = 0; axis < 3; ++axis) put_marks(s, id, axis, marks);
+    if (auto turned = script.withheld(Severity::warning, "", word))
+      script.falls.push_back({id, *time, by.to_world, by.origin, by.speed, *std::move(turned)});
   }
   return true;
 }
@@ -242,6 +345,26 @@ bool end_fall(Scene& s, ObjectId id, Time t) {
     track->events.erase(t + Time{1}, events[length - 1].time);
   }
   return true;
+}
+
+void say_turned_falls(const Scene& s, Script& script) {
+  if (script.falls.empty()) return;
+  const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
+  for (Script::Fall& f : script.falls) {
+    if (!find_object(s, f.object)) continue;
+    const Carried now = carried(program, f.object, f.time);
+    double off = std::max(length(now.origin - f.origin), length(now.speed - f.speed));
+    for (int i = 0; i < 16; ++i) off = std::max(off, std::abs(now.to_world.m[i] - f.to_world.m[i]));
+    if (off <= 1e-6 * (1 + length(f.origin) + length(f.speed))) continue;
+    const std::string& name = s.objects[f.object.index].name;
+    f.turned.what.message = fmt::format(
+        "a line below changes what carries {} at {}: its fall was worked out before, and is turned or moved "
+        "along",
+        name, format_time(f.time, s.rate));
+    f.turned.what.hint = "write the fall below what it depends on";
+    script.diagnostics.push_back(std::move(f.turned));
+  }
+  script.falls.clear();
 }
 
 std::span<const Verb> fall_verbs() { return fall_rows; }

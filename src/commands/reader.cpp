@@ -141,7 +141,7 @@ void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
   const bool followed = !script.live && script.failed.contains(name_missed(e));
   const bool ignored = e.code == ErrorCode::type && s.policy == Policy::ignore;
   if (ignored) e.message = "ignored: " + e.message;
-  for (std::string& name : ignored ? std::vector<std::string>() : names_made(whole))
+  for (std::string& name : ignored ? std::vector<std::string>() : names_missed(s, whole))
     script.failed.insert(std::move(name));
   if (!followed) script.report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
   c.at = next;
@@ -163,6 +163,8 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     c.depth = 0;
     Command k{s, c, {}, {}, script};
     const bool done = line(k, line_start);
+    if (done && !script.failed.empty())  // what is there now was made
+      for (const std::string& name : names_made({line_start, c.at})) script.failed.erase(name);
     script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
     if (!done) {
       complain(s, c, script, line_start);
@@ -243,6 +245,16 @@ std::vector<std::string> names_made(std::string_view line) {
   return names ? *std::move(names) : std::vector<std::string>();
 }
 
+std::vector<std::string> names_missed(const Scene& s, std::string_view line) {
+  auto names = names_made(line);
+  std::erase_if(names, [&](const std::string& name) {
+    const auto called = [&](const auto& one) { return one.name == name; };
+    return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.lists->contains(name) ||
+           std::any_of(s.defined->begin(), s.defined->end(), called) || find_procedure(s, name);
+  });
+  return names;
+}
+
 std::string_view name_missed(const Error& e) {
   if (e.code != ErrorCode::name) return {};
   const std::string_view message = e.message;
@@ -271,7 +283,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   show_lists(s, script);
   if (outermost) {
     say_masked_events(s, script), say_idle_releases(s, script);
-    say_unfinished_lists(script);
+    say_unfinished_lists(script), say_turned_falls(s, script);
   }
   script.source = std::move(outer);
   script.sheet = std::move(outer_sheet);

@@ -20,9 +20,10 @@ void read_text(Scene&, Script&, std::string_view text, const std::string& name);
 // One logical line of a live author: a command, or a row of the sheet that an earlier one left open.
 void read_line(Scene&, Script&, std::string_view line, const std::string& name);
 
-// The names that a line would have made, had it not been refused; and the name that an error of a name is about. Where
-// they are the same, the one follows from the other.
+// The names that a line makes, or would have made, had it not been refused, those that nothing had in the scene; and
+// the name that an error of a name is about. Where they are the same, the one follows from the other.
 std::vector<std::string> names_made(std::string_view line);
+std::vector<std::string> names_missed(const Scene&, std::string_view line);
 std::string_view name_missed(const Error&);
 
 }  // namespace betwixt

@@ -117,6 +117,14 @@ struct Script : SoFar {
     Diagnostic idle;  // what to say where no velocity reigns
   };
   std::vector<Release> releases;
+  struct Fall {
+    ObjectId object;
+    Time time;
+    Mat4 to_world;  // what carried it then, and what of that it kept: it was worked out from these
+    Vec3 origin, speed;
+    Diagnostic turned;  // what to say where that is no longer so
+  };
+  std::vector<Fall> falls;
   std::map<std::pair<std::string, Time>, Diagnostic> unfinished;  // display lists, and what is wrong with them
 
   // Sheets of display lists that are over and not shown yet: those that follow each other are shown together.
@@ -180,9 +188,11 @@ std::shared_ptr<const OpenSheet> left_open(const Scene&, const Script&);
 bool go_on(Scene&, Script&, const OpenSheet&);
 // Where rows go directly.
 void find_tracks(Scene&, Sheet&);
-// What is to be said when all is read: what velocities mask, releases that end nothing, lists that are not whole.
+// What is to be said when all is read: what velocities mask, releases that end nothing, lists that are not whole, falls
+// that lines below have turned.
 void say_masked_events(const Scene&, Script&);
 void say_idle_releases(const Scene&, Script&);
 void say_unfinished_lists(Script&);
+void say_turned_falls(const Scene&, Script&);
 
 }  // namespace betwixt

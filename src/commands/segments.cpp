@@ -145,6 +145,7 @@ bool reverse(Command& k) {
       return fail(ErrorCode::type, "a motion cannot be reversed",
                   "write what undoes it: betwixt algebra --inverse tells");
     const bool part = component >= 0 || on.of.component >= 0;
+    fill_in_kept(t, on.segment, type, velocity, part);
     if (!velocity) own_tangents(t, on.segment, part ? component_track_type(type) : type, part);
     return reverse_segment(t, on.segment);
   });
@@ -162,6 +163,8 @@ bool translate(Command& k) {
   Stretch on;
   Value by;
   if (!on_values(k, on) || !values(k).value(unbounded(on.spec()), on.of.component, by)) return false;
+  for (const Target& t : on.of.targets)
+    if (!reaches(k, on, t, by, "moved")) return false;
   return operate(
       k, on,
       [&](Track& t, Type, int component, bool) { return translate_segment(t, on.segment, part_of(by, component)); },
@@ -259,6 +262,38 @@ bool on_values(Command& k, Stretch& on) {
     k.script.note(Severity::notice, fmt::format("left out, having other values than {}: {}", of.spec->name, others),
                   on.word);
   return true;
+}
+
+bool reaches(Command& k, const Stretch& on, const Target& t, const Value& by, const char* changed) {
+  const auto tracks = tracks_of(k.scene, t);
+  const auto here = [&](const Track* track) { return track->events.count(on.segment.from, on.segment.to) > 0; };
+  if (t.component >= 0 || tracks.size() < 2 || std::none_of(tracks.begin(), tracks.end(), here)) return true;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const Value part = part_of(by, static_cast<int>(i));
+    const auto* number = std::get_if<double>(&part);
+    if (here(tracks[i]) || !number || *number == 0) continue;
+    Target one = t;
+    one.component = static_cast<int>(i);
+    const std::string name = target_name(k.scene, one), from = format_time(on.segment.from, k.scene.rate);
+    return k.cursor.fail(
+        ErrorCode::type,
+        fmt::format("{} has no events from {} to {}: they cannot be {}", name, from,
+                    format_time(on.segment.to, k.scene.rate), changed),
+        on.word,
+        fmt::format("the components of this track have tracks of their own; at {} {} VALUE writes an event", from,
+                    name));
+  }
+  return true;
+}
+
+void fill_in_kept(Track& track, Segment s, Type of_function, bool velocity, bool part) {
+  bool any = false;
+  track.events.each_between(s.from, s.to, [&](const Event& e) { any = any || e.keep; });
+  if (!any) return;
+  const Type type = velocity ? part ? Type::scalar : row_of(of_function).rate.value_or(of_function)
+                    : part ? component_track_type(of_function)
+                             : of_function;
+  fill_in_kept(track, type, part);
 }
 
 Value part_of(const Value& v, int component) {

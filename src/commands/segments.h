@@ -21,6 +21,12 @@ bool on_segment(Command&, Stretch&, Meant = Meant::any);
 // The same, for what changes values: those of other types than the first ones of numbers are left out, and named.
 bool on_values(Command&, Stretch&);
 
+// Whether every component that a value changes has events there: one that has none would be left out without a word.
+bool reaches(Command&, const Stretch&, const Target&, const Value& by, const char* changed);
+// Where there are any in a segment, rows that keep the value of a function's track have it, or of that of a component
+// or of its velocity.
+void fill_in_kept(Track&, Segment, Type of_function, bool velocity, bool part);
+
 // What belongs to a component, of a value for all of them.
 Value part_of(const Value&, int component);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "betwixt/environment.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
 #include "editor/help.h"
@@ -90,6 +91,28 @@ std::string in_brief(const Document& d, const Object& o, FunctionId f) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
+// What was said to an environment, and what is in it.
+std::string environment_lines(const Document& d, ObjectId id) {
+  std::string said;
+  const Object& o = d.scene().objects[id.index];
+  const std::string all = write_environment(o.name, *o.environment);
+  for (std::string_view rest = all; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1))
+    said += fmt::format("  {}\n", rest.substr(0, rest.find('\n')));
+  const auto list = [&](const char* verb, std::vector<EnvironmentSpan> (*of)(const Document&, ObjectId)) {
+    std::string names;
+    for (const std::string& name : d.names()) {
+      const auto spans = of(d, d.find(name));
+      const auto has = [&](const EnvironmentSpan& s) {
+        return std::ranges::find(s.environments, id) != s.environments.end();
+      };
+      if (std::ranges::any_of(spans, has)) names += " " + name;
+    }
+    if (!names.empty()) said += fmt::format("  {}{}\n", verb, names);
+  };
+  list("moves", surrounding), list("drives", driving);
+  return said;
+}
+
 std::string object_lines(const Document& d, ObjectId id, const Program& program) {
   const Object& o = d.scene().objects[id.index];
   std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind)) + attachment_lines(d, o);
@@ -109,6 +132,7 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
     if (!brief.empty()) said += fmt::format(" at {}; {}", format_time(first, d), brief);
     said += "\n";
   }
+  if (o.kind == Kind::environment) said += environment_lines(d, id);
   if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
   if (o.kind == Kind::layer)
     for (std::size_t i = 0; i < d.scene().objects.size(); ++i)

@@ -56,7 +56,7 @@ std::optional<std::size_t> Session::State::choose(const std::string& question,
       if (choices[i] == word) return i;
     const auto begins = [&](std::string_view c) { return !word.empty() && c.starts_with(word); };
     if (std::count_if(choices.begin(), choices.end(), begins) == 1) return found;
-    q = fmt::format("please answer {}: ", fmt::join(choices, ", "));
+    q = fmt::format("please answer {} or {}: ", fmt::join(choices.begin(), choices.end() - 1, ", "), choices.back());
   }
   return std::nullopt;
 }
@@ -120,11 +120,13 @@ Session::Answer Session::State::command(std::string_view line) {
   Answer answer{deed.done, false, !deed.done, told(deed.said, line)};
   if (!deed.done) {
     if (!row) sheet_refused = meant_a_sheet(said.words);
-    for (std::string& name : names_made(line)) failed[std::move(name)] = lines;
+    for (std::string& name : names_missed(document().scene(), line)) failed[std::move(name)] = lines;
     return answer;
   }
   if (Status s = editor.take(std::move(deed.after), {{std::move(deed.line)}, {}}); !s) return refused(s.error());
   tally.command(), sheet_refused = false;
+  if (!failed.empty())
+    for (const std::string& name : names_made(line)) failed.erase(name);
   if (deed.touched > 1 && !row) answer.said += fmt::format("{} objects\n", deed.touched);
   answer.said += tried(said.words, line);
   return answer;

@@ -19,7 +19,10 @@ std::vector<std::string> line_words(std::string_view text) {
       word = line.substr(i + 1, close == std::string_view::npos ? close : close - i - 1);
       i = close == std::string_view::npos ? line.size() : close + 1;
     } else {
-      while (i < line.size() && !blank(line[i])) word += line[i++];
+      for (int braces = 0; i < line.size() && (braces > 0 || !blank(line[i])); ++i) {  // {a,b} is one word
+        braces += line[i] == '{' ? 1 : line[i] == '}' ? -1 : 0;
+        word += line[i];
+      }
     }
     words.push_back(std::move(word));
   }

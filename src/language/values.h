@@ -74,6 +74,7 @@ std::string write_angle(double radians);     // in degrees, if that reads back t
 std::string write_matrix(const Mat4&);       // row by row
 std::string write_appearance(const Scene&);  // commands
 std::string write_rows(const DisplayList&);  // indented lines
+std::string write_environment(const std::string& name, const Environment&);  // all that was said to it, a line each
 // What a script says of a target: its rows (of a component, that part of the whole one's), and all else that makes its
 // value, a command or a sheet each: what is set below events, twerper, extend, velocity, filters, layers.
 std::string write_rows(const Document&, const Target&);

@@ -20,6 +20,7 @@ struct Writer {
   const Scene& s;
   Document document;
   std::string out;
+  bool brief = false;  // no headings without rows
 
   std::string name_of(ObjectId id) const {
     const Object* o = find_object(s, id);
@@ -106,7 +107,7 @@ struct Writer {
     const FunctionSpec& spec = spec_of(s, target.function);
     const std::string name = document.name(target), layer = on(target.layer);
     // A bezier whose event left it for another twerper is of no effect and is not written.
-    if (!t.events.empty() || target.component >= 0) {
+    if (!t.events.empty() || (target.component >= 0 && !brief)) {
       out += layer + name + "\n";
       if (spec.type == Type::motion)
         motions(t, spec);
@@ -148,7 +149,9 @@ struct Writer {
       t.layer = slot.layer;
       const bool own = !slot.layer;
       const Events& rows = slot.track->events;
-      const bool counts = !slot.components.empty() || (!rows.empty() && rows.front().time > Time{});  // before its rows
+      const bool code = slot.set && std::holds_alternative<Procedure>(*slot.set);
+      const bool counts =
+          code || !slot.components.empty() || (!rows.empty() && rows.front().time > Time{});  // before its rows
       if (slot.set && (!own || counts)) late(but.object.index, slot);
       own ? manner(slot, t, but.component) : strand(slot, t);
       t.velocity = true;
@@ -205,7 +208,7 @@ struct Writer {
     for (std::uint32_t i : living) {
       const Object& o = s.objects[i];
       if (o.environment) {
-        environment(flat_name(o.name), *o.environment);
+        out += write_environment(flat_name(o.name), *o.environment);
         continue;
       }
       const bool layer = o.kind == Kind::layer;
@@ -272,28 +275,6 @@ struct Writer {
       const DisplayCommands& commands = list->second->commands;
       for (std::size_t i = 0; i < commands.size(); ++i)
         if (commands[i].what == Drawing::call) todo.push_back({&*std::get<Text>(commands[i].value), false});
-    }
-  }
-
-  void environment(const std::string& name, const Environment& e) {
-    for (std::size_t i = 0; i < e.size(); ++i) {
-      const EnvironmentEvent& event = e.event(i);
-      const auto* a = std::get_if<EnvironmentEvent::Animate>(&event.what);
-      static constexpr std::string_view verbs[] = {"halt", "kill", "cancel", "animate"};
-      out += fmt::format("at {}t {} {}", event.tick, verbs[event.what.index()], name);
-      if (a) {
-        const Timing& t = a->timing;
-        // Of a matrix alone it would not be known that each of its digits was meant.
-        out += fmt::format(" every {}t by {}{}", t.interval, write_matrix(a->motion),
-                           unrounded(a->motion) ? " scale(1)" : "");
-        if (t.change != 0)
-          out += fmt::format(" {} {}t per {}t", t.change > 0 ? "slower" : "faster", std::abs(t.change), t.period);
-        if (t.ceiling != Timing{}.ceiling) out += fmt::format(" limit {}t", t.ceiling);
-        if (a->from) out += fmt::format(" from {}t", *a->from);
-        if (a->until) out += fmt::format(" until {}t", *a->until);
-        if (a->keep_phase) out += " keep-phase";
-      }
-      out += "\n";
     }
   }
 
@@ -384,7 +365,7 @@ std::string write_rows(const Document& document, const Target& target) {
 }
 
 std::string write_besides(const Document& document, const Target& target) {
-  Writer w{document.scene(), document, {}};
+  Writer w{document.scene(), document, {}, true};
   w.besides(target);
   return std::move(w.out);
 }

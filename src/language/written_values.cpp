@@ -8,9 +8,39 @@
 
 #include "language/colors.h"
 #include "language/values.h"
+#include "scene/environment.h"
+#include "scene/power.h"
 #include "track/procedure.h"
 
 namespace betwixt {
+
+std::string write_environment(const std::string& name, const Environment& e) {
+  std::string out;
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    const EnvironmentEvent& event = e.event(i);
+    const auto* a = std::get_if<EnvironmentEvent::Animate>(&event.what);
+    static constexpr std::string_view verbs[] = {"halt", "kill", "cancel", "animate"};
+    out += fmt::format("at {}t {} {}", event.tick, verbs[event.what.index()], name);
+    if (a) {
+      const Timing& t = a->timing;
+      Mat4 still = a->motion;
+      for (int k = 0; k < 3; ++k) still(k, 3) = 0;
+      // Of a matrix alone it would not be known that each of its digits was meant.
+      const std::string moved = still == Mat4{}
+                                    ? "translate" + write_vector({a->motion(0, 3), a->motion(1, 3), a->motion(2, 3)})
+                                    : write_matrix(a->motion) + (unrounded(a->motion) ? " scale(1)" : "");
+      out += fmt::format(" every {}t by {}", t.interval, moved);
+      if (t.change != 0)
+        out += fmt::format(" {} {}t per {}t", t.change > 0 ? "slower" : "faster", std::abs(t.change), t.period);
+      if (t.ceiling != Timing{}.ceiling) out += fmt::format(" limit {}t", t.ceiling);
+      if (a->from) out += fmt::format(" from {}t", *a->from);
+      if (a->until) out += fmt::format(" until {}t", *a->until);
+      if (a->keep_phase) out += " keep-phase";
+    }
+    out += "\n";
+  }
+  return out;
+}
 
 std::string write_number(double v) { return v == 0 ? "0" : fmt::format("{}", v); }
 

@@ -37,6 +37,7 @@ struct Worker {
   struct Talk : Questions {
     const Worker& w;
     Time t;
+    bool lacking = false;  // the object has not all that was asked of it, and others have
     Talk(const Worker& worker, Time time) : w(worker), t(time) {}
     double seconds() const override { return t.seconds(); }
     std::string_view self() const override { return w.scene.objects[w.live.object].name; }
@@ -48,7 +49,7 @@ struct Worker {
       if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
         return fail(ErrorCode::range, fmt::format("value('{}', {}): there is no such time", text, seconds));
       const auto target = find_target(w.scene, text, {w.live.object});
-      if (!target) return target.error();
+      if (!target) return lacking = lacking || w.others_have(text), target.error();
       auto& trace = w.asking.read;
       if (trace.size() < 10'000 && std::find(trace.begin(), trace.end(), *target) == trace.end())
         trace.push_back(*target);
@@ -62,6 +63,23 @@ struct Worker {
     }
   };
 
+  // Whether a target of its own names a function that it has not and objects of other kinds have.
+  bool others_have(std::string_view target) const {
+    const Object& self = scene.objects[live.object];
+    if (target.starts_with(self.name)) target.remove_prefix(self.name.size());
+    if (!target.starts_with('.')) return false;
+    target.remove_prefix(1);
+    const std::string_view function = target.substr(0, target.find('.'));
+    const auto known = built_in_functions();
+    return !find_function(scene, self.kind, function) &&
+           std::any_of(known.begin(), known.end(), [&](const FunctionSpec& f) { return f.name == function; });
+  }
+  // Whether code is what a function of the author's is everywhere where nobody says more.
+  bool by_definition(const Procedure& p) const {
+    const auto* rest = std::get_if<Procedure>(&spec_of(scene, live.function).rest);
+    return rest && rest->code == p.code;
+  }
+
   // None where it errs; then `problems` says so.
   std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
     if (asking.work(0)) return std::nullopt;
@@ -69,6 +87,7 @@ struct Worker {
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
     if (asking.work(cost + 300)) return std::nullopt;  // beginning is work, too
+    if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // there is no such thing as its value
     const auto say = [&](const std::string& why) {
       asking.err(fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component),
                              p.code->source.substr(0, 60), why),
@@ -131,12 +150,25 @@ struct Worker {
     const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||
                        (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
     if (alone && !last->keep) return event_value(last->value, part, t, t);
+    // Across a cut or a hold nobody looks; what is not looked at is not asked.
+    const auto parts = [&](std::size_t i) {
+      const Twerper to_here = part.track.global != Twerper::unset ? part.track.global : near[i - 1]->twerper;
+      return !near[i]->keep && (near[i]->detail->before || to_here == Twerper::hold);
+    };
+    std::size_t first = before - 1, end = std::min(before + 1, near.size());
+    while (first > 0 && !parts(first)) --first;
+    while (end < near.size() && !parts(end - 1)) ++end;
     Track few;
     few.global = part.track.global, few.arguments = part.track.arguments, few.srgb = part.track.srgb;
-    for (const Event* e : near) {
+    for (std::size_t i = first; i < end; ++i) {
+      const Event* e = near[i];
       Event made = *e;
-      made.value = event_value(e->value, part, t, e == last ? t : e->time);
-      if (e->detail->before) made.detail.edit().before = event_value(*e->detail->before, part, t, e->time);
+      if (e->detail->before && i > first) {
+        made.value = *(made.detail.edit().before = event_value(*e->detail->before, part, t, e->time));
+      } else {
+        if (e->detail->before) made.detail.edit().before.reset();
+        made.value = event_value(e->value, part, t, e == last ? t : e->time);
+      }
       few.events.put(std::move(made));
     }
     CurveSet small;

@@ -162,6 +162,115 @@ void own_tangents(Track& track, Segment s, Type type, bool component) {
 
 namespace {
 
+constexpr Time ever_before{INT64_MIN}, ever_after{INT64_MAX};
+
+bool computed(const Track& track) {
+  bool any = false;
+  track.events.each([&](const Event& e) { any = any || std::holds_alternative<Procedure>(e.value); });
+  return any;
+}
+
+// Where a segment is between two events, as tangents: that of `from`, and that at the part u of the way.
+void as_hermite(const CubicSegment& g, double u, Event& from, std::optional<Value>& arrival, std::size_t channels) {
+  const double rate = static_cast<double>(flicks_per_second) / g.length;
+  double out[4] = {}, in[4] = {};
+  for (std::size_t i = 0; i < channels; ++i)
+    out[i] = rate * g.c[1][i], in[i] = rate * (g.c[1][i] + 2 * g.c[2][i] * u + 3 * g.c[3][i] * u * u);
+  from.twerper = Twerper::hermite;
+  from.detail.edit().tangent_out = with_numbers(from.value, out);
+  arrival = with_numbers(from.value, in);
+}
+
+}  // namespace
+
+EventDetail end_alone(Track& track, Time t, Type type, bool component) {
+  const Event* there = track.events.find(t);
+  EventDetail arrival = there ? *there->detail : EventDetail{};
+  arrival.ease_out = {}, arrival.tangent_out.reset();
+  if (track.events.empty() || !(track.events.front().time < t) || !row_of(type).tangents || computed(track))
+    return arrival;
+  if (track.global != Twerper::unset) {  // from now on each event says it, for those to come say otherwise
+    track.events.edit_between(ever_before, ever_after, [&](Event& e) {
+      e.twerper = track.global;
+      if (track.arguments != EventDetail{}.arguments) e.detail.edit().arguments = track.arguments;
+    });
+    track.global = Twerper::unset;
+  }
+  fill_in_kept(track, type, component);
+  CurveSet set;
+  const Curve curve = set.add(track, type, component);
+  std::vector<Event> before = track.events.between(ever_before, t - Time{1});
+  const auto twerper = [&](std::size_t i) { return resolve(track, before[i], type, curve.orientation); };
+  const auto looks_about = [&](std::size_t i) {  // at its neighbours
+    return !is_own(twerper(i)) && row_of(twerper(i)).cubics && twerper(i) != Twerper::hermite;
+  };
+  if (track.events.back().time < t) {  // it goes on as it is extended
+    Event& last = before.back();
+    if (track.after == Extrapolation::hold) last.twerper = Twerper::hold;
+    if (track.after == Extrapolation::linear) {
+      double slope[4] = {};
+      set.derivative(curve, t, slope);
+      last.twerper = Twerper::hermite;
+      last.detail.edit().tangent_out = arrival.tangent_in = with_numbers(last.value, slope);
+    }
+    track.events.put(last);
+    return arrival;
+  }
+  // What looks at its neighbours looks no further than to the second event from t; but a B-spline passes its events by.
+  std::size_t first = before.size() - 1;
+  if (!there && first > 0 && looks_about(first - 1)) --first;
+  while (twerper(first) == Twerper::bspline && first > 0 && twerper(first - 1) == Twerper::bspline) --first;
+  for (std::size_t i = first; i < before.size(); ++i) {
+    CubicSegment g;
+    const Twerper how = twerper(i);
+    const bool last = i + 1 == before.size(), spline = how == Twerper::bspline;
+    if (!looks_about(i) && !(how == Twerper::hermite && last)) continue;
+    if (!set.cubic(curve, before[i].time.flicks, g)) continue;
+    if (spline) {  // where the curve is, instead of what it is drawn to
+      double at[4] = {};
+      for (std::size_t k = 0; k < curve.channels; ++k) at[k] = g.c[0][k];
+      const Value seen = with_numbers(before[i].value, at);
+      if (i == first && first > 0 && !before[i].detail->before) before[i].detail.edit().before = before[i].value;
+      before[i].value = seen;
+    }
+    const double u = last ? static_cast<double>((t - before[i].time).flicks) / g.length : 1;
+    std::optional<Value> slope;
+    as_hermite(g, u, before[i], slope, curve.channels);
+    (last ? arrival.tangent_in : before[i + 1].detail.edit().tangent_in) = std::move(slope);
+  }
+  for (Event& e : before) track.events.put(std::move(e));
+  return arrival;
+}
+
+void fill_in_kept(Track& track, Type type, bool component) {
+  std::vector<Event> kept;
+  Track valued = track;
+  valued.events = {};
+  track.events.each([&](const Event& e) { e.keep ? kept.push_back(e) : void(valued.events.put(e)); });
+  if (kept.empty() || valued.events.empty() || computed(track)) return;
+  bool numbers = row_of(type).changes != Changes::in_steps;
+  valued.events.each([&](const Event& e) { numbers = numbers && numeric(e.value); });
+  CurveSet set;
+  const Curve through = numbers ? set.add(valued, type, component) : Curve{};
+  const Value& like = valued.events.front().value;
+  for (Event& e : kept) {
+    e.keep = false;
+    if (!numbers) {  // what was said last
+      e.value = like;
+      valued.events.each_between(ever_before, e.time, [&](const Event& said) { e.value = said.value; });
+    } else {
+      double n[4] = {};
+      set.evaluate(through, e.time, n);
+      if (row_of(type).light)
+        for (int i = 0; i < (component ? 1 : 3); ++i) n[i] = to_srgb(n[i]);
+      e.value = through.orientation ? Value(Quat{n[0], n[1], n[2], n[3]}) : with_numbers(like, n);
+    }
+    track.events.put(std::move(e));
+  }
+}
+
+namespace {
+
 // How a segment is come to and left is of the in-betweens beside it, which stay as they are.
 void keep_outside(const Event& first, const Event& last, Event& now_first, Event& now_last) {
   if (now_first.detail || first.detail) {

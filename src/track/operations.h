@@ -32,6 +32,11 @@ Result<Changed> reverse_segment(Track&, Segment);
 // What a smooth track's first and last in-betweens of the segment owe to events outside it become tangents of their
 // own: so they stay as they are whoever stands beside them. `component`: of the type, the track is that of one.
 void own_tangents(Track&, Segment, Type, bool component);
+// What comes before t owes nothing any more to what stands at t and behind it, which is about to go: curves keep their
+// shape as tangents. How an event at t is come to. `component`: as above.
+EventDetail end_alone(Track&, Time t, Type, bool component);
+// Rows that keep the value have it: the same track, whatever becomes of its events.
+void fill_in_kept(Track&, Type, bool component);
 
 // `by`: a number for every component, or one for each. Tangents are scaled too.
 Result<Changed> scale_segment(Track&, Segment, const Value& by);

@@ -117,5 +117,83 @@ TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
   EXPECT_TRUE(read(own + "at 13f attach b to hand\n").diagnostics.empty());
 }
 
+TEST(Fall, LeavesWhatFiltersAndLayersAddToThem) {
+  const std::string film = "rate 24\ncreate b sphere position=(0 10 0)\n", fall = "at 7f fall b gravity=10 for 1s\n";
+  // A sine of one a second: at 7f, a quarter of a second on, it adds 1.
+  const LoadedFilm wobbly(film + "filter b.position wobble amount=(0 1 0)\n" + fall);
+  expect_numbers(wobbly, "b.position.y", "7f", {11}, 1e-9);
+  expect_numbers(wobbly, "b.position.y", "13f", {10 - 5 * 0.0625 + std::sin(pi)}, 1e-9);
+  const LoadedFilm layered(film + "layer l add\non l set b.position (0 5 0)\n" + fall);
+  expect_numbers(layered, "b.position.y", "6f", {15}, 1e-9);
+  expect_numbers(layered, "b.position.y", "7f", {15}, 1e-9);
+  expect_numbers(layered, "b.position.y", "13f", {15 - 5 * 0.0625}, 1e-9);
+  // What goes along at 24 a second goes on so, and comes 6 frames late as before.
+  const LoadedFilm late(film + "b.position.x\n  1f 0 linear\n  49f 48\nfilter b.position delay by=6f\n" +
+                        "at 25f fall b gravity=10 for 1s\n");
+  for (const double frame : {20.0, 25.0, 28.0, 31.0, 40.0})
+    expect_numbers(late, "b.position.x", fmt::format("{}f", frame), {frame - 7}, 1e-8);
+}
+
+TEST(Fall, WhatIsHeldIsCarriedOnceOnly) {
+  const std::string carried =
+      "rate 24\ncreate p group\ncreate p/b sphere position=(0 5 0)\np.position\n  1f (0 0 0) linear\n  48f (47 0 0)\n";
+  const LoadedFilm held(carried + "at 24f fall p/b ground=1\n");
+  for (const double frame : {24.0, 25.0, 26.0, 36.0})
+    expect_numbers(held, "p/b.world.x", fmt::format("{}f", frame), {frame - 1}, 1e-9);
+  expect_numbers(held, "p/b.world.y", "36f", {5 - 9.81 / 8}, 1e-9);
+  ASSERT_EQ(held.loaded.diagnostics.size(), 1u);
+  EXPECT_EQ(held.loaded.diagnostics[0].what.message, "p/b is still held by p, which goes on carrying it");
+  const LoadedFilm free(carried + "at 24f letgo p/b\nat 24f fall p/b ground=1\n");
+  EXPECT_TRUE(free.loaded.diagnostics.empty()) << said(free.loaded.diagnostics);
+  for (const double frame : {24.0, 25.0, 36.0})
+    expect_numbers(free, "p/b.world.x", fmt::format("{}f", frame), {frame - 1}, 1e-8);
+}
+
+TEST(Fall, LeavesTheMotionBeforeItAlone) {
+  const std::string rows = "rate 24\ncreate b sphere\nb.position\n  1f (0 10 0)\n  25f (12 14 0)\n  49f (0 10 0)\n";
+  const std::string fall = "at 31f fall b gravity=10 for 0.5s\n";
+  const LoadedFilm film(rows + fall);
+  expect_numbers(film, "b.position.y", "13f", {12.5}, 1e-9);  // from the chord's 4 to the parabola's 0
+  // A quarter of the way down: h00 = 27/32, h01 = 5/32, h11 = -3/64 of a second at -4; the speed there is -3.25.
+  expect_numbers(film, "b.position.y", "31f", {14 * 27 / 32.0 + 10 * 5 / 32.0 + 4 * 3 / 64.0}, 1e-9);
+  expect_numbers(film, "b.position.y", "43f", {13.5625 - 3.25 / 2 - 10 / 8.0}, 1e-9);
+  for (const char* twerper :
+       {"", "twerper b.position smooth\n", "twerper b.position bspline\n", "twerper b.position linear\n"}) {
+    const LoadedFilm before(rows + twerper), after(rows + twerper + fall);
+    for (const char* frame : {"0f", "1f", "5f", "13f", "24f", "25f", "27f", "30.5f", "31f"})
+      expect_numbers(after, "b.position", frame, before.numbers("b.position", frame), 1e-9);
+  }
+  // Behind its last event it stood still.
+  const LoadedFilm stood("rate 24\ncreate b sphere\nb.position\n  1f (0 10 0)\n  25f (12 14 0)\nat 49f fall b\n");
+  expect_numbers(stood, "b.position", "37f", {12, 14, 0}, 1e-12);
+}
+
+TEST(Fall, LeavesNoNoiseInItsEvents) {
+  const LoadedFilm s(
+      "rate 24\ncreate hand group\nhand.position\n  1f (-3.3 6.1 0)\n  20f (-3 4.65 0)\n  48f (2 4.65 0)\n"
+      "create ball sphere position=(-3 4 0)\nat 20f attach ball to hand keep-world\nat 48f letgo ball\n"
+      "at 48f fall ball ground=0.5 bounce=0.6\n");
+  EXPECT_EQ(write(s.loaded.document).find("e-"), std::string::npos) << write(s.loaded.document);
+}
+
+TEST(Fall, SaysWhereALineBelowTurnsWhatItFellFrom) {
+  const std::string grab =
+      "rate 24\ncreate hand box\ncreate ball sphere position=(1 4 0)\nhand.position\n  1f (0 4 0)\n  72f (4 4 0)\n"
+      "at 20f attach ball to hand keep-world\n";
+  const std::string letgo = "at 48f letgo ball\n", fall = "at 48f fall ball ground=0.5\n";
+  const std::string turn = "at 20f hand.rotation.velocity axis(0 1 0, 90deg)\nat 48f hand.rotation.velocity release\n";
+  const auto warned = [](const std::string& script) {
+    const Loaded l = read(script);
+    return l.diagnostics.size() == 1 && l.diagnostics[0].severity == Severity::warning &&
+           l.diagnostics[0].what.message ==
+               "a line below changes what carries ball at 48f: its fall was worked out before, and is turned or moved "
+               "along";
+  };
+  EXPECT_TRUE(warned(grab + letgo + fall + turn));
+  EXPECT_TRUE(read(grab + turn + letgo + fall).diagnostics.empty());
+  // What becomes of the fall itself is the author's.
+  EXPECT_TRUE(read(grab + letgo + fall + "scale ball.position 60f..72f (1 0.5 1)\n").diagnostics.empty());
+}
+
 }  // namespace
 }  // namespace betwixt

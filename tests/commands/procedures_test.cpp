@@ -224,5 +224,30 @@ TEST(Procedures, AMemoryWithoutABeginningEnds) {
   EXPECT_NE(problems[0].find("a.radius"), std::string::npos) << problems[0];
 }
 
+TEST(Procedures, WhatIsDefinedForAllIsNothingWhereItMeansNothing) {
+  const LoadedFilm s(
+      "rate 24\ncreate a sphere\na.position\n  1f (0 0 0) linear\n  25f (3 4 0)\nlayer sway add\n"
+      "animate wind every 1t by translate(0.1 0 0)\ncreate lamp light\n"
+      "define speed number = \"length(value('.position.velocity'))\"\ndefine wide number = \"2 * value('.radius')\"\n");
+  EXPECT_TRUE(s.frame("13f").problems.empty()) << s.frame("13f").problems[0];
+  expect_numbers(s, {{"a.speed", "13f", {5}}, {"a.wide", "13f", {2}}, {"lamp.wide", "13f", {0}}});
+  // What nothing has is a mistake everywhere.
+  const LoadedFilm wrong("create a sphere\ndefine wide number = \"value('.radios')\"\n");
+  EXPECT_EQ(wrong.frame("1f").problems.size(), 1u);
+}
+
+TEST(Procedures, WhatIsNeverSeenIsNeverAsked) {
+  const LoadedFilm s("rate 24\ncreate a sphere\nset a.radius = \"1/0\"\na.radius\n  1f 1\n  24f 3\n");
+  EXPECT_TRUE(s.frame("1f").problems.empty());
+  EXPECT_TRUE(s.frame("12f").problems.empty());
+  EXPECT_FALSE(s.frame("0f").problems.empty());
+  // Nor what a cut or a hold keeps apart; but a neighbour is.
+  const std::string rows = "rate 24\ncreate a sphere\na.radius\n  1f = \"1/0\" ";
+  const LoadedFilm held(rows + "hold\n  13f 1 smooth\n  25f 2\n"), seen(rows + "smooth\n  13f 1 smooth\n  25f 2\n");
+  EXPECT_TRUE(held.frame("19f").problems.empty());
+  expect_numbers(held, "a.radius", "19f", {1.5});
+  EXPECT_FALSE(seen.frame("19f").problems.empty());
+}
+
 }  // namespace
 }  // namespace betwixt

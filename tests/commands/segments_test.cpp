@@ -85,5 +85,37 @@ TEST(Segments, ReversingAPartBendsNothingInside) {
   }
 }
 
+TEST(Segments, ComponentsWithoutEventsAreNotPassedOver) {
+  const std::string split = "rate 24\ncreate c sphere\nc.position.x\n  1f 0\n  24f 5\n";
+  for (const char* line : {"translate c.position 1f..24f (0 3 0)", "translate c.position 1f..24f (5 5 0)",
+                           "copy c.position 1f..24f to 24f shift (0 2 0)"}) {
+    const Loaded l = read(split + line + "\n");
+    ASSERT_EQ(l.diagnostics.size(), 1u) << line;
+    EXPECT_EQ(l.diagnostics[0].severity, Severity::error) << line;
+    EXPECT_TRUE(l.diagnostics[0].what.message.starts_with("c.position.y has no events from 1f to 24f")) << line;
+  }
+  const LoadedFilm fine(split + "translate c.position 1f..24f (3 0 0)\ntranslate c.position 30f..40f (0 3 0)\n");
+  expect_numbers(fine, "c.position", "24f", {8, 0, 0});
+}
+
+TEST(Segments, WhatIsKeptGoesAlongAsItWas) {
+  const std::string rows = "rate 24\ncreate b sphere\nb.radius\n  1f 1 linear\n  25f 5\n  13f keep hold\n";
+  const LoadedFilm back(rows + "reverse b.radius 1f..25f\n");
+  expect_numbers(
+      back, {{"b.radius", "1f", {3}}, {"b.radius", "7f", {3}}, {"b.radius", "19f", {2}}, {"b.radius", "25f", {1}}});
+  const LoadedFilm copied(rows + "copy b.radius 13f..25f to 49f\n");
+  expect_numbers(copied, {{"b.radius", "49f", {3}}, {"b.radius", "55f", {3}}, {"b.radius", "61f", {5}}});
+}
+
+TEST(Copying, SaysWhatGaveWay) {
+  const std::string ramp = "rate 24\ncreate b sphere\nb.position.y\n  1f 0 linear\n  25f 5\n";
+  const Loaded flat = read(ramp + "copy b.position.y 1f..25f to 25f times 2\n");
+  ASSERT_EQ(flat.diagnostics.size(), 1u);
+  EXPECT_EQ(flat.diagnostics[0].severity, Severity::notice);
+  EXPECT_EQ(flat.diagnostics[0].what.message, "1 event gave way");
+  EXPECT_TRUE(read(ramp + "copy b.position.y 1f..25f to 25f shift 5 times 2\n").diagnostics.empty());
+  EXPECT_TRUE(read(ramp + "copy b.position.y 1f..25f to 30f times 2\n").diagnostics.empty());
+}
+
 }  // namespace
 }  // namespace betwixt

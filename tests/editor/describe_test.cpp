@@ -79,5 +79,23 @@ TEST(Describe, PeopleReadDegrees) {
   EXPECT_NE(said_of->find("euler(12.5deg 41.666666667deg 15deg)"), std::string::npos) << *said_of;
 }
 
+TEST(Describe, CodeThatIsSetIsShown) {
+  EXPECT_EQ(described("create a sphere\nset a.radius = \"1 + t\"\n", "a.radius"),
+            "a.radius  1\n  set a.radius = \"1 + t\"\n");
+}
+
+TEST(Describe, AnEnvironmentSaysHowItMovesWhat) {
+  EXPECT_EQ(described("create {ball,wheel} sphere\nanimate wind every 2t by translate(0.1 0 0)\nat 90t halt wind\n"
+                      "set ball.environments wind\nset wheel.drive (wind)\n",
+                      "wind"),
+            "wind, an environment\n  at 0t animate wind every 2t by translate(0.1 0 0)\n  at 90t halt wind\n"
+            "  moves ball\n  drives wheel\n");
+}
+
+TEST(Describe, OfAComponentOnlyWhatThereIs) {
+  EXPECT_EQ(described("rate 24\ncreate b sphere\nat 1f b.position.x.velocity 2\n", "b.position.x"),
+            "b.position.x  0\n  b.position.x.velocity\n    1f 2\n");
+}
+
 }  // namespace
 }  // namespace betwixt

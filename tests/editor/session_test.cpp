@@ -339,5 +339,27 @@ TEST(LaterLists, A_session_writes_edits_row_by_row_and_takes_them_back) {
   EXPECT_TRUE(session.enter("  point (0 0)").refused);
 }
 
+TEST(Session, WordsInBracesAreOne) {
+  const Folder folder;
+  Session s = opened(folder, "rate 24\ncreate {a,b} sphere radius=2\ncreate c sphere\n");
+  EXPECT_EQ(s.enter("eval {a,b}.radius").said, "a.radius  2\nb.radius  2\n");
+  EXPECT_EQ(s.enter("list {a, b}").said, "a  sphere    0 events\nb  sphere    0 events\n");
+  EXPECT_EQ(s.enter("describe {a,b}").said.find("there is no"), std::string::npos);
+}
+
+TEST(Session, ARefusedLineAboutWhatIsThereWouldHaveMadeNothing) {
+  const Folder folder;
+  Session s = opened(folder, "rate 24\n");
+  expect_done(s, "layer sway add");
+  EXPECT_FALSE(s.enter("layer sway add").done);
+  expect_done(s, "remove sway");
+  EXPECT_EQ(s.enter("rename sway swing").said.find("which should have made it"), std::string::npos);
+  EXPECT_FALSE(s.enter("layer lean add weight=oops").done);
+  EXPECT_NE(s.enter("rename lean swing").said.find("line 5, which should have made it"), std::string::npos);
+  expect_done(s, "layer lean add");
+  expect_done(s, "remove lean");
+  EXPECT_EQ(s.enter("rename lean swing").said.find("which should have made it"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace betwixt
