@@ -148,16 +148,22 @@ class Server {
         continue;
       }
       const bool over = events[static_cast<std::size_t>(i)].events & (EPOLLHUP | EPOLLERR);
-      if (const auto guest = guests_.find(file);
-          guest != guests_.end() && (guest->second.in_hand || (guest->second.kept && over)))
-        leave(guest->second);  // nothing but its end is heard of it now
-      else if (guest != guests_.end())
-        busy_.insert(file);
+      if (const auto guest = guests_.find(file); guest != guests_.end())
+        hear(guest->second, over);
       else
         for (const Listener& l : listeners_)
           if (l.file() == file) welcome(l);
     }
     if (strangers_ > 0) tire();
+  }
+
+  // Of whom a thread works for, or who waits for another host, nothing but its end is heard. That there is something to
+  // read may still be said of it: its line can have been taken in hand since the kernel looked.
+  void hear(Guest& g, bool over) {
+    if (!g.in_hand && !g.kept)
+      busy_.insert(g.file);
+    else if (over)
+      leave(g);
   }
 
   // ---- coming and going

@@ -245,6 +245,21 @@ for t in threads: t.join()
 print(made[1:], slowest < 5, answers > 6, len(set(s.eval("o1.radius", "o3000.radius").values())) == 1, s.eval("ball.radius")["ball.radius"] == made[0])
 ')
 is 'whoever is always interrupted gets there, and so does everybody else' "$out" '[3, 3] True True True True'
+# Twelve who ask much at once: what one of them said is often taken in hand while the next one is heard.
+out=$(host '
+import threading
+until, cut = time.monotonic() + 5, []
+def ask(k):
+    h = Server(where, timeout=50)
+    while time.monotonic() < until:
+        try: h.do(f"set o{k}.radius 3") if k % 2 else h.eval(*[f"o{i}.radius" for i in range(1, 250)])
+        except Gone as e: cut.append(str(e)); return
+threads = [threading.Thread(target=ask, args=(k,)) for k in range(1, 13)]
+for t in threads: t.start()
+for t in threads: t.join()
+print(cut)
+')
+is 'nobody is cut off for what others ask' "$out" '[]'
 end
 has 'and all is in the history' "$(grep -c 'set o\*' busy.bx)" 6
 
