@@ -37,7 +37,8 @@ enum class Kind : std::uint8_t {
   regular,
   star,
   gear,
-  arrow
+  arrow,
+  curve
 };
 
 // What an object looks like in its own space, as a description; src/render turns it into triangles.
@@ -56,11 +57,13 @@ enum class Kind : std::uint8_t {
 //   regular  sides, radius of its corners, the first one up          star     sides: points, radius, inner
 //   gear     sides: teeth, module: metres of pitch diameter for each; involutes of 20 degrees
 //   arrow    from the origin to `size`, width
+//   curve    through its points, smooth (Catmull-Rom) or straight, closed or not; width as a polyline's
 struct Shape {
   Kind kind = Kind::group;
   Vec3 size{1, 1, 1};
   double radius = 1, height = 1, tube = 0.3, width = 0, depth = 0;
   double inner = 0, corner = 0, from = 0, to = 0, sides = 0, module = 0;
+  bool smooth = true, closed = false;
   Points points;
   Text text, font;
   std::shared_ptr<const Mesh> mesh;

@@ -106,6 +106,13 @@ bool way(Command&, const Selected& to, Event&);
 // What stands behind a row's segment: a motion.
 bool moving(Command&, const Selected& to, Time from, std::optional<Time> until);
 
+// Whether a way along a line begins here, in place of a value; the same behind a time or a segment, and as what is set.
+inline bool goes_along(Cursor& c) { return c.peek() == 'a' && c.peek_word() == "along"; }
+bool along_line(Command&, const Selected& to, Time from, std::optional<Time> until);
+bool set_along_line(Command&, const Selected& to);
+// What goes along something that is about to go goes straight from then on.
+void keep_ways(const Command&, const std::vector<ObjectId>& leaving, std::string_view about);
+
 // Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).
 bool attachment(Command&, const std::vector<ObjectId>& children, const Attachment&, std::optional<Time>,
                 std::string_view about);

@@ -263,6 +263,7 @@ bool event(Command& k, const Selected& to, Time when) {
   Event e;
   e.time = when;
   c.space();
+  if (goes_along(c)) return along_line(k, to, when, std::nullopt);
   const char* value_at = c.at;
   const bool released = to.velocity && c.peek() == 'r' && c.accept_word("release");
   if (released) {
@@ -364,8 +365,8 @@ bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
 }
 
 bool one_time_only(Cursor& c, std::string_view segment) {
-  return c.fail(ErrorCode::syntax, "one time stands here: only motions have a segment", segment,
-                "as in wheel.motion and a row 1f..24f T(6 0)");
+  return c.fail(ErrorCode::syntax, "one time stands here: only motions and ways along a line have a segment", segment,
+                "as in wheel.motion and a row 1f..24f T(6 0), or ball.position and 1f..24f along road");
 }
 
 }  // namespace betwixt

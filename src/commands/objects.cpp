@@ -180,6 +180,7 @@ bool remove(Command& k) {
   std::vector<ObjectId> found;
   if (!objects(k, word, found) || !finish(c)) return false;
   keep_centres(k, found, word);
+  keep_ways(k, found, word);
   remove_objects(s, found);
   return true;
 }

@@ -100,7 +100,10 @@ bool row_of(Command& k, const Selected& on) {
     return false;
   }
   sheet.above = until.value_or(from);
-  if (until && on.type() != Type::motion) return one_time_only(c, c.since(start));
+  const std::string_view times = c.since(start);
+  c.space();
+  if (until && goes_along(c)) return along_line(k, on, from, until) && finish(c);
+  if (until && on.type() != Type::motion) return one_time_only(c, times);
   return (until ? moving(k, on, from, until) : event(k, on, from)) && finish(c);
 }
 

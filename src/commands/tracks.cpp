@@ -33,6 +33,8 @@ bool at(Command& k) {
     show_lists(s, script);
     return to_each_type(timed, w, start, [&](const Selected& to) {
       if (until && to.type() == Type::motion) return moving(timed, to, from, until);
+      c.space();
+      if (goes_along(c)) return along_line(timed, to, from, until);
       return until ? one_time_only(c, segment) : event(timed, to, from);
     });
   }
@@ -83,6 +85,7 @@ bool set_alike(Command& k, const Selected& to) {
     for (const Target& t : to.targets) set_value(s, t, v);
     return true;
   }
+  if (goes_along(c)) return set_along_line(k, to);
   if (to.type() == Type::motion)
     return c.fail(ErrorCode::type, "a motion is not set: it takes a segment of time", w,
                   fmt::format("as in at 1f..24f {} T(6 0)", w.substr(0, 60)));

@@ -10,6 +10,7 @@
 #include "language/values.h"
 #include "scene/environment.h"
 #include "scene/power.h"
+#include "track/along.h"
 #include "track/procedure.h"
 
 namespace betwixt {
@@ -196,6 +197,11 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
   }
   if (const auto* m = std::get_if<Matrix>(&v)) return write_matrix(**m);
   if (const auto* m = std::get_if<Moves>(&v)) return (*m)->factors.empty() ? "\"\"" : to_string(**m);
+  if (const Along* a = along(v)) {
+    const std::string road = name_of(a->road);
+    return road.empty() ? write_value(spec.rest, spec, component, name_of)
+                        : fmt::format("along {} {}", road, write_number(a->share));
+  }
   if (const auto* p = std::get_if<Procedure>(&v)) return "= " + write_text(p->code->source);
   std::string out = "(";
   for (const auto& n : *std::get<Names>(v)) out += (out.size() > 1 ? " " : "") + n;

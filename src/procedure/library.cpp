@@ -166,6 +166,17 @@ int value_of(lua_State* l, Machine& m) {
   return push_answer(l, target, m.call->host->value(target, at));
 }
 
+// place(LINE, SHARE [, time])
+int place_of(lua_State* l, Machine& m) {
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "place: the name of a line comes first, in quotes");
+  if (!lua_isnumber(l, 2)) return fail_with(l, "place: a share of its length comes second, from 0 to 1");
+  if (!lua_isnoneornil(l, 3) && !lua_isnumber(l, 3)) return fail_with(l, "place: the time is no number");
+  if (!m.call->questions) return fail_with(l, "place: only values can ask where a line goes");
+  const double at = lua_isnoneornil(l, 3) ? m.call->seconds : lua_tonumber(l, 3);
+  const auto found = m.call->questions->place(lua_tostring(l, 1), lua_tonumber(l, 2), at, m.call->steps);
+  return found ? push_answer(l, "place", Value(*found)) : push_answer(l, "place", found.error());
+}
+
 // Says of what was asked in a call, not of the question that it became.
 int touches_nobody(lua_State* l, int argument, const Error& e) {
   const std::string name = lua_tostring(l, argument), asked = "value('" + name + ".touching'): ";
@@ -282,10 +293,15 @@ void wrap(lua_State* l, const char* name, lua_CFunction through) {
   lua_setfield(l, -2, name);
 }
 
-constexpr luaL_Reg own[] = {{"tostring", guarded<to_text>}, {"pairs", pairs},
-                            {"value", priced<value_of>},    {"touching", priced<touching_of>},
-                            {"input", priced<input_at>},    {"run", priced<run_line>},
-                            {"objects", objects},           {nullptr, nullptr}};
+constexpr luaL_Reg own[] = {{"tostring", guarded<to_text>},
+                            {"pairs", pairs},
+                            {"value", priced<value_of>},
+                            {"touching", priced<touching_of>},
+                            {"place", priced<place_of>},
+                            {"input", priced<input_at>},
+                            {"run", priced<run_line>},
+                            {"objects", objects},
+                            {nullptr, nullptr}};
 
 }  // namespace
 

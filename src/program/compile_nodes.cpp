@@ -53,7 +53,9 @@ struct NodeCompiler {
     n.around = siting(o, fn::environments), n.drive = siting(o, fn::drive);
     n.transform = o.find(fn::transform) != nullptr;
     compiled.offsets.push_back({n.position, n.rotation, n.scale, n.pivot, n.orientation});
-    compiled.cameras = compiled.cameras || n.kind == Kind::camera;
+    const auto said = [&](FunctionId f) { return &compiled.find(object, f) != &compiled.defaults[f]; };
+    n.looks = said(fn::look_at) || said(fn::roll);
+    compiled.looks = compiled.looks || n.looks;
     compiled.sited = compiled.sited || n.around >= 0;
     compiled.node_of[object] = static_cast<std::uint32_t>(compiled.nodes.size());
     compiled.nodes.push_back(std::move(n));

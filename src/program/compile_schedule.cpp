@@ -24,6 +24,9 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
     case fn::display:
       return affects::look;
     case fn::look_at:
+    case fn::look_offset:
+    case fn::roll:
+    case fn::front:
       return affects::aim;
     case fn::scale:
       return affects::place | affects::other;  // how far a light reaches
@@ -137,8 +140,8 @@ struct ScheduleCompiler {
       if (n.kind == Kind::light) compiled.lights.push_back(i);
       if (n.kind == Kind::camera) {
         if (!scene.objects[n.object].derived && !compiled.first_camera) compiled.first_camera = n.object;
-        if (find(fn::look_at) != &compiled.defaults[fn::look_at]) compiled.eyes.push_back(i);
       }
+      if (n.looks) compiled.eyes.push_back(i);
       if (!drawable(n.kind)) continue;
       Drawable d{find(fn::transparency)->offset, find(fn::shininess)->offset, find(fn::material), find(fn::texture),
                  find(fn::geometry)};

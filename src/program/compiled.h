@@ -18,6 +18,7 @@
 #include "program/playing.h"
 #include "scene/document.h"
 #include "scene/extent.h"
+#include "scene/line.h"
 #include "track/reign.h"
 
 namespace betwixt {
@@ -183,6 +184,14 @@ struct Frozen {
   bool held = false;  // letgo: there was a parent
 };
 
+// What carries an object's position p: in the world it is above (kept p + attach). And how it is turned by that.
+struct Carrier {
+  Mat4 above, kept;
+  Vec3 attach;
+  Quat turn;
+  std::optional<Vec3> seen(Vec3 in_world) const;  // as a position; none where it is flattened
+};
+
 // The motions of one object, one after the other: each begins where the ones before it end. (rules, R-H7)
 struct Moving {
   struct Piece {
@@ -207,6 +216,7 @@ struct Node {
   std::int32_t around = -1, drive = -1;                                                                // sitings
   std::int32_t moving = -1;                                                                            // motions
   bool transform = false;                                                                              // it has one
+  bool looks = false;  // it is turned by what it looks at, or rolled
 };
 
 // What is drawn, or may be: the node of the same number.
@@ -295,7 +305,7 @@ struct Program::Compiled {
   std::vector<Drawable> drawables;
   std::vector<std::shared_ptr<const Shape>> shapes;  // those that do not vary, each once
   std::vector<std::shared_ptr<const Picture>> textures;
-  std::vector<std::uint32_t> lights, eyes;  // nodes; eyes: cameras that look at something
+  std::vector<std::uint32_t> lights, eyes;  // nodes; eyes: those that look at something
   std::vector<std::uint32_t> borrowers;     // drawables that may look like others
   std::optional<std::uint32_t> first_camera;  // an object
   Schedule schedule;
@@ -309,7 +319,7 @@ struct Program::Compiled {
   std::optional<EnvironmentSet> mutable many;
   mutable std::mutex many_in_use;
   bool sited = false;                  // some node is in an environment
-  bool cameras = false;                // there are some
+  bool looks = false;                  // some node is turned by what it looks at
   bool turning = false;                // some node hangs on how another is turned alone
   std::vector<playing::Offsets> offsets;  // by node
   std::vector<std::string> notices;    // attachments that had to be ignored
@@ -343,6 +353,14 @@ struct Program::Compiled {
   std::optional<Mat4> driven(const Node&, Time t, Asking&, const Mat4* drive = nullptr) const;
   std::optional<Mat4> moved(const Node&, Time t) const;
   Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
+  Carrier carried(const Node&, Time t, Asking&) const;
+  // At a share of the length of the line that an object is, in the world; none: there is no such line.
+  std::optional<MeasuredLine::Place> on_line(ObjectId road, double share, Time t, Asking&) const;
+  Result<Vec3> place_on(std::string_view road, double share, double seconds, Asking&) const;
+  // The same as the value of an object's position or rotation; where there is none, why is among the problems.
+  std::optional<Value> along(std::uint32_t object, FunctionId, ObjectId road, double share, Time t, Asking&) const;
+  // In the world, with its front in that direction.
+  Quat turned(const Node&, Vec3 direction, Time t, Asking&) const;
   // The numbers for the time; null: they are worked out.
   // A function's value as a shape takes it; points on their way are between two of the author's.
   Value shape_part(const Binding& b, Time t, const double* numbers, Asking&) const;

@@ -66,12 +66,13 @@ Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
 std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
                                            const std::function<Vec3(std::uint32_t)>& place, Asking& asking) const {
   const Binding& b = find(camera, fn::look_at);
-  if (b.channels == 3 && b.live < 0) return vec3(numbers + b.offset);
+  const Vec3 beside = vec3(numbers + find(camera, fn::look_offset).offset);
+  if (b.channels == 3 && b.live < 0) return beside + vec3(numbers + b.offset);
   const auto point = [&](const Value& v) -> std::optional<Vec3> {
-    if (const auto* p = std::get_if<Vec3>(&v)) return *p;
+    if (const auto* p = std::get_if<Vec3>(&v)) return *p + beside;
     const auto* id = std::get_if<ObjectId>(&v);
     if (!id || !find_object(document.scene(), *id)) return std::nullopt;
-    return place(node_of[id->index]);
+    return place(node_of[id->index]) + beside;
   };
   if (b.live >= 0) return point(live_value(b.live, t, asking));
   if (b.steps < 0) return point(b.constant);

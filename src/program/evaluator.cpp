@@ -29,7 +29,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled)
       held_(compiled.nodes.size()),
       parent_(compiled.nodes.size(), -1),
       products_(compiled.sitings.size()),
-      owns_(compiled.spans.empty() && !compiled.cameras ? 0 : compiled.nodes.size()),
+      owns_(compiled.spans.empty() && !compiled.looks ? 0 : compiled.nodes.size()),
       worlds_(compiled.nodes.size()),
       turns_(compiled.turning ? compiled.nodes.size() : 0),
       around_(compiled.sited ? compiled.nodes.size() : 0),

@@ -73,6 +73,7 @@ class Evaluator {
   void settle(std::uint32_t node, const Own&);
   void put_world(std::uint32_t node, const Mat4&);
   void compose(std::uint32_t node);
+  void show_sited(std::uint32_t node);
   void compose_below(std::uint32_t at);
   void places(Asking&);
   void turn_eyes(Asking&);
@@ -83,7 +84,7 @@ class Evaluator {
   std::uint32_t splined(const StepTrack&, const Between&, std::uint32_t drawable, Asking&);
   Quat turn(std::uint32_t node) const { return turns_.empty() ? Quat{} : turns_[node]; }
   // Its own matrix is kept: it is held, or may be turned.
-  bool kept(std::uint32_t node) const { return held_[node] || compiled_.nodes[node].kind == Kind::camera; }
+  bool kept(std::uint32_t node) const { return held_[node] || compiled_.nodes[node].looks; }
   template <class F>
   void each_below(std::uint32_t node, F&& f) const {
     for (std::uint32_t at = at_[node], end = at + size_[at]; at < end; ++at) f(order_[at]);

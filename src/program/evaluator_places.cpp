@@ -47,13 +47,13 @@ void Evaluator::arrange() {
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t node = order_[k];
     const bool plain = parent_[node] >= 0 && held_[node]->kind == AttachmentKind::couple && held_[node]->frozen < 0 &&
-                       compiled_.nodes[node].kind != Kind::camera && !compiled_.sited;
+                       !compiled_.nodes[node].looks && !compiled_.sited;
     links_[k] = {node, plain ? static_cast<std::uint32_t>(parent_[node]) : 0, compiled_.nodes[node].attach, plain};
   }
   arrange_eyes();
 }
 
-// Cameras take their turns in the order of the objects, but whoever is above another before it.
+// What looks at something takes its turns in the order of the objects, but whoever is above another before it.
 void Evaluator::arrange_eyes() {
   eyes_.clear();
   if (compiled_.eyes.empty()) return;
@@ -111,7 +111,7 @@ void Evaluator::put_world(std::uint32_t node, const Mat4& m) {
   if (!compiled_.sited) flags_.add(node, true);
 }
 
-// What nobody holds is where it is by itself; cameras may be turned, and must know how they stood.
+// What nobody holds is where it is by itself; what looks at something is turned, and must know how it stood.
 void Evaluator::settle(std::uint32_t node, const Own& own) {
   if (kept(node)) {
     owns_[node] = own;
@@ -158,7 +158,12 @@ void Evaluator::compose(std::uint32_t node) {
   const Mat4* outer = above >= 0 ? &around_[static_cast<std::size_t>(above)] : f && f->held ? &f->around : nullptr;
   around_[node] = n.around >= 0 ? products_[static_cast<std::size_t>(n.around)] : Mat4{};
   if (outer) around_[node] = *outer * around_[node];
-  if (!compiled_.draws(node)) return;
+  show_sited(node);
+}
+
+// Where it is seen, with all that encloses it.
+void Evaluator::show_sited(std::uint32_t node) {
+  if (!compiled_.sited || !compiled_.draws(node)) return;
   const Mat4 shown = world(node);
   if (std::memcmp(&shown, &shown_[node], sizeof shown) == 0) return;
   shown_[node] = shown;
@@ -192,7 +197,7 @@ void Evaluator::places(Asking& asking) {
     return marks_[node] & (affects::aim | affects::place);
   });
   if (dirty_places_.empty() && !turning) return;
-  // What hangs on cameras is worked out twice: what it was before this time is kept aside.
+  // What looks at something, and hangs on that, is worked out twice: what it was before this time is kept aside.
   std::vector<std::pair<std::uint32_t, Mat4>> before;
   for (const std::uint32_t eye : eyes_) {
     dirty_places_.push_back(at_[eye]);
@@ -213,19 +218,29 @@ void Evaluator::places(Asking& asking) {
     if (flags_[d] && std::memcmp(&m, &worlds()[d], sizeof m) == 0) flags_.take_back(d);
 }
 
-// A camera that looks at something turns with it, and so does what hangs on the camera: each sees those before it
-// already turned.
+// What looks at something turns with it, and so does what hangs on it: each sees those before it already turned.
 void Evaluator::turn_eyes(Asking& asking) {
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
   for (const std::uint32_t eye : eyes_) {
     const auto target = compiled_.aim(compiled_.nodes[eye].object, now_, numbers_.data(), in_world, asking);
     const Vec3 place = in_world(eye);
-    if (!target || *target == place) continue;
-    Mat4& turned = worlds_[eye];
-    turned = look_at(place, *target);
-    if (!turns_.empty()) turns_[eye] = from_matrix(turned);
-    if (compiled_.sited)  // it stands upright in the world, whatever encloses it
-      if (const auto back = inverse(around_[eye])) turned = *back * turned;
+    const Node& n = compiled_.nodes[eye];
+    const double roll = numbers_[compiled_.find(n.object, fn::roll).offset];
+    const bool looks = target && *target != place;
+    if (!looks && roll == 0) continue;
+    // It stands upright in the world, whatever encloses it.
+    const Mat4 around = compiled_.sited ? around_[eye] : Mat4{};
+    const Mat4 before = around * worlds_[eye];
+    const Quat was = turn_of(before);
+    Quat turn = looks ? compiled_.turned(n, *target - place, now_, asking) : was;
+    if (roll != 0) turn = turn * axis_angle({0, 0, 1}, roll);
+    // What it measures stays; a camera measures nothing.
+    Mat4 turned = n.kind == Kind::camera ? rotation(turn) : rotation(turn * conjugate(was)) * linear_part(before);
+    for (int i = 0; i < 3; ++i) turned(i, 3) = place[i];
+    if (!turns_.empty()) turns_[eye] = turn;
+    const auto back = inverse(around);
+    put_world(eye, back ? *back * turned : turned);
+    show_sited(eye);
     each_below(eye, [&](std::uint32_t i) {
       if (i != eye) compose(i);
     });

@@ -13,6 +13,7 @@
 #include "base/utf8.h"
 #include "program/compiled.h"
 #include "scene/kinds.h"
+#include "track/along.h"
 #include "track/operations.h"
 
 namespace betwixt {
@@ -61,6 +62,13 @@ struct Worker {
       if (w.asking.given_up) return fail(ErrorCode::range, "stopped: the question took too much work");
       return r;
     }
+    Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) override {
+      const std::uint64_t before = w.asking.cost;
+      auto at = w.c.place_on(line, share, seconds, w.asking);
+      cost += w.asking.cost - before + 20;
+      w.asking.cost = before;
+      return at;
+    }
   };
 
   // Whether a target of its own names a function that it has not and objects of other kinds have.
@@ -83,6 +91,8 @@ struct Worker {
   // None where it errs; then `problems` says so.
   std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
     if (asking.work(0)) return std::nullopt;
+    if (const Along* place = along(Value(p)))
+      return c.along(live.object, live.function, place->road, place->share, t, asking);
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
@@ -128,6 +138,33 @@ struct Worker {
     return settled(part, t);
   }
 
+  // Between two places on one line: along it, as far as the blend of their shares says. `near`: the events about t,
+  // those from `after` on behind it.
+  std::optional<Value> along_line(const Track& track, const std::vector<const Event*>& near, std::size_t after,
+                                  Time t) const {
+    const auto reaches = [](const Event& e) { return along(e.detail->before ? *e.detail->before : e.value); };
+    const Along* const from = along(near[after - 1]->value);
+    if (!from || after == near.size() || near[after - 1]->keep || near[after]->keep) return std::nullopt;
+    const auto here = [&](const Along* other) { return other && other->road == from->road; };
+    if (!here(reaches(*near[after]))) return std::nullopt;
+    std::size_t first = after - 1, end = after + 1;
+    while (first > 0 && !near[first]->detail->before && here(along(near[first - 1]->value))) --first;
+    while (end < near.size() && !near[end - 1]->detail->before && here(reaches(*near[end]))) ++end;
+    Track shares;
+    shares.global = track.global, shares.arguments = track.arguments;
+    for (std::size_t i = first; i < end; ++i) {
+      Event e = *near[i];
+      e.value = (i + 1 == end ? reaches(e) : along(e.value))->share;
+      if (e.detail->before) e.detail.edit().before.reset();
+      shares.events.put(std::move(e));
+    }
+    CurveSet small;
+    small.own = c.set.own;
+    double share = 0;
+    small.evaluate(small.add(shares, Type::scalar), t, &share);
+    return c.along(live.object, live.function, from->road, share, t, asking);
+  }
+
   // A track among whose values are procedures: a segment that begins with one is the procedure's, unless it has a
   // twerper, which then goes from what the procedure says to the next value.
   Value scripted(const LivePart& part, Time t) const {
@@ -147,6 +184,8 @@ struct Worker {
     if (!last && near[0]->detail->before) return event_value(*near[0]->detail->before, part, t, t);
     if (!last) return event_value(near[0]->value, part, t, near[0]->time);
     const Twerper twerper = part.track.global != Twerper::unset ? part.track.global : last->twerper;
+    if (twerper != Twerper::hold)
+      if (auto place = along_line(part.track, near, before, t)) return *std::move(place);
     const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||
                        (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
     if (alone && !last->keep) return event_value(last->value, part, t, t);

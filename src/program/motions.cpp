@@ -22,25 +22,8 @@ void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion
     f.about.clear();
     if (!id || compiled.node_of[id.index] == ObjectId::nothing) continue;
     const Vec3 place = translation_of(compiled.placement(compiled.node_of[id.index], t, asking).in_world());
-    const Sited own = compiled.placement(compiled.node_of[node.object], t, asking);
-    // in the world: around (above (p + attach)), p behind what was kept
-    Mat4 above = own.around, kept;
-    const CompiledSpan* span = compiled.span(node, t);
-    const Frozen* frozen =
-        span && span->frozen >= 0 ? &compiled.frozen[static_cast<std::size_t>(span->frozen)] : nullptr;
-    Vec3 attach;
-    if (span && span->kind >= AttachmentKind::hang) {
-      double n[4] = {};
-      compiled.evaluate(compiled.find(node.object, fn::attach_position), t, asking, n);
-      attach = vec3(n);
-      above = above * compiled.placement(static_cast<std::uint32_t>(span->parent), t, asking).world;
-    } else if (frozen && frozen->held) {
-      above = above * frozen->parent, attach = frozen->attach;
-    }
-    if (frozen) kept = frozen->before;
-    const auto back = inverse(above), out = inverse(kept);
-    if (back && out)
-      f.centre = transform_point(*out, transform_point(*back, place) - attach);
+    if (const auto centre = compiled.carried(node, t, asking).seen(place))
+      f.centre = *centre;
     else
       compiled.notices.push_back("'" + compiled.document.name(ObjectId{node.object}) +
                                  "' is flattened by what it hangs on: its motion about '" + compiled.document.name(id) +

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where things are: what they hang on, what was let go, cameras that look at something. (rules, section 5)
+// Where things are: what they hang on, what was let go, what looks at something. (rules, section 5)
 #include <algorithm>
 #include <cmath>
 
@@ -10,16 +10,6 @@
 
 namespace betwixt {
 namespace {
-
-// The turning part of a matrix that turns and scales.
-Quat turn_of(const Mat4& m) {
-  Mat4 r;
-  for (int c = 0; c < 3; ++c) {
-    const Vec3 axis = normalize({m(0, c), m(1, c), m(2, c)}, {c == 0 ? 1.0 : 0, c == 1 ? 1.0 : 0, c == 2 ? 1.0 : 0});
-    r(0, c) = axis.x, r(1, c) = axis.y, r(2, c) = axis.z;
-  }
-  return from_matrix(r);
-}
 
 // Scale and rotation about the pivot, then the move (R-H7).
 Mat4 local(const Said& said) {
@@ -39,6 +29,15 @@ Mat4 held_turn(AttachmentKind kind, const Placed& parent) {
 }
 
 }  // namespace
+
+Quat turn_of(const Mat4& m) {
+  Mat4 r;
+  for (int c = 0; c < 3; ++c) {
+    const Vec3 axis = normalize({m(0, c), m(1, c), m(2, c)}, {c == 0 ? 1.0 : 0, c == 1 ? 1.0 : 0, c == 2 ? 1.0 : 0});
+    r(0, c) = axis.x, r(1, c) = axis.y, r(2, c) = axis.z;
+  }
+  return from_matrix(r);
+}
 
 Placed own_place(const Said& said) {
   Quat turn = said.own ? said.turn * turn_of(*said.own) : said.turn;
@@ -189,8 +188,7 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
   for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
     const Node& n = nodes[static_cast<std::size_t>(i)];
     chain.push_back(static_cast<std::uint32_t>(i));
-    if (n.kind == Kind::camera &&
-        &find(n.object, fn::look_at) != &defaults[fn::look_at]) {  // it turns with what it looks at
+    if (n.looks) {  // it turns with what it looks at
       Evaluator all(*this);
       all.to(t, asking);
       return {all.placed(node), all.around(node)};

@@ -22,6 +22,8 @@ Placed own_place(const Said&);
 // R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.
 Placed hang(const Placed& own, Vec3 attach, const CompiledSpan*, const Frozen*, const Placed* parent);
 
+// The turning part of a matrix that turns and scales.
+Quat turn_of(const Mat4&);
 inline Mat4 linear_part(Mat4 m) {
   m(0, 3) = m(1, 3) = m(2, 3) = 0;
   return m;

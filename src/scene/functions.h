@@ -83,6 +83,9 @@ enum : FunctionId {
   drive,
   transform,
   motion,
+  front,
+  roll,
+  look_offset,
   count
 };
 }

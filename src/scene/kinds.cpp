@@ -8,6 +8,7 @@
 
 #include "base/utf8.h"
 #include "scene/flat_shapes.h"
+#include "scene/line.h"
 #include "scene/primitives.h"
 
 namespace betwixt {
@@ -104,6 +105,16 @@ Mesh cloud_mesh(const Shape& s, const Detail& d) {
   const int around = d.even ? d.around / 3 : d.around_thin(share_of(s.width / 2, s));
   return balls_mesh(*s.points, s.width, sphere_mesh(around, around / 2));
 }
+
+// A curve as a polyline.
+Shape as_stroke(const Shape& s) {
+  Shape out = s;
+  Line line = line_of(s);
+  if (line.closed && line.points.size() > 1) line.points.push_back(line.points.front());
+  out.points = Points(std::move(line.points));
+  return out;
+}
+Extent of_curve(const Shape& s) { return of_points(as_stroke(s)); }
 
 std::vector<std::vector<Vec3>> one_contour(const Shape& s) {
   if (s.points->size() < 3 || !in_reach(*s.points)) return {};
@@ -214,6 +225,16 @@ constexpr KindRow kind_rows[] = {
      .detailed = true,
      .extent = of_points,
      .mesh = stroke_mesh},
+    {.kind = Kind::curve,
+     .name = "curve",
+     .sentence = "A line through points, smooth or straight; things go along it.",
+     .written = "points=((x y) …) width=0.05 smooth=on closed=off",
+     .example = "create road curve points=((0 0) (2 1) (4 0)) closed=on",
+     .functions = "points",
+     .fill = Fill::surface,
+     .detailed = true,
+     .extent = of_curve,
+     .mesh = [](const Shape& s, const Detail& d) { return stroke_mesh(as_stroke(s), d); }},
     {.kind = Kind::points,
      .name = "points",
      .sentence = "A cloud of points.",

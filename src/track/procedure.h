@@ -40,6 +40,8 @@ class Questions {
   // "leg.rotation.z", ".scale.x" (of the object itself), "ball.world", "ball.position.velocity"; at any time.
   // Colours as the author writes them, angles in radians.
   virtual Result<Value> value(std::string_view target, double seconds, std::uint64_t& cost) = 0;
+  // Where the line that an object is has got to at a share of its length, in the world.
+  virtual Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) = 0;
   // A procedure of role `value` by its name, or null.
   virtual const Routine* procedure(std::string_view name) = 0;
 };

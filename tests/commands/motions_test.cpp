@@ -338,8 +338,10 @@ TEST(Motions, SayWhatIsWrong) {
   EXPECT_EQ(error("  12f..36f T(1 0)\n  1f..24f R(1turn)\n"), "5:11: 'a.motion' is under way from 12f with T(1 0)");
   EXPECT_EQ(error("  1f..24f T(1 0)\n  24f..36f T(1 0)\n"), "fine");
   EXPECT_EQ(error("  1f..24f = \"1\"\n"), "4:11: a motion cannot be computed");
-  EXPECT_EQ(error("a.position\n  1f..24f (0 0 0)\n"), "5:3: one time stands here: only motions have a segment");
-  EXPECT_EQ(error("at 1f..4f a.position (0 0 0)\n"), "4:4: one time stands here: only motions have a segment");
+  EXPECT_EQ(error("a.position\n  1f..24f (0 0 0)\n"),
+            "5:3: one time stands here: only motions and ways along a line have a segment");
+  EXPECT_EQ(error("at 1f..4f a.position (0 0 0)\n"),
+            "4:4: one time stands here: only motions and ways along a line have a segment");
   EXPECT_EQ(error("set a.motion T(1 0)\n"), "4:5: a motion is not set: it takes a segment of time");
   EXPECT_EQ(error("create b sphere motion=T(1 0)\n"), "4:17: a motion is not set: it takes a segment of time");
   EXPECT_EQ(error("layer up add\non up a.motion\n  1f..3f T(1 0)\n"),

@@ -31,6 +31,9 @@ struct FakeQuestions : Questions {
     if (target == "nowhere") return fail(ErrorCode::name, "there is no 'nowhere'");
     return Value(seconds * seconds);
   }
+  Result<Vec3> place(std::string_view, double share, double seconds, std::uint64_t&) override {
+    return Vec3{share, seconds, 0};
+  }
   const Routine* procedure(std::string_view name) override {
     const auto p = procedures.find(name);
     return p == procedures.end() ? nullptr : p->second.get();

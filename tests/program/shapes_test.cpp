@@ -25,6 +25,8 @@ std::pair<Value, Value> two_values(const FunctionSpec& f) {
               Points(std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}})};
     case Type::text:
       return {Text(std::string("one")), Text(std::string("two"))};
+    case Type::boolean:
+      return {false, true};
     default:
       return {std::max(1.0, f.low), std::max(1.0, f.low) + 1};
   }

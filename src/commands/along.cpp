@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Things that go along a line: 160f..208f along road [from 0 to 1] [turned] [TWERPER]. On the track stand places on the
+// line, one at each end; between two of one line the way goes along it (track/along.h).
+#include "track/along.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "betwixt/program.h"
+#include "commands/command.h"
+#include "scene/kinds.h"
+#include "scene/line.h"
+#include "scene/names.h"
+
+namespace betwixt {
+namespace {
+
+// What is said behind `along`.
+struct Way {
+  ObjectId road;
+  double from = 0, to = 1;
+  bool turned = false;
+  Event event;  // how it goes on
+};
+
+bool share(Command& k, double& out) {
+  ValueReader v = values(k);
+  Cursor& c = k.cursor;
+  c.space();
+  const char* const start = c.at;
+  return v.scalar(out) &&
+         (std::abs(out) <= 1e6 || c.fail(ErrorCode::range, "so often nothing goes round", c.since(start)));
+}
+
+// The line that a name means.
+bool road(Command& k, const Selected& to, ObjectId& out) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* const start = c.at;
+  if (!values(k).object(out)) return false;
+  const Object& o = s.objects[out.index];
+  if (!has_line(o.kind))
+    return c.fail(ErrorCode::type,
+                  fmt::format("'{}', {}, is no line that things could go along", o.name, a_kind(o.kind)),
+                  c.since(start), "a curve, a polyline, or a flat shape: create road curve points=((0 0) (2 1) (4 0))");
+  for (const Target& t : to.targets)
+    if (t.object == out)
+      return c.fail(ErrorCode::name, fmt::format("'{}' cannot go along itself", o.name), c.since(start));
+  return true;
+}
+
+bool fits_on_line(Command& k, const Selected& to) {
+  Cursor& c = k.cursor;
+  const FunctionId f = to.targets.empty() ? static_cast<FunctionId>(fn::position) : to.targets[0].function;
+  if (to.velocity) return c.fail_here(ErrorCode::type, "a velocity goes along nothing; a position does");
+  if (to.component >= 0)
+    return c.fail_here(ErrorCode::type, "a whole position goes along a line, not one component of it");
+  return f == fn::position || f == fn::rotation ||
+         c.fail_here(ErrorCode::type, fmt::format("{} does not go along a line: a position does", to.spec->name),
+                     "as in 1f..48f along road below ball.position; a rotation takes its direction");
+}
+
+// ROAD [SHARE | from SHARE to SHARE] [turned] [TWERPER …], behind `along`.
+bool way_along(Command& k, const Selected& to, bool lasts, Way& out) {
+  Cursor& c = k.cursor;
+  if (!road(k, to, out.road)) return false;
+  if (!lasts) {
+    if (!share(k, out.from)) return false;
+    out.to = out.from;
+  } else if (c.accept_word("from")) {
+    if (!share(k, out.from)) return false;
+    if (!c.accept_word("to"))
+      return c.fail_here(ErrorCode::syntax, "'to' is missing here", "as in along road from 0 to 1");
+    if (!share(k, out.to)) return false;
+  }
+  c.space();
+  const char* const start = c.at;
+  out.turned = c.accept_word("turned");
+  if (out.turned && !to.targets.empty() && to.targets[0].function == fn::rotation)
+    return c.fail(ErrorCode::syntax, "a rotation is turned along a line anyway", c.since(start));
+  return way(k, to, out.event) && finish(c);
+}
+
+// One end: what is there already is come to before what begins, and gone on from behind what ends.
+void put_end(Scene& s, const Target& t, Event e, bool ends) {
+  const auto tracks = edit_tracks(s, t);
+  const Event* there = tracks.empty() ? nullptr : tracks[0]->events.find(e.time);
+  if (there && !there->keep) {
+    const Along* other = along(there->value);
+    const Value came_to = there->detail->before.value_or(there->value);
+    if (ends && !(there->value == e.value)) {  // the next row begins here
+      Event cut = *there;
+      cut.detail.edit().before = e.value;
+      if (e.detail->ease_in != Time{}) cut.detail.edit().ease_in = e.detail->ease_in;
+      e = std::move(cut);
+    } else if (!ends && !(came_to == e.value) && (!other || there->twerper == Twerper::hold || there->detail->before)) {
+      e.detail.edit().before = came_to;
+      if (there->detail->ease_in != Time{}) e.detail.edit().ease_in = there->detail->ease_in;
+    }
+  }
+  put_event(s, t, std::move(e));
+}
+
+void put_way(Scene& s, const Target& t, const Way& w, Time from, std::optional<Time> until) {
+  Event begin = w.event;
+  begin.time = from, begin.value = along(w.road, w.from);
+  if (!until) return put_event(s, t, std::move(begin));
+  for (Track* track : edit_tracks(s, t))
+    for (const Event& inside : track->events.between(from, *until))
+      if (inside.time > from && inside.time < *until) track->events.erase(inside.time, inside.time);
+  Event end;
+  end.time = *until, end.value = along(w.road, w.to), end.twerper = Twerper::hold;
+  if (begin.detail->ease_in != Time{}) {  // of the arrival
+    end.detail.edit().ease_in = begin.detail->ease_in;
+    begin.detail.edit().ease_in = {};
+  }
+  put_end(s, t, std::move(end), true);
+  put_end(s, t, std::move(begin), false);
+}
+
+// The same of how it is turned.
+bool turned(Command& k, const Selected& to, std::string_view about, std::vector<Target>& out) {
+  for (Target t : to.targets) {
+    t.function = fn::rotation;
+    const Slot* slot = k.scene.objects[t.object.index].find(fn::rotation, t.layer);
+    if (slot && !slot->components.empty())
+      return k.cursor.fail(
+          ErrorCode::type,
+          fmt::format("the components of '{}' have tracks of their own: it cannot be turned along a line",
+                      target_name(k.scene, t)),
+          about, "clear them first, or leave 'turned' out");
+    out.push_back(t);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool along_line(Command& k, const Selected& to, Time from, std::optional<Time> until) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* const start = c.at;
+  if (!fits_on_line(k, to)) return false;
+  c.word();
+  if (until && *until == from)
+    return c.fail(ErrorCode::range, "a way takes time, and this segment has none", c.since(start));
+  Way w;
+  if (!way_along(k, to, until.has_value(), w)) return false;
+  const std::string_view about = c.since(start);
+  for (const Target& t : to.targets)
+    if (const Slot* slot = s.objects[t.object.index].find(t.function, t.layer); slot && !slot->components.empty())
+      return c.fail(ErrorCode::type, "its components have tracks of their own: a way for the whole finds no place",
+                    about);
+  std::vector<Target> also;
+  if (w.turned && !turned(k, to, about, also)) return false;
+  also.insert(also.begin(), to.targets.begin(), to.targets.end());
+  for (const Target& t : also) put_way(s, t, w, from, until);
+  if (!script.sheet.tracks.empty()) find_tracks(s, script.sheet);  // of a sheet they may have become others
+  return true;
+}
+
+bool set_along_line(Command& k, const Selected& to) {
+  Cursor& c = k.cursor;
+  if (!fits_on_line(k, to)) return false;
+  c.space();
+  const char* const start = c.at;
+  c.word();
+  Way w;
+  if (!road(k, to, w.road) || !share(k, w.from)) return false;
+  w.turned = c.accept_word("turned");
+  if (!finish(c)) return false;
+  std::vector<Target> also;
+  if (w.turned && !turned(k, to, c.since(start), also)) return false;
+  also.insert(also.begin(), to.targets.begin(), to.targets.end());
+  for (const Target& t : also) set_value(k.scene, t, along(w.road, w.from));
+  return true;
+}
+
+// What goes along something that is about to go stays on the way, straight from event to event.
+void keep_ways(const Command& k, const std::vector<ObjectId>& leaving, std::string_view about) {
+  Scene& s = k.scene;
+  const auto goes = [&](const Value& v) {
+    const Along* a = along(v);
+    return a && std::find(leaving.begin(), leaving.end(), a->road) != leaving.end();
+  };
+  std::optional<Program> program;
+  const auto place = [&](const Target& t, Time at) {
+    if (!program) program = Program::compile(Document(std::make_shared<const Scene>(s)));
+    return program->read(t, at);
+  };
+  const Scene before = s;
+  for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
+    if (s.objects[i].removed || std::find(leaving.begin(), leaving.end(), ObjectId{i}) != leaving.end()) continue;
+    for (const FunctionId f : {static_cast<FunctionId>(fn::position), static_cast<FunctionId>(fn::rotation)}) {
+      const Slot* slot = before.objects[i].find(f);
+      if (!slot) continue;
+      const Target t{ObjectId{i}, f};
+      bool any = false;
+      if (slot->set && goes(*slot->set)) set_value(s, t, place(t, {})), any = true;
+      bool on_track = false;
+      slot->track->events.each([&](const Event& e) {
+        on_track = on_track || goes(e.value) || (e.detail->before && goes(*e.detail->before));
+      });
+      if (on_track)
+        edit_track(s, t)->events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
+          if (e.detail->before && goes(*e.detail->before)) e.detail.edit().before = place(t, e.time - Time{1});
+          if (goes(e.value)) e.value = place(t, e.time);
+        });
+      if (any || on_track)
+        k.script.note(Severity::notice, fmt::format("'{}' goes straight where it went along that", target_name(s, t)),
+                      about);
+    }
+  }
+}
+
+}  // namespace betwixt
