@@ -8,8 +8,10 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -55,7 +57,7 @@ class Imaging {
     Ceilings ceilings;
     UndoDepth undo{1000, 128 << 20};    // commands that can be undone, and bytes that they hold
     std::size_t checkpoint = 16 << 20;  // bytes of log from one checkpoint to the next
-    bool sweep = false;       // what is fast is noticed even where it slips through between two frames
+    bool sweep = false;                 // what is fast is noticed even where it slips through between two frames
     ContactOptions contacts;
     bool wait = false;  // the clock stands at 0 until a host says `start`
     LoadOptions load;
@@ -177,6 +179,7 @@ class Imaging {
   std::optional<Error> carry_out(const Bundled&, Together&, std::int64_t stamp) const;
   Reply yes(const Visitor&, Nanos now, const std::string& members, std::optional<std::int64_t> tick = {});
   Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
+  void tell(const Shown&);
   void tell_contacts(const Shown&);
   void recount(const Document& before);
   void changed(Host by, const std::string& line, Nanos now);
@@ -225,8 +228,11 @@ class Imaging {
   std::optional<Host> alone_;     // who is waited for; 0: nobody's host
   std::map<Host, Visitor> hosts_;
   Host last_host_ = 0;
-  std::optional<ContactWatch> watch_;  // while anybody wants to know
-  Time told_;                          // notes up to here have been told
+  std::deque<Shown> shown_;              // frames of which nobody has been told yet …
+  bool telling_ = false;                 // … and somebody is at it
+  std::shared_ptr<ContactWatch> watch_;  // while anybody wants to know
+  bool long_to_watch_ = false;
+  Time told_;  // notes up to here have been told
   std::vector<Event> events_;
   Nanos begun_ = 0;
   std::uint64_t lines_ = 0, commands_ = 0, refused_ = 0, bytes_ = 0;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "language/json.h"
 #include "server/imaging.h"
@@ -28,7 +29,25 @@ bool Imaging::frames_wanted() const {
                      [](const auto& h) { return (h.second.topics & ~unsigned{changes}) != 0; });
 }
 
+// One after the other: while contacts are looked for others go on, and may bring the next frame.
 void Imaging::shown(const Shown& f) {
+  shown_.push_back(f);
+  if (telling_) return;
+  struct Telling {
+    bool& on;
+    explicit Telling(bool& flag) : on(flag) { on = true; }
+    Telling(const Telling&) = delete;
+    Telling& operator=(const Telling&) = delete;
+    ~Telling() { on = false; }
+  } const telling(telling_);
+  while (!shown_.empty()) {
+    const Shown next = std::move(shown_.front());
+    shown_.pop_front();
+    tell(next);
+  }
+}
+
+void Imaging::tell(const Shown& f) {
   std::string frame, remarks;
   if (f.time < told_) told_ = f.time - Time{1};
   if (document().scene().notes_shown)
@@ -47,17 +66,29 @@ void Imaging::shown(const Shown& f) {
   }
 }
 
-// Here, not on the clock's thread: it is never kept from the next frame.
+// Here, not on the clock's thread: it is never kept from the next frame. Where that takes long it is done beside, and
+// who watched before may be gone when it is done.
 void Imaging::tell_contacts(const Shown& f) {
-  std::vector<Host> to;
-  for (const auto& [host, visitor] : hosts_)
-    if (visitor.topics & contacts) to.push_back(host);
-  if (to.empty()) return watch_.reset();
-  if (!watch_) watch_.emplace(options_.contacts, options_.sweep);
+  constexpr auto soon = std::chrono::milliseconds(2);
+  const auto watches = [](const auto& h) { return (h.second.topics & contacts) != 0; };
+  if (std::none_of(hosts_.begin(), hosts_.end(), watches)) return watch_.reset();
+  if (!watch_) watch_ = std::make_shared<ContactWatch>(options_.contacts, options_.sweep);
+  const auto watch = watch_;
+  const Program film = options_.beside ? program_ : program();  // what has been published, and shown
+  std::vector<ContactEvent> events;
+  const auto look = [&] { events = watch->step(film.frame(f.time)); };
+  const auto begun = std::chrono::steady_clock::now();
+  if (long_to_watch_ && options_.beside)
+    options_.beside(look);
+  else
+    look();
+  long_to_watch_ = std::chrono::steady_clock::now() - begun > soon;
+  if (watch != watch_) return;  // whoever watches now begins anew
   std::string all;
-  for (const ContactEvent& e : watch_->step(program().frame(f.time))) all += to_json(e, document()) + "\n";
-  for (const Host host : to)
-    if (!all.empty()) events_.push_back({host, all});
+  for (const ContactEvent& e : events) all += to_json(e, film.document()) + "\n";
+  if (all.empty()) return;
+  for (const auto& [host, visitor] : hosts_)
+    if (visitor.topics & contacts) events_.push_back({host, all});
 }
 
 }  // namespace betwixt

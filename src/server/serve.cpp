@@ -135,6 +135,7 @@ class Server {
     const int n = ::epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), timeout);
     lock.lock();
     if (resting_) rest(false);
+    bool shown = false;
     for (int i = 0; i < n; ++i) {
       const int file = events[static_cast<std::size_t>(i)].data.fd;
       if (file == options_.stop) return leaders_.stop();
@@ -144,7 +145,7 @@ class Server {
         continue;
       }
       if (file == clock_.shown_file()) {
-        hear_clock();
+        shown = true;
         continue;
       }
       const bool over = events[static_cast<std::size_t>(i)].events & (EPOLLHUP | EPOLLERR);
@@ -155,6 +156,7 @@ class Server {
           if (l.file() == file) welcome(l);
     }
     if (strangers_ > 0) tire();
+    if (shown) hear_clock();  // last: while it looks for contacts others may go on, and what was said above is old
   }
 
   // Of whom a thread works for, or who waits for another host, nothing but its end is heard. That there is something to

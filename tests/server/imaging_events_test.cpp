@@ -59,5 +59,41 @@ TEST(Imaging, TellsOfContacts) {
   EXPECT_EQ(s.imaging.events().size(), 2u);
 }
 
+// While contacts are looked for the others go on: a frame may come, whoever wanted to know may leave, and somebody else
+// may begin to want to.
+TEST(Imaging, FramesAreToldInTheirOrderWhateverComesBetween) {
+  Stage s;
+  const auto a = s.imaging.arrive(), b = s.imaging.arrive();
+  auto c = s.imaging.arrive();
+  s.done(b, "create s{1..400} sphere");  // all in one place: that takes long
+  s.done(b, "create eye camera position=(0 0 20)");
+  s.done(a, "subscribe frames");
+  s.done(c, "subscribe contacts");
+  int number = 1, looked = 0;
+  s.imaging.shown({number, Time{}, 0, {}});
+  s.imaging.events();
+  (void)s.imaging.program();
+  s.imaging.work_beside([&](const std::function<void()>& work) {
+    if (++looked <= 6) {
+      s.imaging.shown({number + looked, from_seconds((number + looked) / 30.0), 0, {}});
+      s.imaging.leave(c);
+      c = s.imaging.arrive();
+      EXPECT_TRUE(holds(s.say(c, "subscribe contacts"), "true"));
+    }
+    work();
+    return true;
+  });
+  std::vector<std::string> frames;
+  for (int round = 0; round < 4; ++round) {
+    s.imaging.shown({number = 10 * (round + 1), from_seconds(number / 30.0), 0, {}});
+    for (const auto& e : s.imaging.events())
+      if (e.to == a) frames.push_back(e.line.substr(0, e.line.find(",\"seconds")));
+  }
+  EXPECT_GT(looked, 0);
+  ASSERT_GT(frames.size(), 4u);
+  const auto number_of = [](const std::string& line) { return std::stoi(line.substr(line.rfind(':') + 1)); };
+  for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_GT(number_of(frames[i]), number_of(frames[i - 1]));
+}
+
 }  // namespace
 }  // namespace betwixt
