@@ -38,7 +38,8 @@ enum class Kind : std::uint8_t {
   star,
   gear,
   arrow,
-  curve
+  curve,
+  trace
 };
 
 // What an object looks like in its own space, as a description; src/render turns it into triangles.
@@ -57,6 +58,7 @@ enum class Kind : std::uint8_t {
 //   regular  sides, radius of its corners, the first one up          star     sides: points, radius, inner
 //   gear     sides: teeth, module: metres of pitch diameter for each; involutes of 20 degrees
 //   arrow    from the origin to `size`, width
+//   trace    points, width: what a point has drawn
 //   curve    through its points, smooth (Catmull-Rom) or straight, closed or not; width as a polyline's
 struct Shape {
   Kind kind = Kind::group;

@@ -40,6 +40,11 @@ Color from_hsv(double turns, double s, double v) {
 bool ValueReader::scalar(double& out, Unit unit) {
   c.space();
   const char* start = c.at;
+  if (unit == Unit::moment || unit == Unit::seconds) {
+    Time t;
+    if (!(unit == Unit::moment ? c.time(t) : c.length(t))) return false;
+    return out = t.seconds(), true;
+  }
   if (translates() && meant_as_number(start, out)) return true;
   if (c.peek() == '(' && is_vector())
     return c.fail(ErrorCode::type, "a number is wanted here, not a vector", {c.at, 1});

@@ -113,6 +113,7 @@ struct ScheduleCompiler {
   }
 
   bool form_varies(std::uint32_t object) const {
+    if (scene.objects[object].kind == Kind::trace) return true;
     for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i)
       if (const Binding& b = compiled.bindings[i]; b.varies() && spec_of(scene, b.function).shape) return true;
     return false;
@@ -145,6 +146,10 @@ struct ScheduleCompiler {
       if (!drawable(n.kind)) continue;
       Drawable d{find(fn::transparency)->offset, find(fn::shininess)->offset, find(fn::material), find(fn::texture),
                  find(fn::geometry)};
+      if (n.kind == Kind::trace) {
+        compiled.traces = true;
+        schedule.lives.push_back({&compiled.defaults[fn::trace_of], affects::form, i, false});
+      }
       if (form_varies(n.object))
         varying.push_back(i);
       else

@@ -24,6 +24,7 @@
 namespace betwixt {
 
 struct Whole;
+class Tracer;
 
 // Where the value of one display function of one object comes from.
 struct Binding {
@@ -385,6 +386,14 @@ struct Program::Compiled {
   bool sees_all(Time t) const;  // the camera does
   mutable std::once_flag own_camera_once;
   mutable Camera own_camera_made;
+
+  // Of a trace: its points, in its own space. Whether any is still being drawn.
+  Points trace(std::uint32_t object, Time t, Asking&) const;
+  bool tracing_at(Time t) const;
+  Tracer& tracer(std::uint32_t object) const;
+  mutable std::recursive_mutex tracing;                              // a trace may go along a trace
+  mutable std::map<std::uint32_t, std::shared_ptr<Tracer>> tracers;  // by object
+  bool traces = false;                                               // there are some
 
   // Evaluations at rest, for whoever asks for whole frames.
   mutable std::mutex idle_in_use;

@@ -100,6 +100,7 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
   if (described == shaping.end()) return s;
   for (const FunctionId f : described->second)
     spec_of(scene, f).shape(s, shape_part(find(object, f), t, numbers, asking), scene);
+  if (s.kind == Kind::trace) s.points = trace(object, t, asking);
   return s;
 }
 

@@ -24,6 +24,7 @@ std::optional<Time> Program::next_change(Time t) const {
   const Compiled& compiled = *code_;
   const Scene& scene = compiled.document.scene();
   if (!compiled.lives.empty()) return t;  // who knows what code looks at
+  if (compiled.traces && compiled.tracing_at(t)) return t;
   Next next{t, std::nullopt};
   for (const CurveUse& use : compiled.curves) {
     const auto [first, last] = compiled.set.span(use.curve);

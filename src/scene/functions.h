@@ -86,6 +86,12 @@ enum : FunctionId {
   front,
   roll,
   look_offset,
+  trace_of,
+  trace_within,
+  trace_point,
+  trace_from,
+  trace_until,
+  trace_last,
   count
 };
 }

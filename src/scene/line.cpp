@@ -37,12 +37,14 @@ std::vector<Vec3> sane_points(const Shape& s) {
 }  // namespace
 
 bool has_line(Kind k) {
-  return k == Kind::polyline || k == Kind::curve || k == Kind::disc || row_of(k).contours != nullptr;
+  return k == Kind::polyline || k == Kind::trace || k == Kind::curve || k == Kind::disc ||
+         row_of(k).contours != nullptr;
 }
 
 Line line_of(const Shape& s) {
   switch (s.kind) {
     case Kind::polyline:
+    case Kind::trace:
       return {sane_points(s), false};
     case Kind::curve:
       return {s.smooth ? through(sane_points(s), s.closed) : sane_points(s), s.closed};

@@ -43,7 +43,7 @@ TEST(Kinds, EachHasOneRowWithItsWords) {
     EXPECT_FALSE(row.sentence.empty()) << row.name;
     EXPECT_EQ(row.example.empty(), !row.placed) << row.name;  // the others have commands of their own
   }
-  for (int k = 0; k <= static_cast<int>(Kind::curve); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
+  for (int k = 0; k <= static_cast<int>(Kind::trace); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
   EXPECT_EQ(find_kind("blob"), std::nullopt);
   EXPECT_EQ(a_kind(Kind::sphere), "a sphere");
   EXPECT_EQ(a_kind(Kind::environment), "an environment");
@@ -109,29 +109,31 @@ TEST(Functions, SharedOnesAreNamedByTheirKinds) {
 
 // What each kind can be told, as the language's page lists it, beside what all have.
 TEST(Functions, KindsHaveTheirs) {
-  const std::vector<std::pair<Kind, std::set<std::string>>> own{{Kind::group, {}},
-                                                                {Kind::sphere, {"radius"}},
-                                                                {Kind::box, {"size"}},
-                                                                {Kind::cylinder, {"radius", "height"}},
-                                                                {Kind::cone, {"radius", "height"}},
-                                                                {Kind::torus, {"radius", "tube"}},
-                                                                {Kind::plane, {"size"}},
-                                                                {Kind::disc, {"radius"}},
-                                                                {Kind::polygon, {"points", "depth"}},
-                                                                {Kind::polyline, {"points", "width"}},
-                                                                {Kind::points, {"points", "size"}},
-                                                                {Kind::text, {"text", "font", "size", "depth"}},
-                                                                {Kind::mesh, {"file"}},
-                                                                {Kind::light, {"range", "intensity", "shines"}},
-                                                                {Kind::camera, {"lens", "fov", "height", "roll"}},
-                                                                {Kind::rectangle, {"size", "corner", "depth"}},
-                                                                {Kind::ring, {"radius", "inner", "depth"}},
-                                                                {Kind::arc, {"radius", "from", "to", "width", "depth"}},
-                                                                {Kind::regular, {"sides", "radius", "depth"}},
-                                                                {Kind::star, {"points", "radius", "inner", "depth"}},
-                                                                {Kind::gear, {"teeth", "module", "inner", "depth"}},
-                                                                {Kind::arrow, {"to", "width", "depth"}},
-                                                                {Kind::curve, {"points", "width", "smooth", "closed"}}};
+  const std::vector<std::pair<Kind, std::set<std::string>>> own{
+      {Kind::group, {}},
+      {Kind::sphere, {"radius"}},
+      {Kind::box, {"size"}},
+      {Kind::cylinder, {"radius", "height"}},
+      {Kind::cone, {"radius", "height"}},
+      {Kind::torus, {"radius", "tube"}},
+      {Kind::plane, {"size"}},
+      {Kind::disc, {"radius"}},
+      {Kind::polygon, {"points", "depth"}},
+      {Kind::polyline, {"points", "width"}},
+      {Kind::points, {"points", "size"}},
+      {Kind::text, {"text", "font", "size", "depth"}},
+      {Kind::mesh, {"file"}},
+      {Kind::light, {"range", "intensity", "shines"}},
+      {Kind::camera, {"lens", "fov", "height", "roll"}},
+      {Kind::rectangle, {"size", "corner", "depth"}},
+      {Kind::ring, {"radius", "inner", "depth"}},
+      {Kind::arc, {"radius", "from", "to", "width", "depth"}},
+      {Kind::regular, {"sides", "radius", "depth"}},
+      {Kind::star, {"points", "radius", "inner", "depth"}},
+      {Kind::gear, {"teeth", "module", "inner", "depth"}},
+      {Kind::arrow, {"to", "width", "depth"}},
+      {Kind::curve, {"points", "width", "smooth", "closed"}},
+      {Kind::trace, {"of", "within", "point", "from", "until", "last", "width"}}};
   const Scene s;
   const auto common = function_names(s, Kind::group);
   EXPECT_EQ(common.size(), 20U);

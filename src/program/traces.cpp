@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Traces: the line that a point of a thing has drawn by a time. Where it was is looked up once, from frame to frame
+// and, where it curves, in between; what a time asks for is a part of that, and where the point is now. Which times are
+// looked up depends on the document alone, so a picture has the same bits whatever was asked before.
+#include <algorithm>
+#include <cmath>
+
+#include "betwixt/document.h"
+#include "program/compiled.h"
+
+namespace betwixt {
+namespace {
+
+constexpr int deepest = 7;                     // halvings between two frames
+constexpr int rough_looks = 64;                // for how far it goes at all
+constexpr double fineness = 1.0 / 8000;        // of that: a quarter of a pixel where it fills a picture of 1920
+constexpr std::int64_t most_frames = 200'000;  // beyond, it goes straight
+constexpr std::size_t most_looks = 1'000'000;
+
+}  // namespace
+
+class Tracer {
+ public:
+  Tracer(const Program::Compiled& compiled, std::uint32_t object) : c_(compiled) {
+    Asking asking;
+    const auto said = [&](FunctionId f) { return c_.value(c_.find(object, f), {}, asking); };
+    const auto number = [&](FunctionId f) {
+      double n[4] = {};
+      c_.evaluate(c_.find(object, f), {}, asking, n);
+      return vec3(n);
+    };
+    node_ = node(said(fn::trace_of)), within_ = node(said(fn::trace_within));
+    point_ = number(fn::trace_point);
+    from_ = from_seconds(number(fn::trace_from).x), until_ = from_seconds(number(fn::trace_until).x);
+    last_ = from_seconds(number(fn::trace_last).x);
+    const Rate rate = c_.document.scene().rate;
+    step_ = std::max<std::int64_t>(1, flicks_per_second * rate.den / rate.num);
+  }
+
+  // What has been drawn by then, in the world or in the space of what it is drawn in.
+  std::vector<Vec3> by(Time t) {
+    t = std::min(t, until_);
+    const Time first = last_ > Time{} && t - last_ > from_ ? t - last_ : from_;
+    if (node_ < 0 || t < first || busy_) return {};
+    busy_ = true;
+    extend(t);
+    std::vector<Vec3> out;
+    const auto behind = [](Time x, const Look& l) { return x < l.time; };
+    auto at = std::upper_bound(looks_.begin(), looks_.end(), first, behind);
+    if (at == looks_.begin() || std::prev(at)->time != first)
+      out.push_back(place(first));
+    else
+      out.push_back(std::prev(at)->place);
+    for (; at != looks_.end() && at->time <= t; ++at) out.push_back(at->place);
+    if (t > first && (looks_.empty() || std::prev(at)->time != t)) out.push_back(place(t));
+    busy_ = false;
+    return out;
+  }
+  // Whether the line of this time is another one a little later.
+  bool goes_on(Time t) const { return node_ >= 0 && (t < until_ || (last_ > Time{} && t < until_ + last_)); }
+  std::int32_t within() const { return within_; }
+
+ private:
+  struct Look {
+    Time time;
+    Vec3 place;
+  };
+
+  std::int32_t node(const Value& v) const {
+    const auto* id = std::get_if<ObjectId>(&v);
+    if (!id || !find_object(c_.document.scene(), *id) || c_.node_of[id->index] == ObjectId::nothing) return -1;
+    return static_cast<std::int32_t>(c_.node_of[id->index]);
+  }
+
+  Vec3 place(Time t) const {
+    Asking asking;
+    const Vec3 at = transform_point(c_.placement(static_cast<std::uint32_t>(node_), t, asking).in_world(), point_);
+    if (within_ < 0) return at;
+    const auto back = inverse(c_.placement(static_cast<std::uint32_t>(within_), t, asking).in_world());
+    return back ? transform_point(*back, at) : Vec3{};
+  }
+
+  // How far off a piece of line may be, by how far the point goes in the film.
+  double tolerance() {
+    if (tolerance_ >= 0) return tolerance_;
+    const Time end = std::clamp(until_, from_, std::max(from_, c_.document.range().second));
+    Extent all;
+    for (int i = 0; i <= rough_looks; ++i) {
+      const Vec3 p = place({from_.flicks + (end.flicks - from_.flicks) / rough_looks * i});
+      i == 0 ? void(all = {p, p}) : all.add(p);
+    }
+    return tolerance_ = std::max(2 * length(all.half()) * fineness, 1e-9);
+  }
+
+  // All frames up to a time.
+  void extend(Time t) {
+    if (looks_.empty()) looks_.push_back({from_, place(from_)});
+    while (done_ < most_frames && from_.flicks + (done_ + 1) * step_ <= t.flicks) {
+      const Time next{from_.flicks + ++done_ * step_};
+      between(looks_.back(), {next, place(next)}, 0);
+    }
+  }
+  // The looks between two, and the second one: where the middle is off the straight way, both halves.
+  void between(const Look& a, const Look& b, int depth) {
+    const Look middle{{(a.time.flicks + b.time.flicks) / 2}, {}};
+    if (depth < deepest && middle.time > a.time && looks_.size() < most_looks) {
+      const Vec3 there = place(middle.time), way = b.place - a.place;
+      const double along = dot(way, way) > 0 ? std::clamp(dot(there - a.place, way) / dot(way, way), 0.0, 1.0) : 0;
+      if (length(there - a.place - along * way) > tolerance()) {
+        const Look first = a;  // looks_ may move
+        between(first, {middle.time, there}, depth + 1);
+        return between({middle.time, there}, b, depth + 1);
+      }
+    }
+    looks_.push_back(b);
+  }
+
+  const Program::Compiled& c_;
+  std::int32_t node_ = -1, within_ = -1;
+  Vec3 point_;
+  Time from_, until_, last_;
+  std::int64_t step_ = 1, done_ = 0;
+  double tolerance_ = -1;
+  bool busy_ = false;  // what it draws asks for what it draws: inside there is nothing yet
+  std::vector<Look> looks_;
+};
+
+Tracer& Program::Compiled::tracer(std::uint32_t object) const {
+  auto& made = tracers[object];
+  if (!made) made = std::make_shared<Tracer>(*this, object);
+  return *made;
+}
+
+Points Program::Compiled::trace(std::uint32_t object, Time t, Asking& asking) const {
+  const std::lock_guard lock(tracing);
+  Tracer& all = tracer(object);
+  std::vector<Vec3> points = all.by(t);
+  asking.work(points.size());
+  if (all.within() < 0 || points.empty()) return points;
+  const Mat4 paper = placement(static_cast<std::uint32_t>(all.within()), t, asking).in_world();
+  const auto own = inverse(placement(node_of[object], t, asking).in_world());
+  const Mat4 shown = own ? *own * paper : paper;
+  for (Vec3& p : points) p = transform_point(shown, p);
+  return points;
+}
+
+bool Program::Compiled::tracing_at(Time t) const {
+  const std::lock_guard lock(tracing);
+  const Scene& scene = document.scene();
+  return std::any_of(drawables.begin(), drawables.end(), [&](const Drawable& d) {
+    const Node& n = nodes[static_cast<std::size_t>(&d - drawables.data())];
+    return n.kind == Kind::trace && !scene.objects[n.object].removed && tracer(n.object).goes_on(t);
+  });
+}
+
+}  // namespace betwixt
