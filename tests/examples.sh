@@ -54,6 +54,11 @@ holds 'nothing jumps when the hand opens' 'same(v[4], v[20]) && same(v[8], v[24]
 holds 'the kid goes along' 'same(v[4], v[20]) && same(v[8], v[24]) && same(v[12], v[28] + 0.6)' grab 70f ball/kid.world ball.world
 # The hand's chord into frame 60 is (2.5 -1.2) in 20 frames.
 holds 'the ball flies on with the speed of the hand' 'same(v[1], -3 + 1.5) && same(v[2], 4 - 0.72 - 9.81 / 2 / 4)' grab 72f ball.position
+holds 'what the wheel in the ring draws closes' 'same(v[4], v[20]) && same(v[8], v[24])' spirograph 1f,241f pen.world
+holds 'the dot is as high as the hand' 'v[4] == 240 && same(v[2], -sqrt(3))' sine 49f dot.position hand.rotation.z
+holds 'the ride ends where it began' 'same(v[1], v[4]) && same(v[2], v[5]) && same(v[3], v[6])' ride 1f,193f eye.position
+holds 'the fifth fish is where the leader was 15.36 frames before' 'same(v[1], v[10]) && same(v[2], v[11])' \
+  swarm 84.64f,100f lead.position fish5.position
 holds 'a stiff knee' 'same(v[1], 1.85) && v[2] < -50 && same(v[3], 1.69) && same(v[4], -12)' \
   limp 31f,55f man.position.y man/right/knee.rotation.z
 holds 'the small gear turns twice as fast the other way' 'same(v[1], 60) && same(v[4], -120) && v[5] == 2' \
@@ -94,5 +99,6 @@ at 12f thing.geometry shape(form7)
 END
 holds 'only the geometry is switched' 'v[1] == v[4] && v[2] == v[5] && v[3] == v[6] && v[1] == 1 && v[7] == 7' \
   "$folder/switch.bx" 6f,13f thing.position thing.geometry
+if "$root/tools/gallery.sh" --check; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]

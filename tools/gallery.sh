@@ -1,0 +1,36 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The page docs/gallery.md: a picture of each short example, what its first comment says, and the script.
+#   tools/gallery.sh PROGRAM   makes the page and its pictures
+#   tools/gallery.sh --check   says whether the page has the scripts as they are
+root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
+films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100'
+
+page() {
+  printf '# Gallery\n\nShort films, each with all of its text. `./test` renders them; `tools/gallery.sh PROGRAM` makes this page.\n'
+  set -- $films
+  for (( ; $#; )); do
+    printf '\n## %s\n\n%s\n\n![%s](pictures/gallery/%s.png)\n\n```\n' "$1" "$(sed -n '/^# /!q; s/^# //p' "$root/examples/$1.bx")" "$1" "$1"
+    sed '/^[^#]/,$!d' "$root/examples/$1.bx"
+    printf '```\n'
+    shift 2
+  done
+}
+
+case ${1-} in
+  --check)
+    diff <(page) "$root/docs/gallery.md" >/dev/null || { echo 'docs/gallery.md is not as the examples are: tools/gallery.sh PROGRAM'; exit 1; }
+    ;;
+  '') sed -n '7,8s/^# *//p' "$0" && exit 2 ;;
+  *)
+    page >"$root/docs/gallery.md"
+    mkdir -p "$root/docs/pictures/gallery"
+    set -- "$1" $films
+    for (( ; $# > 1; )); do
+      "$1" frame "$root/examples/$2.bx" --at "$3f" -o "$root/docs/pictures/gallery/$2.png" --size 480x270 || exit 1
+      set -- "$1" "${@:4}"
+    done
+    ;;
+esac
