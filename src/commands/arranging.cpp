@@ -267,7 +267,79 @@ bool place(Command& k) {
   return true;
 }
 
+// What a camera must do that all of a box is in its picture, with a margin, seen from where it is seen now.
+struct Fitted {
+  Vec3 place;
+  double height = 0;  // of what is seen orthographically
+};
+Fitted fit(const Camera& now, Vec3 low, Vec3 high, double aspect, double margin) {
+  const auto axis = [&](int i) { return Vec3{now.world(0, i), now.world(1, i), now.world(2, i)}; };
+  const Vec3 right = axis(0), up = axis(1), back = axis(2), middle = 0.5 * (low + high), half = 0.5 * (high - low);
+  const double across = std::tan(now.fov / 2) / (1 + margin), upwards = across / aspect;
+  double away = 0, wide = 0, tall = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at{corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z};
+    const double x = std::abs(dot(at, right)), y = std::abs(dot(at, up)), near = dot(at, back);
+    wide = std::max(wide, x), tall = std::max(tall, y);
+    away = std::max(away, near + std::max(x / across, y / upwards));
+  }
+  if (!now.orthographic) return {middle + away * back, 0};
+  const double before = dot(translation_of(now.world) - middle, back), least = length(half) + 1;
+  return {middle + std::max(before, least) * back, 2 * (1 + margin) * std::max(tall, wide / aspect)};
+}
+
+bool put_on_camera(Command& k, ObjectId eye, FunctionId f, Value v) {
+  const Target t{eye, f};
+  if (!k.time) return set_value(k.scene, t, std::move(v)), true;
+  Event e;
+  e.time = *k.time, e.value = std::move(v);
+  return put_event(k.scene, t, std::move(e)), true;
+}
+
+bool frame(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  std::vector<ObjectId> things;
+  double margin = 0.1;
+  if (!objects(k, word, things)) return false;
+  while (!c.at_line_end()) {
+    const char* const start = c.at;
+    const std::string_view key = c.word();
+    if (key != "margin") return unknown_key(c, key, start, "frame", "margin=");
+    if (!equals(c, key) || !values(k).scalar(margin)) return false;
+    if (!(margin >= 0 && margin <= 100)) return c.fail(ErrorCode::range, "a margin is from 0 to 100", c.since(start));
+  }
+  if (things.empty()) return true;
+  const Time t = time.value_or(Time{});
+  const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
+  const auto eye = program.compiled().camera_at(t);
+  if (!eye)
+    return c.fail(ErrorCode::name, "there is no camera yet that could be fitted to something", word,
+                  "create eye camera position=(0 2 10)");
+  Vec3 low, high;
+  bool any = false;
+  for (const Measured& m : measured(s, things, t)) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = any ? std::min(low[i], m.low[i]) : m.low[i];
+      high[i] = any ? std::max(high[i], m.high[i]) : m.high[i];
+    }
+    any = true;
+  }
+  const Camera now = program.frame(t).camera;
+  const auto size = s.appearance.size.value_or(std::pair(16, 9));
+  const Fitted to = fit(now, low, high, static_cast<double>(size.first) / size.second, margin);
+  Rollback rollback(s);
+  if (!move_to(k, measured(s, {ObjectId{*eye}}, t)[0], to.place - translation_of(now.world), word)) return false;
+  if (now.orthographic) put_on_camera(k, {*eye}, fn::camera_height, to.height);
+  if (program.compiled().nodes[program.compiled().node_of[*eye]].looks)
+    put_on_camera(k, {*eye}, fn::look_at, 0.5 * (low + high));
+  rollback.keep();
+  return true;
+}
+
 constexpr Verb arranging_rows[] = {
+    {"frame", "frame A [margin=0.1]", "Fits the camera to what is named, seen from the side that it is seen from.",
+     "frame {ball,hand}", Verb::timed, frame},
     {"arrange", "arrange A in row|column|grid|circle [columns=N] [gap=L] [radius=L] [centre=(X Y Z)]",
      "Lays things out side by side, by what they measure.", "arrange wheel* in row gap=0.5", Verb::timed, arrange},
     {"place", "place A next-to B [side=left|right|top|bottom|front|back] [gap=L] [align=top|…]",

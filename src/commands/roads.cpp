@@ -87,7 +87,6 @@ constexpr Road all_roads[] = {
     {"duplicate", to_make, "create"},
     {"like", to_make, "create"},
     {"time", to_time, "at rate ticks"},
-    {"frame", to_time, "at rate ticks"},
     {"frames", to_time, "at rate ticks"},
     {"second", to_time, "at rate ticks"},
     {"seconds", to_time, "at rate ticks"},

@@ -398,7 +398,7 @@ const FunctionSpec function_rows[] = {
      .kinds = bit(Kind::trace),
      .sentence = "What a trace is drawn on: it moves and turns along with that. None: the world.",
      .written = "a name",
-     .example = "create t trace of=ball within=box"},
+     .example = "create t trace of=ball within=hand"},
     {.name = "point",
      .type = Type::vector,
      .rest = Vec3{},

@@ -95,5 +95,39 @@ TEST(Arranging, ErrorsByTheirPlace) {
   EXPECT_EQ(first_error(two + "arrange nothing* in row\n"), "");
 }
 
+// All of it is in the picture, and one edge at the margin: by projecting corners.
+TEST(Arranging, FramesWhatIsNamed) {
+  const auto widest = [](const LoadedFilm& s, const char* time, double aspect, std::initializer_list<Vec3> corners) {
+    const Camera c = s.frame(time).camera;
+    const Mat4 back = *inverse(c.world);
+    double most = 0;
+    for (const Vec3 p : corners) {
+      const Vec3 at = transform_point(back, p);
+      const double half = c.orthographic ? c.height / 2 * aspect : -at.z * std::tan(c.fov / 2);
+      most = std::max({most, std::abs(at.x) / half, std::abs(at.y) / half * aspect});
+    }
+    return most;
+  };
+  const std::string things =
+      "create a box size=(2 2 2) position=(7 1 0)\ncreate b box size=(4 2 2) position=(1 2 -3)\n";
+  const std::initializer_list<Vec3> corners{{6, 0, 1},   {8, 2, 1},  {8, 0, -1}, {6, 2, -1},
+                                            {-1, 1, -4}, {3, 3, -2}, {-1, 3, -2}};
+  for (const char* eye :
+       {"create eye camera position=(0 5 20) rotation=euler(-10deg 20deg 0)\n",
+        "create eye camera position=(3 2 9) look-at=a fov=40deg\n", "create eye camera position=(3 2 9) height=2\n"}) {
+    const LoadedFilm s(things + eye + "at 13f frame {a,b}\n");
+    const double all = widest(s, "13f", 16.0 / 9, corners);
+    EXPECT_LE(all, 1 / 1.1 + 1e-9) << eye;
+    EXPECT_GE(all, 0.6) << eye;
+  }
+  // One box, straight on: its front face is as high as the picture without the margin.
+  const LoadedFilm flat(
+      "create a box size=(2 2 2)\ncreate eye camera position=(0 0 9) fov=90deg\nsize 1000x1000\nframe a margin=0\n");
+  expect_numbers(flat, "eye.position", "1f", {0, 0, 2}, 1e-9);
+  EXPECT_EQ(first_error("create a box\nframe a\n"), "2:7: there is no camera yet that could be fitted to something");
+  EXPECT_EQ(first_error("create a box\ncreate e camera\nframe a margin=-1\n"), "3:9: a margin is from 0 to 100");
+  EXPECT_EQ(first_error("create a box\ncreate e camera\nframe nobody\n"), "3:7: there is no object 'nobody'");
+}
+
 }  // namespace
 }  // namespace betwixt
