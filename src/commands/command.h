@@ -76,8 +76,8 @@ bool new_name(Cursor&, std::string_view& out, std::string_view kind, std::string
 bool free_name(Command&, const std::string& name, std::string_view about);
 // Whether it is not drawn by display lists, whose rows alone change it.
 bool own(Command&, ObjectId, std::string_view about);
-// key=value …, of a new object.
-bool parameters(Command&, Object&);
+// key=value …, of a new object; `said`: which functions that was about.
+bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr);
 // = "…": a value that code computes.
 bool computed(Command&, const Selected& to, Value& out);
 // A twerper's word and what stands in brackets behind it.

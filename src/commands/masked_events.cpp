@@ -64,15 +64,15 @@ void say_masked_events(const Scene& s, Script& script) {
 
 void say_idle_releases(const Scene& s, Script& script) {
   for (Script::Release& r : script.releases) {
+    if (!find_object(s, r.target.object)) continue;  // it is gone, and nobody asks any more
     bool reigns = false;
-    if (find_object(s, r.target.object))
-      for (const Track* track : tracks_of(s, r.target)) {
-        bool open = false;
-        track->events.each([&](const Event& e) {
-          if (e.time < r.time) open = !e.release;
-        });
-        reigns = reigns || open;
-      }
+    for (const Track* track : tracks_of(s, r.target)) {
+      bool open = false;
+      track->events.each([&](const Event& e) {
+        if (e.time < r.time) open = !e.release;
+      });
+      reigns = reigns || open;
+    }
     if (!reigns) script.diagnostics.push_back(std::move(r.idle));
   }
   script.releases.clear();

@@ -5,95 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "commands/following.h"
 #include "commands/roads.h"
-#include "procedure/lua.h"
 
 namespace betwixt {
 namespace {
 
 constexpr std::size_t most_objects = 1'000'000;  // braces make many of them in a few words
-
-// The source with texts that are the object's name, or begin with it and a dot, speaking of the new name.
-std::string renamed(const std::string& source, const std::string& old, const std::string& name) {
-  std::string out;
-  for (std::size_t i = 0; i < source.size();) {
-    const char quote = source[i];
-    out += quote;
-    ++i;
-    if (quote != '"' && quote != '\'') continue;
-    if (source.compare(i, old.size(), old) == 0 && i + old.size() < source.size() &&
-        (source[i + old.size()] == '.' || source[i + old.size()] == quote)) {
-      out += name;
-      i += old.size();
-    }
-    for (; i < source.size() && source[i] != quote; ++i) {
-      out += source[i];
-      if (source[i] == '\\' && i + 1 < source.size()) out += source[++i];
-    }
-    if (i < source.size()) out += source[i++];
-  }
-  return out;
-}
-
-// `rename` keeps every reference, those in code and in lists of environments too.
-void rename_in_values(Scene& s, const std::string& old, const std::string& name) {
-  const auto changed = [&](Role role, const std::shared_ptr<const Routine>& code) -> std::shared_ptr<const Routine> {
-    if (!code || code->language != "lua" || code->source.find(old) == std::string::npos) return nullptr;
-    const std::string source = renamed(code->source, old, name);
-    if (source == code->source) return nullptr;
-    auto made = make_lua(role, source);
-    return made ? *std::move(made) : nullptr;
-  };
-  const auto change = [&](Value& v) {
-    if (auto* p = std::get_if<Procedure>(&v))
-      if (auto code = changed(Role::value, p->code)) p->code = std::move(code);
-    if (auto* names = std::get_if<Names>(&v)) {
-      auto list = **names;
-      std::replace(list.begin(), list.end(), old, name);
-      *names = Names(std::move(list));
-    }
-    if (auto* moves = std::get_if<Moves>(&v)) {
-      Motion motion = **moves;
-      for (Factor& f : motion.factors)
-        if (f.about == old) f.about = name;
-      *moves = Moves(std::move(motion));
-    }
-  };
-  const auto speaks = [&](const Value& v) {
-    if (const auto* names = std::get_if<Names>(&v))
-      return std::find((*names)->begin(), (*names)->end(), old) != (*names)->end();
-    if (const auto* moves = std::get_if<Moves>(&v))
-      return std::any_of((*moves)->factors.begin(), (*moves)->factors.end(),
-                         [&](const Factor& f) { return f.about == old; });
-    const auto* p = std::get_if<Procedure>(&v);
-    return p && changed(Role::value, p->code);
-  };
-  for (std::size_t i = 0; i < s.procedures->size(); ++i)
-    if (auto code = changed((*s.procedures)[i].role, (*s.procedures)[i].code))
-      s.procedures.edit()[i].code = std::move(code);
-  for (std::size_t i = 0; i < s.defined->size(); ++i)
-    if (speaks((*s.defined)[i].rest)) change(s.defined.edit()[i].rest);
-  for (std::size_t i = 0; i < s.objects.size(); ++i) {
-    const auto& slots = s.objects[i].slots;
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      const auto in = [&](const Track& t) {
-        bool any = false;
-        t.events.each([&](const Event& e) { any = any || speaks(e.value); });
-        return any;
-      };
-      const auto edit = [&](Track& t) {
-        t.events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) { change(e.value); });
-      };
-      if (slots[k].set && speaks(*slots[k].set)) change(*s.objects.edit(i).slots[k].set);
-      if (in(*slots[k].track)) edit(s.objects.edit(i).slots[k].track.edit());
-      for (std::size_t n = 0; n < slots[k].components.size(); ++n)
-        if (in(*slots[k].components[n])) edit(s.objects.edit(i).slots[k].components[n].edit());
-    }
-  }
-}
 
 // `car/wheel` is coupled to `car` from the beginning.
 bool parent_by_name(Command& k, const std::string& name, std::string_view about, ObjectId& parent) {
@@ -107,6 +29,55 @@ bool parent_by_name(Command& k, const std::string& name, std::string_view about,
                          fmt::format("create {} first", above));
 }
 
+void add_child(Scene& s, Object object, ObjectId parent) {
+  if (parent) {
+    object.slot(fn::attachment).set = Attachment{AttachmentKind::couple, parent, false};
+    if (!s.objects[parent.index].leads) s.objects.edit(parent.index).leads = true;
+  }
+  add_object(s, std::move(object));
+}
+
+// What is made like another: that with what was said of the copy, and all below it.
+struct Like {
+  ObjectId original;
+  Object object;
+  std::vector<FunctionId> said;
+  std::vector<ObjectId> parts;
+};
+
+// One copy: what referred to the original or to one of its parts refers to the copy of that.
+void add_copy(Scene& s, const Like& like, const std::string& name, ObjectId parent) {
+  const std::string& old = like.object.name;
+  Following copies(old, name, &s);
+  const auto first = static_cast<std::uint32_t>(s.objects.size());
+  std::vector<Object> all{like.object};
+  all[0].leads = !like.parts.empty() && s.objects[like.original.index].leads;
+  copies.instead(like.original, {first});
+  for (const ObjectId part : like.parts) {
+    copies.instead(part, {first + static_cast<std::uint32_t>(all.size())});
+    all.push_back(s.objects[part.index]);
+  }
+  for (std::uint32_t n = 0; n < all.size(); ++n) {
+    all[n].name = name + all[n].name.substr(old.size());
+    all[n].derived = false;
+    s.names.put(all[n].name, {first + n});
+  }
+  for (Object& one : all) copies.apply(one);
+  for (const FunctionId f : like.said) all[0].slot(f).set = like.object.find(f)->set;
+  for (std::size_t n = 0; n < all.size(); ++n) add_child(s, std::move(all[n]), n == 0 ? parent : ObjectId{});
+}
+
+bool create_like(Command& k, const Like& like, const std::vector<std::string>& names,
+                 const std::vector<ObjectId>& parents, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  for (const std::string& name : names)
+    for (const ObjectId part : like.parts)
+      if (!free_name(k, name + s.objects[part.index].name.substr(like.object.name.size()), about)) return false;
+  if (!like.parts.empty()) script.touched = std::max<std::size_t>(script.touched, 1) + names.size() * like.parts.size();
+  for (std::size_t i = 0; i < names.size(); ++i) add_copy(s, like, names[i], parents[i]);
+  return true;
+}
+
 bool create(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();
@@ -118,12 +89,12 @@ bool create(Command& k) {
   for (const auto& name : *names)
     if (!free_name(k, name, word)) return false;
   const std::string_view kind_word = c.next_word();
-  Object object;
-  ObjectId original;
+  Like like;
+  auto& [original, object, said, parts] = like;
   if (kind_word == "like") {
     if (!values(k).object(original)) return false;
     object = s.objects[original.index];
-    object.derived = false;
+    parts = below(s, object.name, object.derived);
   } else {
     const auto kind = find_kind(kind_word);
     if (kind == Kind::layer)
@@ -146,7 +117,7 @@ bool create(Command& k) {
     }
     object.kind = *kind;
   }
-  if (!parameters(k, object)) return false;
+  if (!parameters(k, object, &said)) return false;
   if (object.kind == Kind::mesh && !object.find(fn::file))
     return c.fail(ErrorCode::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
   std::vector<ObjectId> parents(names->size());
@@ -154,24 +125,39 @@ bool create(Command& k) {
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
     return c.fail(ErrorCode::name, fmt::format("'{}' would be made twice", *twice), word);
-  if (s.objects.size() + names->size() > most_objects)
+  if (s.objects.size() + names->size() * (1 + parts.size()) > most_objects)
     return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), word);
   for (std::size_t i = 0; i < names->size(); ++i)
     if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
+  if (original) return create_like(k, like, *names, parents, word);
   for (std::size_t i = 0; i < names->size(); ++i) {
-    Object each = object;
-    each.name = (*names)[i];
-    each.leads = false;
-    if (original && each.find(fn::motion))
-      each.slot(fn::motion).track =
-          Cow<Track>(centred(*each.find(fn::motion)->track, s.objects[original.index].name, each.name));
-    if (parents[i]) {
-      each.slot(fn::attachment).set = Attachment{AttachmentKind::couple, parents[i], false};
-      if (!s.objects[parents[i].index].leads) s.objects.edit(parents[i].index).leads = true;
-    }
-    add_object(s, std::move(each));
+    object.name = (*names)[i];
+    add_child(s, object, parents[i]);
   }
   return true;
+}
+
+// With what is removed goes all below it.
+void take_along(Command& k, std::vector<ObjectId>& going, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  const std::size_t named = going.size();
+  std::set<std::uint32_t> known;
+  for (const ObjectId id : going) known.insert(id.index);
+  std::string names;
+  for (std::size_t i = 0; i < named; ++i)
+    for (const ObjectId part : below(s, s.objects[going[i].index].name, false)) {
+      if (!known.insert(part.index).second) continue;
+      if (going.size() < named + 5) names += fmt::format("{}{}", names.empty() ? "" : ", ", s.objects[part.index].name);
+      going.push_back(part);
+    }
+  const std::size_t along = going.size() - named;
+  if (along == 0) return;
+  script.touched = going.size();
+  script.note(
+      Severity::notice,
+      fmt::format("with {} {} below: {}{}", named == 1 ? fmt::format("'{}'", s.objects[going[0].index].name) : "these",
+                  along == 1 ? "goes what is" : fmt::format("go {} objects", along), names, along > 5 ? ", …" : ""),
+      about);
 }
 
 bool remove(Command& k) {
@@ -179,9 +165,82 @@ bool remove(Command& k) {
   std::string_view word;
   std::vector<ObjectId> found;
   if (!objects(k, word, found) || !finish(c)) return false;
+  take_along(k, found, word);
   keep_centres(k, found, word);
   keep_ways(k, found, word);
   remove_objects(s, found);
+  return true;
+}
+
+// What patterns in aliases name: it stays in them under whatever name.
+struct Meant {
+  std::string alias, pattern;
+  std::vector<ObjectId> all;
+};
+std::vector<Meant> meant_by_patterns(const Scene& s, const std::vector<ObjectId>& of) {
+  std::vector<bool> wanted(s.objects.size());
+  for (const ObjectId id : of) wanted[id.index] = true;
+  std::vector<Meant> out;
+  for (const auto& [alias, elements] : *s.aliases)
+    for (const std::string& e : elements) {
+      if (!is_pattern(e)) continue;
+      std::vector<ObjectId> all = select(s, e);
+      std::erase_if(all, [&](ObjectId id) { return !wanted[id.index]; });
+      if (!all.empty()) out.push_back({alias, e, std::move(all)});
+    }
+  return out;
+}
+
+void rename_in_aliases(Scene& s, const Following& names, const std::vector<Meant>& meant) {
+  const Aliases before = *s.aliases;
+  for (const auto& [alias, elements] : before)
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (!is_pattern(elements[i]))
+        if (std::string now = names.name(elements[i]); now != elements[i]) s.aliases.edit()[alias][i] = std::move(now);
+  for (const Meant& m : meant) {
+    const std::vector<ObjectId> now = select(s, m.alias);
+    std::vector<std::string> lost;
+    for (const ObjectId id : m.all)
+      if (std::find(now.begin(), now.end(), id) == now.end()) lost.push_back(s.objects[id.index].name);
+    if (lost.empty()) continue;
+    auto& elements = s.aliases.edit()[m.alias];
+    elements.insert(std::find(elements.begin(), elements.end(), m.pattern) + 1, lost.begin(), lost.end());
+  }
+}
+
+// Whatever speaks of them by name, code and lists of environments too.
+void rename_in_values(Scene& s, const Following& names) {
+  for (std::size_t i = 0; i < s.procedures->size(); ++i)
+    if (auto code = names.code((*s.procedures)[i].role, (*s.procedures)[i].code))
+      s.procedures.edit()[i].code = std::move(code);
+  for (std::size_t i = 0; i < s.defined->size(); ++i)
+    if (auto now = names.value((*s.defined)[i].rest)) s.defined.edit()[i].rest = *std::move(now);
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (names.concerns(s.objects[i])) names.apply(s.objects.edit(i));
+}
+
+// An object with all below it.
+bool rename_whole(Command& k, ObjectId id, const std::string& name, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  const std::string old = s.objects[id.index].name;
+  const Following names(old, name);
+  std::vector<ObjectId> all = below(s, old, false);
+  for (const ObjectId part : all)
+    if (!free_name(k, names.name(s.objects[part.index].name), about)) return false;
+  all.insert(all.begin(), id);
+  if (all.size() > 1) script.touched = all.size();
+  const std::vector<Meant> meant = meant_by_patterns(s, all);
+  for (const ObjectId one : all) s.names.erase(s.objects[one.index].name);
+  for (const ObjectId one : all) {
+    std::string& its = s.objects.edit(one.index).name;
+    its = names.name(its);
+    s.names.put(its, one);
+  }
+  rename_in_values(s, names);
+  for (const ObjectId one : all)
+    if (const Object& o = s.objects[one.index]; o.environment)
+      rename_environment(s, old + o.name.substr(name.size()), o.name);
+  rename_in_aliases(s, names, meant);
   return true;
 }
 
@@ -199,39 +258,17 @@ bool rename(Command& k) {
   const std::string name(word);
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the new name is missing here");
   if (!free_name(k, name, word) || !finish(c)) return false;
-  const std::string old = s.objects[id.index].name;
-  const auto among = [&](std::string_view element) {
-    const auto all = select(s, element);
-    return std::find(all.begin(), all.end(), id) != all.end();
-  };
-  std::vector<std::pair<std::string, std::string>> meant;  // an alias, and the pattern in it that names the object
-  for (const auto& [alias, elements] : *s.aliases)
-    for (const std::string& e : elements)
-      if (is_pattern(e) && among(e)) meant.emplace_back(alias, e);
-  s.names.erase(old);
-  s.names.put(name, id);
-  s.objects.edit(id.index).name = name;
-  rename_in_values(s, old, name);
-  if (s.objects[id.index].environment) rename_environment(s, old, name);
-  for (const auto& alias : *s.aliases) {  // aliases speak of objects by name
-    if (std::find(alias.second.begin(), alias.second.end(), old) == alias.second.end()) continue;
-    for (auto& a : s.aliases.edit()) std::replace(a.second.begin(), a.second.end(), old, name);
-    break;
-  }
-  for (const auto& [alias, pattern] : meant) {  // and what a pattern named stays, under its new name
-    if (among(alias)) continue;
-    auto& elements = s.aliases.edit()[alias];
-    elements.insert(std::find(elements.begin(), elements.end(), pattern) + 1, name);
-  }
-  return true;
+  return rename_whole(k, id, name, word);
 }
 
 constexpr Verb objects_rows[] = {
     {"create", "create NAME KIND [key=value …] or create NAME like OTHER",
-     "Makes an object of a kind, or one like another.", "create moon sphere radius=0.5 color=silver", 0, create},
-    {"remove", "remove NAME", "Takes objects out of the film.", "remove wheel*", 0, remove},
+     "Makes an object of a kind, or one like another, with all below that.",
+     "create moon sphere radius=0.5 color=silver", 0, create},
+    {"remove", "remove OBJECTS", "Takes objects out of the film, with all below them.", "remove wheel*", 0, remove},
     {"rename", "rename OLD NEW, an object or a display list",
-     "Gives an object or a display list another name; all that spoke of it goes on.", "rename ball planet", 0, rename},
+     "Gives an object, with all below it, or a display list another name; all that spoke of it goes on.",
+     "rename ball planet", 0, rename},
 };
 
 }  // namespace
@@ -276,7 +313,7 @@ bool own(Command& k, ObjectId id, std::string_view about) {
                 fmt::format("edit {}, or what it calls", s.main));
 }
 
-bool parameters(Command& k, Object& object) {
+bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
   auto& [s, c, time, layer, script] = k;
   while (!c.at_line_end()) {
     const std::string_view key = c.word();
@@ -315,6 +352,7 @@ bool parameters(Command& k, Object& object) {
     Value v;
     if (!values(k).value(spec, component, v, *f)) return false;
     Slot& slot = object.slot(*f);
+    if (said) said->push_back(*f);
     if (component >= 0 && slot.set && std::holds_alternative<Quat>(*slot.set))
       return c.fail(ErrorCode::type, "an orientation has no separate angles", key);
     slot.set = component < 0 ? v : with_component(slot.set.value_or(spec.rest), component, std::get<double>(v));

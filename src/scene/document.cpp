@@ -45,6 +45,23 @@ ObjectId NameIndex::find(std::string_view name) const {
   return at == s.end() ? ObjectId{} : at->second;
 }
 
+void NameIndex::put(const std::string& name, ObjectId id) {
+  shard(name).edit()[name] = id;
+  std::string above = name;
+  for (auto slash = above.rfind('/'); slash != std::string::npos; slash = above.rfind('/')) {
+    above.resize(slash);
+    if (ever_above(above)) return;
+    above += '/';
+    shard(above).edit()[above] = {};
+    above.resize(slash);
+  }
+}
+
+bool NameIndex::ever_above(std::string_view name) const {
+  const std::string above = std::string(name) + '/';
+  return shards_[Hash{}(above) % shards_.size()]->contains(above);
+}
+
 std::size_t NameIndex::bytes_apart(const NameIndex& other) const {
   constexpr std::size_t node = sizeof(Shard::value_type) + sizeof(void*) + sizeof(std::size_t);
   std::size_t sum = 0;

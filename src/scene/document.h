@@ -88,8 +88,9 @@ class Objects {
 class NameIndex {
  public:
   ObjectId find(std::string_view name) const;
-  void put(const std::string& name, ObjectId id) { shard(name).edit()[name] = id; }
+  void put(const std::string& name, ObjectId id);
   void erase(const std::string& name) { shard(name).edit().erase(name); }
+  bool ever_above(std::string_view name) const;           // whether anything was ever named below it, as man/arm is
   std::size_t bytes() const { return bytes_apart({}); }   // of what it holds
   std::size_t bytes_apart(const NameIndex& other) const;  // … and the other does not
   bool same(const NameIndex& other) const {
@@ -102,6 +103,7 @@ class NameIndex {
     using is_transparent = void;
     std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
   };
+  // A name with a slash behind it, which is none, stands for what was ever named below it.
   using Shard = std::unordered_map<std::string, ObjectId, Hash, std::equal_to<>>;
   Cow<Shard>& shard(std::string_view name) { return shards_[Hash{}(name) % shards_.size()]; }
   std::array<Cow<Shard>, 64> shards_;

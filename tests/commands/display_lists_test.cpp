@@ -360,8 +360,8 @@ TEST(DisplayList, A_list_may_get_another_name_and_keeps_what_hangs_on_it) {
   EXPECT_TRUE(read(write(d)).document == d) << write(d);
   EXPECT_EQ(errors(read(std::string(stars) + "rename star sky\n")),
             std::vector<std::string>{"15:13: there is a 'sky' already"});
-  EXPECT_EQ(errors(read("create a group\ncreate a/b group\nremove a\nmake b\n  point (0 0)\nrename b a\n")),
-            std::vector<std::string>{"6:10: 'a/b' has a name that what 'a' draws may want"});
+  EXPECT_EQ(errors(read("animate a/b every 1t by translate(1 0 0)\nmake b\n  point (0 0)\nrename b a\n")),
+            std::vector<std::string>{"4:10: 'a/b' has a name that what 'a' draws may want"});
   EXPECT_EQ(errors(read("make b\n  push\nrename b c\n")),
             std::vector<std::string>{"2:3: this 'push' is never followed by its 'pop'"});
   EXPECT_EQ(errors(read("make b\n  push\nrename b c\nedit c\n  pop\n")), std::vector<std::string>{});
