@@ -42,6 +42,17 @@ enum class Kind : std::uint8_t {
   trace
 };
 
+// How letters look, beside their font, and how many of them are seen, blanks and ends of lines counted.
+enum class Align : std::uint8_t { left, centre, right };
+enum class Weight : std::uint8_t { thin, extralight, light, regular, medium, semibold, bold, extrabold, black };
+struct Letters {
+  Align align = Align::centre;
+  Weight weight = Weight::regular;
+  bool italic = false;
+  std::uint32_t typed = 20'000;
+  friend bool operator==(const Letters&, const Letters&) = default;
+};
+
 // What an object looks like in its own space, as a description; src/render turns it into triangles.
 //   sphere   radius, about the origin              disc      radius, in the plane z = 0, facing +z
 //   box      size, about the origin                plane     size x by y, in the plane z = 0, facing +z
@@ -49,8 +60,8 @@ enum class Kind : std::uint8_t {
 //   torus    radius of the ring, tube: radius of the tube; the ring lies in the plane y = 0
 //   polygon  points, filled, one contour           polyline  points, width (0: a hairline)
 //   points   points, each drawn as a ball of diameter `width`
-//   text     text, font, size.y = height of one line (em) in metres, depth along z; centred on the origin,
-//            baseline at y = 0
+//   text     text, font, letters, size.y = height of one line (em) in metres, depth along z; the first baseline at
+//            y = 0, x = 0 by how it is aligned
 //   mesh     mesh
 // Flat shapes lie in the plane z = 0, facing +z, about the origin; `depth` along z.
 //   rectangle size x by y, corner: radius of its corners
@@ -68,6 +79,7 @@ struct Shape {
   bool smooth = true, closed = false;
   Points points;
   Text text, font;
+  Letters letters;
   std::shared_ptr<const Mesh> mesh;
   friend bool operator==(const Shape&, const Shape&) = default;
 };

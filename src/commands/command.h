@@ -19,6 +19,8 @@
 
 namespace betwixt {
 
+inline constexpr std::size_t most_objects = 1'000'000;  // braces make many of them in a few words
+
 struct Command {
   Scene& scene;
   Cursor& cursor;
@@ -78,6 +80,8 @@ bool free_name(Command&, const std::string& name, std::string_view about);
 bool own(Command&, ObjectId, std::string_view about);
 // key=value …, of a new object; `said`: which functions that was about.
 bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr);
+// Where a text's font has no letters as they should look by this value and what else was set.
+void say_missing_style(Command&, const Object&, FunctionId, const Value&, std::string_view about);
 // = "…": a value that code computes.
 bool computed(Command&, const Selected& to, Value& out);
 // A twerper's word and what stands in brackets behind it.

@@ -144,6 +144,8 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
     if (to.velocity) break;
     if (!goes_with(k, to, t, event, about)) return false;
   }
+  if (to.type() == Type::text && !event.keep)
+    say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, event.value, about);
   const auto& direct = script.sheet.tracks;
   if (&to == &script.sheet.on && !direct.empty() && !event.keep) {
     for (std::size_t i = 1; i < direct.size(); ++i) direct[i]->events.put(event);

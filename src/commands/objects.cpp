@@ -15,8 +15,6 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_objects = 1'000'000;  // braces make many of them in a few words
-
 // `car/wheel` is coupled to `car` from the beginning.
 bool parent_by_name(Command& k, const std::string& name, std::string_view about, ObjectId& parent) {
   auto& [s, c, time, layer, script] = k;
@@ -315,6 +313,7 @@ bool own(Command& k, ObjectId id, std::string_view about) {
 
 bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
   auto& [s, c, time, layer, script] = k;
+  std::string_view styled;
   while (!c.at_line_end()) {
     const std::string_view key = c.word();
     if (key.empty()) return c.fail_here(ErrorCode::syntax, "key=value is wanted here");
@@ -356,7 +355,10 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
     if (component >= 0 && slot.set && std::holds_alternative<Quat>(*slot.set))
       return c.fail(ErrorCode::type, "an orientation has no separate angles", key);
     slot.set = component < 0 ? v : with_component(slot.set.value_or(spec.rest), component, std::get<double>(v));
+    if (key == "weight" || key == "slant") styled = key;
   }
+  if (const auto f = styled.empty() ? std::nullopt : find_function(s, object.kind, styled))
+    say_missing_style(k, object, *f, *object.find(*f)->set, styled);
   return true;
 }
 

@@ -104,6 +104,7 @@ bool set_alike(Command& k, const Selected& to) {
   }
   say_unseen(k, to, w);
   for (const Target& t : to.targets) set_value(s, t, v);
+  say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, v, w);
   return true;
 }
 

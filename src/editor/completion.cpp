@@ -73,6 +73,8 @@ constexpr Following following[] = {
     {"stagger", 4, "first last centre edges random"},
     {"bake", 2, "every within"},
     {"bake", 4, "within"},
+    {"split", 1, "into"},
+    {"split", 2, "letters words lines"},
     {"arrange", 1, "in"},
     {"arrange", 2, "row column grid circle"},
     {"arrange", 3, "gap= centre= columns= radius="},

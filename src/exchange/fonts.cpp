@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exchange/fonts.h"
 
-#include <fmt/format.h>
-#include <fontconfig/fontconfig.h>
 #include <ft2build.h>
 #include <hb-ft.h>
 #include FT_FREETYPE_H
@@ -13,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 
 #include "base/utf8.h"
 #include "scene/kinds.h"
@@ -29,9 +28,6 @@ using Glyph = std::vector<Contour>;
 struct Deleter {
   void operator()(hb_font_t* f) const { hb_font_destroy(f); }
   void operator()(hb_buffer_t* b) const { hb_buffer_destroy(b); }
-  void operator()(FcPattern* p) const { FcPatternDestroy(p); }
-  void operator()(FcFontSet* s) const { FcFontSetDestroy(s); }
-  void operator()(FcObjectSet* s) const { FcObjectSetDestroy(s); }
 };
 template <class T>
 using Owned = std::unique_ptr<T, Deleter>;
@@ -46,9 +42,8 @@ struct Face {
 struct Machine {
   std::mutex mutex;
   FT_Library library = nullptr;
-  std::vector<std::string> families;                   // sorted, without doubles
-  std::map<std::string, std::shared_ptr<Face>> faces;  // by family as asked for; null: nothing to draw with
-  std::map<std::pair<std::string, std::string>, Outline> outlines;  // by family and text
+  std::map<Typeface, std::shared_ptr<Face>> faces;  // as asked for; null: nothing to draw with
+  std::map<std::tuple<Typeface, Align, std::uint32_t, std::string>, Outline> outlines;
 };
 
 Machine& machine() {
@@ -56,71 +51,9 @@ Machine& machine() {
   return m;
 }
 
-std::string lowered(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return std::tolower(c); });
-  return s;
-}
-
-const std::vector<std::string>& families(Machine& m) {
-  if (!m.families.empty()) return m.families;
-  const Owned<FcPattern> all(FcPatternCreate());
-  const Owned<FcObjectSet> wanted(FcObjectSetBuild(FC_FAMILY, nullptr));
-  const Owned<FcFontSet> set(FcFontList(nullptr, all.get(), wanted.get()));
-  for (int i = 0; set && i < set->nfont; ++i) {
-    FcChar8* name = nullptr;
-    for (int n = 0; FcPatternGetString(set->fonts[i], FC_FAMILY, n, &name) == FcResultMatch; ++n)
-      m.families.emplace_back(reinterpret_cast<const char*>(name));
-  }
-  std::sort(m.families.begin(), m.families.end());
-  m.families.erase(std::unique(m.families.begin(), m.families.end()), m.families.end());
-  return m.families;
-}
-
-bool has_family(Machine& m, const std::string& family) {
-  const auto& all = families(m);
-  return std::any_of(all.begin(), all.end(), [&](const auto& f) { return lowered(f) == lowered(family); });
-}
-
-// How many letters to change, add or leave out.
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j)
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])}));
-  }
-  return row[b.size()];
-}
-
-std::string near_family(Machine& m, const std::string& family) {
-  std::string best;
-  std::size_t least = 1 + family.size() / 3;
-  for (const auto& f : families(m))
-    if (const auto d = distance(lowered(f), lowered(family.substr(0, 100))); d < least) least = d, best = f;
-  return best;
-}
-
-// The file and the face's number in it of what comes nearest to a family; the file is empty where there are no fonts at
-// all.
-std::pair<std::string, int> font_file(const std::string& family) {
-  const Owned<FcPattern> pattern(FcPatternCreate());
-  FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family.c_str()));
-  FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
-  FcConfigSubstitute(nullptr, pattern.get(), FcMatchPattern);
-  FcDefaultSubstitute(pattern.get());
-  FcResult found = FcResultNoMatch;
-  const Owned<FcPattern> match(FcFontMatch(nullptr, pattern.get(), &found));
-  FcChar8* file = nullptr;
-  int index = 0;
-  if (!match || FcPatternGetString(match.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-  FcPatternGetInteger(match.get(), FC_INDEX, 0, &index);
-  return {reinterpret_cast<const char*>(file), index};
-}
-
-std::shared_ptr<Face> open_face(Machine& m, const std::string& family) {
+std::shared_ptr<Face> open_face(Machine& m, const Typeface& typeface) {
   if (m.library == nullptr && FT_Init_FreeType(&m.library) != 0) return nullptr;
-  const auto [file, index] = font_file(has_family(m, family) ? family : "DejaVu Sans");
+  const auto [file, index] = font_file(typeface);
   auto face = std::make_shared<Face>();
   if (file.empty() || FT_New_Face(m.library, file.c_str(), index, &face->face) != 0) return nullptr;
   // One em is as many units as the design has: nothing is rounded.
@@ -130,9 +63,9 @@ std::shared_ptr<Face> open_face(Machine& m, const std::string& family) {
   return face->face->units_per_EM > 0 ? face : nullptr;
 }
 
-Face* face_for(Machine& m, const std::string& family) {
-  const auto [i, fresh] = m.faces.try_emplace(family);
-  if (fresh) i->second = open_face(m, family);
+Face* face_for(Machine& m, const Typeface& typeface) {
+  const auto [i, fresh] = m.faces.try_emplace(typeface);
+  if (fresh) i->second = open_face(m, typeface);
   return i->second.get();
 }
 
@@ -200,25 +133,27 @@ const Glyph& glyph_of(Face& face, FT_UInt index) {
   return i->second;
 }
 
-// The part of `text` that each glyph stands for, by where it begins.
-std::map<std::size_t, std::string> clusters(std::string_view text, const hb_glyph_info_t* infos, unsigned count) {
-  std::map<std::size_t, std::string> parts;
-  for (unsigned i = 0; i < count; ++i) parts[infos[i].cluster];
-  std::size_t end = text.size();
-  for (auto part = parts.rbegin(); part != parts.rend(); end = (part++)->first)
-    part->second = text.substr(part->first, end - part->first);
-  return parts;
-}
-
-// A glyph of a line, and the part of the text that it stands for begins there.
+// A glyph of a line, and the part of the text that it stands for.
 struct SetGlyph {
   FT_UInt index = 0;
   Vec3 at;
-  std::size_t cluster = 0;
+  std::size_t begin = 0, end = 0;  // bytes
 };
+using SetLine = std::vector<SetGlyph>;  // from left to right
 
-// One line of text, centred about x = 0 with its baseline at y; `parts`: what its clusters are.
-std::vector<SetGlyph> set_line(Face& face, std::string_view text, double y, std::map<std::size_t, std::string>& parts) {
+// Where the parts end that begin where the glyphs say.
+void find_ends(SetLine& line, std::size_t end) {
+  std::vector<SetGlyph*> by_begin;
+  for (SetGlyph& g : line) by_begin.push_back(&g);
+  std::sort(by_begin.begin(), by_begin.end(), [](const SetGlyph* a, const SetGlyph* b) { return a->begin < b->begin; });
+  for (std::size_t i = by_begin.size(), next = end; i-- > 0;) {
+    by_begin[i]->end = next;
+    if (i > 0 && by_begin[i - 1]->begin < by_begin[i]->begin) next = by_begin[i]->begin;
+  }
+}
+
+// One line of a text, its baseline at y; it begins at byte `from`.
+SetLine set_line(Face& face, std::string_view text, std::size_t from, double y, Align align) {
   const Owned<hb_buffer_t> buffer(hb_buffer_create());
   hb_buffer_add_utf8(buffer.get(), text.data(), static_cast<int>(text.size()), 0, static_cast<int>(text.size()));
   hb_buffer_guess_segment_properties(buffer.get());
@@ -229,81 +164,138 @@ std::vector<SetGlyph> set_line(Face& face, std::string_view text, double y, std:
   const double unit = 1 / (64.0 * face.face->units_per_EM);
   double width = 0;
   for (unsigned i = 0; i < count; ++i) width += unit * places[i].x_advance;
-  parts = clusters(text, infos, count);
-  std::vector<SetGlyph> out;
-  Vec3 pen{-width / 2, y, 0};
+  SetLine out;
+  Vec3 pen{align == Align::left ? 0 : align == Align::right ? -width : -width / 2, y, 0};
   for (unsigned i = 0; i < count; ++i) {
     const Vec3 shift{static_cast<double>(places[i].x_offset), static_cast<double>(places[i].y_offset), 0};
-    out.push_back({infos[i].codepoint, pen + unit * shift, infos[i].cluster});
+    out.push_back({infos[i].codepoint, pen + unit * shift, from + infos[i].cluster, 0});
     pen.x += unit * places[i].x_advance;
   }
+  find_ends(out, from + text.size());
   return out;
 }
 
-// f(glyphs, parts) for each line.
+// f(glyphs) for each line.
 template <class F>
-void each_line(Face& face, const std::string& all, const F& f) {
+void each_line(Face& face, const std::string& all, Align align, const F& f) {
   const std::string_view text = first_characters(all, most_letters);
   double y = 0;
-  std::map<std::size_t, std::string> parts;
   for (std::size_t begin = 0; begin <= text.size(); y -= line_spacing) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::vector<SetGlyph> glyphs = set_line(face, text.substr(begin, end - begin), y, parts);
-    f(glyphs, parts);
+    f(set_line(face, text.substr(begin, end - begin), begin, y, align));
     begin = end + 1;
   }
 }
 
-void add_outlines(Face& face, const std::vector<SetGlyph>& glyphs, const std::map<std::size_t, std::string>& parts,
-                  Outline& out) {
+// … without the letters that are not typed yet.
+template <class F>
+void each_typed_line(Face& face, const std::string& all, const Letters& letters, const F& f) {
+  const std::size_t typed = first_characters(all, letters.typed).size();
+  each_line(face, all, letters.align, [&](SetLine line) {
+    std::erase_if(line, [&](const SetGlyph& g) { return g.end > typed; });
+    f(line);
+  });
+}
+
+void add_outlines(Face& face, const SetLine& line, const std::string& text, Outline& out) {
   std::size_t first = out.contours.size();  // of the letter that the glyph belongs to
-  for (std::size_t i = 0; i < glyphs.size(); ++i) {
-    if (i > 0 && glyphs[i].cluster != glyphs[i - 1].cluster) first = out.contours.size();
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i > 0 && line[i].begin != line[i - 1].begin) first = out.contours.size();
     const bool begun = out.contours.size() > first;
-    for (Contour contour : glyph_of(face, glyphs[i].index)) {
-      for (Vec3& p : contour) p = p + glyphs[i].at;
+    for (Contour contour : glyph_of(face, line[i].index)) {
+      for (Vec3& p : contour) p = p + line[i].at;
       out.contours.push_back(std::move(contour));
     }
-    if (!begun && out.contours.size() > first) out.letters.push_back({first, parts.at(glyphs[i].cluster)});
+    if (!begun && out.contours.size() > first)
+      out.letters.push_back({first, text.substr(line[i].begin, line[i].end - line[i].begin)});
   }
+}
+
+// What is drawn of a line's part, as a text of its own. Letters that look otherwise beside others keep their looks by
+// joiners.
+TextPart part_of(Face& face, const SetLine& whole, std::string_view text) {
+  static constexpr std::string_view joiner = "\u200d";
+  const auto alike = [](const SetGlyph& a, const SetGlyph& b) { return a.index == b.index; };
+  TextPart part;
+  SetLine alone;
+  for (const int joins : {0, 1, 2, 3, 0}) {
+    part.text.clear();
+    for (const std::string_view piece : {joins & 1 ? joiner : "", text, joins & 2 ? joiner : ""}) part.text += piece;
+    alone = set_line(face, part.text, 0, 0, Align::centre);
+    std::erase_if(alone, [&](const SetGlyph& g) { return glyph_of(face, g.index).empty(); });
+    if (std::equal(alone.begin(), alone.end(), whole.begin(), whole.end(), alike)) break;
+  }
+  part.at = whole[0].at - (alone.empty() ? Vec3{} : alone[0].at);
+  return part;
+}
+
+// Where the parts of a line begin and end: runs of letters between which nothing is drawn, or each, or all.
+std::vector<std::pair<std::size_t, std::size_t>> part_ends(Face& face, const SetLine& line, Parts into) {
+  std::map<std::size_t, std::pair<std::size_t, bool>> letters;  // by their begins: ends, and whether they are seen
+  for (const SetGlyph& g : line) {
+    auto& [end, seen] = letters[g.begin];
+    end = g.end, seen = seen || !glyph_of(face, g.index).empty();
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> out;
+  bool open = false;
+  for (const auto& [begin, letter] : letters) {
+    const auto& [end, seen] = letter;
+    if (seen && (into == Parts::letters || !open)) out.emplace_back(begin, end);
+    if (seen) out.back().second = end;
+    open = into == Parts::lines ? !out.empty() : into == Parts::words && seen;
+  }
+  return out;
 }
 
 }  // namespace
 
-Status find_font(const std::string& family) {
+Outline text_outline(const std::string& text, const std::string& family, const Letters& letters) {
   Machine& m = machine();
   const std::lock_guard lock(m.mutex);
-  if (has_family(m, family)) return Nothing{};
-  const std::string near = near_family(m, family);
-  return fail(ErrorCode::name, fmt::format("this machine has no font called \"{}\"", family),
-              near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
-}
-
-Outline text_outline(const std::string& text, const std::string& family) {
-  Machine& m = machine();
-  const std::lock_guard lock(m.mutex);
-  const std::pair key{family, text};
+  const Typeface typeface{family, letters.weight, letters.italic};
+  const std::tuple key{typeface, letters.align, letters.typed, text};
   if (const auto i = m.outlines.find(key); i != m.outlines.end()) return i->second;
   Outline out;
-  if (Face* face = face_for(m, family))
-    each_line(*face, text, [&](const auto& glyphs, const auto& parts) { add_outlines(*face, glyphs, parts, out); });
+  if (Face* face = face_for(m, typeface))
+    each_typed_line(*face, text, letters, [&](const SetLine& line) { add_outlines(*face, line, text, out); });
   if (m.outlines.size() >= 256) m.outlines.clear();  // texts that change all the time are not worth keeping
   return m.outlines[key] = out;
 }
 
-SetText set_text(const std::string& text, const std::string& family) {
+SetText set_text(const std::string& text, const std::string& family, const Letters& letters) {
   Machine& m = machine();
   const std::lock_guard lock(m.mutex);
   SetText out;
   std::map<FT_UInt, std::size_t> known;
-  Face* face = face_for(m, family);
+  Face* face = face_for(m, {family, letters.weight, letters.italic});
   if (face)
-    each_line(*face, text, [&](const std::vector<SetGlyph>& glyphs, const auto&) {
-      for (const SetGlyph& g : glyphs) {
+    each_typed_line(*face, text, letters, [&](const SetLine& line) {
+      for (const SetGlyph& g : line) {
         const auto [at, fresh] = known.try_emplace(g.index, out.glyphs.size());
         if (fresh) out.glyphs.push_back({g.index, {glyph_of(*face, g.index), {}}});
         if (!out.glyphs[at->second].outline.contours.empty()) out.places.push_back({at->second, g.at});
       }
+    });
+  return out;
+}
+
+std::vector<TextPart> text_parts(const std::string& text, const std::string& family, const Letters& letters,
+                                 Parts into) {
+  Machine& m = machine();
+  const std::lock_guard lock(m.mutex);
+  std::vector<TextPart> out;
+  if (Face* face = face_for(m, {family, letters.weight, letters.italic}))
+    each_line(*face, text, letters.align, [&](const SetLine& line) {
+      const auto ends = part_ends(*face, line, into);
+      std::vector<SetLine> drawn(ends.size());  // of each part, from left to right
+      for (const SetGlyph& g : line)
+        if (!glyph_of(*face, g.index).empty()) {
+          const auto behind = std::upper_bound(ends.begin(), ends.end(), std::pair(g.begin, std::string::npos));
+          drawn[static_cast<std::size_t>(behind - ends.begin()) - 1].push_back(g);
+        }
+      for (std::size_t i = 0; i < ends.size(); ++i)
+        out.push_back(
+            part_of(*face, drawn[i], std::string_view(text).substr(ends[i].first, ends[i].second - ends[i].first)));
     });
   return out;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "betwixt/math.h"
-#include "betwixt/result.h"
+#include "exchange/typefaces.h"
 
 namespace betwixt {
 
@@ -25,11 +25,9 @@ struct Outline {
   std::vector<Letter> letters;  // from left to right, line by line; blanks are left out
 };
 
-// Whether the machine has a font of this family name; a near miss goes into the error's hint.
-Status find_font(const std::string& family);
-// `text` (UTF-8, lines end with \n) at 1 m an em, centred about x = 0, the first baseline at y = 0. A family that the
-// machine lacks is replaced by DejaVu Sans, or any other it has.
-Outline text_outline(const std::string& text, const std::string& family);
+// `text` (UTF-8, lines end with \n) at 1 m an em, the first baseline at y = 0. A family that the machine lacks is
+// replaced by DejaVu Sans, or any other it has.
+Outline text_outline(const std::string& text, const std::string& family, const Letters& = {});
 
 // The same, each glyph that occurs once, and where they stand.
 struct SetText {
@@ -44,6 +42,15 @@ struct SetText {
   std::vector<Glyph> glyphs;
   std::vector<Place> places;
 };
-SetText set_text(const std::string& text, const std::string& family);
+SetText set_text(const std::string& text, const std::string& family, const Letters& = {});
+
+// What a text can be taken apart into, each a text of its own, in the order in which they are read; what draws nothing
+// is left out.
+enum class Parts : std::uint8_t { letters, words, lines };
+struct TextPart {
+  std::string text;
+  Vec3 at;  // where it stands, set by itself and centred, as it stood in the whole
+};
+std::vector<TextPart> text_parts(const std::string& text, const std::string& family, const Letters&, Parts);
 
 }  // namespace betwixt

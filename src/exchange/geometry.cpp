@@ -38,7 +38,8 @@ struct KeyHash {
     h = mixed(h, s.size);
     for (const auto measure : shape_measures) h = mixed(h, s.*measure);
     for (const Vec3 p : *s.points) h = mixed(h, p);
-    return mixed(mixed(h, std::hash<std::string>{}(*s.text)), std::hash<std::string>{}(*s.font));
+    return mixed(mixed(mixed(h, std::hash<std::string>{}(*s.text)), std::hash<std::string>{}(*s.font)),
+                 std::size_t{s.letters.typed});
   }
 };
 
@@ -81,8 +82,8 @@ std::optional<Mat4> stretch(Vec3 s) {
 // Filled glyphs, at 1 m an em, for all texts.
 class FilledGlyphs {
  public:
-  std::shared_ptr<const Mesh> get(const std::string& font, const SetText::Glyph& glyph, double depth) {
-    const auto key = std::tuple(font, glyph.number, depth);
+  std::shared_ptr<const Mesh> get(const Typeface& face, const SetText::Glyph& glyph, double depth) {
+    const auto key = std::tuple(face, glyph.number, depth);
     {
       const std::lock_guard lock(mutex_);
       if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
@@ -96,7 +97,7 @@ class FilledGlyphs {
  private:
   static constexpr std::size_t most = 4096;
   std::mutex mutex_;
-  std::map<std::tuple<std::string, std::uint32_t, double>, std::shared_ptr<const Mesh>> meshes_;
+  std::map<std::tuple<Typeface, std::uint32_t, double>, std::shared_ptr<const Mesh>> meshes_;
 };
 
 void append(Mesh& all, const Mesh& one, double size, Vec3 at) {
@@ -112,9 +113,10 @@ Mesh text_mesh(const Shape& s) {
   Mesh all;
   const double size = s.size.y;
   if (!sane(s.size.y) || !(size > 0) || !sane(s.depth)) return all;
-  const SetText set = set_text(*s.text, *s.font);
+  const SetText set = set_text(*s.text, *s.font, s.letters);
+  const Typeface face{*s.font, s.letters.weight, s.letters.italic};
   std::vector<std::shared_ptr<const Mesh>> glyphs;
-  for (const SetText::Glyph& g : set.glyphs) glyphs.push_back(filled.get(*s.font, g, std::max(s.depth / size, 0.0)));
+  for (const SetText::Glyph& g : set.glyphs) glyphs.push_back(filled.get(face, g, std::max(s.depth / size, 0.0)));
   for (const SetText::Place& p : set.places) append(all, *glyphs[p.glyph], size, p.at);
   all.closed = !glyphs.empty() && std::all_of(set.places.begin(), set.places.end(),
                                               [&](const SetText::Place& p) { return glyphs[p.glyph]->closed; });
@@ -137,7 +139,7 @@ Outline outline_of(const Shape& s) {
     return outline;
   }
   if (!sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
-  Outline outline = text_outline(*s.text, *s.font);
+  Outline outline = text_outline(*s.text, *s.font, s.letters);
   for (auto& contour : outline.contours)
     for (auto& p : contour) p = s.size.y * p;
   return outline;

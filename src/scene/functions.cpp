@@ -8,6 +8,7 @@
 #include "scene/document.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
+#include "scene/text_functions.h"
 
 namespace betwixt {
 namespace {
@@ -322,8 +323,9 @@ const FunctionSpec function_rows[] = {
      .kinds = bit(Kind::layer),
      .low = 0,
      .high = 1,
-     .sentence = "How much of a layer counts, 0 to 1.",
-     .written = "a number"},
+     .sentence = "How much of a layer counts, 0 to 1; how heavy letters are.",
+     .written = "a number; thin extralight light regular medium semibold bold extrabold black",
+     .example = "create title text\nset title.weight bold"},
     {.name = "mode",
      .type = Type::text,
      .rest = Text(std::string("add")),
@@ -439,6 +441,7 @@ const FunctionSpec function_rows[] = {
 std::vector<FunctionSpec> make_functions() {
   std::vector<FunctionSpec> made(std::begin(function_rows), std::end(function_rows));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
+  made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
   for (FunctionSpec& f : made) {
     const bool everywhere = f.kinds == all_kinds, by_kinds = f.kinds == shared;
     for (const KindRow& row : kinds()) {

@@ -50,9 +50,9 @@ Extent of_text(const Shape& s) {
       widest = std::max(widest, ++letters);
   }
   if (widest == 0) return {};
-  const double em = s.size.y;
-  return {{-0.3 * widest * em, (-0.25 - 1.2 * (lines - 1)) * em, -s.depth / 2},
-          {0.3 * widest * em, 0.8 * em, s.depth / 2}};
+  const double em = s.size.y, width = 0.6 * widest * em;
+  const double left = s.letters.align == Align::left ? 0 : s.letters.align == Align::right ? -width : -width / 2;
+  return {{left, (-0.25 - 1.2 * (lines - 1)) * em, -s.depth / 2}, {left + width, 0.8 * em, s.depth / 2}};
 }
 
 template <Contours (*contours)(const Shape&)>
@@ -257,7 +257,7 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::text,
      .name = "text",
      .sentence = "Letters, flat or with a depth.",
-     .written = "text=\"…\" font=\"DejaVu Sans\" size=1 depth=0",
+     .written = "text=\"…\" font=\"DejaVu Sans\" weight=regular slant=upright size=1 depth=0 align=centre",
      .example = "create title text text=\"The end\" size=2",
      .fill = Fill::outline,
      .deep = true,

@@ -121,7 +121,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::polygon, {"points", "depth"}},
       {Kind::polyline, {"points", "width"}},
       {Kind::points, {"points", "size"}},
-      {Kind::text, {"text", "font", "size", "depth"}},
+      {Kind::text, {"text", "font", "size", "depth", "align", "weight", "slant", "typed"}},
       {Kind::mesh, {"file"}},
       {Kind::light, {"range", "intensity", "shines"}},
       {Kind::camera, {"lens", "fov", "height", "roll"}},

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// split: a text becomes its letters, words or lines. And what is said where a font has no letters of the wanted look.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "exchange/fonts.h"
+#include "scene/text_functions.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::array<std::string_view, 3> part_names{"letters", "words", "lines"};
+
+// What a text's parts stand by. All of it is settled for the whole film, or they would have no places.
+struct Setting {
+  std::string text, font;
+  Letters letters;
+  double size = 1;
+};
+constexpr std::array<std::string_view, 7> settled{"text", "font", "size", "align", "weight", "slant", "typed"};
+
+bool is_settled(const Object& o, FunctionId f) {
+  return std::all_of(o.slots.begin(), o.slots.end(), [&](const Slot& slot) {
+    const bool plain = !slot.layer && slot.track->events.empty() && slot.components.empty() && slot.filters.empty() &&
+                       slot.velocity.track->events.empty() && slot.velocity.components.empty();
+    return slot.function != f || (plain && !(slot.set && std::holds_alternative<Procedure>(*slot.set)));
+  });
+}
+
+Value settled_value(const Scene& s, const Object& o, FunctionId f) {
+  const Slot* slot = o.find(f);
+  return slot && slot->set ? *slot->set : spec_of(s, f).rest;
+}
+
+bool setting_of(Command& k, const Object& o, std::string_view about, Setting& out) {
+  if (o.kind != Kind::text)
+    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is {}: only texts are split", o.name, a_kind(o.kind)),
+                         about);
+  Shape shape;
+  for (const std::string_view name : settled) {
+    const FunctionId f = *find_built_in(Kind::text, name);
+    if (!is_settled(o, f))
+      return k.cursor.fail(ErrorCode::type, fmt::format("'{}.{}' changes: a text that is split stays", o.name, name),
+                           about, name == "typed" ? "hide its letters and show them one by one: stagger" : "");
+    spec_of(k.scene, f).shape(shape, settled_value(k.scene, o, f), k.scene);
+  }
+  out = {*shape.text, *shape.font, shape.letters, shape.size.y};
+  return true;
+}
+
+// With all looks of the whole, but in a place of its own there: where its position counts from.
+Object part_object(const Scene& s, const Object& whole, ObjectId id, const TextPart& part, double size) {
+  Object o;
+  o.kind = Kind::text;
+  for (const Slot& slot : whole.slots)
+    if (slot.function == fn::display || !spec_of(s, slot.function).place) o.slots.push_back(slot);
+  for (const char* of_the_whole : {"align", "typed"})
+    std::erase_if(o.slots, [f = *find_built_in(Kind::text, of_the_whole)](const Slot& x) { return x.function == f; });
+  o.slot(fn::text).set = Text(part.text);
+  o.slot(fn::attach_position).set = size * part.at;
+  o.slot(fn::attachment).set = Attachment{AttachmentKind::couple, id, false};
+  return o;
+}
+
+bool split_one(Command& k, ObjectId id, Parts into, std::string_view about, std::size_t& made) {
+  auto& [s, c, time, layer, script] = k;
+  const Object whole = s.objects[id.index];
+  Setting setting;
+  if (!setting_of(k, whole, about, setting)) return false;
+  const auto parts = text_parts(setting.text, setting.font, setting.letters, into);
+  if (parts.empty())
+    return c.fail(ErrorCode::range, fmt::format("'{}' has no letters that could be split", whole.name), about);
+  if (s.objects.size() + parts.size() > most_objects)
+    return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), about);
+  const auto name = [&](std::size_t i) { return fmt::format("{}/{}", whole.name, i + 1); };
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!free_name(k, name(i), about)) return false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Object part = part_object(s, whole, id, parts[i], setting.size);
+    part.name = name(i);
+    add_object(s, std::move(part));
+  }
+  Object& stays = s.objects.edit(id.index);
+  stays.leads = true;
+  std::erase_if(stays.slots, [](const Slot& slot) { return slot.function == fn::display; });
+  stays.slot(fn::display).set = false;
+  made += parts.size();
+  return true;
+}
+
+bool split(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::string_view word;
+  std::vector<ObjectId> texts;
+  if (!objects(k, word, texts)) return false;
+  if (!c.accept_word("into"))
+    return c.fail_here(ErrorCode::syntax, "'into' is missing here", "split title into letters, words or lines");
+  const std::string_view into = c.next_word();
+  const auto at = std::find(part_names.begin(), part_names.end(), into);
+  if (at == part_names.end())
+    return c.fail(ErrorCode::syntax, "a text is split into letters, words or lines",
+                  into.empty() ? std::string_view(c.at, 0) : into,
+                  did_you_mean(into, {part_names.begin(), part_names.end()}));
+  if (!finish(c)) return false;
+  Rollback all(s);
+  std::size_t made = 0;
+  for (const ObjectId id : texts)
+    if (!split_one(k, id, static_cast<Parts>(at - part_names.begin()), word, made)) return false;
+  all.keep();
+  script.touched = made;
+  return true;
+}
+
+constexpr Verb texts_rows[] = {
+    {"split", "split TITLE into letters|words|lines",
+     "Makes objects TITLE/1, TITLE/2 … of a text's parts, in their places; they hang on it, and it is not drawn.",
+     "create title text text=\"The end\"\nsplit title into letters\nat 1f title/*.position (0 5 0)\n"
+     "at 24f title/*.position (0 0 0)\nstagger title/*.position by 2f",
+     0, split},
+};
+
+}  // namespace
+
+void say_missing_style(Command& k, const Object& o, FunctionId f, const Value& v, std::string_view about) {
+  const std::string_view name = spec_of(k.scene, f).name;
+  if (o.kind != Kind::text || (name != "font" && name != "weight" && name != "slant")) return;
+  const auto value = [&](std::string_view of) {
+    const FunctionId at = *find_built_in(Kind::text, of);
+    return at == f ? v : settled_value(k.scene, o, at);
+  };
+  const Value font = value("font");
+  const Typeface face{std::holds_alternative<Text>(font) ? *std::get<Text>(font) : "", weight_of(value("weight")),
+                      is_italic(value("slant"))};
+  if (face.weight == Weight::regular && !face.italic) return;  // as it is where nobody says anything
+  if (const Status known = find_style(face); !known)
+    k.script.note(Severity::warning, known.error().message, about, known.error().hint);
+}
+
+std::span<const Verb> texts_verbs() { return texts_rows; }
+
+}  // namespace betwixt

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/typefaces.h"
+
+#include <fmt/format.h>
+#include <fontconfig/fontconfig.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <vector>
+
+#include "scene/text_functions.h"
+
+namespace betwixt {
+namespace {
+
+struct FontsDeleter {
+  void operator()(FcPattern* p) const { FcPatternDestroy(p); }
+  void operator()(FcFontSet* s) const { FcFontSetDestroy(s); }
+  void operator()(FcObjectSet* s) const { FcObjectSetDestroy(s); }
+};
+template <class T>
+using OwnedByUs = std::unique_ptr<T, FontsDeleter>;
+
+// Fontconfig's numbers for the weights.
+constexpr std::array<int, weight_names.size()> weight_numbers{
+    FC_WEIGHT_THIN,     FC_WEIGHT_EXTRALIGHT, FC_WEIGHT_LIGHT,     FC_WEIGHT_REGULAR, FC_WEIGHT_MEDIUM,
+    FC_WEIGHT_DEMIBOLD, FC_WEIGHT_BOLD,       FC_WEIGHT_EXTRABOLD, FC_WEIGHT_BLACK};
+
+std::mutex& fonts_mutex() {
+  static std::mutex& m = *new std::mutex;  // never taken down: other threads may still draw while the program ends
+  return m;
+}
+
+const FcChar8* bytes(const std::string& s) { return reinterpret_cast<const FcChar8*>(s.c_str()); }
+
+std::string lowered(std::string s) {
+  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return std::tolower(c); });
+  return s;
+}
+
+// Sorted, without doubles.
+const std::vector<std::string>& families() {
+  static std::vector<std::string>& all = *new std::vector<std::string>;
+  if (!all.empty()) return all;
+  const OwnedByUs<FcPattern> any(FcPatternCreate());
+  const OwnedByUs<FcObjectSet> wanted(FcObjectSetBuild(FC_FAMILY, nullptr));
+  const OwnedByUs<FcFontSet> set(FcFontList(nullptr, any.get(), wanted.get()));
+  for (int i = 0; set && i < set->nfont; ++i) {
+    FcChar8* name = nullptr;
+    for (int n = 0; FcPatternGetString(set->fonts[i], FC_FAMILY, n, &name) == FcResultMatch; ++n)
+      all.emplace_back(reinterpret_cast<const char*>(name));
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+bool has_family(const std::string& family) {
+  const auto& all = families();
+  return std::any_of(all.begin(), all.end(), [&](const auto& f) { return lowered(f) == lowered(family); });
+}
+
+// How many letters to change, add or leave out.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j)
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])}));
+  }
+  return row[b.size()];
+}
+
+std::string near_family(const std::string& family) {
+  std::string best;
+  std::size_t least = 1 + family.size() / 3;
+  for (const auto& f : families())
+    if (const auto d = distance(lowered(f), lowered(family.substr(0, 100))); d < least) least = d, best = f;
+  return best;
+}
+
+std::size_t nearest_weight(double number) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < weight_numbers.size(); ++i)
+    if (std::abs(weight_numbers[i] - number) < std::abs(weight_numbers[best] - number)) best = i;
+  return best;
+}
+
+// Whether italic, then the weight: what a family has. Narrow and wide ones do not count.
+using Styles = std::set<std::pair<bool, std::size_t>>;
+Styles styles_of(const std::string& family) {
+  const OwnedByUs<FcPattern> pattern(FcPatternCreate());
+  FcPatternAddString(pattern.get(), FC_FAMILY, bytes(family));
+  FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
+  const OwnedByUs<FcObjectSet> wanted(FcObjectSetBuild(FC_WEIGHT, FC_SLANT, FC_WIDTH, nullptr));
+  const OwnedByUs<FcFontSet> set(FcFontList(nullptr, pattern.get(), wanted.get()));
+  Styles all;
+  for (int i = 0; set && i < set->nfont; ++i) {
+    const FcPattern* font = set->fonts[i];
+    double width = FC_WIDTH_NORMAL;
+    if (FcPatternGetDouble(font, FC_WIDTH, 0, &width) == FcResultMatch && std::abs(width - FC_WIDTH_NORMAL) > 5)
+      continue;
+    int slant = FC_SLANT_ROMAN;
+    FcPatternGetInteger(font, FC_SLANT, 0, &slant);
+    double weight = FC_WEIGHT_REGULAR;
+    FcRange* range = nullptr;  // of a font that can be of any weight in it
+    double low = 0, high = 0;
+    if (FcPatternGetDouble(font, FC_WEIGHT, 0, &weight) == FcResultMatch) {
+      all.emplace(slant != FC_SLANT_ROMAN, nearest_weight(weight));
+    } else if (FcPatternGetRange(font, FC_WEIGHT, 0, &range) == FcResultMatch && FcRangeGetDouble(range, &low, &high)) {
+      for (std::size_t w = nearest_weight(low); w <= nearest_weight(high); ++w) all.emplace(slant != FC_SLANT_ROMAN, w);
+    }
+  }
+  return all;
+}
+
+std::string style_name(std::size_t weight, bool italic) {
+  return fmt::format("{}{}", weight_names[weight], italic ? " italic" : "");
+}
+
+}  // namespace
+
+Status find_font(const std::string& family) {
+  const std::lock_guard lock(fonts_mutex());
+  if (has_family(family)) return Nothing{};
+  const std::string near = near_family(family);
+  return fail(ErrorCode::name, fmt::format("this machine has no font called \"{}\"", family),
+              near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
+}
+
+Status find_style(const Typeface& face) {
+  const std::lock_guard lock(fonts_mutex());
+  if (!has_family(face.family)) return Nothing{};
+  const Styles all = styles_of(face.family);
+  const auto weight = static_cast<std::size_t>(face.weight);
+  if (all.contains({face.italic, weight})) return Nothing{};
+  std::string there;
+  for (const auto& [italic, w] : all) there += fmt::format("{}{}", there.empty() ? "" : ", ", style_name(w, italic));
+  return fail(ErrorCode::name,
+              fmt::format("this machine has no {} of the font \"{}\"", style_name(weight, face.italic), face.family),
+              fmt::format("there is {}", there));
+}
+
+FontFile font_file(const Typeface& face) {
+  const std::lock_guard lock(fonts_mutex());
+  const OwnedByUs<FcPattern> pattern(FcPatternCreate());
+  FcPatternAddString(pattern.get(), FC_FAMILY, bytes(has_family(face.family) ? face.family : "DejaVu Sans"));
+  FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
+  FcPatternAddInteger(pattern.get(), FC_WEIGHT, weight_numbers[static_cast<std::size_t>(face.weight)]);
+  FcPatternAddInteger(pattern.get(), FC_SLANT, face.italic ? FC_SLANT_ITALIC : FC_SLANT_ROMAN);
+  FcConfigSubstitute(nullptr, pattern.get(), FcMatchPattern);
+  FcDefaultSubstitute(pattern.get());
+  FcResult found = FcResultNoMatch;
+  const OwnedByUs<FcPattern> match(FcFontMatch(nullptr, pattern.get(), &found));
+  FcChar8* file = nullptr;
+  FontFile out;
+  if (!match || FcPatternGetString(match.get(), FC_FILE, 0, &file) != FcResultMatch) return out;
+  FcPatternGetInteger(match.get(), FC_INDEX, 0, &out.index);
+  out.path = reinterpret_cast<const char*>(file);
+  return out;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What letters are said by, beside their text, font and size; rows behind those of flat shapes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scene/document.h"
+#include "scene/functions.h"
+
+namespace betwixt {
+
+// In the order of their enumerations.
+inline constexpr std::array<std::string_view, 3> align_names{"left", "centre", "right"};
+inline constexpr std::array<std::string_view, 9> weight_names{
+    "thin", "extralight", "light", "regular", "medium", "semibold", "bold", "extrabold", "black"};
+
+// Which of the words a text is; `otherwise` where code has made it none of them.
+template <class Word, std::size_t n>
+Word word_in(const std::array<std::string_view, n>& words, const Value& v, Word otherwise) {
+  const auto* text = std::get_if<Text>(&v);
+  const auto at = text ? std::find(words.begin(), words.end(), **text) : words.end();
+  return at == words.end() ? otherwise : static_cast<Word>(at - words.begin());
+}
+inline Weight weight_of(const Value& v) { return word_in(weight_names, v, Weight::regular); }
+inline bool is_italic(const Value& v) { return std::get_if<Text>(&v) && *std::get<Text>(v) == "italic"; }
+
+inline const FunctionSpec text_functions[] = {
+    {.name = "align",
+     .type = Type::text,
+     .rest = Text(std::string("centre")),
+     .kinds = bit(Kind::text),
+     .words = "left|centre|right",
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.align = word_in(align_names, v, Align::centre); },
+     .sentence = "Whether the lines of a text begin at x = 0, end there or have their middles there.",
+     .written = "\"left\", \"centre\" or \"right\"",
+     .example = "create title text\nset title.align left"},
+    {.name = "weight",
+     .type = Type::text,
+     .rest = Text(std::string("regular")),
+     .kinds = bit(Kind::text),
+     .words = "thin|extralight|light|regular|medium|semibold|bold|extrabold|black",
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.weight = weight_of(v); }},
+    {.name = "slant",
+     .type = Type::text,
+     .rest = Text(std::string("upright")),
+     .kinds = bit(Kind::text),
+     .words = "upright|italic",
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.italic = is_italic(v); },
+     .sentence = "Whether letters are italic.",
+     .written = "\"upright\" or \"italic\"",
+     .example = "create title text\nset title.slant italic"},
+    {.name = "typed",
+     .type = Type::scalar,
+     .rest = static_cast<double>(most_letters),
+     .kinds = bit(Kind::text),
+     .low = 0,
+     .high = most_letters,
+     .shape =
+         [](Shape& s, const Value& v, const Scene&) {
+           // What comes to a whole number but for rounding is one.
+           const double all = static_cast<double>(most_letters);
+           s.letters.typed = static_cast<std::uint32_t>(std::floor(std::clamp(std::get<double>(v), 0.0, all) + 1e-6));
+         },
+     .sentence = "How many letters of a text are seen, blanks counted; they stand where they stand in the whole.",
+     .written = "a number",
+     .example = "create title text text=\"The end\"\nat 1f title.typed 0 linear\nat 24f title.typed 7"},
+};
+
+}  // namespace betwixt

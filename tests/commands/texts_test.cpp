@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Texts: how they are aligned, letters that are typed, and texts that become their parts.
+#include <algorithm>
+
+#include "exchange/geometry.h"
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+// The box of all that is drawn, by its triangles.
+Box box_of(const Frame& frame) {
+  Box all;
+  for (const Item& item : frame.items) {
+    const Geometry g = realise(*item.shape);
+    for (const auto& p : g.mesh->positions) all.add(transform_point(item.world * g.local, {p[0], p[1], p[2]}));
+  }
+  return all;
+}
+void expect_box(const Frame& is, const Frame& wanted, double within = 1e-6) {
+  const Box a = box_of(is), b = box_of(wanted);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(a.low[i], b.low[i], within) << i;
+    EXPECT_NEAR(a.high[i], b.high[i], within) << i;
+  }
+}
+std::size_t triangles(const Frame& frame) {
+  std::size_t n = 0;
+  for (const Item& item : frame.items) n += realise(*item.shape).mesh->triangles.size();
+  return n;
+}
+
+constexpr const char* title =
+    "create title text text=\"AVATAR\\nTo day\" size=0.7 weight=bold depth=0.1 color=gold align=right\n"
+    "set title.position (1 2 3)\nset title.rotation euler(20deg 30deg 40deg)\n";
+
+TEST(Texts, PartsAreDrawnWhereTheWholeWas) {
+  const LoadedFilm whole(title);
+  for (const auto& [into, parts] : {std::pair("letters", 11U), {"words", 3U}, {"lines", 2U}}) {
+    const LoadedFilm split(std::string(title) + "split title into " + into + "\n");
+    const Frame frame = split.frame("1f");
+    EXPECT_EQ(frame.items.size(), parts) << into;
+    expect_box(frame, whole.frame("1f"));
+    EXPECT_EQ(triangles(frame), triangles(whole.frame("1f")));
+    for (const Item& item : frame.items) EXPECT_EQ(item.color.x, whole.frame("1f").items[0].color.x);
+  }
+}
+
+TEST(Texts, PartsAreTextsOfTheirOwnThatHangOnTheWhole) {
+  const LoadedFilm s(
+      "create t text text=\"To be\"\nsplit t into words\nt/*.position\n  1f (0 5 0)\n  25f (0 0 0) \n"
+      "stagger t/*.position by 4f\nt.position\n  1f (0 0 0)\n  90f (0 0 7)\nset t/2.text \"die\"\n");
+  EXPECT_EQ(s.text("t/1.text", "1f"), "To");
+  EXPECT_EQ(s.text("t/2.text", "1f"), "die");
+  expect_numbers(
+      s, {{"t/1.position", "1f", {0, 5, 0}}, {"t/1.position", "25f", {0, 0, 0}}, {"t/2.position", "29f", {0, 0, 0}}});
+  EXPECT_NEAR(place(s, "t/1", "90f").z, 7, 1e-12);
+  EXPECT_LT(place(s, "t/1", "90f").x, 0);
+  EXPECT_GT(place(s, "t/2", "90f").x, 0);
+}
+
+TEST(Texts, LooksThatChangeGoAlongAndPlacesDoNot) {
+  const LoadedFilm s(
+      "create t text text=\"ab\"\nt.color\n  1f red\n  24f blue\nat 10f hide t\nat 20f show t\n"
+      "at 1f t.position (1 0 0)\nat 24f t.position (2 0 0)\nsplit t into letters\n");
+  expect_numbers(s,
+                 {{"t/2.color", "1f", {1, 0, 0}}, {"t/2.color", "24f", {0, 0, 1}}, {"t/1.position", "24f", {0, 0, 0}}});
+  EXPECT_EQ(s.frame("1f").items.size(), 2U);
+  EXPECT_EQ(s.frame("12f").items.size(), 0U);
+  EXPECT_EQ(s.frame("24f").items.size(), 2U);
+  // The same film once more, read from what is written.
+  const Loaded again = load_text(write(s.loaded.document), "again.bx");
+  EXPECT_TRUE(again.document == s.loaded.document) << write(s.loaded.document);
+}
+
+TEST(Texts, PartsAreSplitOnAndCopiedWithTheWhole) {
+  const LoadedFilm whole("create t text text=\"AV To\"\n"),
+      s("create t text text=\"AV To\"\nsplit t into words\nsplit t/{1,2} into letters\ncreate u like t\nremove t\n");
+  EXPECT_EQ(s.loaded.document.names(),
+            (std::vector<std::string>{"u", "u/1", "u/2", "u/1/1", "u/1/2", "u/2/1", "u/2/2"}));
+  expect_box(s.frame("1f"), whole.frame("1f"));
+}
+
+TEST(Texts, TypedLettersComeOneByOne) {
+  const LoadedFilm s("create t text text=\"To day\" typed=0\nat 1f t.typed 0 linear\nat 13f t.typed 6\n"),
+      whole("create t text text=\"To day\"\n");
+  EXPECT_EQ(triangles(s.frame("2f")), 0U);  // half a letter is none
+  const Box all = box_of(whole.frame("1f"));
+  double right = -INFINITY;
+  for (const char* time : {"3f", "5f", "9f", "11f", "13f"}) {
+    const Box some = box_of(s.frame(time));
+    EXPECT_NEAR(some.low.x, all.low.x, 1e-9) << time;
+    EXPECT_GT(some.high.x, right) << time;
+    right = some.high.x;
+  }
+  EXPECT_EQ(triangles(s.frame("5f")), triangles(s.frame("7f"))) << "a blank is typed, too";
+  expect_box(s.frame("13f"), whole.frame("1f"), 0);
+  EXPECT_EQ(triangles(s.frame("90f")), triangles(whole.frame("1f")));
+}
+
+TEST(Texts, AlignedOnesBeginOrEndAtTheirPlace) {
+  const LoadedFilm s(
+      "create a text text=\"Hm\\nHmmm\" align=left\ncreate b text text=\"Hm\\nHmmm\" align=right\nset b.position (20 0 "
+      "0)\n");
+  const Frame both = s.frame("1f");
+  Frame one = both, other = both;
+  one.items.pop_back(), other.items.erase(other.items.begin());
+  EXPECT_GT(box_of(one).low.x, 0);
+  EXPECT_LT(box_of(one).low.x, 0.2);
+  EXPECT_LT(box_of(other).high.x, 20);
+  EXPECT_GT(box_of(other).high.x, 19.8);
+}
+
+TEST(Texts, WhatCannotBeSaysWhy) {
+  const std::string t = "create t text text=\"ab\"\n";
+  EXPECT_EQ(first_error(t + "split t"), "2:8: 'into' is missing here");
+  EXPECT_EQ(first_error(t + "split t into"), "2:13: a text is split into letters, words or lines");
+  EXPECT_EQ(first_error(t + "split t into leters"), "2:14: a text is split into letters, words or lines");
+  EXPECT_EQ(first_error(t + "split t into letters now"), "2:22: 'now' is not expected here");
+  EXPECT_EQ(first_error(t + "split u into letters"), "2:7: there is no object 'u'");
+  EXPECT_EQ(first_error("create b box\nsplit b into letters"), "2:7: 'b' is a box: only texts are split");
+  EXPECT_EQ(first_error("create t text text=\" \\n\"\nsplit t into lines"),
+            "2:7: 't' has no letters that could be split");
+  EXPECT_EQ(first_error(t + "create t/2 box\nsplit t into letters"), "3:7: there is a 't/2' already");
+  EXPECT_EQ(first_error(t + "split t into letters\nsplit t into letters"), "3:7: there is a 't/1' already");
+  for (const std::string change :
+       {"at 9f t.text \"c\"", "set t.text = \"'c'\"", "at 9f t.size 2", "at 9f t.align left", "at 9f t.typed 1",
+        "filter t.size wobble", "layer l add\non l set t.size 1", "at 1f t.size.velocity 1"})
+    EXPECT_TRUE(first_error(t + change + "\nsplit t into letters").ends_with("changes: a text that is split stays"))
+        << change;
+  // All or none.
+  const std::string two = t + "create u text text=\" \"\n";
+  EXPECT_EQ(read(two + "split {t,u} into letters").document, read(two).document);
+  EXPECT_EQ(first_error("create t text align=middle"), "1:21: align is left, centre or right");
+  EXPECT_EQ(first_error("create t text weight=0.5"),
+            "1:22: weight is thin, extralight, light, regular, medium, semibold, bold, extrabold or black");
+  EXPECT_FALSE(first_error(t + "set t.slant oblique").empty());
+  EXPECT_FALSE(first_error(t + "set t.typed -1").empty());
+  EXPECT_FALSE(first_error(t + "set t.typed 20001").empty());
+  EXPECT_FALSE(first_error(t + "set t.typed (1 2)").empty());
+}
+
+TEST(Texts, AsManyLettersAsATextMayHaveAreSplit) {
+  EXPECT_EQ(first_error("create t text text=\"" + std::string(1'000'000, 'i') + "\""),
+            "1:20: a text that is drawn has at most 20000 letters");
+  const Loaded all = read("create t text text=\"" + std::string(20'000, 'i') + "\"\nsplit t into letters\n");
+  EXPECT_EQ(errors(all), std::vector<std::string>{});
+  EXPECT_EQ(all.document.names().size(), 20'001U);
+  EXPECT_EQ(all.document.names().back(), "t/20000");
+}
+
+TEST(Texts, FontsThatLackAWeightSayWhichTheyHave) {
+  const auto notices = [](const std::string& text) {
+    std::vector<std::string> all;
+    for (const Diagnostic& d : read(text).diagnostics) all.push_back(d.what.message);
+    return all;
+  };
+  const std::vector<std::string> missing{"this machine has no black of the font \"DejaVu Sans\""};
+  EXPECT_EQ(notices("create t text weight=black font=\"DejaVu Sans\""), missing);
+  EXPECT_EQ(notices("create t text\nset t.weight black"), missing);
+  EXPECT_EQ(notices("create t text\nat 9f t.weight black"), missing);
+  EXPECT_EQ(notices("create t text weight=bold"), std::vector<std::string>{});
+  EXPECT_EQ(notices("layer l add weight=0.5\nset l.weight 1"), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace betwixt
