@@ -44,6 +44,7 @@ class Evaluation {
     std::uint32_t shape = none, toward = none, texture = none;  // numbers
     Material material = Material::plastic;
     bool visible = false;
+    bool casts = true;  // keeps light from others
     static constexpr std::uint32_t none = 0xffffffff;
     friend bool operator==(const Look&, const Look&) = default;
   };

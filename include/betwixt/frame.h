@@ -27,11 +27,15 @@ struct Item {
   double transparency = 0;              // 0 solid to 1 invisible
   double shininess = 0;                 // 0 dull to 1 a mirror's highlight
   Material material = Material::plastic;
+  bool casts = true;                       // keeps light from others
   std::shared_ptr<const Picture> texture;  // null: the mesh's own, if any
   // What it is one body with: the thing drawn that it hangs on in the end, or the whole that it is named as a part of
   // (car/wheel on car); itself where there is none.
   ObjectId body;
 };
+
+// Which lights' shadows are drawn: the four strongest of those that cast any.
+enum class Casting : std::uint8_t { strongest, off, on, soft };  // strongest: if no other light is stronger
 
 struct Light {
   ObjectId id;
@@ -40,6 +44,7 @@ struct Light {
   Vec3 direction;       // world, unit length, away from the light (suns)
   Vec3 color{1, 1, 1};  // linear light, intensity included
   double range = 20;    // metres: the light fades smoothly to nothing there
+  Casting casting = Casting::strongest;
 };
 
 struct Camera {

@@ -22,6 +22,7 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
     case fn::material:
     case fn::texture:
     case fn::display:
+    case fn::casts:
       return affects::look;
     case fn::look_at:
     case fn::look_offset:
@@ -33,6 +34,7 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
     case fn::range:
     case fn::intensity:
     case fn::shines:
+    case fn::casting:
     case fn::lens:
     case fn::fov:
     case fn::camera_height:
@@ -144,7 +146,11 @@ struct ScheduleCompiler {
       }
       if (n.looks) compiled.eyes.push_back(i);
       if (!drawable(n.kind)) continue;
-      Drawable d{find(fn::transparency)->offset, find(fn::shininess)->offset, find(fn::material), find(fn::texture),
+      Drawable d{find(fn::transparency)->offset,
+                 find(fn::shininess)->offset,
+                 find(fn::casts)->offset,
+                 find(fn::material),
+                 find(fn::texture),
                  find(fn::geometry)};
       if (n.kind == Kind::trace) {
         compiled.traces = true;

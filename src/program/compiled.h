@@ -222,7 +222,7 @@ struct Node {
 
 // What is drawn, or may be: the node of the same number.
 struct Drawable {
-  std::uint32_t transparency = 0, shininess = 0;  // offsets
+  std::uint32_t transparency = 0, shininess = 0, casts = 0;  // offsets
   const Binding *material = nullptr, *texture = nullptr, *geometry = nullptr;
   std::uint32_t shape = 0;  // a number of Compiled::shapes; one beyond them where it varies
   // Of its material and texture, where these do not vary.

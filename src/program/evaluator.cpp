@@ -299,6 +299,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       now.color = vec3(&numbers_[n.color]);
       now.transparency = std::clamp(numbers_[d.transparency], 0.0, 1.0);
       now.shininess = std::clamp(numbers_[d.shininess], 0.0, 1.0);
+      now.casts = numbers_[d.casts] != 0;
       now.material = d.plain ? d.material_number : compiled_.material(compiled_.value(*d.material, now_, asking));
       now.texture = d.plain ? d.texture_number : compiled_.texture(compiled_.value(*d.texture, now_, asking));
     }

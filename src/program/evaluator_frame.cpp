@@ -8,6 +8,16 @@
 #include "program/evaluator.h"
 
 namespace betwixt {
+namespace {
+
+Casting casting_of(const std::string& word) {
+  return word == "on"     ? Casting::on
+         : word == "off"  ? Casting::off
+         : word == "soft" ? Casting::soft
+                          : Casting::strongest;
+}
+
+}  // namespace
 
 void Evaluator::add_items(Frame& frame) const {
   for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -21,7 +31,7 @@ void Evaluator::add_items(Frame& frame) const {
     item.shape = shape(l.shape);
     if (l.toward != nothing) item.toward = shape(l.toward), item.blend = l.blend;
     item.color = l.color, item.transparency = l.transparency, item.shininess = l.shininess;
-    item.material = l.material;
+    item.material = l.material, item.casts = l.casts;
     if (l.texture != nothing) item.texture = compiled_.textures[l.texture];
     frame.items.push_back(std::move(item));
   }
@@ -37,6 +47,7 @@ std::vector<Light> Evaluator::lights(Asking& asking) const {
     l.id = {n.object};
     l.position = translation_of(world(node));
     l.sun = *std::get<Text>(compiled_.value(find(fn::shines), now_, asking)) == "sun";
+    l.casting = casting_of(*std::get<Text>(compiled_.value(find(fn::casting), now_, asking)));
     // A sun shines from where it stands towards the middle of the world; one that stands there shines down.
     l.direction = normalize(-l.position, {0, -1, 0});
     l.color = numbers_[find(fn::intensity).offset] * vec3(&numbers_[n.color]);

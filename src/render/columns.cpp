@@ -11,7 +11,7 @@ namespace {
 
 bool same_light(const Light& a, const Light& b) {
   return a.sun == b.sun && a.position == b.position && a.direction == b.direction && a.color == b.color &&
-         a.range == b.range;
+         a.range == b.range && a.casting == b.casting;
 }
 
 // The number of what is the last of all, or becomes it.
@@ -53,7 +53,8 @@ FrameColumns::FrameColumns(const Frame& frame) : frame_(frame) {
                       .toward = number_of(shapes_, i.toward),
                       .texture = number_of(textures_, i.texture),
                       .material = i.material,
-                      .visible = true});
+                      .visible = true,
+                      .casts = i.casts});
   }
 }
 

@@ -26,7 +26,8 @@ EGLDisplay open_display() {
 
 Result<GLuint> compile(GLenum stage, std::string_view source, std::string_view defines) {
   const std::string text = fmt::format(
-      "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DShadow;\n{}\n{}",
+      "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DArrayShadow;\n"
+      "precision highp sampler2DArray;\n{}\n{}",
       defines, source);
   const GLuint shader = glCreateShader(stage);
   const char* const start = text.c_str();
@@ -96,6 +97,7 @@ void free_renderbuffer(GLuint id) { glDeleteRenderbuffers(1, &id); }
 void free_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 void free_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 void free_program(GLuint id) { glDeleteProgram(id); }
+void free_sampler(GLuint id) { glDeleteSamplers(1, &id); }
 
 Buffer new_buffer() {
   GLuint id = 0;
@@ -165,6 +167,35 @@ Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, 
   return m;
 }
 
+Result<std::pair<Texture, Framebuffer>> new_depth_layers(int side, int count) {
+  GLuint texture = 0, framebuffer = 0;
+  glGenTextures(1, &texture);
+  glGenFramebuffers(1, &framebuffer);
+  std::pair made{Texture(texture), Framebuffer(framebuffer)};
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+  glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, GL_DEPTH_COMPONENT24, side, side, count);
+  for (const auto& [what, how] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
+                                  {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+                                  {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
+                                  {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE},
+                                  {GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE},
+                                  {GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL}})
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, what, how);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture, 0, 0);
+  if (!framebuffer_good()) return cannot_draw(side, side);
+  return made;
+}
+
+Sampler new_depth_sampler() {
+  GLuint id = 0;
+  glGenSamplers(1, &id);
+  for (const auto what : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glSamplerParameteri(id, what, GL_NEAREST);
+  for (const auto what : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glSamplerParameteri(id, what, GL_CLAMP_TO_EDGE);
+  glSamplerParameteri(id, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  return Sampler(id);
+}
+
 Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines) {
   const auto v = compile(GL_VERTEX_SHADER, vertex, defines);
   if (!v) return v.error();
@@ -203,6 +234,11 @@ void fill() {
 void use_texture(int unit, GLuint texture) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void use_layers(int unit, GLuint texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
 }
 
 GLint uniform(const Program& program, const char* name) { return glGetUniformLocation(program.id(), name); }

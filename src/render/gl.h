@@ -71,12 +71,14 @@ void free_renderbuffer(GLuint);
 void free_framebuffer(GLuint);
 void free_vertex_array(GLuint);
 void free_program(GLuint);
+void free_sampler(GLuint);
 using Buffer = Handle<free_buffer>;
 using Texture = Handle<free_texture>;
 using Renderbuffer = Handle<free_renderbuffer>;
 using Framebuffer = Handle<free_framebuffer>;
 using VertexArray = Handle<free_vertex_array>;
 using Program = Handle<free_program>;
+using Sampler = Handle<free_sampler>;
 
 Buffer new_buffer();
 VertexArray new_vertex_array();
@@ -97,6 +99,11 @@ struct Multisampled {
   Framebuffer framebuffer;
 };
 Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, int samples, int width, int height);
+// Square depth maps as the layers of an array, to be compared with and blended; and what draws into one. Errors:
+// machine.
+Result<std::pair<Texture, Framebuffer>> new_depth_layers(int side, int count);
+// Reads depths of such maps as they are, whatever the texture says.
+Sampler new_depth_sampler();
 
 // Compiles and links; `defines` go to the head of both stages. Errors: machine (with the compiler's words).
 Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines = {});
@@ -105,6 +112,7 @@ extern const std::string_view fill_vertex;
 void fill();  // draws it
 
 void use_texture(int unit, GLuint texture);
+void use_layers(int unit, GLuint texture);
 GLint uniform(const Program&, const char* name);
 void set_samplers(const Program&, std::initializer_list<std::pair<const char*, int>> units);
 

@@ -15,11 +15,14 @@ std::vector<Lighting::One> rig(const View& view) {
   right = normalize(right, {1, 0, 0});
   const Vec3 up{0, 1, 0}, toward_eye = cross(right, up);
   const auto sun = [&](double x, double y, double z, Vec3 color) {
-    return Lighting::One{true, normalize(x * right + y * up + z * toward_eye), color, 1, {}};
+    return Lighting::One{true, normalize(x * right + y * up + z * toward_eye), color, 1, {}, 0};
   };
   return {sun(-0.55, 0.95, 0.6, {0.86, 0.83, 0.78}), sun(0.9, 0.35, 0.55, {0.13, 0.15, 0.19}),
           sun(0.35, 0.6, -0.9, {0.3, 0.32, 0.36})};
 }
+
+// Suns that cast soft shadows are six degrees wide, lamps a twentieth of their range.
+constexpr double sun_size = 0.0524, lamp_size = 0.025;
 
 // With this share of a light and the sky's, a white surface that faces one lamp of intensity 1 is just white.
 constexpr double gain = 0.8;
@@ -31,23 +34,43 @@ double importance(const Lighting::One& l, Vec3 center) {
   return strength * w * w;
 }
 
+struct Candidate {
+  Lighting::One one;
+  Casting casting;
+};
+
+// Those that cast come first.
+void take(Lighting& r, std::vector<Candidate>& sorted) {
+  if (sorted.size() > Lighting::most) sorted.resize(Lighting::most);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    if (i > 0 && sorted[i].casting == Casting::strongest) sorted[i].casting = Casting::off;
+  for (const bool casts : {true, false})
+    for (const Candidate& c : sorted)
+      if ((c.casting != Casting::off) == casts) r.lights.push_back(c.one), r.casting += casts;
+  r.casting = std::min(r.casting, Lighting::most_casting);
+}
+
 // The lights that count, or our own.
 Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center) {
   Lighting r;
   if (lights.empty()) {
-    r.lights = rig(view);
+    r.lights = rig(view), r.casting = 1;
     return r;
   }
+  std::vector<Candidate> found;
   for (const Light& l : lights) {
     if (!finite(l.color) || !finite(l.position) || !finite(l.direction) || std::isnan(l.range)) continue;
     if (!l.sun && !(l.range > 0)) continue;
     const Vec3 color = gain * Vec3{std::max(l.color.x, 0.0), std::max(l.color.y, 0.0), std::max(l.color.z, 0.0)};
-    r.lights.push_back({l.sun, l.sun ? normalize(-l.direction, {0, 1, 0}) : l.position - view.eye, color,
-                        std::clamp(l.range, 1e-9, 1e15), l.position});
+    const double range = std::clamp(l.range, 1e-9, 1e15);
+    const double size = l.casting != Casting::soft ? 0 : l.sun ? sun_size : lamp_size * range;
+    const Vec3 place = l.sun ? normalize(-l.direction, {0, 1, 0}) : l.position - view.eye;
+    found.push_back({{l.sun, place, color, range, l.position, size}, l.casting});
   }
-  std::stable_sort(r.lights.begin(), r.lights.end(),
-                   [center](const auto& a, const auto& b) { return importance(a, center) > importance(b, center); });
-  if (r.lights.size() > Lighting::most) r.lights.resize(Lighting::most);
+  std::stable_sort(found.begin(), found.end(), [center](const auto& a, const auto& b) {
+    return importance(a.one, center) > importance(b.one, center);
+  });
+  take(r, found);
   return r;
 }
 
@@ -68,7 +91,7 @@ void surround(Lighting& r, const Surroundings& around) {
 Lighting lighting_of(const std::vector<Light>& lights, const View& view, Vec3 center, const Surroundings& around) {
   Lighting r = chosen(lights, view, center);
   surround(r, around);
-  if (around.flat) r.lights.clear();
+  if (around.flat) r.lights.clear(), r.casting = 0;
   return r;
 }
 

@@ -17,15 +17,18 @@
 namespace betwixt {
 
 struct Lighting {
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 16, most_casting = 4;
   struct One {
     bool sun = false;
     Vec3 place;  // eye space: where a lamp is, or the direction towards a sun
     Vec3 color;
     double range = 1;
     Vec3 world;  // a lamp's place in the world
+    // How large it is, for the shadow's edge: a lamp's radius, of a sun that of its disc a metre away; 0: a point.
+    double size = 0;
   };
-  std::vector<One> lights;  // the most important first, `most` at most; that one casts the shadow
+  std::vector<One> lights;  // `most` at most; first those that cast shadows, then the most important ones
+  std::size_t casting = 0;  // how many of them do, `most_casting` at most
   Vec3 sky, ground;         // ambient light from above and below
   Vec3 zenith, horizon, below;  // the sky, if it is seen
 };

@@ -13,22 +13,27 @@ constexpr Gradient gradient{{0.26, 0.28, 0.31}, {0.12, 0.125, 0.13}};
 
 class Shaded final : public Module {
  public:
-  Shaded(Canvas canvas, Surfaces surfaces, Shadow shadow, Lines lines)
+  Shaded(Canvas canvas, Surfaces surfaces, Shadows shadows, Lines lines)
       : Module(std::move(canvas), Purpose::surfaces),
         surfaces_(std::move(surfaces)),
-        shadow_(std::move(shadow)),
+        shadows_(std::move(shadows)),
         lines_(std::move(lines)) {}
 
  private:
   void draw_anew() override {
     std::vector<std::uint32_t> solid, glass, hairlines;
-    for (std::uint32_t i = 0; i < things_.all().size(); ++i)
-      if (const Thing& t = things_[i]; t.visible) (!t.surface ? hairlines : t.transparent ? glass : solid).push_back(i);
+    bool metal = false;
+    for (std::uint32_t i = 0; i < things_.all().size(); ++i) {
+      const Thing& t = things_[i];
+      if (!t.visible) continue;
+      (!t.surface ? hairlines : t.transparent ? glass : solid).push_back(i);
+      metal |= t.look.material == Material::metal;
+    }
     const View& view = things_.view();
     const Surroundings& around = scenery_.surroundings;
     const Lighting lighting = lighting_of(scenery_.lights, view, {}, around);
-    const bool shadows = !lighting.lights.empty() && shadow_.update(things_, lighting.lights.front());
-    const Surfaces::Circumstances now{view, lighting, shadows ? &shadow_ : nullptr, around};
+    const auto shadows = shadows_.update(things_, std::span(lighting.lights).first(lighting.casting));
+    const Surfaces::Circumstances now{view, lighting, shadows, shadows_.texture(), around, metal};
     const bool encoded = canvas_.can_write_encoded();
     canvas_.begin(scenery_.background);
     surfaces_.set(now);
@@ -56,7 +61,7 @@ class Shaded final : public Module {
   }
 
   Surfaces surfaces_;
-  Shadow shadow_;
+  Shadows shadows_;
   Lines lines_;
   Instances line_instances_;
 };
@@ -68,12 +73,12 @@ Result<std::unique_ptr<Module>> make_shaded(const RenderOptions& options) {
   if (!canvas) return canvas.error();
   auto surfaces = Surfaces::create();
   if (!surfaces) return surfaces.error();
-  auto shadow = Shadow::create();
-  if (!shadow) return shadow.error();
+  auto shadows = Shadows::create();
+  if (!shadows) return shadows.error();
   auto lines = Lines::create();
   if (!lines) return lines.error();
   return std::unique_ptr<Module>(
-      std::make_unique<Shaded>(*std::move(canvas), *std::move(surfaces), *std::move(shadow), *std::move(lines)));
+      std::make_unique<Shaded>(*std::move(canvas), *std::move(surfaces), *std::move(shadows), *std::move(lines)));
 }
 
 }  // namespace betwixt

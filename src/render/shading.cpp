@@ -59,11 +59,21 @@ uniform int lights;
 uniform vec4 light_place[16];  // a position and 1, or a direction and 0
 uniform vec4 light_color[16];  // and 1 / range², 0 for suns
 uniform vec3 sky, ground;
-uniform sampler2DShadow shadow;
 uniform float encodes;      // 1: colours are written encoded, 0: as linear light
-uniform float shadow_step;  // between look-ups, in the map's measure
-uniform mat4 shadow_clip;
-uniform vec2 shadow_texel;  // metres across, or the same per metre of distance
+uniform sampler2DArrayShadow shadows;  // a layer for each of the first lights
+uniform float shadow_step;             // between look-ups, in the map's measure
+uniform mat4 shadow_clip[CASTERS];
+uniform vec4 shadow_shape[CASTERS];  // of a texel, metres across, and the same per metre of distance; spread, top
+#if defined(RICH)
+uniform int casting;            // how many lights cast
+uniform sampler2DArray depths;  // the same layers, as they are
+uniform vec2 seeds[SEEDS];      // points of a disc of radius 1, evenly spread
+#if !defined(GROUND)
+uniform vec4 floor_color;  // and 1, or 0 where there is none
+uniform float floor_height;
+uniform vec3 top, bottom, under;  // what metals mirror: from above, from the horizon, from below
+#endif
+#endif
 #if defined(TEXTURED)
 in vec2 place;
 uniform sampler2D picture;
@@ -75,35 +85,110 @@ flat in vec3 move, turn;
 uniform vec4 depth_row, w_row;  // of the clip matrix
 out vec4 color;
 
-// How much of the first light reaches p, a point on a surface towards n. Looked up a little above it, against shadows of itself.
+// Where a light's map is looked up for a point on a surface towards n: a little above it, against shadows of itself.
+vec4 in_light(int i, vec3 spot, vec3 n) {
+  mat4 m = shadow_clip[i];
+  float distance_to_light = dot(vec4(m[0].w, m[1].w, m[2].w, m[3].w), vec4(spot, 1.0));
+  return m * vec4(spot + (shadow_shape[i].x + shadow_shape[i].y * distance_to_light) * n, 1.0);
+}
+
+// Fades out towards the border of the map, and behind the light.
+float within(vec4 seen, vec2 p, float sum) {
+  vec2 border = clamp((1.0 - abs(2.0 * p - 1.0)) * 16.0, 0.0, 1.0);
+  return seen.w > 0.0 ? mix(1.0, sum, border.x * border.y) : 1.0;
+}
+
+#if defined(RICH)
+// How much deeper the surface is in the map, along it; as steep as the light is wide at most.
+vec2 slope(int i, vec4 seen, vec3 n) {
+  vec3 a = normalize(cross(n, abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0))), b = cross(n, a);
+  vec4 u = shadow_clip[i] * vec4(a, 0.0), v = shadow_clip[i] * vec4(b, 0.0);
+  u.xyz = u.xyz * seen.w - seen.xyz * u.w, v.xyz = v.xyz * seen.w - seen.xyz * v.w;
+  float d = u.x * v.y - u.y * v.x;
+  vec2 g = vec2(u.z * v.y - v.z * u.y, u.x * v.z - v.x * u.z) / (abs(d) > 1e-30 ? d : 1e-30);
+  return g * min(1.0, 0.7 / max(shadow_shape[i].z * length(g), 1e-30));
+}
+
+// How much of a light reaches a point. Percentage-closer soft shadows: what is in the way, in the cone from the point to the
+// light's disc, says by its mean depth how wide the penumbra is.
+float lit(int i, vec3 spot, vec3 n, bool wanted) {
+  vec4 seen = in_light(i, spot, n);
+  vec3 p = seen.xyz / seen.w * 0.5 + 0.5;  // deeper than 1 where nothing is that casts
+  float spread = shadow_shape[i].z, reach = min(spread * max(p.z - shadow_shape[i].w, 0.0), 0.1);
+  bool soft = spread > 0.0;
+  float blockers = 0.0, before = 0.0;
+  int looks = wanted && reach > 0.0 ? SEEDS : 0;
+  for (int k = 0; k < looks; ++k) {
+    float away = length(seeds[k]);
+    vec2 off = reach * away * away * away * seeds[k];  // much denser in the middle: what is near stands there
+    float there = texture(depths, vec3(p.xy + off, i)).r, far = there < 1.0 ? p.z - there : 0.0;
+    float blocks = step(max(length(off), 1e-9), 1.5 * far * spread);  // wider: it says where to look closely
+    blockers += blocks, before += blocks * far;
+  }
+  float radius = max(spread * before / max(blockers, 1.0), 0.5 * shadow_step);
+  vec2 tilt = soft ? slope(i, seen, n) : vec2(0.0);
+  int taps = !wanted ? 0 : !soft ? TAPS * TAPS : blockers > 0.0 ? SEEDS : 0;
+  float sum = 0.0;
+  for (int k = 0; k < taps; ++k) {
+    vec2 off = soft ? radius * seeds[k] : (vec2(k % TAPS, k / TAPS) - 0.5 * float(TAPS - 1)) * shadow_step;
+    sum += texture(shadows, vec4(p.xy + off, i, min(p.z + dot(tilt, off), 1.0)));
+  }
+  return taps == 0 ? 1.0 : within(seen, p.xy, sum / float(taps));
+}
+#else
+// How much of the first light reaches a point.
 float lit(vec3 spot, vec3 n) {
-  float distance_to_light = dot(vec4(shadow_clip[0].w, shadow_clip[1].w, shadow_clip[2].w, shadow_clip[3].w), vec4(spot, 1.0));
-  vec4 in_light = shadow_clip * vec4(spot + (shadow_texel.x + shadow_texel.y * distance_to_light) * n, 1.0);
-  vec3 p = in_light.xyz / in_light.w * 0.5 + 0.5;
+  vec4 seen = in_light(0, spot, n);
+  vec3 p = seen.xyz / seen.w * 0.5 + 0.5;
   p.z = min(p.z, 1.0);
   float sum = 0.0;
   for (int y = 0; y < TAPS; ++y)
     for (int x = 0; x < TAPS; ++x) {
       vec2 off = (vec2(x, y) - 0.5 * float(TAPS - 1)) * shadow_step;
-      sum += textureLod(shadow, vec3(p.xy + off, p.z), 0.0);
+      sum += texture(shadows, vec4(p.xy + off, 0.0, p.z));
     }
-  sum *= 1.0 / float(TAPS * TAPS);
-  // Fades out towards the border of the map, and behind the light.
-  vec2 border = clamp((1.0 - abs(2.0 * p.xy - 1.0)) * 16.0, 0.0, 1.0);
-  return in_light.w > 0.0 ? mix(1.0, sum, border.x * border.y) : 1.0;
+  return within(seen, p.xy, sum * (1.0 / float(TAPS * TAPS)));
 }
+#endif
 
 // Sky above, ground below, a soft horizon between.
 vec3 surroundings(float up, float blur) {
   return mix(ground, sky, clamp(0.5 + up / (0.35 + 1.65 * blur), 0.0, 1.0));
 }
 
+// What is brighter than can be shown rolls off, and goes over into white: Khronos' neutral tone mapping without its toe.
+vec3 rolled(vec3 c) {
+  const float start = 0.8, room = 1.0 - start;
+  float peak = max(c.r, max(c.g, c.b)), over = max(peak - start, 0.0);
+  float shown = peak - over + room * over / (room + over);
+  return mix(c * (shown / max(peak, 1e-30)), vec3(shown), 1.0 - 1.0 / (0.15 * (peak - shown) + 1.0));
+}
+
+#if defined(RICH) && !defined(GROUND)
+// What a metal mirrors along d: what is above, and the floor as it is lit where it is met, without shadows, which would be
+// stains without the things; the rougher, the less sharp.
+vec3 mirrored(vec3 from, vec3 d, float blur, bool wanted) {
+  float up = 1.0 - clamp(d.y, 0.0, 1.0), dim = 0.02 + 0.6 * blur;
+  vec3 above = mix(mix(top, bottom, up * up * up), mix(top, bottom, 0.6), smoothstep(0.08, 0.5, blur));
+  vec3 spot = from + max(from.y - floor_height, 0.0) / max(-d.y, 0.02 + 0.4 * blur) * d, light = sky;
+  spot.y = floor_height;
+  int count = wanted && floor_color.a > 0.0 && d.y < dim ? lights : 0;
+  for (int i = 0; i < count; ++i) {
+    vec3 to = light_place[i].xyz - light_place[i].w * spot;
+    float d2 = max(dot(to, to), 1e-30), window = max(1.0 - d2 * light_color[i].w, 0.0);
+    float strength = max(to.y * inversesqrt(d2), 0.0) * window * window;
+    light += light_color[i].rgb * strength;
+  }
+  return mix(mix(under, floor_color.rgb * light, floor_color.a), above, smoothstep(-dim, dim, d.y));
+}
+#endif
+
 #if defined(GROUND)
 // What is behind everything, where one looks along d and `down` from the picture's top.
 vec3 behind(vec3 d, float down) {
   float up = 1.0 - clamp(d.y, 0.0, 1.0), below = clamp(-4.0 * d.y, 0.0, 1.0);
   vec3 sky_color = mix(mix(top, bottom, up * up * up), under, below * below * (3.0 - 2.0 * below));
-  return mix(mix(top, bottom, mix(down, smoothstep(0.0, 1.0, down), shape.x)), sky_color, shape.y);
+  return mix(mix(top, bottom, mix(down, smoothstep(0.0, 1.0, down), shape.x)), rolled(sky_color), shape.y);
 }
 #endif
 
@@ -157,7 +242,9 @@ void main() {
   float nv = dot(n, v);
 
   vec3 diffuse = vec3(0.0), specular = vec3(0.0);
+#if !defined(RICH)
   float unshadowed = lit(spot, n);
+#endif
   for (int i = 0; i < lights; ++i) {
     vec3 to = light_place[i].xyz - light_place[i].w * spot;
     float d2 = max(dot(to, to), 1e-30);
@@ -165,7 +252,11 @@ void main() {
     float nl = dot(n, l);
     float window = max(1.0 - d2 * light_color[i].w, 0.0);
     float strength = max(nl, 0.0) * window * window;
+#if defined(RICH)
+    if (i < casting) strength *= lit(i, spot, n, strength > 0.0);
+#else
     strength *= i == 0 ? unshadowed : 1.0;
+#endif
     vec3 arriving = light_color[i].rgb * strength;
     diffuse += arriving;
     // GGX about the half vector h = l + v, of which only n·h and h·h are needed.
@@ -180,13 +271,15 @@ void main() {
   vec3 ambient = surroundings(n.y, 1.0);
   vec3 body = base.rgb * (1.0 - metal);
   vec3 soft = body * ambient;
-  vec3 shiny = specular * f0 + fresnel * surroundings(r.y, roughness) * (1.0 + 2.0 * metal);
+  vec3 around = surroundings(r.y, roughness) * (1.0 + 2.0 * metal);
+#if defined(RICH) && !defined(GROUND)
+  around = mix(around, mirrored(spot, r, roughness, metal > 0.0), metal);
+#endif
+  vec3 shiny = specular * f0 + fresnel * around;
   float opacity = base.a;
   vec3 sum = (body * diffuse + soft) * opacity + shiny;
   opacity = opacity + (1.0 - opacity) * max(fresnel.r, max(fresnel.g, fresnel.b));
-  // A soft shoulder for what is over-bright.
-  vec3 over = max(sum - 0.9, 0.0) * 10.0;
-  sum = min(sum, 0.9) + 0.1 * over / (1.0 + over);
+  sum = rolled(sum);
   bool glows = gloss.y == 3.0 || unlit > 0.5;
   color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
   float far = mix(-dot(spot, toward_eye.xyz), length(spot), toward_eye.w);

@@ -90,10 +90,9 @@ Mat4 looking(Vec3 from, Vec3 backward) {
 
 }  // namespace
 
-Result<Shadow> Shadow::create() {
-  Shadow s;
-  auto target = gl::new_target(0, GL_DEPTH_COMPONENT24, map_size, map_size);
-  if (!target) return target.error();
+Result<Shadows> Shadows::create() {
+  Shadows s;
+  if (const Status made = s.make_layers(1); !made) return made.error();
   const std::string source = std::string(vertex_inputs) + uniforms + ball_outline + shadow_vertex;
   for (auto* to : {&s.meshes_, &s.balls_, &s.veils_}) {
     auto program = gl::new_program(source, shadow_fragment,
@@ -103,28 +102,35 @@ Result<Shadow> Shadow::create() {
     if (!program) return program.error();
     *to = *std::move(program);
   }
-  s.target_ = *std::move(target);
-  glBindTexture(GL_TEXTURE_2D, s.target_.depth.id());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   return s;
+}
+
+// One as long as one light casts: all are as large as the first.
+Status Shadows::make_layers(std::size_t count) {
+  if (count <= count_) return Nothing{};
+  auto layers = gl::new_depth_layers(map_size, static_cast<int>(count));
+  if (!layers) return layers.error();
+  std::tie(layers_, framebuffer_) = *std::move(layers);
+  count_ = count;
+  for (One& one : all_) one.made.reset();
+  return Nothing{};
 }
 
 // The map's view. Positions are relative to the lamp, or for suns to a place by the middle of what is shown, which
 // jumps by steps, so that f32 is enough for what is small and far from the world's origin.
-void Shadow::look(const Things& things, const Lighting::One& light, Vec3 anchor) {
-  Ball ball = around_all(things, fine_, anchor);
-  perspective_ = !light.sun;
+void Shadows::look(One& one, const Things& things, const Lighting::One& light) const {
+  const Vec3 anchor = one.made->anchor;
+  Ball ball = around_all(things, one.fine, anchor);
+  Map& map = one.map;
+  map.perspective = !light.sun;
   Mat4 projection;
   if (light.sun) {
     // Measured and placed in steps, so that edges do not swim while things move about.
     ball.radius = std::exp2(std::ceil(std::log2(ball.radius) * 4) / 4) * 1.02;
-    texel_ = 2 * ball.radius / map_size;
+    map.texel = 2 * ball.radius / map_size;
     Vec3 step = 1 / ball.radius * ball.center;
     for (int i = 0; i < 3; ++i) step[i] = std::round(step[i]) * ball.radius;
-    origin_ = anchor + step;
+    one.origin = anchor + step;
     const Mat4 view = looking({0, 0, 0}, light.place);
     const Vec3 c = transform_point(view, ball.center), shift = transform_point(view, step);
     double low = c.z - ball.radius, high = c.z + ball.radius;
@@ -134,29 +140,33 @@ void Shadow::look(const Things& things, const Lighting::One& light, Vec3 anchor)
       high = std::max(high, z + r), low = std::min(low, z - r);
     }
     projection(0, 0) = projection(1, 1) = 1 / ball.radius;
-    projection(0, 3) = (shift.x - std::round(c.x / texel_) * texel_) / ball.radius;
-    projection(1, 3) = (shift.y - std::round(c.y / texel_) * texel_) / ball.radius;
+    projection(0, 3) = (shift.x - std::round(c.x / map.texel) * map.texel) / ball.radius;
+    projection(1, 3) = (shift.y - std::round(c.y / map.texel) * map.texel) / ball.radius;
     projection(2, 2) = -2 / (high - low), projection(2, 3) = (high + low - 2 * shift.z) / (high - low);
-    map_clip_ = projection * view;
+    map.spread = light.size * 0.5 * (high - low) / ball.radius, map.top = (high - c.z - ball.radius) / (high - low);
+    one.clip = projection * view;
   } else {
-    origin_ = light.world;
+    one.origin = light.world;
     const Vec3 back = (light.world - anchor) - ball.center;
     const double d = std::max(length(back), 1e-9);
     const double tangent =
         d > ball.radius ? std::min(ball.radius / std::sqrt(d * d - ball.radius * ball.radius), 2.5) : 2.5;
-    texel_ = 2 * tangent / map_size;
+    map.texel = 2 * tangent / map_size;
     const double far = std::max(light.range, 1e-6), near = far * 1e-3;
     projection(0, 0) = projection(1, 1) = 1 / tangent;
     projection(2, 2) = -(far + near) / (far - near), projection(2, 3) = -2 * far * near / (far - near);
     projection(3, 2) = -1, projection(3, 3) = 0;
-    map_clip_ = projection * looking({0, 0, 0}, normalize(back, {0, 1, 0}));
+    // What is w away has the depth (1/near - 1/w) / (1/near - 1/far).
+    const double inverse = 1 / near - 1 / far, before = std::clamp(d - ball.radius, near, far);
+    map.spread = light.size * inverse / (2 * tangent), map.top = (1 / near - 1 / before) / inverse;
+    one.clip = projection * looking({0, 0, 0}, normalize(back, {0, 1, 0}));
   }
 }
 
 // What the map must show finely, of all casters by their size: all but those that dwarf the rest (grounds and walls),
 // whose own shadows nobody misses; and where the map would be coarse for what is seen best, all but what is small
 // beside it.
-std::vector<std::uint32_t> Shadow::subject(const Things& things, Vec3 anchor) const {
+std::vector<std::uint32_t> Shadows::subject(const Things& things, Vec3 anchor) const {
   std::vector<std::uint32_t> found;
   Ball all;
   for (const std::uint32_t i : by_size_) {
@@ -176,38 +186,50 @@ std::vector<std::uint32_t> Shadow::subject(const Things& things, Vec3 anchor) co
   return found;
 }
 
-bool Shadow::update(Things& things, const Lighting::One& light) {
+void Shadows::find_casters(const Things& things, Vec3 anchor) {
+  const std::pair now(things.casters(), anchor);
+  if (found_ == now) return;
+  found_ = now;
+  casters_.clear();
+  for (std::uint32_t i = 0; i < things.all().size(); ++i)
+    if (things[i].casts && length(things[i].bounds.center - anchor) < 1e15) casters_.push_back(i);
+  by_size_ = casters_;
+  std::stable_sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return things[a].bounds.radius() < things[b].bounds.radius();
+  });
+}
+
+std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Lighting::One> casting) {
+  if (casting.empty()) return {};
   const Vec3 eye = things.view().eye;
   // A whole kilometre by the eye: steps are measured from there, and they stay while the eye moves about.
   Vec3 anchor;
   for (int i = 0; i < 3; ++i) anchor[i] = 1000 * std::round(eye[i] / 1000);
-  const Made now{things.casters(), light.sun, light.sun ? light.place : light.world, light.range, anchor};
-  const bool others = !made_ || !(*made_ == now);
-  if (others) {
-    made_ = now;
-    casters_.clear();
-    for (std::uint32_t i = 0; i < things.all().size(); ++i)
-      if (things[i].casts && length(things[i].bounds.center - anchor) < 1e15) casters_.push_back(i);
-    by_size_ = casters_;
-    std::stable_sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return things[a].bounds.radius() < things[b].bounds.radius();
-    });
-  }
-  if (casters_.empty()) return false;
-  if (others || things.all_changed()) {
-    std::vector<std::uint32_t> fine = subject(things, anchor);
-    if (others || fine != fine_) {
-      fine_ = std::move(fine);
-      look(things, light, anchor);
-      draw(things, light);
+  find_casters(things, anchor);
+  if (casters_.empty()) return {};
+  if (casting.size() > count_ && !make_layers(Lighting::most_casting)) casting = casting.first(count_);
+  for (std::size_t k = 0; k < casting.size(); ++k) {
+    const Lighting::One& light = casting[k];
+    One& one = all_[k];
+    const Made now{things.casters(), light.sun, light.sun ? light.place : light.world, light.range, light.size, anchor};
+    const bool others = !one.made || !(*one.made == now);
+    one.made = now;
+    if (others || things.all_changed()) {
+      std::vector<std::uint32_t> fine = subject(things, anchor);
+      if (others || fine != one.fine) {
+        one.fine = std::move(fine);
+        look(one, things, light);
+        draw(one, k, things, light);
+      }
     }
+    maps_[k] = one.map;
+    maps_[k].clip = one.clip * translation(eye - one.origin);
   }
-  clip_ = map_clip_ * translation(eye - origin_);
-  return true;
+  return std::span(maps_).first(casting.size());
 }
 
 // Those that let some light through, or those that let none.
-void Shadow::draw_some(Things& things, bool veils) {
+void Shadows::draw_some(const One& one, Things& things, bool veils) {
   struct Group {
     Batch batch;
     std::vector<Instance> instances;
@@ -217,11 +239,11 @@ void Shadow::draw_some(Things& things, bool veils) {
     const Thing& t = things[i];
     if (t.transparent != veils || t.look.transparency >= 0.5) continue;  // what lets half of it through casts none
     Mat4 world = t.world;
-    for (int k = 0; k < 3; ++k) world(k, 3) -= origin_[k];
-    const Vec3 center = t.bounds.center - origin_;
-    const double away = perspective_ ? std::max(length(center) - t.size, 0.1 * t.size) : 1;
-    const double texels = t.size / (away * texel_);
-    const bool ball = t.round && (!perspective_ || length(center) > 2 * t.bounds.radius());
+    for (int k = 0; k < 3; ++k) world(k, 3) -= one.origin[k];
+    const Vec3 center = t.bounds.center - one.origin;
+    const double away = one.map.perspective ? std::max(length(center) - t.size, 0.1 * t.size) : 1;
+    const double texels = t.size / (away * one.map.texel);
+    const bool ball = t.round && (!one.map.perspective || length(center) > 2 * t.bounds.radius());
     Mat4 local = scaling({t.shape->radius, t.shape->radius, t.shape->radius});
     StoredMesh* mesh = nullptr;
     if (ball) {
@@ -247,14 +269,16 @@ void Shadow::draw_some(Things& things, bool veils) {
   }
 }
 
-void Shadow::draw(Things& things, const Lighting::One& light) {
-  target_.bind();
+void Shadows::draw(One& one, std::size_t layer, Things& things, const Lighting::One& light) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, layers_.id(), 0, static_cast<GLint>(layer));
+  glViewport(0, 0, map_size, map_size);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
   const Vec3 at = light.sun ? light.place : Vec3{};
   for (const auto* program : {&meshes_, &balls_, &veils_}) {
     glUseProgram(program->id());
-    glUniformMatrix4fv(gl::uniform(*program, "clip"), 1, GL_FALSE, to_float(map_clip_).data());
+    glUniformMatrix4fv(gl::uniform(*program, "clip"), 1, GL_FALSE, to_float(one.clip).data());
     glUniform4f(gl::uniform(*program, "light"), static_cast<float>(at.x), static_cast<float>(at.y),
                 static_cast<float>(at.z), light.sun ? 0 : 1);
   }
@@ -264,7 +288,7 @@ void Shadow::draw(Things& things, const Lighting::One& light) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5F, 2.0F);
   glCullFace(GL_FRONT);  // closed things cast by their far side: what faces the light is never in its own shadow
-  for (const bool veils : {false, true}) draw_some(things, veils);
+  for (const bool veils : {false, true}) draw_some(one, things, veils);
   glCullFace(GL_BACK);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/balls.h"
 #include "render/shading.h"
@@ -19,37 +20,70 @@ std::array<float, 4> four(Vec3 v, double w) {
 // Look-ups along a side, and how many texels lie between them: each blends four texels, so no step can be seen.
 constexpr int shadow_taps = 2;
 constexpr float shadow_step = 2;
-constexpr int shadow_unit = 1, picture_unit = 0;
+constexpr int picture_unit = 0, shadow_unit = 1, depth_unit = 2;
+
+// Look-ups for a soft shadow: evenly spread over a disc, as the seeds of a sunflower are.
+constexpr int shadow_seeds = 40;
+std::array<float, 2 * shadow_seeds> sunflower() {
+  std::array<float, 2 * shadow_seeds> r;
+  const double golden = pi * (3 - std::sqrt(5.0));
+  for (int k = 0; k < shadow_seeds; ++k) {
+    const double away = std::sqrt((k + 0.5) / shadow_seeds);
+    r[static_cast<std::size_t>(2 * k)] = static_cast<float>(away * std::cos(golden * k));
+    r[static_cast<std::size_t>(2 * k + 1)] = static_cast<float>(away * std::sin(golden * k));
+  }
+  return r;
+}
+
+// Whether what the simple programs can is not enough.
+bool is_rich(const Surfaces::Circumstances& frame) {
+  return frame.shadows.size() > 1 || (!frame.shadows.empty() && frame.shadows.front().spread > 0) ||
+         (frame.metal && (frame.around.sky || frame.around.ground));
+}
 
 }  // namespace
 
-Result<Surfaces::Look> Surfaces::new_look(bool fills, const char* defines) {
+Result<Surfaces::Look> Surfaces::new_look(bool fills, bool rich, const char* defines) {
   const std::string vertex =
       fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
-  auto program = gl::new_program(vertex, std::string(encoded_function) + surface_fragment,
-                                 fmt::format("#define TAPS {}\n{}", shadow_taps, defines));
+  auto program = gl::new_program(
+      vertex, std::string(encoded_function) + surface_fragment,
+      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n{}{}", shadow_taps, shadow_seeds,
+                  rich ? Lighting::most_casting : 1, rich ? "#define RICH\n" : "", defines));
   if (!program) return program.error();
   Look look;
   look.program = *std::move(program);
   look.encodes = gl::uniform(look.program, "encodes");
   look.part_color = gl::uniform(look.program, "part_color");
-  gl::set_samplers(look.program, {{"shadow", shadow_unit}, {"picture", picture_unit}});
+  gl::set_samplers(look.program, {{"shadows", shadow_unit}, {"depths", depth_unit}, {"picture", picture_unit}});
+  if (rich) glUniform2fv(gl::uniform(look.program, "seeds"), shadow_seeds, sunflower().data());
   return look;
+}
+
+Result<Surfaces::Looks> Surfaces::new_looks(bool rich) {
+  Looks looks;
+  for (auto& [look, variant] :
+       {std::pair{&looks.plain, ""}, {&looks.textured, "#define TEXTURED"}, {&looks.balls, "#define BALL"}}) {
+    auto made = new_look(false, rich, variant);
+    if (!made) return made.error();
+    *look = *std::move(made);
+  }
+  return looks;
 }
 
 Result<Surfaces> Surfaces::create() {
   Surfaces s;
-  for (auto& [look, variant] :
-       {std::pair{&s.plain_, ""}, {&s.textured_, "#define TEXTURED"}, {&s.balls_, "#define BALL"}}) {
-    auto made = new_look(false, variant);
-    if (!made) return made.error();
-    *look = *std::move(made);
-  }
+  auto simple = new_looks(false);
+  if (!simple) return simple.error();
+  s.simple_ = *std::move(simple);
+  s.depths_ = gl::new_depth_sampler();
   return s;
 }
 
 void Surfaces::set_program(const Look& look, const Circumstances& frame) {
-  const auto& [view, lighting, shadow, around] = frame;
+  const View& view = frame.view;
+  const Lighting& lighting = frame.lighting;
+  const Surroundings& around = frame.around;
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   glUseProgram(look.program.id());
   glUniformMatrix4fv(at("clip"), 1, GL_FALSE, to_float(view.clip()).data());
@@ -74,30 +108,69 @@ void Surfaces::set_program(const Look& look, const Circumstances& frame) {
   glUniform3fv(at("fog_color"), 1, four(fog.color, 0).data());
   glUniform2f(at("fog_range"), static_cast<float>(fog.from),
               around.fog ? static_cast<float>(1 / (fog.to - fog.from)) : 0);
+  set_shadows(look, frame);
+}
+
+void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
+  const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   // Without a shadow nothing is before the light.
-  glUniformMatrix4fv(at("shadow_clip"), 1, GL_FALSE, to_float(shadow ? shadow->clip() : scaling({})).data());
-  const auto texel = static_cast<float>(shadow ? 2 * shadow->texel() : 0);
-  const bool perspective = shadow && shadow->perspective();
-  glUniform2f(at("shadow_texel"), perspective ? 0 : texel, perspective ? texel : 0);
-  glUniform1f(at("shadow_step"), shadow_step / Shadow::map_size);
+  std::array<std::array<float, 16>, Lighting::most_casting> clips{};
+  std::array<std::array<float, 4>, Lighting::most_casting> shapes{};
+  for (std::size_t i = 0; i < frame.shadows.size(); ++i) {
+    const Shadows::Map& map = frame.shadows[i];
+    const double texel = 2 * map.texel;
+    clips[i] = to_float(map.clip);
+    shapes[i] = four({map.perspective ? 0 : texel, map.perspective ? texel : 0, map.spread}, map.top);
+  }
+  const auto count = static_cast<GLsizei>(std::max<std::size_t>(frame.shadows.size(), 1));
+  glUniformMatrix4fv(at("shadow_clip"), count, GL_FALSE, clips.front().data());
+  glUniform4fv(at("shadow_shape"), count, shapes.front().data());
+  glUniform1i(at("casting"), static_cast<GLint>(frame.shadows.size()));
+  glUniform1f(at("shadow_step"), shadow_step / Shadows::map_size);
+}
+
+// What metals mirror beside the floor: the sky, or else the light from everywhere, as bright as makes a metal.
+void Surfaces::set_mirrored(const Look& look, const Circumstances& frame) {
+  const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
+  const auto& [view, lighting, shadows, layers, around, metal] = frame;
+  glUseProgram(look.program.id());
+  glUniform3fv(at("top"), 1, four(around.sky ? lighting.zenith : 3 * lighting.sky, 0).data());
+  glUniform3fv(at("bottom"), 1, four(around.sky ? lighting.horizon : 3 * lighting.sky, 0).data());
+  glUniform3fv(at("under"), 1, four(around.sky ? lighting.below : 3 * lighting.ground, 0).data());
+  glUniform4fv(at("floor_color"), 1, four(around.ground.value_or(Vec3{}), around.ground ? 1 : 0).data());
+  glUniform1f(at("floor_height"), static_cast<float>(-view.eye.y));
 }
 
 void Surfaces::set(const Circumstances& frame) {
-  for (const Look* look : {&textured_, &balls_, &plain_}) set_program(*look, frame);
-  if (frame.shadow != nullptr) gl::use_texture(shadow_unit, frame.shadow->map());
+  richly_ = is_rich(frame);
+  if (richly_ && !rich_) {
+    if (auto made = new_looks(true))
+      rich_ = *std::move(made);
+    else
+      richly_ = false;  // the simple ones, of what they can
+  }
+  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
+    set_program(*look, frame);
+    if (richly_) set_mirrored(*look, frame);
+  }
+  if (frame.shadows.empty()) return;
+  gl::use_layers(shadow_unit, frame.shadow_layers);
+  gl::use_layers(depth_unit, frame.shadow_layers);
+  glBindSampler(depth_unit, depths_.id());
 }
 
 void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient, bool encoded) {
-  if (ground_.program.id() == 0) {
-    auto made = new_look(true, "#define GROUND");
+  Look& ground = looks().ground;
+  if (ground.program.id() == 0) {
+    auto made = new_look(true, richly_, "#define GROUND");
     if (!made) return;  // the same stages as those of all others
-    ground_ = *std::move(made);
+    ground = *std::move(made);
   }
-  set_program(ground_, frame);
+  set_program(ground, frame);
   const View& v = frame.view;
   const Surroundings& around = frame.around;
   const auto put = [&](const char* name, Vec3 value) {
-    glUniform3fv(gl::uniform(ground_.program, name), 1, four(value, 0).data());
+    glUniform3fv(gl::uniform(ground.program, name), 1, four(value, 0).data());
   };
   // Of an orthographic picture the sky is seen as if from somewhere.
   put("ray", -v.backward);
@@ -108,12 +181,12 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
   const Lighting& light = frame.lighting;
   put("top", around.sky ? light.zenith : gradient.top), put("bottom", around.sky ? light.horizon : gradient.bottom);
   put("under", light.below);
-  glUniform2f(gl::uniform(ground_.program, "shape"), gradient.bends ? 1 : 0, around.sky ? 1 : 0);
+  glUniform2f(gl::uniform(ground.program, "shape"), gradient.bends ? 1 : 0, around.sky ? 1 : 0);
   const bool seen = around.ground && v.eye.y > 0;
-  glUniform4fv(gl::uniform(ground_.program, "floor_color"), 1,
+  glUniform4fv(gl::uniform(ground.program, "floor_color"), 1,
                four(around.ground.value_or(Vec3{}), seen ? 1 : 0).data());
-  glUniform1f(gl::uniform(ground_.program, "floor_height"), static_cast<float>(-v.eye.y));
-  glUniform1f(ground_.encodes, encoded ? 1 : 0);
+  glUniform1f(gl::uniform(ground.program, "floor_height"), static_cast<float>(-v.eye.y));
+  glUniform1f(ground.encodes, encoded ? 1 : 0);
   put("part_color", {1, 1, 1});
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -127,7 +200,7 @@ void Surfaces::draw_parts(const Batch& batch) {
   for (const StoredPart& part : batch.mesh->parts) {
     const StoredTexture* const picture = batch.texture != nullptr ? batch.texture : part.texture.get();
     const GLuint texture = picture != nullptr ? picture->texture.id() : 0;
-    const Look& look = batch.ball ? balls_ : texture != 0 ? textured_ : plain_;
+    const Look& look = batch.ball ? looks().balls : texture != 0 ? looks().textured : looks().plain;
     if (texture != 0) gl::use_texture(picture_unit, texture);
     glUseProgram(look.program.id());
     glUniform3fv(look.part_color, 1, part.color.data());
@@ -137,8 +210,8 @@ void Surfaces::draw_parts(const Batch& batch) {
   }
 }
 
-void Surfaces::write_encoded(bool encoded) const {
-  for (const Look* look : {&textured_, &balls_, &plain_}) {
+void Surfaces::write_encoded(bool encoded) {
+  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
     glUseProgram(look->program.id());
     glUniform1f(look->encodes, encoded ? 1 : 0);
   }

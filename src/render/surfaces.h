@@ -17,11 +17,13 @@ class Surfaces {
   struct Circumstances {  // of a frame
     const View& view;
     const Lighting& lighting;
-    const Shadow* shadow;  // of the first light, or null
+    std::span<const Shadows::Map> shadows;  // of the first lights
+    GLuint shadow_layers;                   // where these are
     const Surroundings& around;
+    bool metal;  // some thing is of metal
   };
   void set(const Circumstances&);  // for the calls below
-  void write_encoded(bool) const;  // see Canvas; linear light otherwise
+  void write_encoded(bool);        // see Canvas; linear light otherwise
   void draw_opaque(const Things&, std::span<const std::uint32_t>);
   void draw_transparent(const Things&, std::span<const std::uint32_t>);
   // The endless floor, and in what is still empty the sky, or else the gradient.
@@ -32,11 +34,22 @@ class Surfaces {
     gl::Program program;
     GLint part_color = 0, encodes = 0;
   };
+  // Those with which a picture is drawn.
+  struct Looks {
+    Look plain, textured, balls;
+    Look ground;  // made when it is wanted
+  };
+  Looks& looks() { return richly_ ? *rich_ : simple_; }
   void draw_parts(const Batch&);
-  static Result<Look> new_look(bool fills, const char* defines);
+  static Result<Look> new_look(bool fills, bool rich, const char* defines);
+  static Result<Looks> new_looks(bool rich);
   static void set_program(const Look&, const Circumstances&);
-  Look plain_, textured_, balls_;
-  Look ground_;  // made when it is wanted
+  static void set_shadows(const Look&, const Circumstances&);
+  static void set_mirrored(const Look&, const Circumstances&);
+  Looks simple_;
+  std::optional<Looks> rich_;  // made when they are wanted
+  bool richly_ = false;        // which of them are set
+  gl::Sampler depths_;
   Instances solid_, glass_;
 };
 

@@ -154,7 +154,7 @@ void Things::place(Thing& t) {
   t.closed = plain.mesh->mesh->closed && d != 0;
   t.transparent = t.look.transparency > 0 || (t.texture != nullptr ? t.texture->see_through : plain.mesh->see_through);
   t.round = is_round(t);
-  t.casts = t.surface && t.look.material != Material::glow;
+  t.casts = t.surface && t.look.casts && t.look.material != Material::glow;
 }
 
 void Things::see(Thing& t) {

@@ -436,6 +436,18 @@ const FunctionSpec function_rows[] = {
      .sentence = "How long what a trace has drawn is seen; 0: for good.",
      .written = "a length of time",
      .example = "create t trace of=ball last=2s"},
+    {.name = "shadow",
+     .type = Type::boolean,
+     .rest = true,
+     .kinds = all_kinds & ~(bit(Kind::light) | bit(Kind::layer) | bit(Kind::environment)),
+     .sentence = "Whether it keeps light from others; of a light, whether its shadows are seen, and soft.",
+     .written = "on or off; of a light \"auto\", \"on\", \"off\" or \"soft\"",
+     .example = "set ball.shadow off"},
+    {.name = "shadow",
+     .type = Type::text,
+     .rest = Text(std::string("auto")),
+     .kinds = bit(Kind::light),
+     .words = "auto|on|off|soft"},
 };
 
 std::vector<FunctionSpec> make_functions() {

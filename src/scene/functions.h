@@ -92,6 +92,8 @@ enum : FunctionId {
   trace_from,
   trace_until,
   trace_last,
+  casts,
+  casting,
   count
 };
 }

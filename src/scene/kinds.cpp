@@ -341,7 +341,7 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::light,
      .name = "light",
      .sentence = "A lamp, or the sun.",
-     .written = "range=20 intensity=1 shines=point|sun",
+     .written = "range=20 intensity=1 shines=point|sun shadow=auto|on|off|soft",
      .example = "create sun light shines=sun intensity=2"},
     {.kind = Kind::camera,
      .name = "camera",

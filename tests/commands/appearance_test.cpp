@@ -154,5 +154,41 @@ TEST(Appearance, NearMisses) {
   }
 }
 
+// `shadow` is on or off of things, and of lights some more.
+TEST(Appearance, ShadowsAreOfThingsAndOfLights) {
+  const LoadedFilm s(
+      "create b sphere shadow=off\ncreate c box\ncreate l light shadow=soft\ncreate m light\nat 2f m.shadow on\n"
+      "at 3f {b,c}.shadow off\nat 3f {l,m}.shadow off\nat 5f l.shadow \"auto\"\nat 5f c.shadow on\n");
+  const auto casts = [&](const char* time) {
+    const Frame f = s.frame(time);
+    return std::vector<int>{f.items[0].casts, f.items[1].casts, static_cast<int>(f.lights[0].casting),
+                            static_cast<int>(f.lights[1].casting)};
+  };
+  const int strongest = static_cast<int>(Casting::strongest), off = static_cast<int>(Casting::off);
+  EXPECT_EQ(casts("1f"), (std::vector<int>{0, 1, static_cast<int>(Casting::soft), strongest}));
+  EXPECT_EQ(casts("3f"), (std::vector<int>{0, 0, off, off}));
+  EXPECT_EQ(casts("5f"), (std::vector<int>{0, 1, strongest, off}));
+  const Loaded again = read(write(s.loaded.document));
+  EXPECT_TRUE(again.document == s.loaded.document) << write(s.loaded.document);
+}
+
+TEST(Appearance, MistakesAboutShadowsAreSaid) {
+  const std::string before = "create b sphere\ncreate l light\n";
+  for (const auto& [line, what] : std::vector<std::pair<std::string, std::string>>{
+           {"set b.shadow soft", "3:14: on or off is wanted here"},
+           {"set b.shadow", "3:13: on or off is wanted here"},
+           {"set b.shadow 3", "3:14: on or off is wanted here"},
+           {"set l.shadow softt", "3:14: shadow is auto, on, off or soft"},
+           {"set l.shadow", "3:13: shadow is auto, on, off or soft"},
+           {"set l.shadow 2m", "3:14: shadow is auto, on, off or soft"},
+           {"set l.shadow (1 2 3)", "3:14: shadow is auto, on, off or soft"},
+           {"create x light shadow=yes", "3:23: shadow is auto, on, off or soft"},
+           {"create x box shadow=auto", "3:21: on or off is wanted here"}}) {
+    const Loaded l = read(before + line + "\n");
+    EXPECT_EQ(errors(l), std::vector<std::string>{what}) << line;
+    EXPECT_TRUE(l.document == read(before).document) << line;
+  }
+}
+
 }  // namespace
 }  // namespace betwixt

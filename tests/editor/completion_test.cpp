@@ -73,6 +73,8 @@ TEST(Session, CompletesWhatCanFollow) {
            {"create x sphere color=teal rad", {"radius="}},
            {"create x sphere color=tea", {"teal"}},
            {"create x sphere material=", {"glow", "matte", "metal", "plastic"}},
+           {"create x light shadow=", {"auto", "off", "on", "soft"}},
+           {"create x sphere shadow=", {"off", "on"}},
            {"set ball.position.v", {"ball.position.velocity"}},
            {"set ball.position.", {"ball.position.velocity", "ball.position.x", "ball.position.y", "ball.position.z"}},
            {"eval ball.wor", {"ball.world"}},

@@ -76,6 +76,28 @@ TEST(Frame, HiddenObjectsStillCarryOthers) {
   EXPECT_EQ(std::get<bool>(p.read({car, fn::display}, from_seconds(0.99))), true);
 }
 
+TEST(Frame, WhoCastsShadowsIsInIt) {
+  Scene s;
+  const ObjectId ball = add(s, "ball"), lamp = add(s, "lamp", Kind::light), other = add(s, "other", Kind::light);
+  for (const auto& [second, word] : {std::pair{0, "off"}, {1, "on"}, {2, "soft"}, {3, "auto"}})
+    put_event(s, {lamp, fn::casting}, event(second, Text(std::string(word))));
+  set_value(s, {other, fn::casting}, Text(std::string("soft")));
+  put_event(s, {ball, fn::casts}, event(0, true));
+  put_event(s, {ball, fn::casts}, event(2, false));
+  const Program p = compile(s);
+  const Casting wanted[] = {Casting::off, Casting::on, Casting::soft, Casting::strongest};
+  for (int second = 0; second < 4; ++second) {
+    const Frame f = p.frame(from_seconds(second));
+    EXPECT_EQ(f.items[0].casts, second < 2);
+    EXPECT_EQ(f.lights[0].casting, wanted[second]);
+    EXPECT_EQ(f.lights[1].casting, Casting::soft);
+  }
+  Scene plain;
+  add(plain, "ball"), add(plain, "lamp", Kind::light);
+  EXPECT_TRUE(compile(plain).frame({}).items[0].casts);
+  EXPECT_EQ(compile(plain).frame({}).lights[0].casting, Casting::strongest);
+}
+
 // shows: G28 G47
 TEST(Frame, LooksComeFromTheTracks) {
   Scene s;

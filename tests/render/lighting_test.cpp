@@ -75,5 +75,51 @@ TEST(RenderLight, WithoutLightsThereAreSome) {
   EXPECT_GT(pixel(p, 60, 75).r, 30);
 }
 
+// A wall that shows the light from everywhere, so much of it.
+Pixel wall(Vec3 light) {
+  Frame f = frame();
+  f.lights = {lamp({0, 0, 50}, 1)};  // reaches nothing
+  f.items.push_back(item(square(), scaling({50, 50, 1}), {1, 1, 1}, Material::matte));
+  f.surroundings.ambient = light;
+  return pixel(draw(f), 50, 50);
+}
+
+TEST(RenderLight, HighlightsRollOff) {
+  for (int i = 0; i <= 16; ++i) {  // as it is up to 0.8
+    const double x = 0.05 * i;
+    const Pixel p = wall({x, 0.5 * x, 0.25 * x});
+    EXPECT_NEAR(p.r, encoded_byte(x), 1) << x;
+    EXPECT_NEAR(p.g, encoded_byte(0.5 * x), 1) << x;
+    EXPECT_NEAR(p.b, encoded_byte(0.25 * x), 1) << x;
+  }
+  // From there on a hyperbola that begins as steep as the identity, and ends at 1.
+  int before = 0;
+  for (const double x : {0.8, 0.9, 1.0, 1.2, 1.5, 2.0, 3.0}) {
+    const Pixel p = wall({x, x, x});
+    EXPECT_NEAR(p.g, encoded_byte(1 - 0.04 / (x - 0.6)), 1) << x;
+    EXPECT_GT(p.g, before) << x;
+    EXPECT_LT(p.g, 255) << x;
+    before = p.g;
+  }
+  // What is overbright goes over into white, and keeps its hue on the way.
+  const Pixel bright = wall({2, 0.2, 0.2}), brighter = wall({8, 0.8, 0.8});
+  EXPECT_EQ(bright.g, bright.b);
+  EXPECT_GT(bright.r, bright.g + 80);
+  EXPECT_GT(brighter.g, bright.g + 40);
+}
+
+TEST(RenderLight, WhatHasItsColorByItselfDoesNotRollOff) {
+  for (const double x : {0.9, 1.0}) {
+    Frame f = frame();
+    f.items.push_back(item(square(), scaling({4, 4, 1}), {x, x, x}));
+    f.background = Vec3{x, x, x};
+    const Picture p = draw(f);
+    EXPECT_EQ(pixel(p, 50, 50).r, encoded_byte(x));
+    EXPECT_EQ(pixel(p, 5, 5).r, encoded_byte(x));
+    f.items[0].material = Material::plastic, f.surroundings.flat = true;
+    EXPECT_EQ(pixel(draw(f), 50, 50).r, encoded_byte(x));
+  }
+}
+
 }  // namespace
 }  // namespace betwixt

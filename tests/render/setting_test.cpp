@@ -189,6 +189,32 @@ TEST(RenderSetting, TheSkyIsBlueAboveAndPaleAtTheHorizon) {
   EXPECT_NEAR(decoded(pixel(darker, 50, 20).g / 255.0), decoded(pixel(p, 50, 20).g / 255.0) / 2, 0.01);
 }
 
+// A mirror of nine tenths that lies below a camera, and the camera turned to where the mirror shows what it does.
+TEST(RenderSetting, MetalMirrorsTheSky) {
+  Frame down = looking({0, 2, 2}, {0, 0, 0}), up = looking({0, 2, 2}, {0, 4, 0});
+  for (Frame* f : {&down, &up}) f->surroundings.sky = true, f->lights = {lamp({0, 50, 0}, 1)};
+  down.items.push_back(item(square(), look_at({}, {0, -1, 0}) * scaling({9, 9, 1}), {0.9, 0.9, 0.9}, Material::metal));
+  down.items[0].shininess = 1;
+  const Pixel mirrored = pixel(draw(down), 50, 50), sky = pixel(draw(up), 50, 50);
+  expect_near(mirrored, 0.9 * Vec3{decoded(sky.r / 255.0), decoded(sky.g / 255.0), decoded(sky.b / 255.0)}, 3);
+  EXPECT_GT(mirrored.b, mirrored.r + 40);
+}
+
+// A mirror that stands on the floor shows at (0 0.5 0) what is at (0 0 2).
+TEST(RenderSetting, MetalMirrorsTheFloor) {
+  Frame f = looking({0, 1, 2}, {0, 0.5, 0});
+  f.surroundings.ground = Vec3{0.6, 0.3, 0.1}, f.surroundings.ambient = Vec3{0.3, 0.3, 0.3};
+  Light sun;
+  sun.sun = true, sun.direction = {0, -1, 0}, sun.color = {0.6, 0.6, 0.6};
+  f.lights = {sun};
+  f.items.push_back(item(square(), scaling({4, 4, 1}), {0.9, 0.9, 0.9}, Material::metal));
+  f.items[0].shininess = 1;
+  const Vec3 lit = (0.3 + 0.8 * 0.6) * 0.9 * *f.surroundings.ground;
+  expect_near(pixel(draw(f), 50, 50), lit, 4);
+  f.items[0].material = Material::plastic;
+  EXPECT_GT(std::abs(pixel(draw(f), 50, 50).b - encoded_byte(lit.z)), 40) << "plastic does not";
+}
+
 TEST(RenderSetting, WhatSurroundsIsComparedToo) {
   const auto keeping = renderer(square_picture);
   Frame f = floor_with_ball();

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shadows are fine where one looks.
+// Shadows are fine where one looks, several lights cast them, and soft ones are as wide as closed forms say.
+#include <algorithm>
+#include <functional>
+
 #include "render/scenes.h"
 
 namespace betwixt {
@@ -57,6 +60,187 @@ TEST(RenderShadow, WhatIsFineFollowsTheCamera) {
     Picture p;
     ASSERT_TRUE(keeping->render(f, p));
     EXPECT_EQ(p.rgba, draw(f, options).rgba) << x;
+  }
+}
+
+double linear(const Pixel& p) { return decoded(p.g / 255.0); }
+
+// From above, 100 pixels for `height` metres: (x, z) of the world is right and down.
+Frame from_above(double height) {
+  Frame f;
+  f.camera.world = translation({0, 20, 0}) * rotation(axis_angle({1, 0, 0}, -pi / 2));
+  f.camera.orthographic = true, f.camera.height = height;
+  f.background = Vec3{}, f.surroundings.ambient = Vec3{};
+  f.items.push_back(item(square(), rotation(axis_angle({1, 0, 0}, -pi / 2)) * scaling({60, 60, 1}), {0.5, 0.5, 0.5},
+                         Material::matte));
+  f.items[0].casts = false;
+  return f;
+}
+double seen_from_above(const Picture& p, double height, double x, double z) {
+  const double scale = p.height / height;
+  return linear(pixel(p, static_cast<int>(p.width / 2.0 + x * scale), static_cast<int>(p.height / 2.0 + z * scale)));
+}
+
+Light sun(Vec3 direction, Casting casting, double strength = 1) {
+  Light l;
+  l.sun = true, l.direction = normalize(direction), l.casting = casting, l.color = strength * Vec3{1, 1, 1};
+  return l;
+}
+// What a sun sends to the floor of `from_above`.
+double sent(const Light& sun) { return 0.8 * 0.5 * sun.color.x * -sun.direction.y; }
+
+// A ball 3 m above the floor; the suns' shadows have their middles at (3, 0) and (3, 1.2).
+Frame two_suns(Casting first, Casting second) {
+  Frame f = from_above(10);
+  f.items.push_back(item(sphere(1), translation({0, 3, 0}), {1, 1, 1}, Material::matte));
+  f.lights = {sun({1, -1, 0}, first), sun({1, -1, 0.4}, second, 0.9)};
+  return f;
+}
+
+TEST(RenderShadow, WhatTwoSunsLeaveIsDarkerThanWhatOneDoes) {
+  const Frame f = two_suns(Casting::on, Casting::on);
+  const Picture p = draw(f);
+  const double a = sent(f.lights[0]), b = sent(f.lights[1]);
+  EXPECT_NEAR(seen_from_above(p, 10, -3, 0), a + b, 0.01);
+  EXPECT_NEAR(seen_from_above(p, 10, 3, -0.6), b, 0.01) << "what the first leaves";
+  EXPECT_NEAR(seen_from_above(p, 10, 3, 1.8), a, 0.01) << "what the second leaves";
+  EXPECT_NEAR(seen_from_above(p, 10, 3, 0.6), 0, 0.01) << "what both leave";
+}
+
+TEST(RenderShadow, TheStrongestCastsWhereNobodySaysOtherwise) {
+  const auto shadows = [](Casting first, Casting second) {
+    const Frame f = two_suns(first, second);
+    const Picture p = draw(f);
+    const double all = sent(f.lights[0]) + sent(f.lights[1]);
+    return std::pair(seen_from_above(p, 10, 3, -0.6) < 0.8 * all, seen_from_above(p, 10, 3, 1.8) < 0.8 * all);
+  };
+  EXPECT_EQ(shadows(Casting::strongest, Casting::strongest), std::pair(true, false));
+  EXPECT_EQ(shadows(Casting::off, Casting::strongest), std::pair(false, false));
+  EXPECT_EQ(shadows(Casting::off, Casting::on), std::pair(false, true));
+  EXPECT_EQ(shadows(Casting::strongest, Casting::soft), std::pair(true, true));
+  EXPECT_EQ(shadows(Casting::off, Casting::off), std::pair(false, false));
+}
+
+// Six suns that all want to: the shadows of the two weakest are missing, in whichever order they come.
+TEST(RenderShadow, FourCastThemTheStrongestFirst) {
+  Frame f = from_above(10);
+  f.items.push_back(item(sphere(0.3), translation({0, 3, 0}), {1, 1, 1}, Material::matte));
+  const auto place = [](int k) { return Vec3{3 * std::cos(k * pi / 3), 0, 3 * std::sin(k * pi / 3)}; };
+  const int strength[] = {3, 1, 5, 2, 6, 4};
+  for (int k = 0; k < 6; ++k) f.lights.push_back(sun(place(k) - Vec3{0, 3, 0}, Casting::on, 0.05 * strength[k]));
+  for (int turn = 0; turn < 2; ++turn) {
+    double all = 0;
+    for (const Light& l : f.lights) all += sent(l);
+    const Picture p = draw(f);
+    for (int k = 0; k < 6; ++k)
+      EXPECT_NEAR(seen_from_above(p, 10, place(k).x, place(k).z),
+                  all - (strength[k] > 2 ? 0.8 * 0.5 * 0.05 * strength[k] / std::sqrt(2) : 0), 0.004)
+          << k << ' ' << turn;
+    std::reverse(f.lights.begin(), f.lights.end());
+  }
+}
+
+TEST(RenderShadow, ThingsNeedNotCastAny) {
+  Frame f = two_suns(Casting::on, Casting::soft);
+  f.items[1].casts = false;
+  const Picture p = draw(f);
+  for (const double z : {-0.6, 0.6, 1.8})
+    EXPECT_NEAR(seen_from_above(p, 10, 3, z), seen_from_above(p, 10, -3, 0), 0.005);
+}
+
+// A plate over the half x < 0 of the floor, `high` above it.
+Frame plate(double high, const Light& light) {
+  Frame f = from_above(2);
+  const Mat4 lying = rotation(axis_angle({1, 0, 0}, -pi / 2));
+  f.items.push_back(
+      item(square(), translation({-2, high, 0}) * lying * scaling({4, 4, 1}), {1, 1, 1}, Material::matte));
+  f.lights = {light};
+  return f;
+}
+
+// How much of the light there is at each pixel of a row about x, 2 m wide.
+std::vector<double> profile(Frame f, double x) {
+  const RenderOptions options{200, 20, 4, "shaded"};
+  f.camera.world = translation({x, 0, 0}) * f.camera.world, f.camera.height = 0.2;
+  const Picture with = draw(f, options);
+  f.lights[0].casting = Casting::off;
+  const Picture without = draw(f, options);
+  std::vector<double> r;
+  for (int i = 0; i < 200; ++i) r.push_back(linear(pixel(with, i, 10)) / linear(pixel(without, i, 10)));
+  return r;
+}
+
+// How much of a disc of radius 1 is on one side of a line s from its middle.
+double share(double s) {
+  s = std::clamp(s, -1.0, 1.0);
+  return 0.5 + (s * std::sqrt(1 - s * s) + std::asin(s)) / pi;
+}
+
+// `wanted`: how much is there at x.
+void expect_profile(const std::vector<double>& is, double middle, const std::function<double(double)>& wanted) {
+  double worst = 0, wide = 0, wide_wanted = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double x = middle + (i + 0.5 - 100) / 100;
+    if (x < 0.05) continue;  // there the plate is seen
+    const double w = wanted(x), v = is[static_cast<std::size_t>(i)];
+    worst = std::max(worst, std::abs(v - w));
+    wide += v > 0.1 && v<0.9, wide_wanted += w> 0.1 && w < 0.9;
+  }
+  EXPECT_LT(worst, 0.12);  // by up to two texels it lies nearer: so far above a surface maps are looked up
+  EXPECT_NEAR(wide, wide_wanted, std::max(2.0, 0.12 * wide_wanted));
+}
+
+TEST(RenderShadow, ASoftSunsPenumbraIsThatOfADisc) {
+  for (const double high : {1.0, 2.0, 4.0}) {
+    const Frame f = plate(high, sun({1, -1, 0}, Casting::soft));
+    const double half = 3 * pi / 180;
+    expect_profile(profile(f, high), high,
+                   [&](double x) { return share(std::tan(std::atan(x / high) - pi / 4) / std::tan(half)); });
+  }
+}
+
+// The lamp is a disc of a fortieth of its range, here 0.5 m, 8 m above the floor.
+TEST(RenderShadow, ASoftLampsPenumbraIsThatOfADisc) {
+  for (const double high : {1.0, 3.0}) {
+    Light light = lamp({-2, 8, 0}, 20);
+    light.casting = Casting::soft;
+    const double edge = 2 * high / (8 - high), half = 0.5 * high / (8 - high);
+    expect_profile(profile(plate(high, light), edge), edge, [&](double x) { return share((x - edge) / half); });
+  }
+}
+
+TEST(RenderShadow, SoftOnesAreCrispWhereThingsTouch) {
+  // Of a box on the floor the edge begins at once, and is wider farther out.
+  Frame f = from_above(4);
+  f.items.push_back(item(square(), translation({0, 0.75, 0}) * scaling({0.5, 1.5, 1}), {1, 1, 1}, Material::matte));
+  f.lights = {sun({0, -1, 1}, Casting::soft)};
+  const Picture p = draw(f, {400, 400, 4, "shaded"});
+  const auto between = [&](double z) {
+    int n = 0;
+    const double lit = seen_from_above(p, 4, -1.5, z);
+    for (double x = 0; x < 0.8; x += 0.01) {
+      const double v = seen_from_above(p, 4, x, z) / lit;
+      n += v > 0.1 && v < 0.9;
+    }
+    return n;
+  };
+  EXPECT_LE(between(0.1), 5);
+  EXPECT_GT(between(1.2), between(0.1) + 3);
+}
+
+// The same bits, whatever was drawn before.
+TEST(RenderShadow, WhatLightsCastIsComparedToo) {
+  const RenderOptions options{100, 100, 4, "shaded"};
+  const auto keeping = renderer(options);
+  for (const auto& [first, second] : {std::pair{Casting::on, Casting::on},
+                                      {Casting::on, Casting::off},
+                                      {Casting::soft, Casting::on},
+                                      {Casting::soft, Casting::soft},
+                                      {Casting::off, Casting::soft},
+                                      {Casting::strongest, Casting::strongest}}) {
+    Picture p;
+    ASSERT_TRUE(keeping->render(two_suns(first, second), p));
+    EXPECT_EQ(p.rgba, draw(two_suns(first, second), options).rgba);
   }
 }
 

@@ -123,7 +123,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::points, {"points", "size"}},
       {Kind::text, {"text", "font", "size", "depth", "align", "weight", "slant", "typed"}},
       {Kind::mesh, {"file"}},
-      {Kind::light, {"range", "intensity", "shines"}},
+      {Kind::light, {"range", "intensity", "shines", "shadow"}},
       {Kind::camera, {"lens", "fov", "height", "roll"}},
       {Kind::rectangle, {"size", "corner", "depth"}},
       {Kind::ring, {"radius", "inner", "depth"}},
@@ -136,7 +136,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::trace, {"of", "within", "point", "from", "until", "last", "width"}}};
   const Scene s;
   const auto common = function_names(s, Kind::group);
-  EXPECT_EQ(common.size(), 20U);
+  EXPECT_EQ(common.size(), 21U);
   for (const auto& [kind, names] : own) {
     std::set<std::string> all(common.begin(), common.end());
     all.insert(names.begin(), names.end());
@@ -175,7 +175,9 @@ TEST(Functions, NamesTheProgramUsesAreThoseOfTheRows) {
                                                              {fn::environments, "environments"},
                                                              {fn::drive, "drive"},
                                                              {fn::transform, "transform"},
-                                                             {fn::motion, "motion"}};
+                                                             {fn::motion, "motion"},
+                                                             {fn::casts, "shadow"},
+                                                             {fn::casting, "shadow"}};
   for (const auto& [id, name] : some) EXPECT_EQ(built_in_functions()[id].name, name);
   EXPECT_GE(built_in_functions().size(), std::size_t{fn::count});
 }
