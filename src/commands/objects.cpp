@@ -80,9 +80,9 @@ bool create(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
-  auto names = expand_braces(word);
+  const bool one = script.only && !std::exchange(script.only->met, true);
+  auto names = one ? Result<std::vector<std::string>>(std::vector{script.only->name}) : expand_braces(word);
   if (!names) return c.fail(names.error().code, names.error().message, word);
-  if (script.only && !std::exchange(script.only->met, true)) names = std::vector{script.only->name};
   if (!script.only && names->size() > 1) script.touched = names->size();
   for (const auto& name : *names)
     if (!free_name(k, name, word)) return false;
