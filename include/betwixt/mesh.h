@@ -22,11 +22,12 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
-// A run of triangles that share a look. The object's own colour multiplies `color`.
+// A run of triangles that share a look.
 struct MeshPart {
   std::uint32_t first = 0, count = 0;      // in indices, into Mesh::triangles
   std::array<float, 3> color{1, 1, 1};     // linear light
   std::shared_ptr<const Picture> texture;  // may be null
+  bool tinted = true;                      // the object's own colour multiplies it
 };
 
 struct Mesh {

@@ -39,7 +39,8 @@ enum class Kind : std::uint8_t {
   gear,
   arrow,
   curve,
-  trace
+  trace,
+  line
 };
 
 // How letters look, beside their font, and how many of them are seen, blanks and ends of lines counted.
@@ -58,7 +59,8 @@ struct Letters {
 //   box      size, about the origin                plane     size x by y, in the plane z = 0, facing +z
 //   cylinder cone   radius, height along y, about the origin (a cone's tip up)
 //   torus    radius of the ring, tube: radius of the tube; the ring lies in the plane y = 0
-//   polygon  points, filled, one contour           polyline  points, width (0: a hairline)
+//   polygon  points, filled; holes: rings, one behind the other, each up to where its first point comes again
+//   polyline points, width (0: a hairline)         line      from the origin to `size`, width
 //   points   points, each drawn as a ball of diameter `width`
 //   text     text, font, letters, size.y = height of one line (em) in metres, depth along z; the first baseline at
 //            y = 0, x = 0 by how it is aligned
@@ -71,13 +73,19 @@ struct Letters {
 //   arrow    from the origin to `size`, width
 //   trace    points, width: what a point has drawn
 //   curve    through its points, smooth (Catmull-Rom) or straight, closed or not; width as a polyline's
+// All flat ones and texts: filled or not, and a stroke along the contours, centred on them. Of it, and of lines and
+// arcs themselves, there is what lies from `trim_from` to `trim_to`, parts of the length of each contour, and of that
+// `dash` metres, then none for `gap` metres, and so on.
 struct Shape {
   Kind kind = Kind::group;
   Vec3 size{1, 1, 1};
   double radius = 1, height = 1, tube = 0.3, width = 0, depth = 0;
   double inner = 0, corner = 0, from = 0, to = 0, sides = 0, module = 0;
   bool smooth = true, closed = false;
-  Points points;
+  double stroke_width = 0, dash = 0, gap = 0, trim_from = 0, trim_to = 1;
+  Vec3 stroke{-1, -1, -1};  // linear light; all below 0: none was said
+  bool filled = true;
+  Points points, holes;
   Text text, font;
   Letters letters;
   std::shared_ptr<const Mesh> mesh;

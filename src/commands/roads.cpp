@@ -104,7 +104,6 @@ constexpr Road all_roads[] = {
     {"mirror", "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)", "scale"},
     {"ball", "sphere is a ball: create ball sphere", "sphere"},
     {"cube", "box is one: create b box", "box"},
-    {"line", "polyline is one: create l polyline points=((0 0) (1 1))", "polyline"},
     {"model", "mesh shows a file: create cow mesh file=\"cow.obj\"", "mesh"},
     {"drop", "fall lets a thing fall: at 12f fall ball ground=0.5", "fall"},
     {"physics", "fall lets things fall and bounce; contacts say what touches; spring and wobble are filters",

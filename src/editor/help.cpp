@@ -109,7 +109,9 @@ std::span<const HelpEntry> help_entries() {
     std::vector<HelpEntry> entries = shell_entries();
     for (const Verb& v : verbs()) entries.push_back({verb, v.word, v.sentence, v.usage, v.example});
     for (const ListRow& r : list_rows()) entries.push_back({row, r.word, r.sentence, r.usage, r.example});
-    for (const KindRow& k : kinds()) entries.push_back({HelpGroup::kind, k.name, k.sentence, k.written, k.example});
+    static std::deque<std::string> written;  // of kinds and filters
+    for (const KindRow& k : kinds())
+      entries.push_back({HelpGroup::kind, k.name, k.sentence, written.emplace_back(written_of(k)), k.example});
     for (const bool common : {true, false})  // what all have first
       for (const FunctionSpec& f : built_in_functions())
         if (!f.sentence.empty() && common == ((f.kinds & bit(Kind::group)) != 0))
@@ -117,7 +119,6 @@ std::span<const HelpEntry> help_entries() {
     entries.insert(entries.end(), std::begin(other_words), std::end(other_words));
     for (const TwerperRow& t : twerpers())
       if (!t.sentence.empty()) entries.push_back({HelpGroup::twerper, t.name, t.sentence, t.written, t.example});
-    static std::deque<std::string> written;  // of filters
     for (const FilterSpec& f : built_in_filters())
       entries.push_back(
           {HelpGroup::filter, f.name, f.sentence, written.emplace_back(written_parameters(f)), f.example});

@@ -14,6 +14,7 @@
 #include "exchange/simplify.h"
 #include "scene/kinds.h"
 #include "scene/primitives.h"
+#include "scene/strokes.h"
 #include "scene/topology.h"
 
 namespace betwixt {
@@ -37,7 +38,9 @@ struct KeyHash {
     h = mixed(h, std::hash<const Mesh*>{}(s.mesh.get()));
     h = mixed(h, s.size);
     for (const auto measure : shape_measures) h = mixed(h, s.*measure);
-    for (const Vec3 p : *s.points) h = mixed(h, p);
+    h = mixed(mixed(h, s.stroke), static_cast<std::size_t>(s.filled));
+    for (const auto* points : {&s.points, &s.holes})
+      for (const Vec3 p : **points) h = mixed(h, p);
     return mixed(mixed(mixed(h, std::hash<std::string>{}(*s.text)), std::hash<std::string>{}(*s.font)),
                  std::size_t{s.letters.typed});
   }
@@ -124,15 +127,19 @@ Mesh text_mesh(const Shape& s) {
 }
 
 Mesh made(const KindRow& row, const Shape& s, const Detail& detail) {
-  if (row.fill != Fill::outline) return row.mesh(s, detail);
-  return row.contours ? fill(outline_of(s), row.deep ? s.depth : 0) : text_mesh(s);
+  if (!by_contours(s)) return row.mesh(s, detail);
+  const Pen pen = pen_of(s);
+  if (!row.contours && pen.fills && !(pen.width > 0)) return text_mesh(s);
+  // A contour that crosses itself is filled wherever it goes round; holes are cut out of whatever is there.
+  return drawn(outline_of(s), pen, sane(s.depth) ? s.depth : 0,
+               s.holes->empty() ? Winding::nonzero : Winding::positive);
 }
 
 }  // namespace
 
 Outline outline_of(const Shape& s) {
   const KindRow& row = row_of(s.kind);
-  if (row.fill != Fill::outline) return {};
+  if (row.fill != Fill::outline && !row.contours) return {};
   if (row.contours) {
     Outline outline{row.contours(s), {}};
     if (!outline.contours.empty()) outline.letters.emplace_back();
@@ -152,8 +159,9 @@ Geometry realise(const Shape& shape, const Detail& detail) {
   if (row.fill == Fill::nothing) return {empty, {}};
   if (row.fill == Fill::file) return {shape.mesh ? simplified(shape.mesh, detail) : empty, {}};
   Geometry g;
-  Key key{shape, row.detailed ? detail : Detail{}};
-  if (row.measures) {
+  const bool outlined = by_contours(shape);
+  Key key{shape, row.detailed && !outlined ? detail : Detail{}};
+  if (row.measures && !outlined) {
     const Vec3 m = row.measures(shape);
     const auto local = stretch(m);
     if (!local) return {empty, {}};

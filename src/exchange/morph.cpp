@@ -11,6 +11,7 @@
 #include "exchange/outline_morph.h"
 #include "scene/kinds.h"
 #include "scene/shape_blend.h"
+#include "scene/strokes.h"
 
 namespace betwixt {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 // ---- shapes of one kind: by their measures
 
 bool same_but_measures(const Shape& a, const Shape& b) {
-  return !has_outline(a) && row_of(a.kind).fill != Fill::file && one_topology(a, b);
+  return !by_contours(a) && !by_contours(b) && row_of(a.kind).fill != Fill::file && one_topology(a, b);
 }
 
 Shape between(const Shape& a, const Shape& b, double s) {
@@ -49,11 +50,11 @@ std::string obstacle(const Shape& a, const Shape& b, const Mesh& from, const Mes
 Geometry realise_blend(const Shape& a, const Shape& b, double s, const Detail& detail) {
   if (s == 0 || a == b || !std::isfinite(s)) return realise(a, detail);
   if (s == 1) return realise(b, detail);
+  if (same_but_measures(a, b)) return realise(between(a, b, s), detail);
   if (has_outline(a) && has_outline(b)) {
     if (s <= 0 || s >= 1) return realise(s < 1 ? a : b, detail);
     return {std::make_shared<const Mesh>(outline_between(a, b, s)), {}};
   }
-  if (same_but_measures(a, b)) return realise(between(a, b, s), detail);
   const Geometry from = realise(a), to = realise(b);  // all of their vertices
   if (!obstacle(a, b, *from.mesh, *to.mesh).empty()) return realise(s < 1 ? a : b, detail);
   return {std::make_shared<const Mesh>(sum_of(std::array{share(from, 1 - s), share(to, s)})), {}};

@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-bool has_letters(const Shape& s) { return has_outline(s) && row_of(s.kind).contours == nullptr; }
+bool has_letters(const Shape& s) { return row_of(s.kind).fill == Fill::outline && !row_of(s.kind).contours; }
 
 // Twice the area as seen from `facing`; positive counter-clockwise.
 double turn(const Contour& c, Vec3 facing) {
@@ -63,8 +63,10 @@ struct DrawnGlyph {
 DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
   DrawnGlyph made{std::move(text), {}, {}};
   std::vector<std::pair<double, Contour*>> sorted;
+  // The first contour of a shape is no hole; those that go round the other way are.
+  const bool turned = single && !contours.empty() && turn(contours.front(), toward) < 0;
   for (Contour& c : contours) {
-    if (single && turn(c, toward) < 0) std::reverse(c.begin(), c.end());  // a polygon is no hole
+    if (turned) std::reverse(c.begin(), c.end());
     sorted.emplace_back(turn(c, toward), &c);
   }
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -82,7 +84,7 @@ DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, b
 }
 
 std::vector<DrawnGlyph> glyphs(const Outline& outline, bool single) {
-  const Vec3 toward = facing(outline);
+  const Vec3 toward = facing(outline.contours);
   std::vector<DrawnGlyph> all;
   for (std::size_t i = 0; i < outline.letters.size(); ++i) {
     const auto at = [&](std::size_t n) { return outline.contours.begin() + static_cast<std::ptrdiff_t>(n); };
@@ -316,7 +318,7 @@ std::shared_ptr<const Morph> morph_of(const Shape& a, const Shape& b) {
 
 }  // namespace
 
-bool has_outline(const Shape& s) { return row_of(s.kind).fill == Fill::outline; }
+bool has_outline(const Shape& s) { return has_letters(s) || row_of(s.kind).contours != nullptr; }
 
 Mesh outline_between(const Shape& a, const Shape& b, double s) {
   const auto made = morph_of(a, b);
@@ -327,8 +329,8 @@ Mesh outline_between(const Shape& a, const Shape& b, double s) {
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = lerp(from[i], to[i], s);
     outline.contours.push_back(std::move(c));
   }
-  const auto depth = [](const Shape& shape) { return row_of(shape.kind).deep ? shape.depth : 0; };
-  return fill(outline, lerp(depth(morph.a), depth(morph.b), s), morph.winding);
+  const double depth = lerp(morph.a.depth, morph.b.depth, s);
+  return drawn(outline, between(pen_of(morph.a), pen_of(morph.b), s), depth, morph.winding);
 }
 
 }  // namespace betwixt

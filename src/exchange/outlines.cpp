@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 
+#include "scene/primitives.h"
 #include "scene/topology.h"
 
 namespace betwixt {
@@ -15,10 +16,11 @@ namespace {
 
 using Index = std::uint32_t;
 
-// Flat triangles over shared points.
+// Flat triangles over shared points, or the borders of what they would fill, which then is on their left.
 struct Filling {
   std::deque<Vec3> points;  // a deque: the tessellator keeps pointers into it
   std::vector<Index> triangles;
+  Contours loops;
   bool failed = false;
 };
 
@@ -29,10 +31,17 @@ Index add(Filling& out, Vec3 p) {
 // The tessellator carries indices as pointers.
 void* handle(Index i) { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(i)); }
 
-void on_begin(GLenum) {}
+void on_begin(GLenum what, void* out) {
+  if (what == GL_LINE_LOOP) static_cast<Filling*>(out)->loops.emplace_back();
+}
 void on_edge(GLboolean) {}  // its presence asks for plain triangles
-void on_vertex(void* vertex, void* out) {
-  static_cast<Filling*>(out)->triangles.push_back(static_cast<Index>(reinterpret_cast<std::uintptr_t>(vertex)));
+void on_vertex(void* vertex, void* to) {
+  Filling& out = *static_cast<Filling*>(to);
+  const auto i = static_cast<Index>(reinterpret_cast<std::uintptr_t>(vertex));
+  if (out.loops.empty())
+    out.triangles.push_back(i);
+  else
+    out.loops.back().push_back(out.points[i]);
 }
 void on_crossing(GLdouble at[3], void* [4], GLfloat[4], void** vertex, void* out) {
   *vertex = handle(add(*static_cast<Filling*>(out), {at[0], at[1], at[2]}));
@@ -44,12 +53,13 @@ auto callback(F* f) {
   return reinterpret_cast<_GLUfuncptr>(f);
 }
 
-Filling tessellate(const Outline& outline, Vec3 normal, Winding winding) {
+Filling tessellate(const Contours& contours, Vec3 normal, Winding winding, bool borders) {
   Filling out;
   GLUtesselator* tess = gluNewTess();
   if (tess == nullptr) return out;
-  gluTessCallback(tess, GLU_TESS_BEGIN, callback(on_begin));
-  gluTessCallback(tess, GLU_TESS_EDGE_FLAG, callback(on_edge));
+  gluTessCallback(tess, GLU_TESS_BEGIN_DATA, callback(on_begin));
+  if (!borders) gluTessCallback(tess, GLU_TESS_EDGE_FLAG, callback(on_edge));
+  gluTessProperty(tess, GLU_TESS_BOUNDARY_ONLY, borders ? GL_TRUE : GL_FALSE);
   gluTessCallback(tess, GLU_TESS_VERTEX_DATA, callback(on_vertex));
   gluTessCallback(tess, GLU_TESS_COMBINE_DATA, callback(on_crossing));
   gluTessCallback(tess, GLU_TESS_ERROR_DATA, callback(on_error));
@@ -57,7 +67,7 @@ Filling tessellate(const Outline& outline, Vec3 normal, Winding winding) {
                   winding == Winding::nonzero ? GLU_TESS_WINDING_NONZERO : GLU_TESS_WINDING_POSITIVE);
   gluTessNormal(tess, normal.x, normal.y, normal.z);
   gluTessBeginPolygon(tess, &out);
-  for (const auto& contour : outline.contours) {
+  for (const auto& contour : contours) {
     gluTessBeginContour(tess);
     for (const Vec3 p : contour) {
       GLdouble at[3] = {p.x, p.y, p.z};
@@ -67,7 +77,7 @@ Filling tessellate(const Outline& outline, Vec3 normal, Winding winding) {
   }
   gluTessEndPolygon(tess);
   gluDeleteTess(tess);
-  if (out.failed || out.triangles.size() % 3 != 0) out.triangles.clear();
+  if (out.failed || out.triangles.size() % 3 != 0) out.triangles.clear(), out.loops.clear();
   return out;
 }
 
@@ -125,29 +135,12 @@ void walls(Mesh& mesh, const Filling& filling, Vec3 facing, Vec3 shift) {
 
 }  // namespace
 
-Vec3 facing(const Outline& outline) {
-  Vec3 turn{}, first{}, far{}, side{};
-  bool level = true, any = false;
-  for (const auto& contour : outline.contours)
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      if (!any) first = contour[i];
-      any = true;
-      level = level && contour[i].z == first.z;
-      turn = turn + cross(contour[i] - first, contour[(i + 1) % contour.size()] - first);
-      if (length(contour[i] - first) > length(far)) far = contour[i] - first;
-    }
-  if (level) return {0, 0, 1};
-  // A figure of eight turns nowhere: any two directions in it will do.
-  for (const auto& contour : outline.contours)
-    for (const Vec3 p : contour)
-      if (const Vec3 s = cross(far, p - first); length(s) > length(side)) side = s;
-  return normalize(length(turn) > 1e-6 * length(side) ? turn : side);
-}
+namespace {
 
-Mesh fill(const Outline& outline, double depth, Winding winding) {
+Mesh filled(const Contours& contours, Vec3 normal, double depth, Winding winding) {
   Mesh mesh;
-  const Vec3 normal = facing(outline), half = depth / 2 * normal;
-  const Filling filling = tessellate(outline, normal, winding);
+  const Vec3 half = depth / 2 * normal;
+  const Filling filling = tessellate(contours, normal, winding, false);
   if (filling.triangles.empty()) return mesh;
   flat_side(mesh, filling, normal, half, false);
   if (depth > 0) {
@@ -156,6 +149,34 @@ Mesh fill(const Outline& outline, double depth, Winding winding) {
   }
   mesh.edges = crease_edges(mesh);
   mesh.closed = depth > 0 && is_closed(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+Mesh fill(const Outline& outline, double depth, Winding winding) {
+  return filled(outline.contours, facing(outline.contours), depth, winding);
+}
+
+Mesh drawn(const Outline& outline, const Pen& pen, double depth, Winding winding) {
+  if (!(pen.width > 0)) return pen.fills ? fill(outline, depth, winding) : Mesh{};
+  const Vec3 up = facing(outline.contours);
+  const Contours areas = stroke_areas(outline.contours, pen, up);
+  std::vector<Mesh> both;
+  if (pen.fills) {
+    Contours left = tessellate(outline.contours, up, winding, true).loops;
+    for (auto& loop : tessellate(areas, up, Winding::nonzero, true).loops) {
+      std::reverse(loop.begin(), loop.end());
+      left.push_back(std::move(loop));
+    }
+    both.push_back(filled(left, up, depth, Winding::positive));
+  }
+  both.push_back(filled(areas, up, depth, Winding::nonzero));
+  const auto stroke = static_cast<std::uint32_t>(both.back().triangles.size());
+  Mesh mesh = joined(std::move(both));
+  const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
+  mesh.parts.push_back({0, all - stroke, {1, 1, 1}, nullptr});
+  mesh.parts.push_back({all - stroke, stroke, narrow(pen.color.value_or(Vec3{1, 1, 1})), nullptr, !pen.color});
   return mesh;
 }
 

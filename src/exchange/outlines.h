@@ -6,16 +6,16 @@
 
 #include "betwixt/mesh.h"
 #include "exchange/fonts.h"
+#include "scene/strokes.h"
 
 namespace betwixt {
 
 // What counts as inside: what the contours go round at all, or only what they go round counter-clockwise.
 enum class Winding : std::uint8_t { nonzero, positive };
 
-// Where a (nearly) flat outline faces: +z if it lies in a plane of one z, else by the turn of its contours.
-Vec3 facing(const Outline&);
-
 // Filled. With a depth, a closed body about the outline's plane: front, back and walls, smooth where the outline is.
 Mesh fill(const Outline&, double depth = 0, Winding = Winding::nonzero);
+// As a pen draws it. A stroke has a part of its own, and what is filled ends where it begins.
+Mesh drawn(const Outline&, const Pen&, double depth, Winding);
 
 }  // namespace betwixt

@@ -10,6 +10,7 @@
 #include "base/utf8.h"
 #include "language/cursor.h"
 #include "language/line_words.h"
+#include "language/values.h"
 
 namespace betwixt {
 namespace {

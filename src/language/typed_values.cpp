@@ -54,6 +54,15 @@ struct TypedReader {
     out = w == "on";
     return true;
   }
+  bool color(Value& out) {
+    Color color = no_color;
+    const bool none = component < 0 && spec.rest == Value(no_color) && c.accept_word("none");
+    return (none || values.color(color)) && (out = color, true);
+  }
+  bool points(Value& out) {
+    Points all;
+    return (spec.name == "holes" ? values.holes(all) : values.points(all)) && (out = all, true);
+  }
   bool rotation(Value& out) { return values.orientation(out, true); }
   bool orientation(Value& out) { return values.orientation(out, false); }
   bool shape(Value& out) {
@@ -161,14 +170,14 @@ constexpr TypeReaderRow readers[] = {
     {Type::angle, &Typed::angle},
     {Type::pair, &Typed::vector},
     {Type::vector, &Typed::vector},
-    {Type::color, &Typed::plainly<Color, &ValueReader::color>},
+    {Type::color, &Typed::color},
     {Type::boolean, &Typed::truth},
     {Type::rotation, &Typed::rotation},
     {Type::orientation, &Typed::orientation},
     {Type::shape, &Typed::shape},
     {Type::aim, &Typed::aim},
     {Type::text, &Typed::text},
-    {Type::points, &Typed::plainly<Points, &ValueReader::points>},
+    {Type::points, &Typed::points},
     {Type::names, &Typed::plainly<Names, &ValueReader::names>},
     {Type::attachment, &Typed::attachment},
     {Type::transform, &Typed::transform},

@@ -352,40 +352,6 @@ bool ValueReader::orientation(Value& out, bool angles) {
                 "rotations look like euler(0 90deg 0), axis(0 1 0, 90deg) or quat(1 0 0 0)");
 }
 
-bool ValueReader::point(Vec3& out) {
-  c.space();
-  const char* start = c.at;
-  if (c.peek() != '(')
-    return c.fail_here(ErrorCode::syntax, "a point (x y) or (x y z) is wanted here",
-                       "points look like ((0 0) (1 0) (1 1))");
-  Vec3 p;
-  if (!c.open() || !c.number(p.x) || !c.number(p.y)) return false;
-  c.space();
-  if (c.peek() != ')' && !c.number(p.z)) return false;
-  c.space();
-  if (c.at < c.end && c.peek() != ')')
-    return c.fail(ErrorCode::syntax, "a point has two or three numbers", since(start, c));
-  if (!c.close()) return false;
-  out = p;
-  return true;
-}
-
-bool ValueReader::points(Points& out) {
-  std::vector<Vec3> list;
-  if (!c.open()) return false;
-  for (;;) {
-    c.space();
-    if (c.peek() == ')') break;
-    if (c.at == c.end) return c.close();
-    Vec3 p;
-    if (!point(p)) return false;
-    list.push_back(p);
-  }
-  if (!c.close()) return false;
-  out = Points(std::move(list));
-  return true;
-}
-
 bool ValueReader::object(ObjectId& out) {
   const std::string_view w = c.next_word();
   if (w.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");

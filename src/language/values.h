@@ -51,6 +51,8 @@ struct ValueReader {
   }
   bool orientation(Value& out, bool angles);
   bool points(Points& out);
+  // One ring of points, or a list of such, each of which then ends with its first point again (see rings()).
+  bool holes(Points& out);
   bool point(Vec3& out);       // (x y) or (x y z)
   bool object(ObjectId& out);  // a name that exists
   bool axis(Vec3& out);        // x, y, z or (x y z)

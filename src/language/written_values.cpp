@@ -9,6 +9,7 @@
 #include "language/colors.h"
 #include "language/values.h"
 #include "scene/environment.h"
+#include "scene/flat_shapes.h"
 #include "scene/power.h"
 #include "track/along.h"
 #include "track/procedure.h"
@@ -143,6 +144,24 @@ std::string write_row(const DisplayCommand& c) {
   }
 }
 
+std::string write_points(const std::vector<Vec3>& list) {
+  const bool flat = std::all_of(list.begin(), list.end(), [](Vec3 p) { return p.z == 0; });
+  std::string out = "(";
+  for (const Vec3 p : list) out += (out.size() > 1 ? " " : "") + write_vector(p, flat ? 2 : 3);
+  return out + ")";
+}
+
+// Ring by ring, where all are closed; else it is one that is not.
+std::string write_holes(const std::vector<Vec3>& list) {
+  const Contours all = rings(list);
+  std::size_t points = 0;
+  for (const auto& ring : all) points += ring.size() + 1;
+  if (all.empty() || points != list.size()) return write_points(list);
+  std::string out = "(";
+  for (const auto& ring : all) out += (out.size() > 1 ? " " : "") + write_points(ring);
+  return out + ")";
+}
+
 }  // namespace
 
 std::string write_rows(const DisplayList& list) {
@@ -172,7 +191,8 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
     return write_number(*d) + (time ? "s" : spec.unit == Unit::millimetres ? "mm" : "");
   }
   if (const auto* p = std::get_if<Vec3>(&v)) return write_vector(*p, component_count(type) == 2 ? 2 : 3);
-  if (const auto* c = std::get_if<Color>(&v)) return write_color(*c);
+  if (const auto* c = std::get_if<Color>(&v))
+    return *c == no_color && spec.rest == Value(no_color) ? "none" : write_color(*c);
   if (const auto* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
   if (const auto* a = std::get_if<Angles>(&v)) return "euler" + write_angles(a->xyz);
   if (const auto* q = std::get_if<Quat>(&v))
@@ -183,13 +203,8 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
     return name.empty() ? "none" : type == Type::shape ? "shape(" + name + ")" : name;
   }
   if (const auto* t = std::get_if<Text>(&v)) return spec.words.empty() ? write_text(**t) : **t;
-  if (const auto* list = std::get_if<Points>(&v)) {
-    bool flat = true;
-    for (Vec3 p : **list) flat = flat && p.z == 0;
-    std::string out = "(";
-    for (Vec3 p : **list) out += (out.size() > 1 ? " " : "") + write_vector(p, flat ? 2 : 3);
-    return out + ")";
-  }
+  if (const auto* list = std::get_if<Points>(&v))
+    return spec.name == "holes" ? write_holes(**list) : write_points(**list);
   if (const auto* a = std::get_if<Attachment>(&v)) {
     static constexpr std::string_view words[] = {"detach", "letgo", "hang on ", "attach to ", "couple to "};
     std::string out(words[static_cast<std::size_t>(a->kind)]);

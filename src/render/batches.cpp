@@ -50,7 +50,7 @@ Batches batches_of(const Things& things, std::span<const std::uint32_t> numbers)
     std::sort(g.members.begin(), g.members.end());
     const Thing& one = things[g.members.front().thing];
     r.batches.push_back(
-        {one.mesh, one.texture.get(), one.mirrored, one.closed, one.ball, r.order.size(), g.members.size()});
+        {one.mesh, one.texture.get(), one.mirrored, one.closed, one.ball, one.line, r.order.size(), g.members.size()});
     for (const Member& m : g.members) r.order.push_back(m.thing);
   }
   return r;
@@ -63,7 +63,7 @@ Batches sorted_singles(const Things& things, std::span<const std::uint32_t> numb
                    [&](std::uint32_t a, std::uint32_t b) { return things[a].depth > things[b].depth; });
   for (std::size_t k = 0; k < r.order.size(); ++k) {
     const Thing& t = things[r.order[k]];
-    r.batches.push_back({t.mesh, t.texture.get(), t.mirrored, t.closed, t.ball, k, 1});
+    r.batches.push_back({t.mesh, t.texture.get(), t.mirrored, t.closed, t.ball, t.line, k, 1});
   }
   return r;
 }
@@ -124,6 +124,18 @@ void Instances::bind(std::size_t first) const {
     ++attribute;
   }
 }
+
+void Once::begin() {
+  if (++mark_ > most) {
+    glClear(GL_STENCIL_BUFFER_BIT);
+    mark_ = 1;
+  }
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_NOTEQUAL, mark_, most);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+}
+
+void Once::end() { glDisable(GL_STENCIL_TEST); }
 
 void set_facing(bool mirrored, bool upside_down) { glFrontFace(mirrored != upside_down ? GL_CW : GL_CCW); }
 

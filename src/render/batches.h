@@ -13,7 +13,7 @@ namespace betwixt {
 struct Batch {
   StoredMesh* mesh = nullptr;
   const StoredTexture* texture = nullptr;  // the things' own
-  bool mirrored = false, closed = false, ball = false;
+  bool mirrored = false, closed = false, ball = false, line = false;
   std::size_t first = 0, count = 0;  // instances
   friend bool operator==(const Batch&, const Batch&) = default;
 };
@@ -42,6 +42,21 @@ class Instances {
   gl::Buffer buffer_ = gl::new_buffer();
   std::vector<Instance> sent_;
   std::vector<std::uint32_t> order_, place_;  // the thing of each instance, and the other way round
+};
+
+// What is drawn from begin() on changes each sample once, also where it crosses itself. Takes the stencil for itself.
+class Once {
+ public:
+  Once() = default;
+  Once(const Once&) = delete;
+  Once& operator=(const Once&) = delete;
+  ~Once() { end(); }
+  void begin();
+  static void end();
+
+ private:
+  static constexpr int most = 255;
+  int mark_ = most;  // of the samples that have changed
 };
 
 // Draws all triangles of a batch with the program that is set; `closed` ones from outside only.

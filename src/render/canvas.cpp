@@ -68,11 +68,11 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   c.side_ = options.samples == 9 ? 3 : options.samples == 16 ? 2 : 1;
   const int width = c.width_ * c.side_, height = c.height_ * c.side_;
   if (multisampled) {
-    auto corners = gl::new_multisampled(GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24, 4, width, height);
+    auto corners = gl::new_multisampled(GL_SRGB8_ALPHA8, GL_DEPTH24_STENCIL8, 4, width, height);
     if (!corners) return corners.error();
     c.corners_ = *std::move(corners);
   }
-  auto large = gl::new_target(GL_SRGB8_ALPHA8, multisampled ? 0 : GL_DEPTH_COMPONENT24, width, height);
+  auto large = gl::new_target(GL_SRGB8_ALPHA8, multisampled ? 0 : GL_DEPTH24_STENCIL8, width, height);
   if (!large) return large.error();
   c.large_ = *std::move(large);
   auto gradient = gl::new_program(gl::fill_vertex, std::string(encoded_function) + gradient_fragment,

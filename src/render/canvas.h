@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a style draws on: n×n samples a pixel in linear light with depth, behind everything the background, and the way
-// from there to a picture of sRGB bytes.
+// What a style draws on: n×n samples a pixel in linear light with depth and stencil, behind everything the background,
+// and the way from there to a picture of sRGB bytes.
 #pragma once
 
 #include <optional>

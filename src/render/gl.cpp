@@ -51,6 +51,10 @@ Error cannot_draw(int width, int height) {
               "try a smaller size or fewer samples");
 }
 
+GLenum depth_attachment(GLenum format) {
+  return format == GL_DEPTH24_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
+}
+
 }  // namespace
 
 Result<Context> Context::create() {
@@ -141,7 +145,7 @@ Result<Target> new_target(GLenum color_format, GLenum depth_format, int width, i
   }
   if (depth_format != 0) {
     t.depth = new_texture(depth_format, width, height, GL_NEAREST);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, t.depth.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, depth_attachment(depth_format), GL_TEXTURE_2D, t.depth.id(), 0);
   }
   if (!framebuffer_good()) return cannot_draw(width, height);
   return t;
@@ -162,7 +166,7 @@ Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, 
     return Renderbuffer(buffer);
   };
   m.color = attach(color_format, GL_COLOR_ATTACHMENT0);
-  m.depth = attach(depth_format, GL_DEPTH_ATTACHMENT);
+  m.depth = attach(depth_format, depth_attachment(depth_format));
   if (!framebuffer_good()) return cannot_draw(width, height);
   return m;
 }

@@ -52,9 +52,16 @@ const char* const line_fragment = R"(
 in float off;
 flat in vec4 paint;
 uniform float reach;
+#ifdef LAYER
+uniform vec2 between;  // how much a line covers where it is drawn now
+#endif
 out vec4 color;
 void main() {
-  float cover = clamp(reach - abs(off), 0.0, 1.0) * paint.a;
+  float cover = clamp(reach - abs(off), 0.0, 1.0);
+#ifdef LAYER
+  if (cover <= between.x || cover > between.y) discard;
+#endif
+  cover *= paint.a;
   color = vec4(min(paint.rgb, 1.0) * cover, cover);
 }
 )";
@@ -69,19 +76,25 @@ Result<Lines> Lines::create() {
   return l;
 }
 
-void Lines::set(const View& view, int side) {
+void Lines::set(const View& view, int side) { set(program_, view, side); }
+
+void Lines::set(const gl::Program& program, const View& view, int side) {
   const auto s = static_cast<float>(side);
-  glUseProgram(program_.id());
-  glUniformMatrix4fv(gl::uniform(program_, "clip"), 1, GL_FALSE, to_float(view.clip()).data());
-  glUniform2f(gl::uniform(program_, "half_size"), 0.5F * s * static_cast<float>(view.width),
+  glUseProgram(program.id());
+  glUniformMatrix4fv(gl::uniform(program, "clip"), 1, GL_FALSE, to_float(view.clip()).data());
+  glUniform2f(gl::uniform(program, "half_size"), 0.5F * s * static_cast<float>(view.width),
               0.5F * s * static_cast<float>(view.height));
-  glUniform1f(gl::uniform(program_, "reach"), 0.5F * s * line_width + 0.5F);
+  glUniform1f(gl::uniform(program, "reach"), 0.5F * s * line_width + 0.5F);
 }
 
 void Lines::draw(const Batch& batch, const Instances& instances) const {
+  glUseProgram(program_.id());
+  draw_edges(batch, instances);
+}
+
+void Lines::draw_edges(const Batch& batch, const Instances& instances) {
   Store::need_edges(*batch.mesh);
   if (batch.mesh->edge_count == 0) return;
-  glUseProgram(program_.id());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
@@ -93,6 +106,27 @@ void Lines::draw(const Batch& batch, const Instances& instances) const {
   glDrawElementsInstanced(GL_TRIANGLES, batch.mesh->edge_count, GL_UNSIGNED_INT, nullptr,
                           static_cast<GLsizei>(batch.count));
   glDepthMask(GL_TRUE);
+}
+
+// Where borders that fade overlap what covers more, that counts: a line is drawn layer by layer, what covers most
+// first.
+void Lines::draw_transparent(const Batches& batches, const Instances& instances, const View& view, int side) {
+  if (layer_.id() == 0) {
+    auto made = gl::new_program(line_vertex, line_fragment, "#define LAYER");
+    if (!made) return;  // the same stages as those of all others
+    layer_ = *std::move(made);
+  }
+  set(layer_, view, side);
+  const GLint between = gl::uniform(layer_, "between");
+  constexpr int layers = 4;
+  Once once;
+  for (const Batch& b : batches.batches) {
+    once.begin();
+    for (int k = layers; k-- > 0;) {
+      glUniform2f(between, static_cast<float>(k) / layers, static_cast<float>(k + 1) / layers);
+      draw_edges(b, instances);
+    }
+  }
 }
 
 }  // namespace betwixt

@@ -13,9 +13,13 @@ class Lines {
   static Result<Lines> create();
   void set(const View&, int side);  // `side`: pixels drawn for one of the picture, along a side
   void draw(const Batch&, const Instances&) const;
+  // Things through which one sees, each of which covers what is behind it once.
+  void draw_transparent(const Batches&, const Instances&, const View&, int side);
 
  private:
-  gl::Program program_;
+  static void set(const gl::Program&, const View&, int side);
+  static void draw_edges(const Batch&, const Instances&);
+  gl::Program program_, layer_;  // the latter made when it is wanted
 };
 
 }  // namespace betwixt

@@ -53,17 +53,24 @@ class Shaded final : public Module {
   }
   // Meshes that have edges but no triangles.
   void draw_hairlines(const View& view, const std::vector<std::uint32_t>& hairlines) {
-    if (hairlines.empty()) return;
-    const Batches batches = batches_of(things_, hairlines);
-    line_instances_.set(things_, batches.order);
-    lines_.set(view, canvas_.side());
-    for (const Batch& b : batches.batches) lines_.draw(b, line_instances_);
+    std::vector<std::uint32_t> solid, clear;
+    for (const std::uint32_t i : hairlines) (things_[i].transparent ? clear : solid).push_back(i);
+    if (!solid.empty()) {
+      const Batches batches = batches_of(things_, solid);
+      line_instances_.set(things_, batches.order);
+      lines_.set(view, canvas_.side());
+      for (const Batch& b : batches.batches) lines_.draw(b, line_instances_);
+    }
+    if (clear.empty()) return;
+    const Batches batches = sorted_singles(things_, clear);
+    clear_instances_.set(things_, batches.order);
+    lines_.draw_transparent(batches, clear_instances_, view, canvas_.side());
   }
 
   Surfaces surfaces_;
   Shadows shadows_;
   Lines lines_;
-  Instances line_instances_;
+  Instances line_instances_, clear_instances_;
 };
 
 }  // namespace

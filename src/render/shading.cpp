@@ -51,7 +51,7 @@ flat in vec4 paint;
 flat in vec2 gloss;
 #endif
 uniform vec4 toward_eye;
-uniform vec3 part_color;
+uniform vec4 part_color;  // and 1: the thing's own colour multiplies it
 uniform float unlit;     // 1: all show their own colours
 uniform vec3 fog_color;
 uniform vec2 fog_range;  // metres, and 1 / how many there are from nothing to all
@@ -206,7 +206,7 @@ void main() {
   vec2 gloss = vec2(0.0, 1.0);
   gl_FragDepth = cover > 0.0 ? clamp(0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5, 0.0, 0.9999998) : 1.0;
 #else
-  vec4 base = paint * vec4(part_color, 1.0);
+  vec4 base = vec4(mix(vec3(1.0), paint.rgb, part_color.a) * part_color.rgb, paint.a);
 #endif
 #if defined(TEXTURED)
   base *= texture(picture, place);

@@ -254,7 +254,7 @@ void Shadows::draw_some(const One& one, Things& things, bool veils) {
       mesh = cast.mesh.get(), local = cast.local;
     }
     Group& g = groups[{mesh, t.mirrored, t.closed}];
-    g.batch = {mesh, nullptr, t.mirrored, t.closed, ball, 0, g.batch.count + 1};
+    g.batch = {mesh, nullptr, t.mirrored, t.closed, ball, false, 0, g.batch.count + 1};
     g.instances.push_back(instance_of(t, world * local));
   }
   std::vector<Instance> all;

@@ -24,6 +24,7 @@ struct StoredTexture {
 struct StoredPart {
   std::uint32_t first = 0, count = 0;  // as MeshPart's
   std::array<float, 3> color{1, 1, 1};
+  bool tinted = true;
   std::shared_ptr<const StoredTexture> texture;  // may be null
 };
 

@@ -153,6 +153,7 @@ void Surfaces::set(const Circumstances& frame) {
     set_program(*look, frame);
     if (richly_) set_mirrored(*look, frame);
   }
+  flat_ = frame.around.flat;
   if (frame.shadows.empty()) return;
   gl::use_layers(shadow_unit, frame.shadow_layers);
   gl::use_layers(depth_unit, frame.shadow_layers);
@@ -187,7 +188,6 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
                four(around.ground.value_or(Vec3{}), seen ? 1 : 0).data());
   glUniform1f(gl::uniform(ground.program, "floor_height"), static_cast<float>(-v.eye.y));
   glUniform1f(ground.encodes, encoded ? 1 : 0);
-  put("part_color", {1, 1, 1});
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -203,7 +203,7 @@ void Surfaces::draw_parts(const Batch& batch) {
     const Look& look = batch.ball ? looks().balls : texture != 0 ? looks().textured : looks().plain;
     if (texture != 0) gl::use_texture(picture_unit, texture);
     glUseProgram(look.program.id());
-    glUniform3fv(look.part_color, 1, part.color.data());
+    glUniform4f(look.part_color, part.color[0], part.color[1], part.color[2], part.tinted ? 1.F : 0.F);
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                             reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)),
                             static_cast<GLsizei>(batch.count));
@@ -215,6 +215,15 @@ void Surfaces::write_encoded(bool encoded) {
     glUseProgram(look->program.id());
     glUniform1f(look->encodes, encoded ? 1 : 0);
   }
+}
+
+// Of what is lit, only what is nearest is drawn then.
+void Surfaces::draw_depth(const Batch& b) {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDepthMask(GL_TRUE);
+  draw_parts(b);
+  glDepthMask(GL_FALSE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void Surfaces::draw_opaque(const Things& things, std::span<const std::uint32_t> numbers) {
@@ -246,21 +255,25 @@ void Surfaces::draw_transparent(const Things& things, std::span<const std::uint3
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  Once once;
   for (const Batch& b : batches.batches) {
     if (b.mesh->parts.empty()) continue;
     Store::need_triangles(*b.mesh);
     set_facing(b.mirrored, true);
     glBindVertexArray(b.mesh->triangles.id());
     glass_.bind(b.first);
-    if (b.closed) {
-      glEnable(GL_CULL_FACE);
+    (b.closed ? glEnable : glDisable)(GL_CULL_FACE);
+    if (b.line) {
+      const Material material = things[batches.order[b.first]].look.material;
+      if (!flat_ && material != Material::glow) draw_depth(b);
+      once.begin();
+    } else if (b.closed) {
       glCullFace(GL_FRONT);
       draw_parts(b);
       glCullFace(GL_BACK);
-    } else {
-      glDisable(GL_CULL_FACE);
     }
     draw_parts(b);
+    Once::end();
   }
   glDepthMask(GL_TRUE);
 }

@@ -41,6 +41,7 @@ class Surfaces {
   };
   Looks& looks() { return richly_ ? *rich_ : simple_; }
   void draw_parts(const Batch&);
+  void draw_depth(const Batch&);
   static Result<Look> new_look(bool fills, bool rich, const char* defines);
   static Result<Looks> new_looks(bool rich);
   static void set_program(const Look&, const Circumstances&);
@@ -51,6 +52,7 @@ class Surfaces {
   bool richly_ = false;        // which of them are set
   gl::Sampler depths_;
   Instances solid_, glass_;
+  bool flat_ = false;  // nothing is lit
 };
 
 }  // namespace betwixt

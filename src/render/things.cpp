@@ -154,6 +154,7 @@ void Things::place(Thing& t) {
   t.closed = plain.mesh->mesh->closed && d != 0;
   t.transparent = t.look.transparency > 0 || (t.texture != nullptr ? t.texture->see_through : plain.mesh->see_through);
   t.round = is_round(t);
+  t.line = row_of(t.shape->kind).line;
   t.casts = t.surface && t.look.casts && t.look.material != Material::glow;
 }
 

@@ -40,6 +40,7 @@ struct Thing {
   bool closed = false;    // its back faces are never seen
   bool round = false;     // a plain solid sphere, not flat
   bool casts = false;     // keeps light from others
+  bool line = false;      // seen through once, also where it crosses itself
 
   bool visible = false;  // perhaps in the picture; else nothing of the rest is known
   bool ball = false;     // drawn as in balls.h; the mesh is a disc

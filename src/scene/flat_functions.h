@@ -23,8 +23,10 @@ constexpr std::uint32_t bits_of(std::initializer_list<Kind> kinds) {
   return all;
 }
 // Those that can have a depth, besides letters.
-inline constexpr std::uint32_t flat_kinds = bits_of(
-    {Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc, Kind::regular, Kind::star, Kind::gear, Kind::arrow});
+inline constexpr std::uint32_t flat_kinds = bits_of({Kind::disc, Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc,
+                                                     Kind::regular, Kind::star, Kind::gear, Kind::arrow});
+inline constexpr std::uint32_t drawn_kinds = flat_kinds | bit(Kind::text);
+inline constexpr std::uint32_t line_kinds = bits_of({Kind::polyline, Kind::curve, Kind::trace, Kind::line});
 
 inline const FunctionSpec flat_functions[] = {
     {.name = "corner",
@@ -150,11 +152,76 @@ inline const FunctionSpec flat_functions[] = {
     {.name = "to",
      .type = Type::vector,
      .rest = Vec3{1, 0, 0},
-     .kinds = bit(Kind::arrow),
+     .kinds = bit(Kind::arrow) | bit(Kind::line),
      .unit = Unit::metres,
      .low = -most_metres,
      .high = most_metres,
      .shape = [](Shape& s, const Value& v, const Scene&) { s.size = std::get<Vec3>(v); }},
+    {.name = "fill",
+     .type = Type::boolean,
+     .rest = true,
+     .kinds = drawn_kinds,
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.filled = std::get<double>(v) != 0; },
+     .sentence = "Whether a flat shape is filled; else its stroke alone is drawn.",
+     .written = "on or off",
+     .example = "create card rectangle\nset card.fill off"},
+    {.name = "stroke",
+     .type = Type::color,
+     .rest = no_color,
+     .kinds = drawn_kinds,
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.stroke = std::get<Vec3>(v); },
+     .sentence = "The color of the line along a flat shape's outline; of one that is not filled, else its own color.",
+     .written = "a color or none",
+     .example = "create card rectangle\nset card.stroke gold"},
+    {.name = "stroke-width",
+     .type = Type::scalar,
+     .rest = 0.05,
+     .kinds = drawn_kinds,
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = put_measure<&Shape::stroke_width>,
+     .sentence = "How wide a stroke is, half of it on each side of the outline.",
+     .written = "a number",
+     .example = "create card rectangle fill=off\nset card.stroke-width 0.1"},
+    {.name = "dash",
+     .type = Type::pair,
+     .rest = Vec3{},
+     .kinds = drawn_kinds | line_kinds,
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape =
+         [](Shape& s, const Value& v, const Scene&) {
+           const Vec3 p = std::get<Vec3>(v);
+           s.dash = p.x, s.gap = p.y;
+         },
+     .sentence = "How long the dashes of a line or stroke are, and the gaps between them.",
+     .written = "(dash gap)",
+     .example = "create way line to=(4 0 0)\nset way.dash (0.2 0.1)"},
+    {.name = "trim",
+     .type = Type::pair,
+     .rest = Vec3{0, 1, 0},
+     .kinds = drawn_kinds | line_kinds,
+     .low = 0,
+     .high = 1,
+     .shape =
+         [](Shape& s, const Value& v, const Scene&) {
+           const Vec3 p = std::get<Vec3>(v);
+           s.trim_from = p.x, s.trim_to = p.y;
+         },
+     .sentence = "From where to where a line or stroke is drawn, 0 to 1 of its length.",
+     .written = "(from to)",
+     .example = "create way line to=(4 0 0)\nat 1f way.trim (0 0)\nat 24f way.trim (0 1)"},
+    {.name = "holes",
+     .type = Type::points,
+     .rest = Points(),
+     .kinds = bit(Kind::polygon),
+     .unit = Unit::metres,
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.holes = std::get<Points>(v); },
+     .sentence = "What is cut out of a polygon: one list of points, or a list of them.",
+     .written = "((x y) …) or (((x y) …) ((x y) …) …)",
+     .example = "create frame polygon points=((0 0) (4 0) (4 4) (0 4))\nset frame.holes ((1 1) (3 1) (3 3) (1 3))"},
 };
 
 }  // namespace betwixt

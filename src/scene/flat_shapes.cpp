@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scene/primitives.h"
+#include "scene/strokes.h"
 
 namespace betwixt {
 namespace {
@@ -38,7 +40,50 @@ int corners(double n, double least) {
   return whole >= least && whole <= most_corners ? static_cast<int>(whole) : 0;
 }
 
+// Between two circles, from one angle to a larger one.
+std::vector<Vec3> band(double outer, double inner, double from, double to) {
+  std::vector<Vec3> out;
+  go_round(out, {0, 0, 0}, outer, from, to);
+  if (inner > 0)
+    go_round(out, {0, 0, 0}, inner, to, from);
+  else
+    out.push_back({0, 0, 0});
+  return out;
+}
+
 }  // namespace
+
+Contours disc_contours(const Shape& s) {
+  if (!sane(s.radius) || !(s.radius > 0)) return {};
+  return {whole_circle(s.radius)};
+}
+
+Contours rings(const std::vector<Vec3>& points) {
+  Contours all;
+  std::vector<Vec3> one;
+  for (const Vec3 p : points) {
+    const bool again = one.size() > 1 && p == one.front();
+    if (!again) one.push_back(p);
+    if (again) all.push_back(std::exchange(one, {}));
+  }
+  if (!one.empty()) all.push_back(std::move(one));
+  return all;
+}
+
+Contours polygon_contours(const Shape& s) {
+  if (s.points->size() < 3 || !sane(*s.points) || !sane(*s.holes)) return {};
+  Contours all{*s.points};
+  if (s.holes->empty()) return all;
+  const auto turns_left = [up = facing(all)](const std::vector<Vec3>& c) {
+    double sum = 0;
+    for (std::size_t i = 0; i < c.size(); ++i) sum += dot(cross(c[i] - c[0], c[(i + 1) % c.size()] - c[0]), up);
+    return sum > 0;
+  };
+  if (!turns_left(all[0])) all[0] = backwards(all[0]);
+  for (auto& ring : rings(*s.holes))
+    if (ring.size() > 2) all.push_back(turns_left(ring) ? backwards(ring) : ring);
+  return all;
+}
 
 Contours rectangle_contours(const Shape& s) {
   const double x = s.size.x / 2, y = s.size.y / 2;
@@ -63,19 +108,18 @@ Contours arc_contours(const Shape& s) {
   const double way = std::clamp(s.to - s.from, -2 * pi, 2 * pi), half = s.width / 2;
   if (!sane(s.radius) || !sane(s.width) || !(s.radius > 0) || !(half > 0) || !(std::abs(way) > 0)) return {};
   const double outer = s.radius + half, inner = std::max(0.0, s.radius - half);
-  if (std::abs(way) >= 2 * pi) {
+  const Dashes dashes = dashes_of(s);
+  if (std::abs(way) >= 2 * pi && dashes.whole()) {
     Contours both{whole_circle(outer)};
     if (inner > 0) both.push_back(backwards(whole_circle(inner)));
     return both;
   }
-  const double from = std::min(s.from, s.from + way), to = std::max(s.from, s.from + way);
-  std::vector<Vec3> out;
-  go_round(out, {0, 0, 0}, outer, from, to);
-  if (inner > 0)
-    go_round(out, {0, 0, 0}, inner, to, from);
-  else
-    out.push_back({0, 0, 0});
-  return {out};
+  Contours all;
+  for (const auto& [from, to] : drawn_parts(s.radius * std::abs(way), dashes)) {
+    const double a = s.from + std::copysign(from / s.radius, way), b = s.from + std::copysign(to / s.radius, way);
+    if (a != b) all.push_back(band(outer, inner, std::min(a, b), std::max(a, b)));
+  }
+  return all;
 }
 
 Contours regular_contours(const Shape& s) {

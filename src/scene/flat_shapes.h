@@ -13,6 +13,12 @@ namespace betwixt {
 
 using Contours = std::vector<std::vector<Vec3>>;
 
+Contours disc_contours(const Shape&);
+// The outline as it is; with holes it goes round anticlockwise, seen from where it faces, and they the other way.
+Contours polygon_contours(const Shape&);
+// Holes, one behind the other: each ends where its first point comes again, the last one also where the points do.
+// The point that comes again is left out.
+Contours rings(const std::vector<Vec3>&);
 Contours rectangle_contours(const Shape&);
 Contours ring_contours(const Shape&);
 Contours arc_contours(const Shape&);

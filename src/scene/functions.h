@@ -19,6 +19,9 @@ constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
 
 constexpr std::uint32_t all_kinds = 0xffffffff;
 
+// Of a function that need not have a color: `none`.
+inline constexpr Color no_color{-1, -1, -1};
+
 struct FunctionSpec {
   std::string name = {};
   Type type = Type::scalar;

@@ -6,70 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "base/utf8.h"
 #include "scene/flat_shapes.h"
-#include "scene/line.h"
+#include "scene/kind_extents.h"
 #include "scene/primitives.h"
+#include "scene/strokes.h"
 
 namespace betwixt {
 namespace {
-
-// ---- Where shapes end
-
-Extent centred_on_origin(Vec3 half) { return {-half, half}; }
-
-Extent around_points(const std::vector<Vec3>& points, double margin) {
-  if (points.empty()) return {};
-  Extent e;
-  for (const Vec3 p : points) e.add(p);
-  const Vec3 m{margin, margin, margin};
-  return {e.low - m, e.high + m};
-}
-
-Extent of_ball(const Shape& s) { return centred_on_origin({s.radius, s.radius, s.radius}); }
-Extent of_box(const Shape& s) { return centred_on_origin(0.5 * s.size); }
-Extent of_plane(const Shape& s) { return centred_on_origin({s.size.x / 2, s.size.y / 2, 0}); }
-Extent of_disc(const Shape& s) { return centred_on_origin({s.radius, s.radius, 0}); }
-Extent of_round(const Shape& s) { return centred_on_origin({s.radius, s.height / 2, s.radius}); }  // cylinder, cone
-Extent of_ring(const Shape& s) { return centred_on_origin({s.radius + s.tube, s.tube, s.radius + s.tube}); }
-Extent of_polygon(const Shape& s) {
-  Extent e = around_points(*s.points, 0);
-  if (!s.points->empty()) e.low.z -= s.depth / 2, e.high.z += s.depth / 2;
-  return e;
-}
-Extent of_points(const Shape& s) { return around_points(*s.points, s.width / 2); }
-Extent of_mesh(const Shape& s) { return s.mesh && !s.mesh->positions.empty() ? s.mesh->box() : Extent{}; }
-
-// Width and lines of a text, letters taken as 0.6 em wide.
-Extent of_text(const Shape& s) {
-  double widest = 0, letters = 0, lines = 1;
-  for (const char c : *s.text) {
-    if (c == '\n')
-      ++lines, letters = 0;
-    else if (begins_character(c))
-      widest = std::max(widest, ++letters);
-  }
-  if (widest == 0) return {};
-  const double em = s.size.y, width = 0.6 * widest * em;
-  const double left = s.letters.align == Align::left ? 0 : s.letters.align == Align::right ? -width : -width / 2;
-  return {{left, (-0.25 - 1.2 * (lines - 1)) * em, -s.depth / 2}, {left + width, 0.8 * em, s.depth / 2}};
-}
-
-template <Contours (*contours)(const Shape&)>
-Extent of_contours(const Shape& s) {
-  Extent e;
-  bool any = false;
-  for (const auto& contour : contours(s))
-    for (const Vec3 p : contour) any ? e.add(p) : void(e = {p, p}), any = true;
-  e.low.z -= any ? s.depth / 2 : 0, e.high.z += any ? s.depth / 2 : 0;
-  return e;
-}
-
-// Round shapes reach less far than the corners of their boxes.
-double ball_reach(const Shape& s, Vec3 r) { return s.radius * length(r); }
-double disc_reach(const Shape& s, Vec3 r) { return s.radius * std::hypot(r.x, r.y); }
-double cylinder_reach(const Shape& s, Vec3 r) { return s.radius * std::hypot(r.x, r.z) + std::abs(s.height / 2 * r.y); }
-double ring_reach(const Shape& s, Vec3 r) { return s.radius * std::hypot(r.x, r.z) + s.tube * length(r); }
 
 // ---- How they become triangles
 
@@ -78,13 +21,9 @@ Vec3 box_measures(const Shape& s) { return s.size; }
 Vec3 plane_measures(const Shape& s) { return {s.size.x, s.size.y, std::max(s.size.x, s.size.y)}; }
 Vec3 round_measures(const Shape& s) { return {s.radius, s.height, s.radius}; }
 
-bool in_reach(const std::vector<Vec3>& points) {
-  return std::all_of(points.begin(), points.end(), [](Vec3 p) { return sane(p); });
-}
-
 // A radius beside the largest measure from the middle.
-double share_of(double radius, const Shape& s) {
-  const Vec3 half = of_points(s).half();
+double share_of(double radius, const Extent& all) {
+  const Vec3 half = all.half();
   return radius / std::max({half.x, half.y, half.z, radius, 1e-300});
 }
 
@@ -94,31 +33,19 @@ Mesh ring_mesh(const Shape& s, const Detail& d) {
   return torus_mesh(s.radius, s.tube, d.around, across);
 }
 Mesh stroke_mesh(const Shape& s, const Detail& d) {
-  if (!in_reach(*s.points) || !sane(s.width) || s.points->empty()) return {};
-  if (!(s.width > 0)) return line_mesh(*s.points);
-  return tube_mesh(*s.points, s.width, d.even ? 8 + d.around / 48 * 4 : d.around_thin(share_of(s.width / 2, s)));
+  if (!sane(*s.points) || !sane(s.width)) return {};
+  const int around = d.even ? 8 + d.around / 48 * 4 : d.around_thin(share_of(s.width / 2, whole_line(s)));
+  std::vector<Mesh> parts;
+  for (const auto& part : drawn_lines(s))
+    parts.push_back(s.width > 0 ? tube_mesh(part, s.width, around) : line_mesh(part));
+  return joined(std::move(parts));
 }
 Mesh cloud_mesh(const Shape& s, const Detail& d) {
-  if (!in_reach(*s.points) || !sane(s.width) || !(s.width > 0)) return {};
+  if (!sane(*s.points) || !sane(s.width) || !(s.width > 0)) return {};
   // Fewer triangles for each where there are many: together they may be millions.
   if (s.points->size() > 20000) return balls_mesh(*s.points, s.width, sphere_mesh(4, 2));
-  const int around = d.even ? d.around / 3 : d.around_thin(share_of(s.width / 2, s));
+  const int around = d.even ? d.around / 3 : d.around_thin(share_of(s.width / 2, of_points(s)));
   return balls_mesh(*s.points, s.width, sphere_mesh(around, around / 2));
-}
-
-// A curve as a polyline.
-Shape as_stroke(const Shape& s) {
-  Shape out = s;
-  Line line = line_of(s);
-  if (line.closed && line.points.size() > 1) line.points.push_back(line.points.front());
-  out.points = Points(std::move(line.points));
-  return out;
-}
-Extent of_curve(const Shape& s) { return of_points(as_stroke(s)); }
-
-std::vector<std::vector<Vec3>> one_contour(const Shape& s) {
-  if (s.points->size() < 3 || !in_reach(*s.points)) return {};
-  return {*s.points};
 }
 
 // ---- The rows
@@ -200,21 +127,23 @@ constexpr KindRow kind_rows[] = {
      .example = "create d disc radius=3",
      .functions = "radius",
      .fill = Fill::surface,
+     .deep = true,
      .detailed = true,
      .extent = of_disc,
      .reach = disc_reach,
      .measures = even_measures,
-     .mesh = [](const Shape&, const Detail& d) { return disc_mesh(d.around); }},
+     .mesh = [](const Shape&, const Detail& d) { return disc_mesh(d.around); },
+     .contours = disc_contours},
     {.kind = Kind::polygon,
      .name = "polygon",
      .sentence = "A filled outline.",
-     .written = "points=((x y) …) depth=0",
+     .written = "points=((x y) …) holes=()",
      .example = "create p polygon points=((0 0) (2 0) (1 2))",
      .functions = "points",
      .fill = Fill::outline,
      .deep = true,
-     .extent = of_polygon,
-     .contours = one_contour},
+     .extent = of_contours<polygon_contours>,
+     .contours = polygon_contours},
     {.kind = Kind::polyline,
      .name = "polyline",
      .sentence = "A line through points.",
@@ -222,8 +151,9 @@ constexpr KindRow kind_rows[] = {
      .example = "create l polyline points=((0 0) (2 0) (1 2)) width=0.1",
      .functions = "points",
      .fill = Fill::surface,
+     .line = true,
      .detailed = true,
-     .extent = of_points,
+     .extent = of_line,
      .mesh = stroke_mesh},
     {.kind = Kind::curve,
      .name = "curve",
@@ -232,17 +162,19 @@ constexpr KindRow kind_rows[] = {
      .example = "create road curve points=((0 0) (2 1) (4 0)) closed=on",
      .functions = "points",
      .fill = Fill::surface,
+     .line = true,
      .detailed = true,
-     .extent = of_curve,
-     .mesh = [](const Shape& s, const Detail& d) { return stroke_mesh(as_stroke(s), d); }},
+     .extent = of_line,
+     .mesh = stroke_mesh},
     {.kind = Kind::trace,
      .name = "trace",
      .sentence = "What a point of a thing has drawn by now.",
      .written = "of=NAME from=1f until=… last=0 point=(0 0 0) within=none width=0.05",
      .example = "create t trace of=ball from=1f width=0.02 color=red",
      .fill = Fill::surface,
+     .line = true,
      .detailed = true,
-     .extent = of_points,
+     .extent = of_line,
      .mesh = stroke_mesh},
     {.kind = Kind::points,
      .name = "points",
@@ -257,7 +189,7 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::text,
      .name = "text",
      .sentence = "Letters, flat or with a depth.",
-     .written = "text=\"…\" font=\"DejaVu Sans\" weight=regular slant=upright size=1 depth=0 align=centre",
+     .written = "text=\"…\" font=\"DejaVu Sans\" weight=regular slant=upright size=1 align=centre",
      .example = "create title text text=\"The end\" size=2",
      .fill = Fill::outline,
      .deep = true,
@@ -272,7 +204,7 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::rectangle,
      .name = "rectangle",
      .sentence = "A flat rectangle; its corners may be round.",
-     .written = "size=(1 1) corner=0 depth=0",
+     .written = "size=(1 1) corner=0",
      .example = "create card rectangle size=(3 2) corner=0.2",
      .fill = Fill::outline,
      .deep = true,
@@ -281,7 +213,7 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::ring,
      .name = "ring",
      .sentence = "A flat ring.",
-     .written = "radius=1 inner=0.5 depth=0",
+     .written = "radius=1 inner=0.5",
      .example = "create target ring radius=2 inner=1.8",
      .functions = "radius",
      .fill = Fill::outline,
@@ -292,17 +224,18 @@ constexpr KindRow kind_rows[] = {
      .name = "arc",
      .article = "an",
      .sentence = "A flat part of a ring, anticlockwise from the right.",
-     .written = "radius=1 from=0deg to=90deg width=0.1 depth=0",
+     .written = "radius=1 from=0deg to=90deg width=0.1",
      .example = "create part arc radius=2 to=120deg width=0.3",
      .functions = "radius",
      .fill = Fill::outline,
      .deep = true,
+     .line = true,
      .extent = of_contours<arc_contours>,
      .contours = arc_contours},
     {.kind = Kind::regular,
      .name = "regular",
      .sentence = "A flat shape of equal sides, one corner up.",
-     .written = "sides=6 radius=1 depth=0",
+     .written = "sides=6 radius=1",
      .example = "create cell regular sides=6 radius=2",
      .functions = "radius",
      .fill = Fill::outline,
@@ -312,7 +245,7 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::star,
      .name = "star",
      .sentence = "A flat star, one point up.",
-     .written = "points=5 radius=1 inner=0.4 depth=0",
+     .written = "points=5 radius=1 inner=0.4",
      .example = "create st star points=7 inner=0.6",
      .functions = "radius",
      .fill = Fill::outline,
@@ -322,7 +255,7 @@ constexpr KindRow kind_rows[] = {
     {.kind = Kind::gear,
      .name = "gear",
      .sentence = "A flat gear wheel; those of one module turn each other.",
-     .written = "teeth=20 module=0.1 inner=0 depth=0",
+     .written = "teeth=20 module=0.1 inner=0",
      .example = "create g gear teeth=12 module=0.2",
      .fill = Fill::outline,
      .deep = true,
@@ -332,12 +265,22 @@ constexpr KindRow kind_rows[] = {
      .name = "arrow",
      .article = "an",
      .sentence = "A flat arrow from its position on.",
-     .written = "to=(1 0 0) width=0.1 depth=0",
+     .written = "to=(1 0 0) width=0.1",
      .example = "create a arrow to=(2 1 0)",
      .fill = Fill::outline,
      .deep = true,
      .extent = of_contours<arrow_contours>,
      .contours = arrow_contours},
+    {.kind = Kind::line,
+     .name = "line",
+     .sentence = "A straight line from its position on.",
+     .written = "to=(1 0 0) width=0.05",
+     .example = "create l line to=(2 1 0) width=0.1",
+     .fill = Fill::surface,
+     .line = true,
+     .detailed = true,
+     .extent = of_line,
+     .mesh = stroke_mesh},
     {.kind = Kind::light,
      .name = "light",
      .sentence = "A lamp, or the sun.",
@@ -390,6 +333,13 @@ std::optional<Kind> find_kind(std::string_view name) {
   for (const KindRow& row : kind_rows)
     if (row.name == name) return row.kind;
   return std::nullopt;
+}
+
+std::string written_of(const KindRow& row) {
+  std::string all(row.written);
+  if (row.deep) all += " depth=0 fill=on stroke=none stroke-width=0.05";
+  if (row.deep || row.line) all += " dash=(0 0) trim=(0 1)";
+  return all;
 }
 
 std::string a_kind(Kind kind) { return std::string(row_of(kind).article) + " " + std::string(name_of(kind)); }

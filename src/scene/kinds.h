@@ -23,7 +23,7 @@ inline constexpr std::size_t most_letters = 20'000;
 enum class Fill : std::uint8_t {
   nothing,  // it has no shape
   surface,  // triangles made from numbers alone: `mesh`
-  outline,  // what contours go round: its `contours`, or letters where it has none
+  outline,  // what contours go round: its `contours`, or letters where it has none (see by_contours)
   file      // the mesh of a file
 };
 
@@ -42,12 +42,13 @@ struct Detail {
 struct KindRow {
   Kind kind = Kind::group;
   std::string_view name = {}, article = "a";
-  std::string_view sentence = {}, written = {}, example = {};  // for help; `written`: what can be said of it
+  std::string_view sentence = {}, written = {}, example = {};  // for help; `written`: what can be said of it alone
   std::string_view functions = {};  // the shared ones: "radius height"; all others say themselves whose they are
   bool placed = true;               // objects of it are somewhere; else they are only spoken of
   bool ground = false;              // grounds and walls for the rest: not what a film is about
   Fill fill = Fill::nothing;
   bool deep = false;      // an outline that can have a depth
+  bool line = false;      // dashes and trims are its own, not those of a stroke
   bool detailed = false;  // its mesh has more triangles where it is larger on the picture
   // A box in object space that holds the shape.
   Extent (*extent)(const Shape&) = nullptr;
@@ -63,6 +64,7 @@ std::span<const KindRow> kinds();  // in the order in which help tells of them
 const KindRow& row_of(Kind);
 std::optional<Kind> find_kind(std::string_view name);
 
+std::string written_of(const KindRow&);  // with what all of its sort have
 std::string a_kind(Kind);  // "a sphere", "an environment"
 inline bool drawable(Kind k) { return row_of(k).fill != Fill::nothing; }
 inline bool placed(Kind k) { return row_of(k).placed; }

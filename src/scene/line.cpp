@@ -36,10 +36,7 @@ std::vector<Vec3> sane_points(const Shape& s) {
 
 }  // namespace
 
-bool has_line(Kind k) {
-  return k == Kind::polyline || k == Kind::trace || k == Kind::curve || k == Kind::disc ||
-         row_of(k).contours != nullptr;
-}
+bool has_line(Kind k) { return row_of(k).line || row_of(k).contours != nullptr; }
 
 Line line_of(const Shape& s) {
   switch (s.kind) {
@@ -53,6 +50,7 @@ Line line_of(const Shape& s) {
     case Kind::arc:
       return sane(s.radius) && sane(s.from) && sane(s.to) ? of_circle(s.radius, s.from, s.to) : Line{};
     case Kind::arrow:
+    case Kind::line:
       return sane(s.size) ? Line{{{0, 0, 0}, s.size}, false} : Line{};
     default:
       break;

@@ -12,7 +12,7 @@ namespace betwixt {
 
 // Points in object space; closed: from the last one on to the first. Empty: the shape has no line.
 //   polyline, trace its points             curve    through its points, smooth or straight
-//   arc      its middle             arrow    from its position to its tip
+//   arc      its middle             arrow    from its position to its tip; line as well
 //   polygon, disc, and the other flat shapes: their (outer) contour, anticlockwise from where it begins
 struct Line {
   std::vector<Vec3> points;

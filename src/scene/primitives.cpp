@@ -245,6 +245,20 @@ Mesh tube_mesh(const std::vector<Vec3>& given, double diameter, int around) {
   return finished(std::move(sweep.mesh), true);
 }
 
+Mesh joined(std::vector<Mesh> parts) {
+  if (parts.empty()) return {};
+  Mesh all = std::move(parts.front());
+  for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
+    const Index base = static_cast<Index>(all.positions.size());
+    all.positions.insert(all.positions.end(), part->positions.begin(), part->positions.end());
+    all.normals.insert(all.normals.end(), part->normals.begin(), part->normals.end());
+    for (const Index i : part->triangles) all.triangles.push_back(base + i);
+    for (const Index i : part->edges) all.edges.push_back(base + i);
+    all.closed = all.closed && part->closed;
+  }
+  return all;
+}
+
 Mesh line_mesh(const std::vector<Vec3>& points) {
   Mesh mesh;
   for (const Vec3 p : points) add(mesh, p, {0, 0, 1});

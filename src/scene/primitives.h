@@ -4,6 +4,7 @@
 // Meshes of plain bodies, made from numbers alone.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace betwixt {
 // A measure or a point that can be reckoned with: squares and their products still fit into f32's neighbours in f64.
 inline bool sane(double d) { return std::abs(d) < 1e18; }
 inline bool sane(Vec3 p) { return sane(p.x) && sane(p.y) && sane(p.z); }
+inline bool sane(const std::vector<Vec3>& points) {
+  return std::all_of(points.begin(), points.end(), [](Vec3 p) { return sane(p); });
+}
 
 // About the origin, radius 1, height 1 along y, sides 1; `around` and `up`: how many faces. At least 3 and 2.
 Mesh sphere_mesh(int around, int up);
@@ -28,6 +32,8 @@ Mesh disc_mesh(int around);  // at z = 0, facing +z
 Mesh torus_mesh(double radius, double tube, int around, int across);
 // A round tube along the points, joints and ends round.
 Mesh tube_mesh(const std::vector<Vec3>& points, double diameter, int around);
+// All of them in one; without parts and places of textures.
+Mesh joined(std::vector<Mesh>);
 // A hairline: edges and no triangles.
 Mesh line_mesh(const std::vector<Vec3>& points);
 // A ball at every point, each like `ball`, scaled.

@@ -14,7 +14,8 @@ bool one_topology(const Shape& a, const Shape& b) {
   if (a.mesh != nullptr && b.mesh != nullptr && a.mesh != b.mesh)
     return a.mesh->positions.size() == b.mesh->positions.size() && a.mesh->triangles == b.mesh->triangles;
   if (a.kind == Kind::polyline && (a.width > 0) != (b.width > 0)) return false;
-  return (a.mesh == nullptr) == (b.mesh == nullptr) && a.points->size() == b.points->size();
+  return (a.mesh == nullptr) == (b.mesh == nullptr) && a.points->size() == b.points->size() &&
+         a.holes->size() == b.holes->size();
 }
 
 Mesh sum_of(std::span<const MeshShare> shares) {
@@ -50,7 +51,7 @@ Mesh sum_of(std::span<const MeshShare> shares) {
 
 Shape sum_of(std::span<const ShapeShare> shares) {
   Shape shape = *shares[0].shape;
-  std::vector<Vec3> points(shape.points->size(), Vec3{0, 0, 0});
+  std::vector<Vec3> points(shape.points->size()), holes(shape.holes->size());
   shape.size = {0, 0, 0};
   for (const auto m : shape_measures) shape.*m = 0;
   std::vector<MeshShare> meshes;
@@ -59,11 +60,13 @@ Shape sum_of(std::span<const ShapeShare> shares) {
     shape.size = shape.size + weight * of->size;
     for (const auto m : shape_measures) shape.*m += weight * (of->*m);
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = points[i] + weight * (*of->points)[i];
+    for (std::size_t i = 0; i < holes.size(); ++i) holes[i] = holes[i] + weight * (*of->holes)[i];
     if (of->mesh) meshes.push_back({of->mesh.get(), weight, {1, 1, 1}});
     one_mesh = one_mesh && of->mesh == shape.mesh;
   }
   for (const auto m : shape_measures) shape.*m = std::max(0.0, shape.*m);
   if (!points.empty()) shape.points = std::move(points);
+  if (!holes.empty()) shape.holes = std::move(holes);
   if (!one_mesh) shape.mesh = std::make_shared<const Mesh>(sum_of(std::span<const MeshShare>(meshes)));
   return shape;
 }

@@ -167,6 +167,44 @@ TEST(Errors, ValuesAndEvents) {
 }
 
 // What a refused line would have made is missed below it; that is said once, by that line.
+TEST(Errors, OfOutlinesAndLines) {
+  for (const Case& k : std::vector<Case>{
+           {"create r rectangle fill=2", 25, "on or off is wanted here"},
+           {"create r rectangle fill=red", 25, "on or off is wanted here"},
+           {"create r rectangle fill", 20, "'fill' needs a value"},
+           {"create r rectangle stroke=glod", 27, "there is no colour 'glod'", "did you mean 'gold'?"},
+           {"create r rectangle stroke=2f", 27, "a colour is wanted here, not a number"},
+           {"create r rectangle color=none", 26, "there is no colour 'none'"},
+           {"create r rectangle stroke.r=none", 29, "'none' is not a number"},
+           {"create r rectangle stroke-width=-1", 33, "stroke-width is at least 0"},
+           {"create r rectangle stroke-width=2deg", 33, "'deg' is not a unit of length"},
+           {"create r rectangle stroke-width=1e13", 33, "stroke-width is at most 1000000000000"},
+           {"create r rectangle dash=1", 25, "a vector is wanted here, not one number", "write (1 1)"},
+           {"create r rectangle dash=(1)", 25, "2 numbers are wanted here, not 1"},
+           {"create r rectangle dash=(1 2 3)", 30, "only 2 numbers are wanted here"},
+           {"create r rectangle dash=(-1 2)", 25, "dash is at least 0"},
+           {"create r rectangle dash=(1s 2)", 27, "'s' is not a unit that fits here"},
+           {"create r rectangle trim=(0 1.01)", 25, "trim is at most 1"},
+           {"create r rectangle trim=(-0.1 1)", 25, "trim is at least 0"},
+           {"create r rectangle trim=(0 1m)", 29, "'m' is not a unit that fits here"},
+           {"create r rectangle trim=(0 nan)", 28, "'nan' is not a number"},
+           {"create r rectangle holes=((0 0) (1 0) (1 1))", 20, "a rectangle has no 'holes'"},
+           {"create p polygon holes=1", 24, "an opening bracket '(' is missing here"},
+           {"create p polygon holes=(1 2)", 25, "a point (x y) or (x y z) is wanted here"},
+           {"create p polygon holes=((1 2) ((1 2)))", 35, "a closing bracket ')' is missing before '2'"},
+           {"create p polygon holes=(((1 2) (3 4)) (1 2))", 40, "a point (x y) or (x y z) is wanted here"},
+           {"create p polygon holes=(((1 2 3 4)))", 26, "a point has two or three numbers"},
+           {"create p polygon holes=(((1 2))", 24, "this bracket is never closed"},
+           {"create l line to=3", 18, "a vector is wanted here, not one number"},
+           {"create l line to=(1 2)", 18, "3 numbers are wanted here, not 2"},
+           {"create l line width=-1", 21, "width is at least 0"},
+           {"create l line stroke=red", 15, "a line has no 'stroke'"},
+           {"create l line fill=off", 15, "a line has no 'fill'"},
+           {"create s sphere stroke=red", 17, "a sphere has no 'stroke'"},
+           {"create s box trim=(0 1)", 14, "a box has no 'trim'"}})
+    expect_case(k);
+}
+
 TEST(Errors, OfARefusedLineAreSaidOnce) {
   EXPECT_EQ(
       errors(read("create ball sphre\nset ball.radius 2\nball.position\n  1f (0 0 0)\nattach ball to ball\n"

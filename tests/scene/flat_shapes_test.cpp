@@ -122,6 +122,7 @@ TEST(FlatShapes, NumbersThatMakeNoShapeMakeNone) {
     for (const double x : bad) {
       Shape s = shape(row.kind);
       s.radius = s.inner = s.width = s.sides = s.module = s.from = s.to = s.corner = x, s.size = {x, x, x};
+      s.dash = s.gap = s.trim_from = x, s.points = s.holes = std::vector<Vec3>(4, {x, x, 0});
       for (const auto& c : row.contours(s))
         for (const Vec3 p : c) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << row.name;
     }

@@ -43,7 +43,7 @@ TEST(Kinds, EachHasOneRowWithItsWords) {
     EXPECT_FALSE(row.sentence.empty()) << row.name;
     EXPECT_EQ(row.example.empty(), !row.placed) << row.name;  // the others have commands of their own
   }
-  for (int k = 0; k <= static_cast<int>(Kind::trace); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
+  for (int k = 0; k <= static_cast<int>(Kind::line); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
   EXPECT_EQ(find_kind("blob"), std::nullopt);
   EXPECT_EQ(a_kind(Kind::sphere), "a sphere");
   EXPECT_EQ(a_kind(Kind::environment), "an environment");
@@ -117,32 +117,36 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::cone, {"radius", "height"}},
       {Kind::torus, {"radius", "tube"}},
       {Kind::plane, {"size"}},
-      {Kind::disc, {"radius"}},
-      {Kind::polygon, {"points", "depth"}},
-      {Kind::polyline, {"points", "width"}},
+      {Kind::polyline, {"points", "width", "dash", "trim"}},
+      {Kind::line, {"to", "width", "dash", "trim"}},
       {Kind::points, {"points", "size"}},
-      {Kind::text, {"text", "font", "size", "depth", "align", "weight", "slant", "typed"}},
       {Kind::mesh, {"file"}},
       {Kind::light, {"range", "intensity", "shines", "shadow"}},
       {Kind::camera, {"lens", "fov", "height", "roll"}},
-      {Kind::rectangle, {"size", "corner", "depth"}},
-      {Kind::ring, {"radius", "inner", "depth"}},
-      {Kind::arc, {"radius", "from", "to", "width", "depth"}},
-      {Kind::regular, {"sides", "radius", "depth"}},
-      {Kind::star, {"points", "radius", "inner", "depth"}},
-      {Kind::gear, {"teeth", "module", "inner", "depth"}},
-      {Kind::arrow, {"to", "width", "depth"}},
-      {Kind::curve, {"points", "width", "smooth", "closed"}},
-      {Kind::trace, {"of", "within", "point", "from", "until", "last", "width"}}};
+      {Kind::curve, {"points", "width", "smooth", "closed", "dash", "trim"}},
+      {Kind::trace, {"of", "within", "point", "from", "until", "last", "width", "dash", "trim"}}},
+      flat{{Kind::disc, {"radius"}},
+           {Kind::polygon, {"points", "holes"}},
+           {Kind::text, {"text", "font", "size", "align", "weight", "slant", "typed"}},
+           {Kind::rectangle, {"size", "corner"}},
+           {Kind::ring, {"radius", "inner"}},
+           {Kind::arc, {"radius", "from", "to", "width"}},
+           {Kind::regular, {"sides", "radius"}},
+           {Kind::star, {"points", "radius", "inner"}},
+           {Kind::gear, {"teeth", "module", "inner"}},
+           {Kind::arrow, {"to", "width"}}};
   const Scene s;
   const auto common = function_names(s, Kind::group);
   EXPECT_EQ(common.size(), 21U);
-  for (const auto& [kind, names] : own) {
-    std::set<std::string> all(common.begin(), common.end());
-    all.insert(names.begin(), names.end());
-    const auto has = function_names(s, kind);
-    EXPECT_EQ(std::set<std::string>(has.begin(), has.end()), all) << name_of(kind);
-  }
+  const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "dash", "trim"};
+  for (const bool is_flat : {false, true})
+    for (const auto& [kind, names] : is_flat ? flat : own) {
+      std::set<std::string> all(common.begin(), common.end());
+      all.insert(names.begin(), names.end());
+      if (is_flat) all.insert(outlines.begin(), outlines.end());
+      const auto has = function_names(s, kind);
+      EXPECT_EQ(std::set<std::string>(has.begin(), has.end()), all) << name_of(kind);
+    }
   EXPECT_EQ(function_names(s, Kind::layer), (std::vector<std::string_view>{"weight", "mode"}));
   EXPECT_TRUE(function_names(s, Kind::environment).empty());
 }
