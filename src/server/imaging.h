@@ -103,7 +103,7 @@ class Imaging {
     std::string line;
   };
   std::vector<Event> events() { return std::exchange(events_, {}); }
-  void shown(const Shown&);
+  void shown(const std::vector<Shown>&);  // in their order
   bool frames_wanted() const;  // a host has subscribed to something that frames tell
 
   const Document& document() const { return editor_.now().document; }

@@ -30,8 +30,8 @@ bool Imaging::frames_wanted() const {
 }
 
 // One after the other: while contacts are looked for others go on, and may bring the next frame.
-void Imaging::shown(const Shown& f) {
-  shown_.push_back(f);
+void Imaging::shown(const std::vector<Shown>& frames) {
+  shown_.insert(shown_.end(), frames.begin(), frames.end());
   if (telling_) return;
   struct Telling {
     bool& on;

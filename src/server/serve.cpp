@@ -350,11 +350,11 @@ class Server {
   // ---- the clock
 
   void hear_clock() {
-    for (const Shown& s : clock_.shown()) {
-      imaging_.shown(s);
+    const std::vector<Shown> all = clock_.shown();
+    for (const Shown& s : all)
       for (const std::string& p : s.problems)
         if (problems_.size() < 100 && problems_.insert(p).second) tell_user(fmt::format("betwixt: warning: {}\n", p));
-    }
+    imaging_.shown(all);
     if (const auto trouble = clock_.trouble())
       tell_user(fmt::format("betwixt: frames go nowhere any more: {}\n", trouble->message));
   }

@@ -384,7 +384,7 @@ TEST(Attachment, HierarchyByNameAndByCouple) {
     const auto m = s.numbers(std::string(name) + ".world", "1f");
     return std::vector<double>{m[3], m[7], m[11]};
   };
-  EXPECT_EQ(at("car/wheel"), (std::vector<double>{12, 2, 0}));  // the name stays
+  EXPECT_EQ(at("bus/wheel"), (std::vector<double>{12, 2, 0}));  // what is below it goes along
   EXPECT_EQ(at("dog"), (std::vector<double>{12, 2, 10}));
   EXPECT_EQ(at("cat"), (std::vector<double>{0, 0, 5}));
 }

@@ -17,6 +17,7 @@ constexpr std::int64_t second = flicks_per_second;
 std::pair<Value, Value> two_values(const FunctionSpec& f) {
   switch (f.type) {
     case Type::pair:
+      if (f.high <= 1) return {Vec3{0, 0.5, 0}, Vec3{0.25, 1, 0}};
       return {Vec3{1, 2, 0}, Vec3{2, 1, 0}};
     case Type::vector:
       return {Vec3{1, 2, 3}, Vec3{2, 1, 5}};

@@ -18,17 +18,17 @@ TEST(Imaging, TellsThoseWhoAsked) {
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].to, a);
   EXPECT_EQ(told[0].line, "{\"event\":\"change\",\"tick\":0,\"host\":2,\"commands\":\"create ball sphere\"}\n");
-  s.imaging.shown({1, Time{}, 0, {}});
+  s.imaging.shown({{1, Time{}, 0, {}}});
   EXPECT_TRUE(s.imaging.events().empty());
-  s.imaging.shown({30, from_seconds(1.2), 0, {}});
+  s.imaging.shown({{30, from_seconds(1.2), 0, {}}});
   told = s.imaging.events();
   ASSERT_EQ(told.size(), 1u);
   EXPECT_EQ(told[0].line, "{\"event\":\"note\",\"seconds\":1,\"note\":\"there\"}\n");
-  s.imaging.shown({31, from_seconds(1.3), 0, {}});
+  s.imaging.shown({{31, from_seconds(1.3), 0, {}}});
   EXPECT_TRUE(s.imaging.events().empty());
   s.done(a, "unsubscribe");
   s.done(b, "subscribe frames");
-  s.imaging.shown({31, from_seconds(1.25), 1500, {}});
+  s.imaging.shown({{31, from_seconds(1.25), 1500, {}}});
   told = s.imaging.events();
   ASSERT_EQ(told.size(), 1u);
   EXPECT_EQ(told[0].line, "{\"event\":\"frame\",\"frame\":31,\"seconds\":1.25,\"late\":1.5}\n");
@@ -46,7 +46,7 @@ TEST(Imaging, TellsOfContacts) {
   s.done(a, "subscribe contacts");
   std::string told;
   for (int t = 0; t <= 30; ++t) {
-    s.imaging.shown({t + 1, from_seconds(t / 30.0), 0, {}});
+    s.imaging.shown({{t + 1, from_seconds(t / 30.0), 0, {}}});
     for (const auto& e : s.imaging.events()) {
       told += e.line;
       EXPECT_EQ(e.to, a);
@@ -55,7 +55,7 @@ TEST(Imaging, TellsOfContacts) {
   EXPECT_TRUE(holds(told, "{\"event\":\"view\",\"object\":\"ball\",\"state\":\"in\",\"tick\":0}\n")) << told;
   EXPECT_TRUE(holds(told, "{\"event\":\"contact\",\"state\":\"begin\",\"a\":\"ball\",\"b\":\"wall\",")) << told;
   s.done(b, "subscribe contacts");  // is told what holds already
-  s.imaging.shown({31, from_seconds(1.0), 0, {}});
+  s.imaging.shown({{31, from_seconds(1.0), 0, {}}});
   EXPECT_EQ(s.imaging.events().size(), 2u);
 }
 
@@ -70,12 +70,13 @@ TEST(Imaging, FramesAreToldInTheirOrderWhateverComesBetween) {
   s.done(a, "subscribe frames");
   s.done(c, "subscribe contacts");
   int number = 1, looked = 0;
-  s.imaging.shown({number, Time{}, 0, {}});
+  s.imaging.shown({{number, Time{}, 0, {}}});
   s.imaging.events();
   (void)s.imaging.program();
   s.imaging.work_beside([&](const std::function<void()>& work) {
     if (++looked <= 6) {
-      s.imaging.shown({number + looked, from_seconds((number + looked) / 30.0), 0, {}});
+      const int next = number + 1 + looked;
+      s.imaging.shown({{next, from_seconds(next / 30.0), 0, {}}});
       s.imaging.leave(c);
       c = s.imaging.arrive();
       EXPECT_TRUE(holds(s.say(c, "subscribe contacts"), "true"));
@@ -85,7 +86,8 @@ TEST(Imaging, FramesAreToldInTheirOrderWhateverComesBetween) {
   });
   std::vector<std::string> frames;
   for (int round = 0; round < 4; ++round) {
-    s.imaging.shown({number = 10 * (round + 1), from_seconds(number / 30.0), 0, {}});
+    number = 10 * (round + 1);
+    s.imaging.shown({{number, from_seconds(number / 30.0), 0, {}}, {number + 1, from_seconds((number + 1) / 30.0), 0, {}}});
     for (const auto& e : s.imaging.events())
       if (e.to == a) frames.push_back(e.line.substr(0, e.line.find(",\"seconds")));
   }
