@@ -25,6 +25,8 @@ std::pair<Value, Value> two_values(const FunctionSpec& f) {
       return {Points(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
               Points(std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}})};
     case Type::text:
+      if (!f.words.empty())
+        return {Text(f.words.substr(0, f.words.find('|'))), Text(f.words.substr(f.words.rfind('|') + 1))};
       return {Text(std::string("one")), Text(std::string("two"))};
     case Type::boolean:
       return {false, true};
