@@ -11,6 +11,7 @@
 
 #include "betwixt/program.h"
 #include "commands/command.h"
+#include "program/compiled.h"
 #include "scene/kinds.h"
 #include "scene/line.h"
 #include "scene/names.h"
@@ -182,36 +183,37 @@ bool set_along_line(Command& k, const Selected& to) {
 // What goes along something that is about to go stays on the way, straight from event to event.
 void keep_ways(const Command& k, const std::vector<ObjectId>& leaving, std::string_view about) {
   Scene& s = k.scene;
-  const auto goes = [&](const Value& v) {
-    const Along* a = along(v);
-    return a && std::find(leaving.begin(), leaving.end(), a->road) != leaving.end();
-  };
-  std::optional<Program> program;
-  const auto place = [&](const Target& t, Time at) {
-    if (!program) program = Program::compile(Document(std::make_shared<const Scene>(s)));
-    return program->read(t, at);
-  };
   const Scene before = s;
-  for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
-    if (s.objects[i].removed || std::find(leaving.begin(), leaving.end(), ObjectId{i}) != leaving.end()) continue;
-    for (const FunctionId f : {static_cast<FunctionId>(fn::position), static_cast<FunctionId>(fn::rotation)}) {
-      const Slot* slot = before.objects[i].find(f);
-      if (!slot) continue;
-      const Target t{ObjectId{i}, f};
+  std::optional<Program> program;
+  const auto kept = [&](std::uint32_t object, FunctionId f, const Value& v, Time t) -> std::optional<Value> {
+    const Along* a = along(v);
+    if (!a || std::find(leaving.begin(), leaving.end(), a->road) == leaving.end()) return std::nullopt;
+    if (!program) program = Program::compile(Document(std::make_shared<const Scene>(before)));
+    Asking asking;
+    const auto place = program->compiled().along(object, f, a->road, a->share, t, asking);
+    return place ? *place : spec_of(s, f).rest;
+  };
+  for (std::uint32_t i = 0; i < before.objects.size(); ++i) {
+    if (before.objects[i].removed || std::find(leaving.begin(), leaving.end(), ObjectId{i}) != leaving.end()) continue;
+    for (const Slot& slot : before.objects[i].slots) {
+      if (slot.function != fn::position && slot.function != fn::rotation) continue;
+      Target target{ObjectId{i}, slot.function};
+      target.layer = slot.layer;
       bool any = false;
-      if (slot->set && goes(*slot->set)) set_value(s, t, place(t, {})), any = true;
-      bool on_track = false;
-      slot->track->events.each([&](const Event& e) {
-        on_track = on_track || goes(e.value) || (e.detail->before && goes(*e.detail->before));
+      if (slot.set)
+        if (const auto place = kept(i, slot.function, *slot.set, {})) set_value(s, target, *place), any = true;
+      slot.track->events.each([&](const Event& e) {
+        Event now = e;
+        if (const auto place = kept(i, slot.function, e.value, e.time)) now.value = *place;
+        if (e.detail->before)
+          if (const auto place = kept(i, slot.function, *e.detail->before, e.time)) now.detail.edit().before = *place;
+        if (now == e) return;
+        any = true;
+        put_event(s, target, std::move(now));
       });
-      if (on_track)
-        edit_track(s, t)->events.edit_between({INT64_MIN}, {INT64_MAX}, [&](Event& e) {
-          if (e.detail->before && goes(*e.detail->before)) e.detail.edit().before = place(t, e.time - Time{1});
-          if (goes(e.value)) e.value = place(t, e.time);
-        });
-      if (any || on_track)
-        k.script.note(Severity::notice, fmt::format("'{}' goes straight where it went along that", target_name(s, t)),
-                      about);
+      if (any)
+        k.script.note(Severity::notice,
+                      fmt::format("'{}' goes straight where it went along that", target_name(s, target)), about);
     }
   }
 }

@@ -165,9 +165,24 @@ struct Worker {
     return c.along(live.object, live.function, from->road, share, t, asking);
   }
 
+  // A track of places on lines is repeated as one of plain values is. What code says of a time it says of that time
+  // only.
+  static Time repeated(const Track& track, Time t) {
+    if (track.events.size() < 2) return t;
+    const Time first = track.events.front().time, last = track.events.back().time;
+    const bool over = t > last || (t == last && track.after == Extrapolation::cycle);
+    const Extrapolation how = t < first ? track.before : over ? track.after : Extrapolation::hold;
+    if (how < Extrapolation::cycle) return t;
+    bool code = false;
+    track.events.each(
+        [&](const Event& e) { code = code || (std::holds_alternative<Procedure>(e.value) && !along(e.value)); });
+    return code ? t : Time{fold(t.flicks, first.flicks, last.flicks, how == Extrapolation::bounce)};
+  }
+
   // A track among whose values are procedures: a segment that begins with one is the procedure's, unless it has a
   // twerper, which then goes from what the procedure says to the next value.
   Value scripted(const LivePart& part, Time t) const {
+    t = repeated(part.track, t);
     std::vector<const Event*> near;  // three before, three behind: splines see no further
     std::size_t before = 0;
     const Event* last = nullptr;

@@ -119,6 +119,7 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
     for (; i < end; ++i) ++moving_of(starts[i]).placed;
   }
   thaw({INT64_MAX});
+  compiled.tracers.clear();  // what they looked up on the way was looked up too early
 }
 
 std::vector<Motion> Program::motions(ObjectId object) const {

@@ -44,7 +44,7 @@ class Tracer {
     t = std::min(t, until_);
     const Time first = last_ > Time{} && t - last_ > from_ ? t - last_ : from_;
     if (node_ < 0 || t < first || busy_) return {};
-    busy_ = true;
+    const Busy busy(busy_);
     extend(t);
     std::vector<Vec3> out;
     const auto behind = [](Time x, const Look& l) { return x < l.time; };
@@ -55,7 +55,6 @@ class Tracer {
       out.push_back(std::prev(at)->place);
     for (; at != looks_.end() && at->time <= t; ++at) out.push_back(at->place);
     if (t > first && (looks_.empty() || std::prev(at)->time != t)) out.push_back(place(t));
-    busy_ = false;
     return out;
   }
   // Whether the line of this time is another one a little later.
@@ -66,6 +65,14 @@ class Tracer {
   struct Look {
     Time time;
     Vec3 place;
+  };
+
+  struct Busy {  // whatever way out
+    bool& on;
+    explicit Busy(bool& flag) : on(flag) { on = true; }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+    ~Busy() { on = false; }
   };
 
   std::int32_t node(const Value& v) const {

@@ -111,6 +111,24 @@ TEST(Along, MovesWithOperationsAndNames) {
   expect_place(gone, "a", "9f", {6, 2, 0});
 }
 
+TEST(Along, IsCopiedStretchedAndRepeated) {
+  const std::string way = road + "a.position\n  1f..9f along road linear\n";
+  expect_at(way + "stretch a.position 1f..9f by 2\n", {{"1f", {0, 0, 0}}, {"7f", {3, 0, 0}}, {"17f", {6, 2, 0}}});
+  expect_at(way + "copy a.position 1f..9f to 21f\n", {{"9f", {6, 2, 0}}, {"24f", {3, 0, 0}}, {"29f", {6, 2, 0}}});
+  expect_at(way + "extend a.position cycle\n",
+            {{"4f", {3, 0, 0}}, {"9f", {0, 0, 0}}, {"12f", {3, 0, 0}}, {"84f", {3, 0, 0}}});
+  expect_at(way + "extend a.position bounce\n", {{"14f", {3, 0, 0}}, {"20f", {3, 0, 0}}});
+  expect_at(way + "bake a.position 1f..9f\nremove road\n", {{"4f", {3, 0, 0}}, {"8f", {6, 1, 0}}});
+}
+
+TEST(Along, OnALayerToo) {
+  const std::string film = road + "layer over mix\non over at 1f..9f a.position along road linear\n";
+  expect_at(film, {{"4f", {3, 0, 0}}, {"9f", {6, 2, 0}}});
+  const LoadedFilm gone(film + "remove road\n");
+  expect_place(gone, "a", "5f", {3, 1, 0});
+  expect_place(gone, "a", "9f", {6, 2, 0});
+}
+
 TEST(Along, LuaAsksForPlaces) {
   expect_at(road + "set a.position = \"place('road', t * 3)\"\n", {{"1f", {0, 0, 0}}, {"3f", {2, 0, 0}}});
 }
