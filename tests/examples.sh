@@ -59,6 +59,10 @@ holds 'the dot is as high as the hand' 'v[4] == 240 && same(v[2], -sqrt(3))' sin
 holds 'the ride ends where it began' 'same(v[1], v[4]) && same(v[2], v[5]) && same(v[3], v[6])' ride 1f,193f eye.position
 holds 'the fifth fish is where the leader was 15.36 frames before' 'same(v[1], v[10]) && same(v[2], v[11])' \
   swarm 84.64f,100f lead.position fish5.position
+holds 'letters come one after another' 'same(v[2], 0) && v[5] < -1 && same(v[11], 0)' \
+  letters 30f,54f title/1.position title/7.position
+holds 'what was a lid on top lies in the plane at last' 'same(v[8], 2.03) && same(v[12], 0) && same(v[24], 0.03) && same(v[28], -4)' \
+  unfold 5f,100f side2/wall/lid.world
 holds 'a stiff knee' 'same(v[1], 1.85) && v[2] < -50 && same(v[3], 1.69) && same(v[4], -12)' \
   limp 31f,55f man.position.y man/right/knee.rotation.z
 holds 'the small gear turns twice as fast the other way' 'same(v[1], 60) && same(v[4], -120) && v[5] == 2' \
