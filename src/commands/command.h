@@ -59,15 +59,17 @@ std::string_view not_of_a_script(std::string_view word);
 ValueReader values(Command&);
 // Where the dot between an object's name and its function is; dots inside braces ({1..100}) are not.
 std::size_t first_dot(std::string_view word);
-// What a pattern may name: functions with values of one type; any, for what never asks for values; or, asking, also
-// what can be asked for only and what display lists draw.
-enum class Meant : std::uint8_t { alike, any, asked };
+// What a pattern may name: functions with values of one type, so that what is of another is left out; one function,
+// whatever the types of its values are; any, for what never asks for values; or, asking, also what can be asked for
+// only and what display lists draw.
+enum class Meant : std::uint8_t { alike, named_alike, any, asked };
 bool targets(Command&, std::string_view word, Selected& out, Meant = Meant::alike);
 // Whether all that are selected have values of one type.
 bool alike(Command&, const Selected&);
 // The rest of a command about targets of which there are none is read by nobody.
 bool pass_over(Command&, const char* from);
-// Reads what stands behind a target for all that it names: where types may be translated, once for each type.
+// Reads what stands behind a target for all that it names, once for each type; whom it does not fit are left out,
+// unless it fits nobody or types may be translated.
 bool to_each_type(Command&, std::string_view word, const char* from, const std::function<bool(const Selected&)>& read);
 // One or more objects: a name that exists, an alias, or a pattern (which may name none).
 bool objects(Command&, std::string_view& word, std::vector<ObjectId>& out);

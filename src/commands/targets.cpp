@@ -46,6 +46,7 @@ struct Search {
   TargetWords words;
   Meant meant;
   Selected& out;
+  std::vector<Target>& left_out;
   const Scene& scene() const { return k.scene; }
   Kind kind(ObjectId id) const { return k.scene.objects[id.index].kind; }
 
@@ -163,12 +164,24 @@ bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
   std::vector<int> parts;
   if (!parts_of(q, spec, parts)) return false;
   if (!out.spec) out.spec = &spec, out.component = parts[0];
-  if (q.meant == Meant::alike && differ(spec, *out.spec)) {
-    if (!many) return true;
-    return unlike(q.k, *out.spec, spec, q.words.function);
+  if (differ(spec, *out.spec) && (q.meant == Meant::alike || q.meant == Meant::named_alike)) {
+    if (many) return unlike(q.k, *out.spec, spec, q.words.function);
+    if (q.meant == Meant::alike) return q.left_out.push_back(q.target(id, f, parts[0])), true;
   }
   for (const int part : parts) out.targets.push_back(q.target(id, f, part));
   return true;
+}
+
+// Objects whose function of that name has values of another type.
+void say_left_out(Command& k, const std::vector<Target>& those, std::string_view about, std::string why) {
+  constexpr std::size_t most = 4;
+  std::string names;
+  for (std::size_t i = 0; i < those.size() && i < most; ++i)
+    names += (i == 0 ? "" : ", ") + k.scene.objects[those[i].object.index].name;
+  if (those.size() > most) names += fmt::format(" and {} more", those.size() - most);
+  const FunctionSpec& spec = spec_of(k.scene, those[0].function);
+  k.script.note(Severity::notice, fmt::format("left out: {}, whose {} is {}", names, spec.name, to_string(spec.type)),
+                about, std::move(why));
 }
 
 bool no_function(const Search& q, ObjectId id, std::string_view function) {
@@ -204,12 +217,35 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
         found[i] = true;
         if (!take(q, id, f, many)) return false;
       }
+  if (!q.left_out.empty()) say_left_out(q.k, q.left_out, q.words.whole, {});
   for (std::size_t i = 0; i < wanted.size() && wanted.size() > 1; ++i)  // a word that is wrong among others
     if (!found[i] && !is_pattern(wanted[i]) && !anybody_has(q.scene(), wanted[i]))
       return no_function(q, objects[0], wanted[i]);
   if (!q.out.targets.empty()) return true;
   return many ? q.names_nothing(q.words.whole) : no_function(q, objects[0], function);
 }
+
+// Those whose values are of one type together, in order of the first of each.
+std::vector<Selected> by_type(const Scene& s, const Selected& all) {
+  std::vector<Selected> types;
+  for (const Target& t : all.targets) {
+    const FunctionSpec& spec = spec_of(s, t.function);
+    const auto known =
+        std::find_if(types.begin(), types.end(), [&](const Selected& other) { return !differ(spec, *other.spec); });
+    if (known != types.end())
+      known->targets.push_back(t);
+    else
+      types.push_back({{t}, &spec, t.component, all.text, all.velocity});
+  }
+  return types;
+}
+
+// Those for which a value could not be read, and why.
+struct Refused {
+  std::vector<Target> targets;
+  std::optional<Error> error;
+  std::string_view where;
+};
 
 }  // namespace
 
@@ -234,24 +270,28 @@ bool to_each_type(Command& k, std::string_view word, const char* from,
                   const std::function<bool(const Selected&)>& read) {
   Selected all;
   const bool translates = k.scene.policy == Policy::translate;
-  if (!targets(k, word, all, translates ? Meant::any : Meant::alike)) return false;
+  if (!targets(k, word, all, translates ? Meant::any : Meant::named_alike)) return false;
   if (!all.spec) return pass_over(k, from);
-  if (!translates) return read(all);
-  std::vector<Selected> types;
-  for (const Target& t : all.targets) {
-    const FunctionSpec& spec = spec_of(k.scene, t.function);
-    const auto alike = [&](const Selected& other) { return !differ(spec, *other.spec); };
-    const auto known = std::find_if(types.begin(), types.end(), alike);
-    if (known != types.end())
-      known->targets.push_back(t);
-    else
-      types.push_back({{t}, &spec, t.component, all.text, all.velocity});
+  if (all.targets.size() == 1) return read(all);
+  const std::vector<Selected> types = by_type(k.scene, all);
+  if (types.size() == 1) return read(types[0]);
+  Cursor& c = k.cursor;
+  const char* const value = c.at;
+  const char* behind = nullptr;
+  std::vector<Refused> refused;
+  for (const Selected& one : types) {
+    c.at = value;
+    if (read(one)) {
+      behind = c.at;
+      continue;
+    }
+    if (translates) return false;
+    refused.push_back({one.targets, std::exchange(c.error, std::nullopt), c.where});
   }
-  const char* const value = k.cursor.at;
-  return std::all_of(types.begin(), types.end(), [&](const Selected& one) {
-    k.cursor.at = value;
-    return read(one);
-  });
+  if (behind == nullptr) return c.error = std::move(refused[0].error), c.where = refused[0].where, false;
+  c.at = behind;
+  for (Refused& r : refused) say_left_out(k, r.targets, word, r.error ? std::move(r.error->message) : std::string());
+  return true;
 }
 
 bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {
@@ -264,7 +304,8 @@ bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {
         ErrorCode::syntax,
         word.empty() ? "a target is missing here" : fmt::format("'{}' is not a target", word.substr(0, 60)), word,
         "a target is an object and a function, as in ball.position");
-  const Search q{k, words_of(word), meant, out};
+  std::vector<Target> left_out;
+  const Search q{k, words_of(word), meant, out, left_out};
   const std::string_view object = q.words.object;
   out.velocity = q.words.velocity;
   if (q.words.component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say

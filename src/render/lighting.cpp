@@ -80,7 +80,7 @@ void surround(Lighting& r, const Surroundings& around) {
   if (around.sky) r.sky = {0.2, 0.25, 0.33};
   if (around.ground) r.ground = 0.3 * *around.ground;
   if (around.ambient) r.sky = r.ground = *around.ambient;
-  r.zenith = {0.085, 0.22, 0.54}, r.horizon = {0.6, 0.72, 0.84}, r.below = {0.16, 0.155, 0.15};
+  r.zenith = {0.12, 0.25, 0.54}, r.horizon = {0.6, 0.72, 0.84}, r.below = {0.16, 0.155, 0.15};
   const double share = std::exp2(around.exposure);
   for (Vec3* light : {&r.sky, &r.ground, &r.zenith, &r.horizon, &r.below}) *light = share * *light;
   for (Lighting::One& l : r.lights) l.color = share * l.color;

@@ -165,11 +165,17 @@ vec3 rolled(vec3 c) {
 }
 
 #if defined(RICH) && !defined(GROUND)
+// What is left of light where so much of it is mirrored. In the wide primaries of BT.2020, as light and metals have spectra:
+// in those of sRGB a blue sky has too little red for gold, which would be green.
+const mat3 wide = mat3(0.6274, 0.0691, 0.0164, 0.3293, 0.9195, 0.0880, 0.0433, 0.0114, 0.8956);
+const mat3 narrow = mat3(1.6605, -0.1246, -0.0182, -0.5876, 1.1329, -0.1006, -0.0728, -0.0083, 1.1187);
+vec3 tinted(vec3 light, vec3 share) { return max(narrow * (wide * light * (wide * share)), 0.0); }
+
 // What a metal mirrors along d: what is above, and the floor as it is lit where it is met, without shadows, which would be
 // stains without the things; the rougher, the less sharp.
 vec3 mirrored(vec3 from, vec3 d, float blur, bool wanted) {
   float up = 1.0 - clamp(d.y, 0.0, 1.0), dim = 0.02 + 0.6 * blur;
-  vec3 above = mix(mix(top, bottom, up * up * up), mix(top, bottom, 0.6), smoothstep(0.08, 0.5, blur));
+  vec3 above = mix(mix(top, bottom, up * up), mix(top, bottom, 0.6), smoothstep(0.08, 0.5, blur));
   vec3 spot = from + max(from.y - floor_height, 0.0) / max(-d.y, 0.02 + 0.4 * blur) * d, light = sky;
   spot.y = floor_height;
   int count = wanted && floor_color.a > 0.0 && d.y < dim ? lights : 0;
@@ -187,7 +193,7 @@ vec3 mirrored(vec3 from, vec3 d, float blur, bool wanted) {
 // What is behind everything, where one looks along d and `down` from the picture's top.
 vec3 behind(vec3 d, float down) {
   float up = 1.0 - clamp(d.y, 0.0, 1.0), below = clamp(-4.0 * d.y, 0.0, 1.0);
-  vec3 sky_color = mix(mix(top, bottom, up * up * up), under, below * below * (3.0 - 2.0 * below));
+  vec3 sky_color = mix(mix(top, bottom, up * up), under, below * below * (3.0 - 2.0 * below));
   return mix(mix(top, bottom, mix(down, smoothstep(0.0, 1.0, down), shape.x)), rolled(sky_color), shape.y);
 }
 #endif
@@ -273,9 +279,11 @@ void main() {
   vec3 soft = body * ambient;
   vec3 around = surroundings(r.y, roughness) * (1.0 + 2.0 * metal);
 #if defined(RICH) && !defined(GROUND)
-  around = mix(around, mirrored(spot, r, roughness, metal > 0.0), metal);
-#endif
+  vec3 around_metal = tinted(mirrored(spot, r, roughness, metal > 0.0), fresnel);
+  vec3 shiny = specular * f0 + mix(fresnel * around, around_metal, metal);
+#else
   vec3 shiny = specular * f0 + fresnel * around;
+#endif
   float opacity = base.a;
   vec3 sum = (body * diffuse + soft) * opacity + shiny;
   opacity = opacity + (1.0 - opacity) * max(fresnel.r, max(fresnel.g, fresnel.b));

@@ -55,6 +55,34 @@ TEST(Targets, EachWordInBracesMustBeAFunctionOfOneOfThem) {
   EXPECT_EQ(l.diagnostics[0].what.hint, "components stand behind all of them: {position,scale}.y");
 }
 
+// A light's `shadow` is a word, everybody else's on or off; a text's `size` a number, a box's three.
+TEST(Targets, OneValueReachesAllWhomItFits) {
+  const std::string head = "create b{1..6} sphere\ncreate lamp light\ncreate t text text=\"a\"\ncreate q box\n";
+  const LoadedFilm film(head + "set *.shadow off\nset {q,t}.size 2\n");
+  for (const char* thing : {"b1", "b6", "q", "t"}) expect_numbers(film, std::string(thing) + ".shadow", "1f", {0});
+  EXPECT_EQ(film.text("lamp.shadow", "1f"), "off");
+  expect_numbers(film, "t.size", "1f", {2});
+  expect_numbers(film, "q.size", "1f", {1, 1, 1});
+  const auto notices = [&](const std::string& line) {
+    std::vector<std::string> said;
+    const Loaded l = read(head + line + "\n");
+    for (const Diagnostic& d : l.diagnostics)
+      said.push_back(
+          fmt::format("{}: {} ({})", d.severity == Severity::notice ? "notice" : "error", d.what.message, d.what.hint));
+    return said;
+  };
+  using Said = std::vector<std::string>;
+  EXPECT_EQ(notices("set *.shadow off"), Said{});
+  EXPECT_EQ(notices("at 1f *.shadow on"), Said{});
+  EXPECT_EQ(notices("set {lamp,q}.shadow soft"),
+            Said{"notice: left out: q, whose shadow is on or off (on or off is wanted here)"});
+  EXPECT_EQ(notices("at 1f *.shadow soft"), Said{"notice: left out: b1, b2, b3, b4 and 4 more, whose shadow is on or "
+                                                 "off (on or off is wanted here)"});
+  EXPECT_EQ(notices("set {q,t}.size 2").size(), 1u);
+  EXPECT_EQ(notices("set {q,t}.size red"), Said{"error: a vector (x y z) is wanted here ()"});
+  EXPECT_EQ(notices("{t,q}.size\n  1f 2"), Said{"notice: left out: q, whose size is a vector ()"});
+}
+
 TEST(Settings, PolicyTranslatesTypesUnitsAndSizes) {
   const LoadedFilm s(
       "policy translate\ncreate b sphere\ncreate p plane\ncreate eye camera\ncreate word text text=\"a\"\n"

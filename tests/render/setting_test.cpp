@@ -200,6 +200,39 @@ TEST(RenderSetting, MetalMirrorsTheSky) {
   EXPECT_GT(mirrored.b, mirrored.r + 40);
 }
 
+// What light comes to in linear sRGB where each of three primaries is mirrored by itself, from the primaries' places in
+// the CIE's diagram and the white D65.
+Mat4 to_xyz(const std::array<Vec3, 3>& primaries) {
+  const auto bright = [](Vec3 c) { return Vec3{c.x / c.y, 1, (1 - c.x - c.y) / c.y}; };
+  Mat4 m;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) m(i, k) = bright(primaries[static_cast<std::size_t>(k)])[i];
+  const Vec3 share = transform_vector(*inverse(m), bright({0.3127, 0.3290, 0}));
+  return m * scaling(share);
+}
+Vec3 mirrored_in_wide_primaries(Vec3 light, Vec3 metal) {
+  const Mat4 srgb = to_xyz({Vec3{0.64, 0.33, 0}, {0.30, 0.60, 0}, {0.15, 0.06, 0}});
+  const Mat4 wide = to_xyz({Vec3{0.708, 0.292, 0}, {0.170, 0.797, 0}, {0.131, 0.046, 0}});
+  const Mat4 there = *inverse(wide) * srgb;
+  const Vec3 a = transform_vector(there, light), b = transform_vector(there, metal);
+  return transform_vector(*inverse(there), {a.x * b.x, a.y * b.y, a.z * b.z});
+}
+
+TEST(RenderSetting, GoldUnderABlueSkyIsGold) {
+  const Vec3 gold{1, decoded(215 / 255.0), 0};
+  for (const double height : {0.5, 1.0, 2.0, 4.0}) {  // the mirror shows the sky at different heights
+    Frame down = looking({0, height, 2}, {0, 0, 0}), up = looking({0, height, 2}, {0, 2 * height, 0});
+    for (Frame* f : {&down, &up}) f->surroundings.sky = true, f->lights = {lamp({0, 50, 0}, 1)};
+    down.items.push_back(item(square(), look_at({}, {0, -1, 0}) * scaling({9, 9, 1}), gold, Material::metal));
+    down.items[0].shininess = 1;
+    const Pixel seen = pixel(draw(down), 50, 50), sky = pixel(draw(up), 50, 50);
+    const Vec3 light{decoded(sky.r / 255.0), decoded(sky.g / 255.0), decoded(sky.b / 255.0)};
+    if (height > 1) expect_near(seen, mirrored_in_wide_primaries(light, gold), 4);  // else it mirrors like glass, too
+    EXPECT_GT(decoded(seen.r / 255.0), 0.9 * decoded(seen.g / 255.0)) << height;
+    EXPECT_GT(seen.g, seen.b + 30) << height;
+  }
+}
+
 // A mirror that stands on the floor shows at (0 0.5 0) what is at (0 0 2).
 TEST(RenderSetting, MetalMirrorsTheFloor) {
   Frame f = looking({0, 1, 2}, {0, 0.5, 0});
