@@ -41,6 +41,16 @@ bool is_rich(const Surfaces::Circumstances& frame) {
          (frame.metal && (frame.around.sky || frame.around.ground));
 }
 
+// How far what is drawn after each of them reaches.
+std::vector<double> depths_later(const Things& things, const Batches& sorted) {
+  std::vector<double> farthest(sorted.order.size(), -INFINITY);
+  for (std::size_t i = farthest.size(); i-- > 1;) {
+    const Thing& t = things[sorted.order[i]];
+    farthest[i - 1] = std::max(farthest[i], t.depth + t.bounds.radius());
+  }
+  return farthest;
+}
+
 }  // namespace
 
 Result<Surfaces::Look> Surfaces::new_look(bool fills, bool rich, const char* defines) {
@@ -256,6 +266,7 @@ void Surfaces::draw_transparent(const Things& things, std::span<const std::uint3
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   Once once;
+  const std::vector<double> later = depths_later(things, batches);
   for (const Batch& b : batches.batches) {
     if (b.mesh->parts.empty()) continue;
     Store::need_triangles(*b.mesh);
@@ -264,8 +275,9 @@ void Surfaces::draw_transparent(const Things& things, std::span<const std::uint3
     glass_.bind(b.first);
     (b.closed ? glEnable : glDisable)(GL_CULL_FACE);
     if (b.line) {
-      const Material material = things[batches.order[b.first]].look.material;
-      if (!flat_ && material != Material::glow) draw_depth(b);
+      const Thing& line = things[batches.order[b.first]];
+      const bool hides = later[b.first] > line.depth - line.bounds.radius();  // what may be behind a part of it
+      if (!flat_ && line.look.material != Material::glow && !hides) draw_depth(b);
       once.begin();
     } else if (b.closed) {
       glCullFace(GL_FRONT);

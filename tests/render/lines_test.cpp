@@ -58,6 +58,27 @@ TEST(RenderLines, OfTwoThingsAreBothSeen) {
   EXPECT_NEAR(pixel(p, 30, 50).g, encoded_byte(0.5), 1);
 }
 
+// A lit line that comes from far behind and ends before a pane: its middle is farther away, so the pane is drawn after
+// it.
+TEST(RenderLines, HideNothingThatIsBehindThem) {
+  auto one = std::make_shared<Shape>();
+  one->kind = Kind::line, one->width = 1, one->size = {6, 0, 20};
+  const auto picture = [&](bool with_pane, bool with_line) {
+    Frame f = frame(20);
+    f.surroundings.ambient = Vec3{0.5, 0.5, 0.5}, f.lights = {lamp({0, 500, 0}, 1)};
+    if (with_line) f.items.push_back(item(one, translation({-3, 0, -16}), {1, 0, 0}, Material::matte));
+    if (with_pane) f.items.push_back(item(square(), scaling({10, 2, 1}), {0, 0, 1}, Material::matte));
+    for (Item& i : f.items) i.transparency = 0.5;
+    return draw(f);
+  };
+  const Pixel both = pixel(picture(true, true), 75, 50), pane = pixel(picture(true, false), 75, 50),
+              line = pixel(picture(false, true), 75, 50);
+  EXPECT_GT(pane.b, 100);
+  EXPECT_GT(line.r, 100);
+  EXPECT_GT(both.b, 80) << "the pane is seen through the line";
+  EXPECT_GT(both.r, 80) << "and the line";
+}
+
 // More lines than there are marks for: black ones before a white one.
 TEST(RenderLines, ManyAreEachTransparentOnce) {
   Frame f = frame();
