@@ -81,10 +81,13 @@ class Well:
         self.wrong, self.seen, self.said, self.frame = 0, 0, 0, None
         self.events = self.frames.subscribe("frames", wait=60)
 
-    def timed(self, phase, what):
+    def timed(self, phase, line, what):
         begun = time.monotonic()
         out = what()
-        self.waits[phase].append(time.monotonic() - begun)
+        took = time.monotonic() - begun
+        self.waits[phase].append(took)
+        if took > MOST_WAIT:
+            print(f"SLOW: {1000 * took:.0f} ms {phase}: {line[:60]}", flush=True)
         return out
 
     def mistake(self, what):
@@ -95,9 +98,9 @@ class Well:
     def ask(self, phase):
         self.said += 1
         value = 1 + self.said % 7
-        self.timed(phase, lambda: self.host.do(f"set good.radius {value}"))
+        self.timed(phase, "set", lambda: self.host.do(f"set good.radius {value}"))
         tick = random.randrange(10_000)
-        asked = self.timed(phase, lambda: self.host.eval("good.radius", "good.world", at=f"{tick}t"))
+        asked = self.timed(phase, "eval", lambda: self.host.eval("good.radius", "good.world", at=f"{tick}t"))
         turn = math.radians(3 * (tick + 1))
         if asked["good.radius"] != value or abs(asked["good.world"][4] - math.sin(turn)) > 1e-9:
             self.mistake(f"at {tick}t {asked}")
@@ -195,10 +198,10 @@ def watch(server, good, visits, minutes):
         what, (lines, back) = heavy[len(rests) % len(heavy)]
         start = good.host.stats()
         for line in lines:
-            good.timed("when frames take long", lambda: good.host.do(line))
+            good.timed("when frames take long", line, lambda: good.host.do(line))
         good.go_on("when frames take long", time.monotonic() + CLOCK_TIME)
         for line in back:
-            good.timed("when frames take long", lambda: good.host.do(line))
+            good.timed("when frames take long", line, lambda: good.host.do(line))
         part = frames(start, good.host.stats())
         clock.update(part)
         print(f"minute {len(rests) + 1}: {what}: {told(part)}", flush=True)

@@ -7,7 +7,8 @@ import random
 import socket
 import time
 
-# A time that no film comes to: what is asked there takes long, and frames do not.
+# A time that no film comes to: what is asked there takes long, and frames do not (`asked` has a radius until then; else
+# its first one would hold from the beginning on).
 FAR = "100000s"
 SLOW_CODE = [
     "string.rep('', 1e15) == '' and 1 or 2",
@@ -35,7 +36,7 @@ create heavy sphere position=(1000 0 0) display=off
 heavy.position.x
   1f 1000 linear
   100000f 2000 linear
-create asked sphere display=off
+create asked sphere radius=1 display=off
 create words text display=off
 create heap group position=(0 500 0)
 create heap/s{1..2000} sphere display=off

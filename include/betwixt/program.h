@@ -6,7 +6,10 @@
 // Room: program
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "betwixt/contacts.h"
 #include "betwixt/document.h"
@@ -34,6 +37,9 @@ class Program {
   Value read(const Target&, Time) const;
   // Many at once: what they share is evaluated once. `problems`: procedures that gave no value, in words.
   std::vector<Value> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;
+  // The same, where it is a few values that take at most so many steps and need no code; none: it may take longer.
+  std::optional<std::vector<Value>> read_within(std::uint64_t steps, const std::vector<Target>&, Time,
+                                                std::vector<std::string>* problems = nullptr) const;
   // What procedures looked at to give this value, in the order they looked.
   std::vector<Target> reads(const Target&, Time) const;
 

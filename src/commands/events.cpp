@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/names.h"
+#include "base/wanted.h"
 #include "commands/command.h"
 #include "commands/roads.h"
 #include "language/line_words.h"
@@ -154,7 +155,7 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
     return true;
   }
   for (const Target& t : to.targets)
-    if (!event.keep || !keep_there(s, t, event)) put_event(s, t, event);
+    if (Wanted::ask(); !event.keep || !keep_there(s, t, event)) put_event(s, t, event);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/names.h"
+#include "base/wanted.h"
 #include "commands/list_rows.h"
 #include "commands/roads.h"
 #include "commands/verbs.h"
@@ -154,6 +155,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
   while (c.at < c.end && !script.given_up) {
+    Wanted::ask();
     const char* line_start = c.at;
     const char* p = c.at;
     while (p < c.end && blank(*p)) ++p;

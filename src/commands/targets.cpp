@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "base/wanted.h"
 #include "commands/command.h"
 #include "commands/roads.h"
 #include "scene/names.h"
@@ -211,12 +212,14 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
     wanted = std::move(*braces);
   }
   std::vector<bool> found(wanted.size());
-  for (const ObjectId id : objects)
+  for (const ObjectId id : objects) {
+    Wanted::ask();
     for (std::size_t i = 0; i < wanted.size(); ++i)
       for (const FunctionId f : functions(q, q.kind(id), wanted[i])) {
         found[i] = true;
         if (!take(q, id, f, many)) return false;
       }
+  }
   if (!q.left_out.empty()) say_left_out(q.k, q.left_out, q.words.whole, {});
   for (std::size_t i = 0; i < wanted.size() && wanted.size() > 1; ++i)  // a word that is wrong among others
     if (!found[i] && !is_pattern(wanted[i]) && !anybody_has(q.scene(), wanted[i]))

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "base/wanted.h"
 #include "commands/verbs.h"
 #include "track/curve.h"
 
@@ -82,7 +83,7 @@ bool set_alike(Command& k, const Selected& to) {
       return c.fail_here(ErrorCode::type, "the whole value is set, not one component of it, when code computes it",
                          fmt::format("at 1f {} = \"…\" computes one component", w.substr(0, 60)));
     if (!computed(k, to, v) || !finish(c)) return false;
-    for (const Target& t : to.targets) set_value(s, t, v);
+    for (const Target& t : to.targets) Wanted::ask(), set_value(s, t, v);
     return true;
   }
   if (goes_along(c)) return set_along_line(k, to);
@@ -103,7 +104,7 @@ bool set_alike(Command& k, const Selected& to) {
                     "set the whole of it as euler(x y z) first");
   }
   say_unseen(k, to, w);
-  for (const Target& t : to.targets) set_value(s, t, v);
+  for (const Target& t : to.targets) Wanted::ask(), set_value(s, t, v);
   say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, v, w);
   return true;
 }

@@ -88,6 +88,7 @@ void Machine::end() {
     lua_rawset(state, 1);
   }
   lua_settop(state, 0);
+  if (live > floor + most_garbage) lua_gc(state, LUA_GCCOLLECT);  // each thread has a machine, and may rest from now on
 }
 
 void Machine::set(const char* global) {

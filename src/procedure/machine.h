@@ -24,6 +24,7 @@ inline constexpr int steps_between_hooks = 100;
 // so many letters of the longest.
 inline constexpr std::size_t letters_a_step = 4096;
 inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
+inline constexpr std::size_t most_garbage = 1 << 20;  // that a machine keeps from one call to the next
 inline constexpr const char* too_many_steps = "stopped: it took more than 1000000 steps";
 inline constexpr const char* too_much_memory = "stopped: it took too much memory";
 

@@ -115,6 +115,8 @@ struct Asking {
   std::uint64_t cost = 0;   // so far, in steps
   std::uint64_t begun = 0;  // what it was when the outermost question began …
   bool given_up = false;    // … which has taken more than it may: it is left without an answer
+  std::uint64_t most = UINT64_MAX;  // that all of it may take; whoever says less throws the answer away then
+  bool in_haste() const { return most < UINT64_MAX; }
   std::vector<std::string> problems;
   std::vector<Frame::CodeError> errors;
   std::vector<Target> read;  // what procedures looked at
@@ -127,7 +129,7 @@ struct Asking {
   // Counts work; true: it was too much, here or before.
   bool work(std::uint64_t steps) {
     cost += steps;
-    given_up = given_up || cost - begun > most_work;
+    given_up = given_up || cost - begun > most_work || cost > most;
     if (given_up) cut = 0;  // nothing found from here on is kept
     return given_up;
   }

@@ -93,6 +93,7 @@ struct Worker {
     if (asking.work(0)) return std::nullopt;
     if (const Along* place = along(Value(p)))
       return c.along(live.object, live.function, place->road, place->share, t, asking);
+    if (asking.in_haste() && asking.work(asking.most + 1)) return std::nullopt;  // code always may take long
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);

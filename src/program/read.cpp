@@ -4,6 +4,7 @@
 // Values read back, one or many at a time.
 #include <algorithm>
 
+#include "base/wanted.h"
 #include "program/evaluator.h"
 
 namespace betwixt {
@@ -88,22 +89,47 @@ Value Program::read(const Target& target, Time t) const {
   return code_->read(target, t, asking);
 }
 
-std::vector<Value> Program::read(const std::vector<Target>& targets, Time t, std::vector<std::string>* problems) const {
-  Asking asking;
+namespace {
+
+std::vector<Value> read_all(const Program::Compiled& code, const std::vector<Target>& targets, Time t, Asking& asking) {
   const TwerperFailures failed;
   std::vector<Value> out;
   out.reserve(targets.size());
   std::optional<Evaluator> all;  // many worlds are cheaper at once
   const auto wants_world = [&](const Target& x) {
-    return x.query() == Query::world && !code_->document.scene().objects[x.object.index].environment;
+    return x.query() == Query::world && !code.document.scene().objects[x.object.index].environment;
   };
-  if (std::count_if(targets.begin(), targets.end(), wants_world) > 4)
-    all.emplace(*code_).to(t, asking);
-  for (const Target& target : targets)
-    out.push_back(wants_world(target) && all
-                      ? place_in(all->world(code_->node_of[target.object.index]), target.component)
-                      : code_->read(target, t, asking));
-  code_->say(failed, asking);
+  if (std::count_if(targets.begin(), targets.end(), wants_world) > 4) all.emplace(code).to(t, asking);
+  for (const Target& target : targets) {
+    Wanted::ask();
+    out.push_back(wants_world(target) && all ? place_in(all->world(code.node_of[target.object.index]), target.component)
+                                             : code.read(target, t, asking));
+  }
+  code.say(failed, asking);
+  return out;
+}
+
+// Looks at all that there is, which is not counted.
+bool looks_far(const Target& t) { return t.query() == Query::touching || t.query() == Query::in_view; }
+
+}  // namespace
+
+std::vector<Value> Program::read(const std::vector<Target>& targets, Time t, std::vector<std::string>* problems) const {
+  Asking asking;
+  std::vector<Value> out = read_all(*code_, targets, t, asking);
+  if (problems) *problems = std::move(asking.problems);
+  return out;
+}
+
+std::optional<std::vector<Value>> Program::read_within(std::uint64_t steps, const std::vector<Target>& targets, Time t,
+                                                       std::vector<std::string>* problems) const {
+  constexpr std::size_t few = 16;
+  if (targets.size() > few || code_->traces || std::any_of(targets.begin(), targets.end(), looks_far))
+    return std::nullopt;
+  Asking asking;
+  asking.most = steps;
+  std::vector<Value> out = read_all(*code_, targets, t, asking);
+  if (asking.cost > steps) return std::nullopt;
   if (problems) *problems = std::move(asking.problems);
   return out;
 }

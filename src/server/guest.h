@@ -4,6 +4,7 @@
 // Who is connected to a server: what has come from there, and what is on its way there.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,8 +25,9 @@ struct Guest {
   bool half_closed = false;  // it will say no more
   bool stuck = false;        // it had not read all its answers when it was last looked at
   bool in_hand = false;      // a thread works on what it said; nobody else touches it
-  bool gone = false;         // meanwhile: it takes back what it asked
+  std::atomic<bool> gone{false};  // meanwhile: it takes back what it asked
   bool kept = false;         // its next line waits until another host's is done
+  Nanos parting = 0;         // when it closed its end while it was in hand, or was last asked whether it is still there
   std::string out;
   std::size_t sent = 0;
   std::uint64_t lost = 0;  // events that it was not told of

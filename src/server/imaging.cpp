@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/names.h"
+#include "base/wanted.h"
 #include "commands/verbs.h"
 #include "language/json.h"
 #include "server/answers.h"
@@ -18,7 +19,9 @@ namespace betwixt {
 namespace {
 
 constexpr int most_open_lines = 10'000;  // of one command
-constexpr int most_attempts = 3;         // while others change the document, before they wait
+constexpr int most_attempts = 3;         // while others change the document, before they wait …
+constexpr Nanos most_waited = 50'000'000;  // … for what takes no more of a processor than this
+constexpr int most_in_vain = 12;           // attempts at what takes longer
 
 }  // namespace
 
@@ -43,7 +46,7 @@ Imaging::Host Imaging::arrive() {
   hosts_[last_host_].host = last_host_;
   return last_host_;
 }
-void Imaging::leave(Host host) { hosts_.erase(host); }
+void Imaging::leave(Host host) { hosts_.erase(host), later_.erase(host); }
 
 std::int64_t Imaging::tick(Nanos now) const { return document().scene().ticks.whole(transport_.time(now)); }
 
@@ -56,8 +59,9 @@ class Imaging::Alone {
   }
   Alone(const Alone&) = delete;
   Alone& operator=(const Alone&) = delete;
+  // … and nobody has waited for the one before, and not been heard yet.
   void ask(Host host) {
-    if (!all_.alone_) all_.alone_ = host, mine_ = true;
+    if (!all_.alone_ && all_.later_.empty()) all_.alone_ = host, mine_ = true;
   }
   // Somebody else is alone, and must not be disturbed.
   bool others() const { return all_.alone_ && !mine_; }
@@ -81,7 +85,7 @@ const Program& Imaging::program() {
     const std::size_t objects = compiled_ > 0 ? before.document().scene().objects.size() : 0;
     const bool much = long_to_compile_ || from.scene().objects.size() > objects + 10'000;
     if (much && options_.beside)
-      options_.beside(compile);
+      options_.beside(compile, Claim::first);
     else
       compile();
     long_to_compile_ = std::chrono::steady_clock::now() - begun > soon;
@@ -101,22 +105,39 @@ bool Imaging::takes_long(const SaidLine& line) {
 }
 
 Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
-                                  const std::function<void(const Point&, std::size_t)>& work) {
+                                  const std::function<bool(const Point&, std::size_t)>& work) {
   Alone alone(*this);
+  bool changes = true;
+  const auto timed = [&](const Point& from, std::size_t events) {
+    const auto before = Wanted::used();
+    changes = work(from, events);
+    h.took = (Wanted::used() - before).count();
+  };
   for (;; ++h.attempts) {
-    if (h.attempts >= most_attempts) alone.ask(h.host);
+    if (h.attempts >= most_in_vain) return h.attempts = 0, Worked::in_vain;
+    const bool first = h.attempts >= most_attempts && h.took <= most_waited;
+    if (first) alone.ask(h.host);
     const Point from = editor_.now();
     const std::size_t events = event_count_;
     if (!takes_long || !options_.beside) {
       work(from, events);
       break;
     }
-    if (!options_.beside([&] { work(from, events); })) return Worked::gone;
-    if (alone.others()) return Worked::later;
-    if (&from.document.scene() == &document().scene()) break;
+    const Claim claim = first && !alone.others() ? Claim::first : Claim::fair;
+    if (!options_.beside([&] { timed(from, events); }, claim)) return h.attempts = 0, Worked::gone;
+    if (changes && alone.others()) return Worked::later;
+    if (!changes || &from.document.scene() == &document().scene()) break;
   }
   h.attempts = 0;
   return Worked::done;
+}
+
+Imaging::Reply Imaging::not_worked(const Visitor& h, Worked how, Nanos now) {
+  if (how != Worked::in_vain) return {{}, false, how == Worked::later};
+  return no(h, now,
+            fail(ErrorCode::range,
+                 fmt::format("others changed the document each of {} times that this was worked out", most_in_vain),
+                 "say it in smaller parts, or when they rest"));
 }
 
 // ---- answers
@@ -152,10 +173,15 @@ Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   latest_ = std::max(latest_, now);
   const std::size_t bytes = line.size();
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
-  if (alone_ && changes_document(h, line)) return {{}, false, true};
+  if (alone_ && changes_document(h, line)) {
+    later_.insert(host);
+    return {{}, false, true};
+  }
+  later_.erase(host);
   const auto before = std::tuple(h.line, h.open, h.open_lines);
   bytes_ += bytes;
   Reply reply = enter_next(h, line, now);
+  if (reply.later) later_.insert(host);
   if (reply.later) std::tie(h.line, h.open, h.open_lines) = before, --lines_, bytes_ -= bytes;
   return reply;
 }
@@ -249,9 +275,9 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
     c = carry_out(from, events, line.text, at);
     made.reset();
     if (takes_time && c && c->kept) made = Program::compile(c->deed.after.document, before);
+    return bool(c);
   };
-  if (const Worked worked = work_out(h, takes_time, carry); worked != Worked::done)
-    return {{}, false, worked == Worked::later};
+  if (const Worked worked = work_out(h, takes_time, carry); worked != Worked::done) return not_worked(h, worked, now);
   if (!c) {
     Error e = c.error();
     if (!line.indented) h.sheet.reset();

@@ -52,6 +52,7 @@ struct Shown {
 
 class Imaging {
  public:
+  enum class Claim : std::uint8_t { fair, first };
   struct Options {
     std::int64_t latency = 1;  // ticks: a command about environments takes effect so long after it came
     Ceilings ceilings;
@@ -62,9 +63,9 @@ class Imaging {
     bool wait = false;  // the clock stands at 0 until a host says `start`
     LoadOptions load;
     std::function<std::string()> stats;  // members of a JSON object, of what stands around
-    // Does work that may take long, and lets other lines be entered meanwhile. False: who asked for it has gone. None:
-    // all is done at once.
-    std::function<bool(const std::function<void()>&)> beside;
+    // Does work that may take long, and lets other lines be entered meanwhile; it may be begun several times over,
+    // unless it is done first, before all that waits. False: who asked for it has gone. None: all is done at once.
+    std::function<bool(const std::function<void()>&, Claim)> beside;
     std::function<void(const std::string&)> warn;  // whoever runs the server
   };
   using Host = std::uint64_t;
@@ -127,7 +128,8 @@ class Imaging {
     std::shared_ptr<const OpenSheet> sheet;  // that its rows go to; null: none is open
     std::string open;                        // lines of a command that is not whole yet
     int open_lines = 0;
-    int attempts = 0;  // at its line, that were in vain
+    int attempts = 0;  // at its line, that were in vain …
+    Nanos took = 0;    // … and what the last one took of a processor
     bool bundling = false, leaving = false;
     std::vector<Bundled> bundle;
     std::size_t bundle_size = 0;
@@ -162,10 +164,13 @@ class Imaging {
   static bool ends_bundle(const Visitor&, const SaidLine&);
   static bool takes_long(const SaidLine&);
   // Works something out from how things are. Where that may take long others go on meanwhile, and it is worked out
-  // again if the document is another one then; in the end what would change that waits. gone: nobody wants it any more;
-  // later: somebody else must not be disturbed.
-  enum class Worked { done, gone, later };
-  Worked work_out(Visitor&, bool takes_long, const std::function<void(const Point&, std::size_t events)>&);
+  // again if the document is another one then; what would change that waits in the end, but only where it is short.
+  // gone: nobody wants it any more; later: somebody else must not be disturbed; in_vain: the others never rested.
+  enum class Worked { done, gone, later, in_vain };
+  Reply not_worked(const Visitor&, Worked, Nanos now);
+  // What is refused, or only asks, has changed nothing, and is right of the document that it was worked out from:
+  // `work` says whether there is anything to lose.
+  Worked work_out(Visitor&, bool takes_long, const std::function<bool(const Point&, std::size_t events)>& work);
   class Alone;
   Reply command(Visitor&, const SaidLine&, Nanos now);
   Reply collect(Visitor&, std::string_view line, Nanos now);
@@ -225,7 +230,8 @@ class Imaging {
   std::uint64_t version_ = 1, compiled_ = 0;
   Program program_;
   bool long_to_compile_ = false;  // it was, the last time
-  std::optional<Host> alone_;     // who is waited for; 0: nobody's host
+  std::optional<Host> alone_;     // who is waited for; 0: nobody's host …
+  std::set<Host> later_;          // … and who waits
   std::map<Host, Visitor> hosts_;
   Host last_host_ = 0;
   std::deque<Shown> shown_;              // frames of which nobody has been told yet …

@@ -110,14 +110,16 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
     all.point.script.left.reset();
     for (const Bundled& line : lines)
       if (auto e = carry_out(line, all, at)) all.note(line.number, *std::move(e));
+    if (all.first) all.point = {};  // what is large is let go of here, not where others wait
     if (!all.first && lines.size() > 20) made = Program::compile(all.point.document, before);
+    return !all.first;
   };
   const bool takes_time = lines.size() > 20 || std::any_of(lines.begin(), lines.end(), [](const Bundled& l) {
                             return takes_long(look_at(l.text));
                           });
   const Worked worked = work_out(h, takes_time, carry);
   if (worked == Worked::later) h.bundle = std::move(lines), h.bundle_size = size, h.bundling = true;
-  if (worked != Worked::done) return {{}, false, worked == Worked::later};
+  if (worked != Worked::done) return not_worked(h, worked, now);
   if (all.first) return no(h, now, *all.first, ",\"errors\":[" + all.errors + "]");
   if (all.lines.empty()) return yes(h, now, "");
   if (Status s = editor_.take(std::move(all.point), {all.lines, ""}); !s) return no(h, now, s.error());

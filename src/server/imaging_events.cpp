@@ -79,7 +79,7 @@ void Imaging::tell_contacts(const Shown& f) {
   const auto look = [&] { events = watch->step(film.frame(f.time)); };
   const auto begun = std::chrono::steady_clock::now();
   if (long_to_watch_ && options_.beside)
-    options_.beside(look);
+    options_.beside(look, Claim::first);
   else
     look();
   long_to_watch_ = std::chrono::steady_clock::now() - begun > soon;

@@ -22,7 +22,7 @@ bool Leaders::run(const std::function<void()>& give_up) {
 
 void Leaders::stop() {
   stop_ = true;
-  changed_.notify_all();
+  lead_.notify_all(), changed_.notify_all();
 }
 
 bool Leaders::hire() {
@@ -41,6 +41,7 @@ void Leaders::serve() {
   while (!stop_) {
     if (leader_ == std::thread::id()) leader_ = self;
     if (leader_ == self) {
+      lead_on(lock);
       try {
         round_(lock);
       } catch (...) {  // memory, above all
@@ -50,22 +51,23 @@ void Leaders::serve() {
       }
     } else {
       ++idle_;
-      changed_.wait(lock);
+      lead_.wait(lock);
       --idle_;
     }
   }
 }
 
-void Leaders::beside(const std::function<void()>& work, bool urgent) {
+// A lock is not fair: who leads would take it again before those who come back with what they have worked out.
+void Leaders::lead_on(Lock& lock) {
+  back_.wait(lock, [&] { return returning_ == 0; });
+}
+
+void Leaders::beside(const std::function<void()>& work) {
   const bool leads = this->leads();
   if (leads && idle_ == 0 && !hire()) return work();
   if (leads) leader_ = {};
   ++working_;
-  changed_.notify_all();
-  Lock lock(mutex_, std::adopt_lock);
-  changed_.wait(lock, [&] { return urgent || at_work_ < at_once || stop_; });
-  lock.release();
-  ++at_work_;
+  lead_.notify_one();
   mutex_.unlock();
   std::exception_ptr failed;
   try {
@@ -73,9 +75,11 @@ void Leaders::beside(const std::function<void()>& work, bool urgent) {
   } catch (...) {
     failed = std::current_exception();
   }
+  ++returning_;
   mutex_.lock();
-  --working_, --at_work_;
-  changed_.notify_all();  // whoever waits to work, and whoever waits for the end
+  if (--returning_ == 0) back_.notify_one();
+  --working_;
+  if (stop_) changed_.notify_all();  // whoever waits for the end
   if (failed) std::rethrow_exception(failed);
 }
 

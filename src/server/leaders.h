@@ -5,6 +5,7 @@
 // meanwhile, and the first comes back with what it has worked out. What is quick costs no change of threads.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -28,22 +29,22 @@ class Leaders {
   void stop();
   bool stopped() const { return stop_; }
   bool leads() const { return leader_ == std::this_thread::get_id(); }  // this thread
-  // Of those that lead, holding the lock: does the work without it. Everything may have changed then. What is not urgent
-  // waits where many work already.
-  void beside(const std::function<void()>& work, bool urgent = false);
+  // Of those that lead, holding the lock: does the work without it. Everything may have changed then.
+  void beside(const std::function<void()>& work);
 
  private:
   static constexpr std::size_t most = 4000;  // threads; nearly all of them wait
-  static constexpr std::size_t at_once = 8;  // works, so that who leads has its share of the processors
   bool hire();
+  void lead_on(Lock&);
   void serve();
 
   const std::function<void(Lock&)> round_;
   std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable lead_, back_, changed_;  // somebody shall lead; nobody waits to come back; all ends
+  std::atomic<int> returning_{0};
   std::vector<std::thread> threads_;
   std::thread::id leader_;
-  std::size_t idle_ = 0, working_ = 0, at_work_ = 0;  // who works, or waits to; who does
+  std::size_t idle_ = 0, working_ = 0;
   std::exception_ptr failed_;
   bool stop_ = false;
 };

@@ -20,6 +20,7 @@
 #include "base/tell_user.h"
 #include "server/answers.h"
 #include "server/guest.h"
+#include "server/lanes.h"
 #include "server/leaders.h"
 
 namespace betwixt {
@@ -28,8 +29,10 @@ namespace {
 constexpr std::size_t most_bytes_waiting = 4 << 20;   // bytes of answers that a host has not read
 constexpr std::size_t most_events_waiting = 1 << 20;  // … beyond which it is told of no more events
 constexpr int turn_lines = 64;                        // of a host in one turn …
-constexpr Nanos turn_time = 4'000'000;                // … unless they take longer than this
+constexpr Nanos turn_time = 4'000'000;                // … unless they take longer than this, …
+constexpr Nanos all_turns = 20'000'000;               // … or all turns of a round than this
 constexpr Nanos patience = 10'000'000'000;            // for a token
+constexpr Nanos parting_time = 200'000'000;           // from one question whether somebody is still there to the next
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
 constexpr std::size_t most_strangers = 64;  // who have not said it yet
@@ -59,7 +62,7 @@ class Server {
     watch(clock_.shown_file(), EPOLLIN, EPOLL_CTL_ADD);
     watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
     publish();
-    imaging_.work_beside([this](const auto& work) { return beside(work); });
+    imaging_.work_beside([this](const auto& work, Imaging::Claim claim) { return beside(work, claim); });
     const bool served = leaders_.run(options_.give_up ? [this] {
       (void)imaging_.sync(monotonic_now());
       options_.give_up();
@@ -73,13 +76,25 @@ class Server {
   static inline thread_local Guest* served = nullptr;  // whose line this thread carries out
 
   // See Imaging::Options::beside.
-  bool beside(const std::function<void()>& work) {
+  bool beside(const std::function<void()>& work, Imaging::Claim claim) {
     Guest* const g = served;
-    if (g) g->in_hand = true, watch(g->file, g->watched = 0, EPOLL_CTL_MOD);
-    leaders_.beside(work, !g);  // what is shown does not wait for what hosts ask
-    if (g) g->in_hand = false;
-    if (g && !g->gone) watch(g->file, g->watched = EPOLLIN, EPOLL_CTL_MOD);
-    return !leaders_.stopped() && !(g && g->gone);
+    if (!g) return leaders_.beside(work), !leaders_.stopped();  // what is shown does not wait for what hosts ask
+    g->in_hand = true, watch(g->file, g->watched = EPOLLRDHUP, EPOLL_CTL_MOD);
+    bool done = true;
+    leaders_.beside([&] {
+      if (claim == Imaging::Claim::first)
+        work();
+      else
+        done = lanes_.run(work, g->gone);
+    });
+    g->in_hand = false, parting_.erase(g->file);
+    if (!g->gone) watch(g->file, g->watched = EPOLLIN, EPOLL_CTL_MOD);
+    return done && !leaders_.stopped() && !g->gone;
+  }
+
+  void stop() {
+    lanes_.end();
+    leaders_.stop();
   }
 
   // Whoever leads waits for what comes; there is something to do that did not come.
@@ -90,16 +105,17 @@ class Server {
 
   void round(Leaders::Lock& lock) {
     wait(lock);
+    const Nanos most = std::min<Nanos>(turn_time, all_turns / static_cast<Nanos>(busy_.size() + 1));
     for (const int file : std::set(busy_)) {
       if (busy_.erase(file) == 0) continue;  // somebody else has led meanwhile
       const auto found = guests_.find(file);
-      if (found != guests_.end() && !found->second.in_hand && !leaders_.stopped()) take_turn(found->second);
+      if (found != guests_.end() && !found->second.in_hand && !leaders_.stopped()) take_turn(found->second, most);
     }
     if (leaders_.stopped()) return;
     for (auto& e : imaging_.events()) tell(e);
     if (Status s = imaging_.sync(monotonic_now()); !s) {  // nothing is answered that is not safe
       failed_ = s.error();
-      return leaders_.stop(), wake();
+      return stop(), wake();
     }
     publish();
     for (auto it = guests_.begin(); it != guests_.end();) {
@@ -120,7 +136,7 @@ class Server {
   // Milliseconds until there is something to do that nobody tells; -1: there will not be.
   int patience_now() const {
     if (!busy_.empty()) return 0;
-    int most = strangers_ > 0 || resting_ ? 500 : -1;
+    int most = !parting_.empty() ? 100 : strangers_ > 0 || resting_ ? 500 : -1;
     if (const auto again = imaging_.sync_again()) {
       const auto left = static_cast<int>(std::max<Nanos>(0, *again - monotonic_now()) / 1'000'000 + 1);
       most = most < 0 ? left : std::min(most, left);
@@ -138,7 +154,7 @@ class Server {
     bool shown = false;
     for (int i = 0; i < n; ++i) {
       const int file = events[static_cast<std::size_t>(i)].data.fd;
-      if (file == options_.stop) return leaders_.stop();
+      if (file == options_.stop) return stop();
       if (file == wake_) {
         std::uint64_t rung;
         [[maybe_unused]] const ssize_t ignored = ::read(wake_, &rung, sizeof rung);
@@ -148,24 +164,37 @@ class Server {
         shown = true;
         continue;
       }
-      const bool over = events[static_cast<std::size_t>(i)].events & (EPOLLHUP | EPOLLERR);
       if (const auto guest = guests_.find(file); guest != guests_.end())
-        hear(guest->second, over);
+        hear(guest->second, events[static_cast<std::size_t>(i)].events);
       else
         for (const Listener& l : listeners_)
           if (l.file() == file) welcome(l);
     }
     if (strangers_ > 0) tire();
+    if (!parting_.empty()) ask_the_parting();
     if (shown) hear_clock();  // last: while it looks for contacts others may go on, and what was said above is old
   }
 
   // Of whom a thread works for, or who waits for another host, nothing but its end is heard. That there is something to
   // read may still be said of it: its line can have been taken in hand since the kernel looked.
-  void hear(Guest& g, bool over) {
+  void hear(Guest& g, std::uint32_t events) {
     if (!g.in_hand && !g.kept)
       busy_.insert(g.file);
-    else if (over)
+    else if (events & (EPOLLHUP | EPOLLERR))
       leave(g);
+    else if (g.in_hand && events & EPOLLRDHUP)
+      g.parting = monotonic_now(), parting_.insert(g.file), watch(g.file, g.watched = 0, EPOLL_CTL_MOD);
+  }
+
+  // Who has closed its end may be waiting for its answers, or be gone: the system tells only when something is sent.
+  void ask_the_parting() {
+    const Nanos now = monotonic_now();
+    for (const int file : parting_) {
+      Guest& g = guests_.at(file);
+      if (now - g.parting < parting_time) continue;
+      g.out += "{\"event\":\"waiting\"}\n";
+      g.parting = now;
+    }
   }
 
   // ---- coming and going
@@ -211,7 +240,8 @@ class Server {
   }
   void leave(Guest& g) {
     if (g.in_hand) {  // it takes back what it asked; whoever works on that sees to the rest
-      g.gone = true;
+      g.gone = true, parting_.erase(g.file);
+      lanes_.look();
       watch(g.file, 0, EPOLL_CTL_DEL);
       return;
     }
@@ -219,7 +249,7 @@ class Server {
       imaging_.leave(*g.host), files_.erase(*g.host);
     else
       --strangers_;
-    busy_.erase(g.file), kept_.erase(g.file);
+    busy_.erase(g.file), kept_.erase(g.file), parting_.erase(g.file);
     ::close(g.file);
     guests_.erase(g.file);
   }
@@ -236,9 +266,9 @@ class Server {
   // ---- lines
 
   // One host's turn: bounded, so that none waits long for another.
-  void take_turn(Guest& g) {
+  void take_turn(Guest& g, Nanos most) {
     if (!g.last_word && !g.half_closed && g.seen == g.in.size() && !g.read()) return leave(g);
-    const Nanos until = monotonic_now() + turn_time;
+    const Nanos until = monotonic_now() + most;
     for (int n = 0; n < turn_lines && monotonic_now() < until && !g.last_word; ++n)
       if (!take_line(g) || g.gone) {
         if (g.gone) return leave(g);
@@ -375,6 +405,8 @@ class Server {
   std::unordered_map<Imaging::Host, int> files_;
   std::set<int> busy_;  // with lines that have not been looked at
   std::set<int> kept_;  // … and whose next one is for later
+  std::set<int> parting_;  // who have closed their end while a thread works for them
+  Lanes lanes_;
   Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};
   std::optional<Error> failed_;
   std::size_t strangers_ = 0;

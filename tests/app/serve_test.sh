@@ -220,7 +220,7 @@ end
 begin show.bx --socket "$socket" --save busy.bx
 out=$(host '
 import threading
-s.do("create o{1..3000} sphere")
+s.do("create o{1..300} sphere")
 made, stop, slowest = [0, 0, 0], False, 0
 def flood():
     f = Server(where)
@@ -242,7 +242,7 @@ while made[1] + made[2] < 6 and all(t.is_alive() for t in threads[:1]):
     answers += 1
 stop = True
 for t in threads: t.join()
-print(made[1:], slowest < 5, answers > 6, len(set(s.eval("o1.radius", "o3000.radius").values())) == 1, s.eval("ball.radius")["ball.radius"] == made[0])
+print(made[1:], slowest < 5, answers > 6, len(set(s.eval("o1.radius", "o300.radius").values())) == 1, s.eval("ball.radius")["ball.radius"] == made[0])
 ')
 is 'whoever is always interrupted gets there, and so does everybody else' "$out" '[3, 3] True True True True'
 # Twelve who ask much at once: what one of them said is often taken in hand while the next one is heard.

@@ -73,7 +73,7 @@ TEST(Imaging, FramesAreToldInTheirOrderWhateverComesBetween) {
   s.imaging.shown({{number, Time{}, 0, {}}});
   s.imaging.events();
   (void)s.imaging.program();
-  s.imaging.work_beside([&](const std::function<void()>& work) {
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) {
     if (++looked <= 6) {
       const int next = number + 1 + looked;
       s.imaging.shown({{next, from_seconds(next / 30.0), 0, {}}});

@@ -40,7 +40,7 @@ TEST(Imaging, LinesThatTakeLongLetOthersGoOn) {
   s.done(slow, "create b{1..3} box");
   int meanwhile = 0, works = 0;
   bool wanted = true;
-  s.imaging.work_beside([&](const std::function<void()>& work) {
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) {
     ++works;
     if (meanwhile > 0) {
       work();  // of a document that will be another one
@@ -72,7 +72,7 @@ TEST(Imaging, WhoIsAlwaysInterruptedIsWaitedFor) {
   s.done(slow, "create b{1..3} box");
   int works = 0;
   std::vector<std::string> later;
-  s.imaging.work_beside([&](const std::function<void()>& work) {
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) {
     work();
     if (++works < 4) {
       EXPECT_FALSE(s.imaging.waits());
@@ -105,6 +105,62 @@ TEST(Imaging, WhoIsAlwaysInterruptedIsWaitedFor) {
   EXPECT_TRUE(holds(s.say(bundles, "end"), "\"line\":3,\"ok\":true"));
   EXPECT_TRUE(holds(s.say(slow, "eval b3.size.x z.radius"), "\"b3.size.x\":8,\"z.radius\":1"));
   s.expect_history();
+}
+
+// What takes long of itself is waited for by nobody; in the end it is told so.
+TEST(Imaging, NobodyWaitsForWhatTakesLong) {
+  Stage s;
+  const auto slow = s.imaging.arrive(), quick = s.imaging.arrive();
+  s.done(slow, "create b{1..3} box");
+  int works = 0;
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim claim) {
+    EXPECT_EQ(claim, Imaging::Claim::fair);
+    work();
+    EXPECT_FALSE(s.imaging.waits());
+    s.done(quick, fmt::format("create ball{} sphere", ++works));
+    return true;
+  });
+  const std::string answer = s.say(slow, "create many{1..200000} sphere");
+  EXPECT_TRUE(holds(answer, "others changed the document each of 12 times that this was worked out")) << answer;
+  EXPECT_TRUE(holds(answer, "say it in smaller parts, or when they rest"));
+  EXPECT_EQ(works, 12);
+  EXPECT_TRUE(holds(s.say(quick, "eval ball12.radius"), "\"ball12.radius\":1"));
+  s.imaging.work_beside({});
+  s.refused(slow, "set many1.radius 2", "");
+  s.expect_history();
+}
+
+// A few values that need no code are said at once; what may take long is not.
+TEST(Imaging, WhatIsQuicklyKnownIsSaidAtOnce) {
+  Stage s;
+  const auto host = s.imaging.arrive();
+  s.done(host, "create ball sphere");
+  s.done(host, "ball.position");
+  s.done(host, "  1f (0 0 0) linear");
+  s.done(host, "  9f (8 0 0)");
+  s.done(host, "create {slow,code} sphere");
+  s.done(host, "slow.position");
+  s.done(host, "  1f (0 0 0) linear");
+  s.done(host, "  999999f (8 0 0)");
+  for (const char* width : {"0.001s", "0.04s", "1.7s", "71s", "3600s"})
+    s.done(host, fmt::format("filter slow.position smooth width={}", width));
+  s.done(host, "set code.radius = \"t + 1\"");
+  int works = 0;
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) {
+    ++works;
+    work();
+    return true;
+  });
+  EXPECT_TRUE(holds(s.say(host, "eval ball.position.x ball.world at 5f"), "\"ball.position.x\":4,"));
+  EXPECT_EQ(works, 0);
+  EXPECT_TRUE(holds(s.say(host, "eval code.radius at 1s"), "\"code.radius\":2}"));
+  EXPECT_EQ(works, 1);
+  EXPECT_TRUE(holds(s.say(host, "eval slow.position at 5000s"), "\"slow.position\":["));
+  EXPECT_EQ(works, 2);
+  EXPECT_TRUE(holds(s.say(host, "eval ball.in-view"), "\"ball.in-view\":true"));
+  EXPECT_EQ(works, 3);
+  EXPECT_TRUE(holds(s.say(host, "eval *.radius"), "\"ball.radius\":1"));
+  EXPECT_EQ(works, 4);
 }
 
 TEST(Imaging, SaysNoInWords) {

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Work of unknown length: what is short goes before what is long, and what nobody wants ends.
+#include "server/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+#include <new>
+#include <thread>
+
+#include "base/wanted.h"
+
+namespace betwixt {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::atomic<bool> stays{false};
+
+// Takes so much of a processor, and can be left in between.
+void toil(std::chrono::nanoseconds much) {
+  const auto end = Wanted::used() + much;
+  while (Wanted::used() < end) Wanted::ask();
+}
+
+TEST(Lanes, WhatIsShortGoesBeforeWhatIsLong) {
+  Lanes lanes;
+  std::atomic<bool> over{false};
+  std::atomic<int> begun{0};
+  std::vector<std::future<bool>> long_ones;
+  std::vector<std::unique_ptr<std::atomic<bool>>> gone;
+  for (int i = 0; i < 40; ++i) {  // many more than there are threads, and without an end
+    gone.push_back(std::make_unique<std::atomic<bool>>(false));
+    long_ones.push_back(std::async(std::launch::async, [&lanes, &begun, &over, &mine = *gone.back()] {
+      return lanes.run(
+          [&] {
+            ++begun;
+            while (!over) Wanted::ask();
+          },
+          mine);
+    }));
+  }
+  while (begun < 40) std::this_thread::yield();  // all have had their turn, though none is done
+  int done = 0;
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(lanes.run([&] { ++done; }, stays));
+  EXPECT_EQ(done, 100);
+  // Who goes is let go of, whether it works or waits.
+  for (int i = 0; i < 30; ++i) *gone[static_cast<std::size_t>(i)] = true;
+  lanes.look();
+  for (int i = 0; i < 30; ++i) EXPECT_FALSE(long_ones[static_cast<std::size_t>(i)].get());
+  over = true;
+  for (int i = 30; i < 40; ++i) EXPECT_TRUE(long_ones[static_cast<std::size_t>(i)].get());
+}
+
+TEST(Lanes, WhatIsLongBeginsAnewWithMore) {
+  Lanes lanes;
+  int begun = 0, ended = 0;
+  EXPECT_TRUE(lanes.run([&] { ++begun, toil(1ms), ++ended; }, stays));
+  EXPECT_EQ(begun, 1);
+  EXPECT_TRUE(lanes.run([&] { ++begun, toil(25ms), ++ended; }, stays));
+  EXPECT_EQ(begun, 3);  // in the second lane it has its time
+  EXPECT_TRUE(lanes.run([&] { ++begun, toil(400ms), ++ended; }, stays));
+  EXPECT_EQ(begun, 6);  // in the third
+  EXPECT_EQ(ended, 3);
+}
+
+TEST(Lanes, FewWorkAtATime) {
+  Lanes lanes;
+  std::atomic<int> working{0}, most{0};
+  std::vector<std::future<bool>> all;
+  for (int i = 0; i < 100; ++i)
+    all.push_back(std::async(std::launch::async, [&] {
+      return lanes.run(
+          [&] {
+            most = std::max<int>(most, ++working);
+            std::this_thread::sleep_for(1ms);
+            --working;
+          },
+          stays);
+    }));
+  for (auto& one : all) EXPECT_TRUE(one.get());
+  EXPECT_LE(most, 8);
+}
+
+TEST(Lanes, EndWithAllThatWaits) {
+  Lanes lanes;
+  std::vector<std::future<bool>> all;
+  std::atomic<int> begun{0};
+  for (int i = 0; i < 20; ++i)
+    all.push_back(std::async(std::launch::async, [&] {
+      return lanes.run(
+          [&] {
+            ++begun;
+            for (;;) Wanted::ask();
+          },
+          stays);
+    }));
+  while (begun == 0) std::this_thread::yield();
+  lanes.end();
+  for (auto& one : all) EXPECT_FALSE(one.get());
+  EXPECT_FALSE(lanes.run([] {}, stays));
+}
+
+TEST(Lanes, WhatIsThrownComesOut) {
+  Lanes lanes;
+  EXPECT_THROW(lanes.run([] { throw std::bad_alloc(); }, stays), std::bad_alloc);
+  EXPECT_TRUE(lanes.run([] {}, stays));
+}
+
+// Outside of such work nobody is asked.
+TEST(Wanted, IsAboutTheWorkThatItStandsAround) {
+  Wanted::ask();
+  const std::atomic<bool> gone{true};
+  {
+    const Wanted outer(stays, stays, 0ns);
+    Wanted::ask();
+    {
+      const Wanted inner(gone, stays, 0ns);
+      EXPECT_THROW(Wanted::ask(), NotWanted);
+    }
+    Wanted::ask();
+  }
+  const Wanted short_one(stays, stays, 1ms);
+  EXPECT_THROW(toil(10s), NotWanted);
+}
+
+}  // namespace
+}  // namespace betwixt
