@@ -23,7 +23,7 @@ struct Guest {
   bool skipping = false;     // a line that is too long
   bool last_word = false;    // nothing more is read; it goes when it has its answers
   bool half_closed = false;  // it will say no more
-  bool stuck = false;        // it had not read all its answers when it was last looked at
+  Nanos moved = 0;           // when it last read some of its answers
   bool in_hand = false;      // a thread works on what it said; nobody else touches it
   std::atomic<bool> gone{false};  // meanwhile: it takes back what it asked
   bool kept = false;         // its next line waits until another host's is done
@@ -34,7 +34,9 @@ struct Guest {
   std::uint32_t watched = 0;
 
   static constexpr std::size_t chunk = 1 << 16;  // bytes that are read in one turn
+  static constexpr std::size_t most_waiting = 4 << 20;  // bytes of answers; behind them nothing more is looked at
   std::size_t waiting() const { return out.size() - sent; }
+  bool full() const { return waiting() > most_waiting; }
   // What has come; false: it has gone for good.
   bool read();
   // So much of it has been looked at.

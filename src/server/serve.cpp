@@ -26,12 +26,12 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_bytes_waiting = 4 << 20;   // bytes of answers that a host has not read
-constexpr std::size_t most_events_waiting = 1 << 20;  // … beyond which it is told of no more events
+constexpr std::size_t most_events_waiting =
+    1 << 20;  // bytes that a host has not read, beyond which it is told of no more
 constexpr int turn_lines = 64;                        // of a host in one turn …
 constexpr Nanos turn_time = 4'000'000;                // … unless they take longer than this, …
 constexpr Nanos all_turns = 20'000'000;               // … or all turns of a round than this
-constexpr Nanos patience = 10'000'000'000;            // for a token
+constexpr Nanos patience = 10'000'000'000;            // for a token, and for whoever reads nothing of much
 constexpr Nanos parting_time = 200'000'000;           // from one question whether somebody is still there to the next
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
@@ -136,7 +136,7 @@ class Server {
   // Milliseconds until there is something to do that nobody tells; -1: there will not be.
   int patience_now() const {
     if (!busy_.empty()) return 0;
-    int most = !parting_.empty() ? 100 : strangers_ > 0 || resting_ ? 500 : -1;
+    int most = !parting_.empty() ? 100 : strangers_ > 0 || resting_ || !full_.empty() ? 500 : -1;
     if (const auto again = imaging_.sync_again()) {
       const auto left = static_cast<int>(std::max<Nanos>(0, *again - monotonic_now()) / 1'000'000 + 1);
       most = most < 0 ? left : std::min(most, left);
@@ -249,7 +249,7 @@ class Server {
       imaging_.leave(*g.host), files_.erase(*g.host);
     else
       --strangers_;
-    busy_.erase(g.file), kept_.erase(g.file), parting_.erase(g.file);
+    busy_.erase(g.file), kept_.erase(g.file), parting_.erase(g.file), full_.erase(g.file);
     ::close(g.file);
     guests_.erase(g.file);
   }
@@ -269,7 +269,7 @@ class Server {
   void take_turn(Guest& g, Nanos most) {
     if (!g.last_word && !g.half_closed && g.seen == g.in.size() && !g.read()) return leave(g);
     const Nanos until = monotonic_now() + most;
-    for (int n = 0; n < turn_lines && monotonic_now() < until && !g.last_word; ++n)
+    for (int n = 0; n < turn_lines && monotonic_now() < until && !g.last_word && !g.full(); ++n)
       if (!take_line(g) || g.gone) {
         if (g.gone) return leave(g);
         if (g.kept) return;
@@ -277,7 +277,7 @@ class Server {
         if (g.half_closed && g.waiting() == 0) leave(g);
         return;
       }
-    if (!g.last_word) busy_.insert(g.file);
+    if (!g.last_word && !g.full()) busy_.insert(g.file);
   }
 
   // The next whole line; false: there is none yet.
@@ -357,24 +357,34 @@ class Server {
       if (n < 0 && errno != EAGAIN) return leave(g);
       if (n < 0) break;
       g.sent += static_cast<std::size_t>(n);
+      g.moved = monotonic_now();
     }
     if (g.waiting() == 0) {
       g.out.clear(), g.sent = 0;
       if (g.out.capacity() > Guest::chunk) g.out.shrink_to_fit();
       if (g.last_word) return leave(g);
-    } else if (g.sent > Guest::chunk) {
+    } else if (g.sent > Guest::chunk && g.sent > g.out.size() / 2) {
       g.out.erase(0, g.sent), g.sent = 0;
     }
-    // One answer may be larger than that; more must not gather behind it.
-    if (g.waiting() > most_bytes_waiting && g.stuck) {
+    if (stops_reading(g)) {
       tell_user("betwixt: a host that does not read its answers is cut off\n");
       return leave(g);
     }
-    g.stuck = g.waiting() > 0;
     if (g.in_hand) return;
-    const std::uint32_t wanted = (g.last_word || g.half_closed || g.kept ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
+    const bool deaf = g.last_word || g.half_closed || g.kept || g.full();
+    const std::uint32_t wanted = (deaf ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
                                  (g.waiting() > 0 ? static_cast<std::uint32_t>(EPOLLOUT) : 0u);
     if (wanted != g.watched) watch(g.file, g.watched = wanted, EPOLL_CTL_MOD);
+  }
+
+  // Of whom much waits nothing is heard until it has read that. One answer may be larger than all that may wait.
+  bool stops_reading(Guest& g) {
+    if (g.full()) {
+      if (full_.insert(g.file).second) g.moved = monotonic_now();
+      return monotonic_now() - g.moved > patience;
+    }
+    if (full_.erase(g.file) > 0) busy_.insert(g.file);
+    return false;
   }
 
   // ---- the clock
@@ -405,6 +415,7 @@ class Server {
   std::unordered_map<Imaging::Host, int> files_;
   std::set<int> busy_;  // with lines that have not been looked at
   std::set<int> kept_;  // … and whose next one is for later
+  std::set<int> full_;  // who have much to read before they are heard again
   std::set<int> parting_;  // who have closed their end while a thread works for them
   Lanes lanes_;
   Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};

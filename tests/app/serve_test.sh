@@ -260,6 +260,23 @@ for t in threads: t.join()
 print(cut)
 ')
 is 'nobody is cut off for what others ask' "$out" '[]'
+# An answer that is larger than what may wait, read slowly; what is asked behind it is answered then.
+out=$(host '
+import socket
+for i in range(12):
+    s.do(f"at {i + 1}f note \"" + "x" * 900_000 + "\"")
+c = socket.socket(socket.AF_UNIX)
+c.connect(where)
+c.sendall(b"history\n" + b"time\n" * 3)
+got = []
+while sum(part.count(b"\n") for part in got) < 4:
+    got.append(c.recv(1 << 18))
+    if not got[-1]: break
+    time.sleep(0.01)
+got = b"".join(got).split(b"\n")
+print(len(got[0]) > 10_000_000, [json.loads(line)["line"] for line in got[:-1]])
+')
+is 'who reads slowly has its answer, however long' "$out" 'True [1, 2, 3, 4]'
 end
 has 'and all is in the history' "$(grep -c 'set o\*' busy.bx)" 6
 
