@@ -7,6 +7,7 @@
 // Room: program
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ struct ContactGroup {
 
 struct ContactOptions {
   bool related = false;  // pairs of one body too (see Item::body)
-  double aspect = 16.0 / 9;
+  std::optional<double> aspect = {};  // width by height of the picture; none: as the camera has it
 };
 
 struct Contacts {

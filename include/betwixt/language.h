@@ -23,6 +23,7 @@ struct LoadOptions {
   // own) is not the host's: it happens as it stands.
   std::optional<Time> now = {};
   bool read_nothing = false;  // no files at all
+  bool counts = false;        // a notice says of each command how many its pattern named, where that is more than one
 };
 
 // Loads a plug-in (include/betwixt/plugin.h) for good: from now on its twerpers, filters, commands and functions are

@@ -55,6 +55,8 @@ class Session {
   Answer open(const std::string& file, Earlier = Earlier::ask);
   // Carries out one logical line: a command, a row of the sheet that is open, or a word of the shell.
   Answer enter(std::string_view line);
+  // From now on how many things a pattern named is not said.
+  void keep_quiet();
   // A bracket or a """ is open: the line goes on.
   static bool needs_more(std::string_view line);
   // What the last word of a line can become, in order.

@@ -70,7 +70,14 @@ void say_torn_splines(const std::string& file, const Document& document) {
 
 std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-int check(const std::string& file) {
+struct CheckCall {
+  std::string file;
+  bool counts = false;
+};
+
+int check(const CheckCall& call) {
+  const std::string& file = call.file;
+  load_options().counts = call.counts;
   const Loaded loaded = load_file(file, load_options());
   std::size_t errors = 0, warnings = 0;
   for (const Diagnostic& d : loaded.diagnostics) {
@@ -95,11 +102,12 @@ int check(const std::string& file) {
   return errors ? wrong_input : all_done;
 }
 
-const Enlisted enlisted_check(check, [](std::string& file) -> Subcommand {
+const Enlisted enlisted_check(check, [](CheckCall& call) -> Subcommand {
   return {.rank = 60,
           .name = "check",
           .sentence = "says all errors and warnings of a script, and what goes wrong in its frames",
-          .takes = {script_parameter(file)},
+          .takes = {script_parameter(call.file),
+                    flag("-v,--verbose", "says of each command how many objects its pattern named", call.counts)},
           .example = "betwixt check examples/bounce.bx",
           .manual = "Up to 60 of its frames are looked at. The exit code is 1 if there is an error."};
 });

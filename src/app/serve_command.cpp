@@ -162,8 +162,8 @@ int serve(ServeCall& call) {
   ::mallopt(M_MMAP_THRESHOLD, 1 << 18);  // what hosts' long lines and answers took is given back when they go
   call.serve.stop = stops();
   call.imaging.load = load_options();
-  const RenderOptions asked = call.picture.of({});
-  call.imaging.contacts.aspect = static_cast<double>(asked.width) / asked.height;
+  if (const auto& size = call.picture.size)
+    call.imaging.contacts.aspect = static_cast<double>(size->first) / size->second;
   std::optional<Error> no_film;  // set by the film's thread, read when that has ended
   // The clock is asked for its figures while hosts are served; it begins after what it shows.
   std::unique_ptr<FrameClock> clock;

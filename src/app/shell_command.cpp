@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 struct ShellCall {
   std::string file;
-  bool recover = false, discard = false;
+  bool recover = false, discard = false, quiet = false;
 };
 
 // Where lines come from. None: there are no more.
@@ -311,6 +311,7 @@ int shell(const ShellCall& call) {
   if (terminal) doors.ask_about_line = doors.ask;
   Session session(std::move(doors), load_options());
   open = &session;
+  if (call.quiet) session.keep_quiet();
   if (terminal)
     in = std::make_unique<Keyboard>(session);
   else
@@ -357,7 +358,8 @@ const Enlisted enlisted_shell(shell, [](ShellCall& call) -> Subcommand {
                     {.name = "--discard",
                      .sentence = "throw away what an earlier session did not save",
                      .into = &call.discard,
-                     .excludes = "--recover"}},
+                     .excludes = "--recover"},
+                    flag("-q,--quiet", "does not say how many objects a pattern named", call.quiet)},
           .example = "betwixt shell examples/bounce.bx",
           .manual =
               "At a terminal, or from standard input. In it, help lists all words, undo takes back without "

@@ -326,8 +326,7 @@ bool frame(Command& k) {
     any = true;
   }
   const Camera now = program.frame(t).camera;
-  const auto size = s.appearance.size.value_or(std::pair(16, 9));
-  const Fitted to = fit(now, low, high, static_cast<double>(size.first) / size.second, margin);
+  const Fitted to = fit(now, low, high, now.aspect, margin);
   Rollback rollback(s);
   if (!move_to(k, measured(s, {ObjectId{*eye}}, t)[0], to.place - translation_of(now.world), word)) return false;
   if (now.orthographic) put_on_camera(k, {*eye}, fn::camera_height, to.height);

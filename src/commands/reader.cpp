@@ -151,6 +151,11 @@ void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
   c.at = next;
 }
 
+// How many things a command was about.
+void say_touched(Script& script, const char* line_start) {
+  if (script.touched > 1) script.note(Severity::notice, fmt::format("{} objects", script.touched), {line_start, 0});
+}
+
 void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
@@ -167,7 +172,9 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     c.frames_read = script.frames_read, c.ticks_read = script.ticks_read;
     c.depth = 0;
     Command k{s, c, {}, {}, script};
+    script.touched = 0;
     const bool done = line(k, line_start);
+    if (done && script.options.counts) say_touched(script, line_start);
     if (done && !script.failed.empty())  // what is there now was made
       for (const std::string& name : names_made({line_start, c.at})) script.failed.erase(name);
     script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
@@ -273,6 +280,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   Source outer = std::exchange(script.source, {});
   Sheet outer_sheet = std::exchange(script.sheet, {});
   const std::filesystem::path outer_folder = std::exchange(script.folder, std::filesystem::path(name).parent_path());
+  const std::size_t outer_touched = script.touched;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
   script.source = {text, name};
   std::error_code ignored;
@@ -293,6 +301,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   script.source = std::move(outer);
   script.sheet = std::move(outer_sheet);
   script.folder = outer_folder;
+  script.touched = outer_touched;
 }
 
 void read_line(Scene& s, Script& script, std::string_view line, const std::string& name) {

@@ -127,7 +127,7 @@ Session::Answer Session::State::command(std::string_view line) {
   tally.command(), sheet_refused = false;
   if (!failed.empty())
     for (const std::string& name : names_made(line)) failed.erase(name);
-  if (deed.touched > 1 && !row) answer.said += fmt::format("{} objects\n", deed.touched);
+  if (deed.touched > 1 && !row && !quiet) answer.said += fmt::format("{} objects\n", deed.touched);
   answer.said += tried(said.words, line);
   return answer;
 }
@@ -198,6 +198,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 Session::Answer Session::open(const std::string& file, Earlier earlier) { return state_->open(file, earlier); }
 Session::Answer Session::enter(std::string_view line) { return state_->enter(line); }
+void Session::keep_quiet() { state_->quiet = true; }
 bool Session::needs_more(std::string_view line) { return goes_on(line); }
 const Document& Session::document() const { return state_->document(); }
 const std::string& Session::file() const { return state_->file; }

@@ -57,6 +57,7 @@ struct Session::State {
   bool ended = false;
   int lines = 0;  // that were entered
   Program program;                                 // of the last document in which code was tried
+  bool quiet = false;                              // of how many things a pattern named
   std::set<std::string> problems;                  // of code, that were told
   std::map<std::string, int, std::less<>> failed;  // names that refused lines would have made, and those lines
 

@@ -55,7 +55,8 @@ Extent on_the_way(const Extent& a, const Extent& b, double w) {
 // one of them and the set can be apart (R-E16: exactly) are the same for all, and so is what the set covers there.
 class Window {
  public:
-  Window(const Camera& c, double aspect) : eye_(translation_of(c.world)) {
+  Window(const Camera& c, std::optional<double> asked) : eye_(translation_of(c.world)) {
+    double aspect = asked.value_or(c.aspect);
     if (!(aspect > 0)) aspect = 1;
     // In the camera's space: corners, and directions in which it goes on for ever.
     std::vector<Vec3> corners{{0, 0, 0}}, ways{{0, 0, -1}}, faces, edges;
@@ -253,7 +254,7 @@ void find_groups(Contacts& c) {
     if (const auto of = group[first(i)]) c.groups[of - 1].objects.push_back({i});
 }
 
-Contacts boxes(const Frame& frame, double aspect) {
+Contacts boxes(const Frame& frame, std::optional<double> aspect) {
   Contacts c;
   c.time = frame.time;
   c.boxes.reserve(frame.items.size());

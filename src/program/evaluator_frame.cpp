@@ -73,6 +73,7 @@ Camera Evaluator::camera() const {
   const std::uint32_t object = *through;
   const auto number = [&](FunctionId f) { return numbers_[compiled_.find(object, f).offset]; };
   Camera c;
+  c.aspect = compiled_.document.aspect();
   const Mat4 m = world(compiled_.node_of[object]);
   const Vec3 at = translation_of(m);
   // A rigid motion, whatever scales the camera has been put through.

@@ -42,15 +42,17 @@ bool Program::Compiled::sees_all(Time t) const { return !document.scene().appear
 const Camera& Program::Compiled::own_camera() const {
   std::call_once(own_camera_once, [this] {
     Camera& c = own_camera_made;
+    c.aspect = document.aspect();
     if (document.scene().appearance.flat) {
       c.world = translation({0, 0, 100}), c.orthographic = true, c.height = 9;
       return;
     }
     const Extent all = stage();
     c.fov = 2 * std::atan(36.0 / 70);
-    // The widest picture people make is 16:9; what fits its height and width fits taller ones better.
+    // Where nobody says a size: the widest picture people make is 16:9; what fits its height and width fits taller
+    // ones better.
     const Vec3 middle = 0.5 * (all.low + all.high), half = 0.5 * (all.high - all.low);
-    const double across = std::tan(c.fov / 2), up = across * 9 / 16;
+    const double across = std::tan(c.fov / 2), up = across / std::max(c.aspect, 16.0 / 9);
     const Mat4 turned = look_at(normalize(Vec3{0, 0.12, 1}), {});
     double distance = 1e-3;
     for (int corner = 0; corner < 8; ++corner) {

@@ -220,8 +220,9 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
     rest.remove_prefix(next + 1);
   }
   if (const auto query = find_query(s.objects[t.object.index].kind, words[0])) {
-    return words.size() == 1 ? Result<Target>(Target(t.object, *query))
-                             : no("this has no parts; a matrix is a table of 16 numbers, with x y z");
+    const int part = words.size() > 1 && query == Query::world ? find_component(Type::vector, words[1]) : -1;
+    if (words.size() == 1 || (words.size() == 2 && part >= 0)) return Target(t.object, *query, part);
+    return no("this has no such part; a matrix is a table of 16 numbers, with x y z");
   }
   const Kind kind = s.objects[t.object.index].kind;
   const auto f = find_function(s, kind, words[0]);
@@ -325,6 +326,11 @@ std::optional<std::pair<int, int>> Document::size() const {
   return !a.size && a.flat ? std::pair(1920, 1080) : a.size;
 }
 std::optional<int> Document::samples() const { return scene_->appearance.samples; }
+
+double Document::aspect() const {
+  const auto pixels = size().value_or(std::pair(16, 9));
+  return static_cast<double>(pixels.first) / pixels.second;
+}
 
 int Document::frame_count() const {
   const auto [from, to] = range();

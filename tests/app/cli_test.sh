@@ -38,6 +38,13 @@ head -c 4096 /dev/urandom >binary.bx
 small="--size 64x48 --samples 1"
 
 # The call.
+printf 'create s{1..12} box\ncreate ball sphere\nset s*.color red\n' >many.bx
+printf 'create b box\nuse part.bx\n' >whole.bx
+printf '# a part\nset b.position.x = """\n  local a = 1\n  return nobody.x\n"""\n' >part.bx
+check 'the line of code in a file that is used' 1 "part.bx:4:3: error: b.position.x: the procedure \"local a = 1 …\" gives no value: attempt" check whole.bx
+check 'check says how many' 0 'many.bx:3:1: notice: 12 objects' check -v many.bx
+check 'where that is asked' 0 'many.bx: no errors, 13 objects, 24 frames' check many.bx
+is 'else not' "$("$program" check many.bx 2>&1)" 'many.bx: no errors, 13 objects, 24 frames'
 check 'no command' 2 'Usage:'
 check 'help' 0 'betwixt render examples/bounce.bx -o bounce.mp4' --help
 check 'version' 0 'betwixt ' --version

@@ -55,6 +55,9 @@ session 'what they are' 0 'size 320x180' film.bx 'size 320x180' 'size'
 session 'where it is' 0 'ball is at     (1 0 0)' film.bx 'eval ball at 13f'
 session 'exit' 0 '' film.bx exit
 session 'a batch is asked nothing' 1 'a number is wanted here, not a vector' film.bx 'set ball.radius (3 4 0)' 'list' quit
+session 'how many' 0 '3 objects' '' 'create s{1..3} box' quit discard
+session 'how many is not said' 0 '' -q 'create s{1..3} box' quit discard
+is 'only that it is done' "$(grep -c objects <<<"$said")" 0
 session 'list' 0 'ball  sphere' film.bx 'list b*'
 printf 'rate 25\n\377\n' | "$program" shell >out 2>&1
 has 'bytes that are no text' "$(cat out)" 'not a text'

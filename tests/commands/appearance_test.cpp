@@ -70,6 +70,36 @@ TEST(Appearance, AFlatFilmsViewEnds) {
   expect_numbers(s, "out.in-view", "1f", {0});
 }
 
+// What is in view follows the size that the script says: pictures 10 m high are as much wider as their pixels say.
+TEST(Appearance, TheSizeSaysWhatIsInView) {
+  const auto seen = [](const char* size, const char* place, const char* eye) {
+    return LoadedFilm(std::string(size) + "\n" + eye + "\ncreate a box size=(0.2 0.2 0.2) position=" + place)
+        .numbers("a.in-view", "1f");
+  };
+  const char* flat = "create eye camera position=(0 0 10) height=10";
+  const auto in = std::vector{1.0}, out = std::vector{0.0};
+  EXPECT_EQ(seen("size 400x200", "(9.8 0 0)", flat), in);
+  EXPECT_EQ(seen("", "(9.8 0 0)", flat), out);  // 16:9: 8.89
+  EXPECT_EQ(seen("size 100x200", "(2.7 0 0)", flat), out);
+  // A lens says how wide; half as high a picture is half as high at 10 m: 5 m of 20 m, or 10.
+  const char* lens = "create eye camera position=(0 0 10) fov=90deg";
+  EXPECT_EQ(seen("size 400x200", "(0 4.8 0)", lens), in);
+  EXPECT_EQ(seen("size 400x200", "(0 5.3 0)", lens), out);
+  EXPECT_EQ(seen("size 200x200", "(0 5.3 0)", lens), in);
+  EXPECT_EQ(seen("film flat\nsize 300x900", "(1.7 0 0)", ""), out);
+  EXPECT_EQ(seen("film flat\nsize 300x900", "(1.4 4 0)", ""), in);
+}
+
+// A film without a camera shows all of its things in the widest pictures, too.
+TEST(Appearance, TheOwnCameraFitsWidePictures) {
+  for (const char* size : {"", "size 3000x300\n", "size 300x3000\n"}) {
+    const LoadedFilm s(std::string(size) + "create a box size=(2 8 2)\ncreate b box position=(0 9 3)\n");
+    const Contacts c = contacts(s.frame("1f"));
+    for (const ContactBox& b : c.boxes) EXPECT_EQ(b.sight, Sight::in) << size;
+    EXPECT_EQ(c.boxes.size(), 2u);
+  }
+}
+
 TEST(Appearance, FogIsTheBackgroundWhereNoneIsSaid) {
   EXPECT_EQ(LoadedFilm("fog white from 1 to 2\n").frame("1f").background, (Vec3{1, 1, 1}));
   EXPECT_EQ(LoadedFilm("fog white from 1 to 2\nbackground black\n").frame("1f").background, Vec3{});

@@ -163,5 +163,21 @@ TEST(Sheets, ARowWithAPlusComesAfterTheOneAbove) {
             std::vector<std::string>{"5:3: there is no row above that this could come later than"});
 }
 
+TEST(Reader, SaysHowManyAPatternNamesWhereThatIsAsked) {
+  const char* text =
+      "create s{1..3}-{1..4} box position=(i2 i1 0)\ncreate ball sphere\nset s*.color red\nset ball.color red\n"
+      "s1-*.position\n  1f (i 0 0)\n  +12f (i 1 0)\nstagger s*.position by 1f\nat 3f hide s{1,2}-*\n"
+      "set none*.color red\nremove s1-*\n";
+  const auto counts = [&](bool asked) {
+    std::vector<std::string> all;
+    for (const Diagnostic& d : load_text(text, "t", {.counts = asked}).diagnostics)
+      if (d.severity == Severity::notice) all.push_back(fmt::format("{}: {}", d.what.place.line, d.what.message));
+    return all;
+  };
+  EXPECT_EQ(counts(true), (std::vector<std::string>{"1: 12 objects", "3: 12 objects", "5: 4 objects", "8: 12 objects",
+                                                    "9: 8 objects", "10: 'none*' names nothing", "11: 4 objects"}));
+  EXPECT_EQ(counts(false), std::vector<std::string>{"10: 'none*' names nothing"});
+}
+
 }  // namespace
 }  // namespace betwixt

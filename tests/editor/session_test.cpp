@@ -143,6 +143,19 @@ TEST(Session, ExitIsQuit) {
   EXPECT_TRUE(opened(folder).enter("exit").quit);
 }
 
+TEST(Session, SaysHowManyAPatternNamesUnlessItIsQuiet) {
+  const Folder folder;
+  Session s = opened(folder, author);
+  EXPECT_EQ(s.enter("create p{1..7} box position=(i 0 0)").said, "7 objects\n");
+  EXPECT_EQ(s.enter("set p{2..4}.color red").said, "3 objects\n");
+  EXPECT_EQ(s.enter("set ball.color red").said, "");
+  EXPECT_EQ(s.enter("set p7.color hsv(i/n 1 1)").said, "");
+  folder.put("more.bx", "create q{1..3} box\nset q*.color red\n");
+  EXPECT_EQ(s.enter("use more.bx").said, "");  // whatever its lines are about
+  s.keep_quiet();
+  EXPECT_EQ(s.enter("create r{1..7} box").said, "");
+}
+
 // shows: G7 G13
 TEST(Session, TheWayOfDrawingIsAWord) {
   const Folder folder;
