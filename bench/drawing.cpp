@@ -46,11 +46,25 @@ std::string many(int count, int moving, bool camera_moves) {
   return text;
 }
 
+// Balls that go round, and the trace of one of them.
+std::string going_round(bool traced) {
+  const std::string text =
+      "range 1f 600f\ncreate b{1..30} sphere radius=0.3\nset b*.color hsv(i/n 0.7 1)\ncreate arm{1..30} group\n"
+      "set b*.position (1+i/6 i/10-1.5 0)\ncreate sun light shines=sun position=(3 6 5)\n"
+      "create eye camera position=(0 3 18) look-at=(0 0 0)\ncouple b1 to arm1\narm*.rotation.z\n  1f 0deg linear\n"
+      "  600f i*1turn\n";
+  std::string all = text;
+  for (int k = 2; k <= 30; ++k) all += fmt::format("couple b{0} to arm{0}\n", k);
+  all += "arm1.rotation.y\n  1f 0deg linear\n  600f 7.3turn\n";
+  return traced ? all + "create drawn trace of=b1 width=0.05 color=tomato\n" : all;
+}
+
 struct Row {
   const char* what;
   Document document;
   RenderOptions options;
   int pictures;
+  int first = 4;  // frame
 };
 
 Picture by_itself(const Row& row, const Program& program, Time t) {
@@ -69,7 +83,7 @@ void measure(const Row& row) {
   Picture picture;
   std::vector<double> all;
   for (int k = -3; k < row.pictures; ++k) {
-    const Time t = row.document.rate().frame(k + 4);
+    const Time t = row.document.rate().frame(k + row.first);
     const double took = milliseconds([&] {
       e.to(t);
       insist(static_cast<bool>((*renderer)->render(e, picture)), "no picture");
@@ -97,4 +111,9 @@ int main(int count, char** arguments) {
   measure({"10,000 things rest, one moves, 960x540, 1 sample", script(many(10000, 1, false)), window, 20});
   measure({"10,000 things rest, the camera moves, 1 sample", script(many(10000, 0, true)), window, 20});
   measure({"10,000 things rest, nothing moves, 1 sample", script(many(10000, 0, false)), window, 20});
+  for (const int first : {100, 300, 570}) {
+    const auto from = [&](const char* what) { return fmt::format("{}, from frame {}", what, first); };
+    measure({from("30 balls go round, 480x270, 4 samples").c_str(), script(going_round(false)), small, 25, first});
+    measure({from("… one of them leaves a trace").c_str(), script(going_round(true)), small, 25, first});
+  }
 }

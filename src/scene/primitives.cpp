@@ -176,14 +176,22 @@ struct Sweep {
   int around;
   double radius;
   Vec3 along, side;
+  std::vector<std::pair<double, double>> turns;  // cosine and sine of each step round
+
+  Sweep(int steps, double r, Vec3 direction) : around(steps), radius(r), along(direction) {
+    for (int i = 0; i < steps; ++i) {
+      const double angle = 2 * pi * i / steps;
+      turns.emplace_back(std::cos(angle), std::sin(angle));
+    }
+  }
 
   // One turn about `centre`, leaning forward (or, where negative, back) by an angle: a circle of a ball.
   void ring(Vec3 centre, double lean = 0) {
     const Vec3 other = cross(along, side);
-    for (int i = 0; i < around; ++i) {
-      const double angle = 2 * pi * i / around;
-      const Vec3 outward = std::cos(angle) * side + std::sin(angle) * other;
-      const Vec3 normal = std::cos(lean) * outward + std::sin(lean) * along;
+    const double outwards = std::cos(lean), forward = std::sin(lean);
+    for (const auto& [cosine, sine] : turns) {
+      const Vec3 outward = cosine * side + sine * other;
+      const Vec3 normal = outwards * outward + forward * along;
       add(mesh, centre + radius * normal, normal);
     }
     const Index n = static_cast<Index>(around), now = static_cast<Index>(mesh.positions.size()) - n;
@@ -211,6 +219,42 @@ struct Sweep {
     along = to;
     side = normalize(side - dot(side, to) * to);
   }
+
+  // Fans close its ends; their middles are the mesh's first and last point.
+  void close() {
+    const Index n = static_cast<Index>(around), end = static_cast<Index>(mesh.positions.size()) - 1;
+    for (Index i = 0; i < n; ++i) {
+      const Index j = (i + 1) % n;
+      triangle(mesh, 0, 1 + j, 1 + i);
+      triangle(mesh, end, end - n + i, end - n + j);
+    }
+  }
+  // Its creases: a line that is drawn has too many triangles to look for their neighbours in each picture, and here it
+  // is known where they are. Each ring adds two triangles a step, the fans stand behind them in turns.
+  // Where two rings share a corner, the triangle between them has no area, and its sides count as creases.
+  void find_edges() {
+    const std::vector<Vec3> normals = face_normals(mesh);
+    const Index n = static_cast<Index>(around), end = static_cast<Index>(mesh.positions.size()) - 1;
+    const Index rings = (end - 1) / n, fans = 2 * n * (rings - 1);
+    mesh.edges.reserve(3 * mesh.positions.size());
+    const auto edge = [&](Index a, Index b, Index one, Index other) {
+      if (!creased(normals[one], normals[other])) return;
+      mesh.edges.push_back(a), mesh.edges.push_back(b);
+    };
+    for (Index i = 0; i < n; ++i) {
+      const Index j = (i + 1) % n, before = (i + n - 1) % n;
+      edge(0, 1 + i, fans + 2 * i, fans + 2 * before);
+      for (Index r = 0; r < rings; ++r) {
+        const Index at = 1 + r * n, strip = 2 * n * r;  // the strip from this ring to the next
+        edge(at + i, at + j, r == 0 ? fans + 2 * i : strip - 2 * n + 2 * i + 1,
+             r + 1 == rings ? fans + 2 * i + 1 : strip + 2 * i);
+        if (r + 1 == rings) continue;
+        edge(at + i, at + n + i, strip + 2 * i + 1, strip + 2 * before);
+        edge(at + i, at + n + j, strip + 2 * i, strip + 2 * i + 1);
+      }
+      edge(end, end - n + i, fans + 2 * i + 1, fans + 2 * before + 1);
+    }
+  }
 };
 
 }  // namespace
@@ -221,28 +265,25 @@ Mesh tube_mesh(const std::vector<Vec3>& given, double diameter, int around) {
     if (points.empty() || length(p - points.back()) > 1e-6 * diameter) points.push_back(p);
   if (points.size() < 2) return balls_mesh(points, diameter, sphere_mesh(around, std::max(2, around / 2)));
 
-  Sweep sweep{{}, around, diameter / 2, normalize(points[1] - points[0]), {}};
+  Sweep sweep(around, diameter / 2, normalize(points[1] - points[0]));
   const Vec3 d = sweep.along, a{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
   sweep.side = normalize(cross(d, a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0}
                                   : a.y <= a.z             ? Vec3{0, 1, 0}
                                                            : Vec3{0, 0, 1}));
 
   const int cap_rings = std::max(1, around / 4);
-  const Index start = add(sweep.mesh, points.front() - sweep.radius * d, -d);
+  add(sweep.mesh, points.front() - sweep.radius * d, -d);
   for (int i = 1; i <= cap_rings; ++i) sweep.ring(points.front(), 0.5 * pi * i / cap_rings - 0.5 * pi);
   for (std::size_t i = 1; i < points.size(); ++i) {
     sweep.ring(points[i]);
     if (i + 1 < points.size()) sweep.turn(points[i], normalize(points[i + 1] - points[i]));
   }
   for (int i = 1; i < cap_rings; ++i) sweep.ring(points.back(), 0.5 * pi * i / cap_rings);
-  const Index end = add(sweep.mesh, points.back() + sweep.radius * sweep.along, sweep.along);
-  const Index n = static_cast<Index>(around);
-  for (Index i = 0; i < n; ++i) {
-    const Index j = (i + 1) % n;
-    triangle(sweep.mesh, start, start + 1 + j, start + 1 + i);
-    triangle(sweep.mesh, end, end - n + i, end - n + j);
-  }
-  return finished(std::move(sweep.mesh), true);
+  add(sweep.mesh, points.back() + sweep.radius * sweep.along, sweep.along);
+  sweep.close();
+  sweep.find_edges();
+  sweep.mesh.closed = true;
+  return std::move(sweep.mesh);
 }
 
 Mesh joined(std::vector<Mesh> parts) {

@@ -92,13 +92,22 @@ std::vector<std::uint32_t> weld(const std::vector<std::array<float, 3>>& positio
   return welded;
 }
 
-std::vector<std::uint32_t> crease_edges(const Mesh& mesh) {
-  const double flat = std::cos(0.5 * pi / 180);
+std::vector<Vec3> face_normals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.triangles.size() / 3);
   for (std::size_t t = 0; t < normals.size(); ++t) normals[t] = normalize(area_vector(mesh, t));
+  return normals;
+}
+
+bool creased(Vec3 normal, Vec3 other) {
+  static const double flat = std::cos(0.5 * pi / 180);
+  return !(dot(normal, other) > flat);
+}
+
+std::vector<std::uint32_t> crease_edges(const Mesh& mesh) {
+  const std::vector<Vec3> normals = face_normals(mesh);
   std::vector<std::uint32_t> edges;
   each_edge(sorted_sides(mesh, weld(mesh.positions)), [&](auto i, auto j) {
-    if (j - i == 2 && dot(normals[i->triangle], normals[(i + 1)->triangle]) > flat) return;
+    if (j - i == 2 && !creased(normals[i->triangle], normals[(i + 1)->triangle])) return;
     edges.insert(edges.end(), {i->low, i->high});
   });
   return edges;

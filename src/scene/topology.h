@@ -22,6 +22,9 @@ std::vector<std::uint32_t> weld(const std::vector<std::array<float, 3>>& positio
 
 // The edges worth drawing as wireframe: borders, and those where the surface bends (by more than half a degree).
 std::vector<std::uint32_t> crease_edges(const Mesh&);
+// Which these are, for who knows the neighbours of each triangle already.
+std::vector<Vec3> face_normals(const Mesh&);
+bool creased(Vec3 normal, Vec3 other);
 
 // Every edge is used once each way, and every connected part encloses a positive volume.
 bool is_closed(const Mesh&);

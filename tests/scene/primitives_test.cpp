@@ -114,6 +114,30 @@ TEST(Primitives, TubeIsARoundClosedLine) {
   EXPECT_TRUE(watertight(tube_mesh({{1, 2, 3}}, d, 8)));
 }
 
+// What a tube says of its edges against a search through all sides of all triangles.
+TEST(Primitives, ATubesEdgesAreThoseWhereItBends) {
+  using Edge = std::pair<std::array<float, 3>, std::array<float, 3>>;
+  const auto places = [](const Mesh& m, const std::vector<std::uint32_t>& edges) {
+    std::vector<Edge> all;
+    for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
+      auto e = std::pair(m.positions[edges[i]], m.positions[edges[i + 1]]);
+      if (e.second < e.first) std::swap(e.first, e.second);
+      all.push_back(e);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  std::vector<Vec3> spiral, gentle{{0, 0, 0}, {1, 0.01, 0.02}, {2, 0.024, 0.041}, {3, 0.3, 0.1}};
+  for (int i = 0; i < 60; ++i) spiral.push_back({i * 0.1, std::cos(i * 0.7), std::sin(i * 0.7)});
+  for (const auto& line : {spiral, gentle, std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}}})
+    for (const int around : {3, 4, 7, 24}) {
+      const Mesh m = tube_mesh(line, 0.05, around);
+      const auto edges = places(m, m.edges);
+      EXPECT_EQ(edges, places(m, crease_edges(m))) << line.size() << " points, " << around << " sides";
+      EXPECT_FALSE(edges.empty());
+    }
+}
+
 TEST(Primitives, BallsAndLines) {
   const Mesh balls = balls_mesh({{0, 0, 0}, {5, 0, 0}}, 2, sphere_mesh(64, 32));
   EXPECT_NEAR(signed_volume(balls) / (2 * 4 * pi / 3), 1, 0.02);
