@@ -7,20 +7,44 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "language/line_words.h"
 
 namespace betwixt {
 namespace {
 
-// The error where its code stands in the script; without a place where it stands in a file that was loaded.
+// The files that a script uses, as its lines name them.
+std::vector<std::string> used(const std::string& file, std::string_view text) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const auto words = line_words(text.substr(at, end - at));
+    if (words.size() > 1 && words[0] == "use")
+      all.push_back((std::filesystem::path(file).parent_path() / words[1]).string());
+    at = end + 1;
+  }
+  return all;
+}
+
+// Whether the code stands in that script, or in one that it uses; then the error has its place.
+bool place_in(Diagnostic& d, const std::string& file, const std::string& source, int deep = 0) {
+  const auto text = read_whole(file);
+  if (!text) return false;
+  point_at(d, *text, source);
+  if (d.what.place.line > 0) return d.what.place.file = file, true;
+  const auto files = deep < 8 ? used(file, *text) : std::vector<std::string>();
+  return std::any_of(files.begin(), files.end(), [&](const auto& f) { return place_in(d, f, source, deep + 1); });
+}
+
+// The error where its code stands; without a place where that is in no script.
 Diagnostic placed_error(const Frame::CodeError& e, const std::string& file) {
   Diagnostic d;
   d.what = fail(ErrorCode::type, e.message);
   d.what.place.file = file;
-  const auto text = read_whole(file);
-  if (text) point_at(d, *text, e.source);
+  place_in(d, file, e.source);
   return d;
 }
 
@@ -28,11 +52,10 @@ Diagnostic placed_error(const Frame::CodeError& e, const std::string& file) {
 
 void add_findings(Findings& found, const Frame& frame, const std::string& file) {
   const auto known = [&](const std::string& message) {
-    return std::any_of(found.errors.begin(), found.errors.end(),
-                       [&](const Diagnostic& d) { return d.what.message == message; });
+    return std::find(found.placed.begin(), found.placed.end(), message) != found.placed.end();
   };
   for (const Frame::CodeError& e : frame.errors)
-    if (!known(e.message)) found.errors.push_back(placed_error(e, file));
+    if (!known(e.message)) found.placed.push_back(e.message), found.errors.push_back(placed_error(e, file));
   for (const std::string& p : frame.problems)
     if (!known(p) && std::find(found.warnings.begin(), found.warnings.end(), p) == found.warnings.end())
       found.warnings.push_back(p);

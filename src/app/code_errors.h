@@ -13,6 +13,7 @@ namespace betwixt {
 struct Findings {
   Diagnostics errors;                 // of the author's code, with its place in the script
   std::vector<std::string> warnings;  // all else
+  std::vector<std::string> placed;    // what the errors said before they had their places
 };
 // Of some of the frames from `first` to `last`, both among them, for a second or two at most.
 Findings look_through(const Program&, const std::string& file, Time first, Time last, int frames);

@@ -33,9 +33,32 @@ std::string to_string(const Diagnostic& d) {
   return out;
 }
 
+namespace {
+
+// "…: line 3: why", of code of several lines: takes the line out, counted from 0.
+std::size_t take_line(std::string& message) {
+  constexpr std::string_view mark = ": line ";
+  const std::size_t at = message.find(mark);
+  if (at == std::string::npos) return 0;
+  std::size_t end = at + mark.size(), line = 0;
+  for (; end < message.size() && message[end] >= '0' && message[end] <= '9' && line < 1'000'000; ++end)
+    line = 10 * line + static_cast<std::size_t>(message[end] - '0');
+  if (line == 0 || message.compare(end, 2, ": ") != 0) return 0;
+  message.erase(at, end - at);
+  return line - 1;
+}
+
+}  // namespace
+
 void point_at(Diagnostic& d, std::string_view text, std::string_view part) {
-  const std::size_t at = part.empty() ? std::string_view::npos : text.find(part);
+  std::size_t at = part.empty() ? std::string_view::npos : text.find(part);
   if (at == std::string_view::npos) return;
+  for (std::size_t line = part.find('\n') == std::string_view::npos ? 0 : take_line(d.what.message); line > 0; --line) {
+    const std::size_t next = part.find('\n');
+    if (next == std::string_view::npos) break;
+    const std::size_t first = std::min(part.find_first_not_of(" \t", next + 1), part.size());
+    at += first, part.remove_prefix(first);
+  }
   const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1,
                     end = std::min(text.find('\n', at), text.size());
   d.line = text.substr(begin, end - begin);

@@ -251,7 +251,10 @@ bool computed(Command& k, const Selected& to, Value& out) {
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
   if (!row_of(to.type()).computed)
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
-  if (to.spec->name == "file" || !to.spec->words.empty() || to.spec->name == "texture" || to.spec->name == "font")
+  // What is read once, when the script is.
+  static constexpr std::string_view settled[] = {"file", "texture", "font", "mode", "of", "within"};
+  const bool is_name = to.type() == Type::text || to.type() == Type::aim;
+  if (is_name && std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled))
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about);
   auto code = make_lua(Role::value, std::move(source));
   if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);

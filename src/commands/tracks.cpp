@@ -63,6 +63,36 @@ void say_unseen(Command& k, const Selected& to, std::string_view about) {
                              fmt::format("at TIME {} VALUE changes one; clear takes them out", about.substr(0, 60)));
 }
 
+// Whether a component of it can be set by itself, where one is meant.
+bool has_components(Command& k, const Target& t, std::string_view about) {
+  const Slot* slot = k.scene.objects[t.object.index].find(t.function, t.layer);
+  if (t.component < 0 || !slot || !slot->set) return true;
+  if (std::holds_alternative<Procedure>(*slot->set))
+    return k.cursor.fail(ErrorCode::type, "code computes the whole of it; it has no separate components", about);
+  if (std::holds_alternative<Quat>(*slot->set))
+    return k.cursor.fail(ErrorCode::type, "an orientation has no separate angles", about,
+                         "set the whole of it as euler(x y z) first");
+  return true;
+}
+
+// What is set is one value, of which code cannot give a part: the component's own track begins with it.
+bool compute_component(Command& k, const Selected& to, const Value& code) {
+  Event e;
+  e.time = std::min(k.scene.range ? k.scene.range->first : Time{}, Time{});
+  e.value = code;
+  const auto free = [&](const Track* track) {
+    if (track->events.empty() || e.time < track->events.front().time) return true;
+    return track->events.front().time == e.time && std::holds_alternative<Procedure>(track->events.front().value);
+  };
+  for (const Target& t : to.targets) {
+    if (!has_components(k, t, to.text)) return false;
+    const auto tracks = tracks_of(k.scene, t);
+    if (!std::all_of(tracks.begin(), tracks.end(), free)) return say_unseen(k, to, to.text), true;
+  }
+  for (const Target& t : to.targets) Wanted::ask(), put_event(k.scene, t, e);
+  return true;
+}
+
 bool set_alike(Command& k, const Selected& to) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = to.text;
@@ -79,10 +109,8 @@ bool set_alike(Command& k, const Selected& to) {
     return c.fail(ErrorCode::type, "a velocity holds from a time on", w,
                   fmt::format("as in at 1f {} …", w.substr(0, 60)));
   if (c.peek() == '=') {
-    if (to.component >= 0)
-      return c.fail_here(ErrorCode::type, "the whole value is set, not one component of it, when code computes it",
-                         fmt::format("at 1f {} = \"…\" computes one component", w.substr(0, 60)));
     if (!computed(k, to, v) || !finish(c)) return false;
+    if (to.component >= 0) return compute_component(k, to, v);
     for (const Target& t : to.targets) Wanted::ask(), set_value(s, t, v);
     return true;
   }
@@ -95,13 +123,7 @@ bool set_alike(Command& k, const Selected& to) {
                   "couple A to B, attach A to B, hang A on B, detach A");
   if (!values(k).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
   for (const Target& t : to.targets) {
-    if (!draws(k, t, w)) return false;
-    const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
-    if (t.component >= 0 && slot && slot->set && std::holds_alternative<Procedure>(*slot->set))
-      return c.fail(ErrorCode::type, "code computes the whole of it; it has no separate components", w);
-    if (t.component >= 0 && slot && slot->set && std::holds_alternative<Quat>(*slot->set))
-      return c.fail(ErrorCode::type, "an orientation has no separate angles", w,
-                    "set the whole of it as euler(x y z) first");
+    if (!draws(k, t, w) || !has_components(k, t, w)) return false;
   }
   say_unseen(k, to, w);
   for (const Target& t : to.targets) Wanted::ask(), set_value(s, t, v);

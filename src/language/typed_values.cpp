@@ -146,12 +146,7 @@ struct TypedReader {
                   c.since(start), function == fn::fov ? "a camera sees less than 180deg" : "");
   }
   bool is_choice(const std::string& s) {
-    std::vector<std::string_view> words;
-    for (std::string_view rest = spec.words; !rest.empty();) {
-      const auto bar = rest.find('|');
-      words.push_back(rest.substr(0, bar));
-      rest = bar == std::string_view::npos ? std::string_view() : rest.substr(bar + 1);
-    }
+    const auto words = choices(spec);
     if (std::find(words.begin(), words.end(), s) != words.end()) return true;
     std::string all;
     for (auto w : words) all += (all.empty() ? "" : w == words.back() ? " or " : ", ") + std::string(w);

@@ -26,15 +26,6 @@ int hex(char c) {
   return -1;
 }
 
-Color from_hsv(double turns, double s, double v) {
-  const double h = (turns - std::floor(turns)) * 6;
-  const auto channel = [&](double n) {
-    const double k = std::fmod(n + h, 6);
-    return v - v * s * std::max(0.0, std::min({k, 4 - k, 1.0}));
-  };
-  return {channel(5), channel(3), channel(1)};
-}
-
 }  // namespace
 
 bool ValueReader::scalar(double& out, Unit unit) {

@@ -9,6 +9,7 @@
 
 #include "procedure/machine.h"
 #include "procedure/noise.h"
+#include "track/track.h"
 
 namespace betwixt::lua {
 namespace {
@@ -26,6 +27,17 @@ int make_axis(lua_State* l) {
   const Quat q = axis_angle({number(l, 1), number(l, 2), number(l, 3)}, number(l, 4));
   const double n[] = {q.w, q.x, q.y, q.z};
   return push(l, Kind::quat, n), 1;
+}
+
+int make_vector(lua_State* l) {  // in a drawing two numbers are enough
+  const double n[] = {number(l, 1), number(l, 2), luaL_optnumber(l, 3, 0)};
+  return push(l, Kind::vector, n), 1;
+}
+
+int make_hsv(lua_State* l) {
+  const Color c = from_hsv(number(l, 1), number(l, 2), number(l, 3));
+  const double n[] = {c.r, c.g, c.b};
+  return push(l, Kind::color, n), 1;
 }
 
 Vec3 vector(lua_State* l, int i) {
@@ -46,10 +58,12 @@ Vec3 up_to_three(lua_State* l) { return {number(l, 1), luaL_optnumber(l, 2, 0), 
 int noise_of(lua_State* l) { return lua_pushnumber(l, noise(up_to_three(l), std::clamp(lua_gettop(l), 1, 3))), 1; }
 int random_of(lua_State* l) { return lua_pushnumber(l, hashed(up_to_three(l))), 1; }
 int clamp_of(lua_State* l) {
+  if (lua_isinteger(l, 1) && lua_isinteger(l, 2) && lua_isinteger(l, 3))
+    return lua_pushinteger(l, std::max(lua_tointeger(l, 2), std::min(lua_tointeger(l, 1), lua_tointeger(l, 3)))), 1;
   return lua_pushnumber(l, std::fmax(number(l, 2), std::fmin(number(l, 1), number(l, 3)))), 1;
 }
-int round_of(lua_State* l) { return lua_pushnumber(l, std::floor(number(l, 1) + 0.5)), 1; }
-int sign_of(lua_State* l) { return lua_pushnumber(l, (number(l, 1) > 0) - (number(l, 1) < 0)), 1; }
+int round_of(lua_State* l) { return push_number(l, std::floor(number(l, 1) + 0.5)), 1; }
+int sign_of(lua_State* l) { return push_number(l, (number(l, 1) > 0) - (number(l, 1) < 0)), 1; }
 int smoothstep(lua_State* l) {
   const double low = number(l, 1), high = number(l, 2), x = number(l, 3);
   const double u = low == high ? x >= high : std::fmax(0, std::fmin((x - low) / (high - low), 1));
@@ -71,8 +85,9 @@ int mix(lua_State* l) {
 
 }  // namespace
 
-const luaL_Reg arithmetic_functions[] = {{"vec", make<Kind::vector, 3>},
+const luaL_Reg arithmetic_functions[] = {{"vec", make_vector},
                                          {"rgb", make<Kind::color, 3>},
+                                         {"hsv", make_hsv},
                                          {"euler", make<Kind::angles, 3>},
                                          {"quat", make<Kind::quat, 4>},
                                          {"axis", make_axis},

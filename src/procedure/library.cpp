@@ -254,9 +254,15 @@ int call_routine(lua_State* l, Machine& m) {
   return push_answer(l, name, result);
 }
 
-// A name that no table has: a named procedure, or nil.
+// A name that no table has: frames a second, the number of this one, a named procedure, or nil.
 int find_global(lua_State* l, Machine& m) {
-  if (lua_type(l, 2) != LUA_TSTRING || !m.call || !m.call->questions) return 0;
+  if (lua_type(l, 2) != LUA_TSTRING || !m.call) return 0;
+  const std::string_view name = lua_tostring(l, 2);
+  if ((name == "rate" || name == "frame") && (m.call->questions || m.call->input)) {
+    const Rate rate = m.call->questions ? m.call->questions->rate() : m.call->input->rate();
+    return push_number(l, name == "rate" ? rate.per_second() : rate.frame_number(from_seconds(m.call->seconds))), 1;
+  }
+  if (!m.call->questions) return 0;
   if (!m.call->questions->procedure(lua_tostring(l, 2))) return 0;
   lua_pushvalue(l, 2);
   lua_pushcclosure(l, priced<call_routine>, 1);

@@ -257,9 +257,10 @@ Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
 }
 
 bool known_to_lua(std::string_view name) {
-  static constexpr std::string_view words[] = {
-      "and", "break", "do", "else",   "elseif", "end",  "false", "for",   "function", "goto", "if",   "in",  "local",
-      "nil", "not",   "or", "repeat", "return", "then", "true",  "until", "while",    "t",    "self", "_ENV"};
+  static constexpr std::string_view words[] = {"and",   "break",    "do",     "else",   "elseif", "end",   "false",
+                                               "for",   "function", "goto",   "if",     "in",     "local", "nil",
+                                               "not",   "or",       "repeat", "return", "then",   "true",  "until",
+                                               "while", "t",        "self",   "_ENV",   "rate",   "frame"};
   if (std::find(std::begin(words), std::end(words), name) != std::end(words)) return true;
   const Nested nested;
   Machine& m = *machine();

@@ -3,13 +3,14 @@
 //
 // Procedures, twerpers, filters and commands that the author writes in Lua.
 //
-// What every one has: numbers, booleans, texts, lists; vec(x, y, z), rgb(r, g, b), euler(x, y, z), quat(w, x, y, z),
-// axis(x, y, z, angle) with arithmetic; length dot cross normalize; the functions of math with and without "math.";
-// tau pi noise random clamp mix smoothstep; string and table without patterns.
-//   value    t, self, ... (what it is called with), value(name [, time]), touching(name [, name] [, time]), and every
+// What every one has: numbers, booleans, texts, lists; vec(x, y[, z]), rgb(r, g, b), hsv(h, s, v), euler(x, y, z),
+// quat(w, x, y, z), axis(x, y, z, angle) with arithmetic; length dot cross normalize; the functions of math with and
+// without "math."; tau pi noise random clamp mix smoothstep; string and table without patterns.
+//   value    t, rate, frame, self, ... (what it is called with), value(name [, time]), touching(name [, name] [,
+//   time]), and every
 //            named procedure as a function
 //   twerper  u; gives a number
-//   filter   t, input([time]), and each parameter by its name, dashes written as underscores
+//   filter   t, rate, frame, input([time]), and each parameter by its name, dashes written as underscores
 //   command  args and ..., run("line"), value(name, time), objects(pattern)
 // A source is an expression, or a chunk that returns; where what it gives is a function, that is called (with
 // the arguments or t; u; t; the words).

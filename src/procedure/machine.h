@@ -88,6 +88,7 @@ int guarded(lua_State* l) {
 
 // Values (values.cpp). None raises, but for want of memory.
 Kind read(lua_State*, int index, double* numbers);  // the numbers of a value of a kind: up to 16
+void push_number(lua_State*, double);               // what is whole stays so in texts: 3, not 3.0
 void push(lua_State*, Kind, const double* numbers);
 bool push(lua_State*, const Value&);  // false: there is no such thing in Lua; nothing is pushed
 Result<Value> to_value(lua_State*, int index);

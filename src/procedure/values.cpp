@@ -109,7 +109,7 @@ Result<Value> list_value(lua_State* l, int index) {
     if (const auto* v = std::get_if<Vec3>(&*one)) points.push_back(*v);
     if (const auto* t = std::get_if<Text>(&*one)) names.push_back(**t);
   }
-  if (count > 0 && points.size() == count) return Value(Points(std::move(points)));
+  if (points.size() == count) return Value(Points(std::move(points)));
   if (count > 0 && names.size() == count) return Value(Names(std::move(names)));
   return no_value("a list is a value only where all in it are vectors, or all are texts");
 }
@@ -135,19 +135,28 @@ Kind read(lua_State* l, int index, double* numbers) {
   return kind;
 }
 
+// Whole numbers that are larger are left alone: products of whole numbers are cut off in Lua, where others are not.
+void push_number(lua_State* l, double d) {
+  constexpr double most = 2147483648;
+  if (std::abs(d) <= most && d == std::floor(d) && !(d == 0 && std::signbit(d)))
+    lua_pushinteger(l, static_cast<lua_Integer>(d));
+  else
+    lua_pushnumber(l, d);
+}
+
 void push(lua_State* l, Kind kind, const double* numbers) {
   const Shape& s = shape(kind);
   const bool matrix = kind == Kind::matrix;
   lua_createtable(l, matrix ? 16 : 0, matrix ? 3 : s.count);
   for (int i = 0; i < s.count; ++i) {
-    lua_pushnumber(l, numbers[i]);
+    push_number(l, numbers[i]);
     if (matrix)
       lua_rawseti(l, -2, i + 1);
     else
       lua_setfield(l, -2, s.fields[i]);
   }
   for (int i = 0; matrix && i < 3; ++i) {
-    lua_pushnumber(l, numbers[4 * i + 3]);
+    push_number(l, numbers[4 * i + 3]);
     lua_setfield(l, -2, shape(Kind::vector).fields[i]);
   }
   lua_rawgeti(l, LUA_REGISTRYINDEX, Machine::of(l).metatable[static_cast<int>(kind)]);
@@ -156,7 +165,7 @@ void push(lua_State* l, Kind kind, const double* numbers) {
 
 bool push(lua_State* l, const Value& v) {
   const auto push_text = [l](const std::string& t) { return lua_pushlstring(l, t.data(), t.size()), true; };
-  if (const auto* d = std::get_if<double>(&v)) return lua_pushnumber(l, *d), true;
+  if (const auto* d = std::get_if<double>(&v)) return push_number(l, *d), true;
   if (const auto* b = std::get_if<bool>(&v)) return lua_pushboolean(l, *b), true;
   if (const auto* t = std::get_if<Text>(&v)) return push_text(**t);
   if (const auto* m = std::get_if<Moves>(&v)) return push_text(to_string(**m));

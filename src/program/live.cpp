@@ -41,6 +41,7 @@ struct Worker {
     bool lacking = false;  // the object has not all that was asked of it, and others have
     Talk(const Worker& worker, Time time) : w(worker), t(time) {}
     double seconds() const override { return t.seconds(); }
+    Rate rate() const override { return w.scene.rate; }
     std::string_view self() const override { return w.scene.objects[w.live.object].name; }
     const Routine* procedure(std::string_view name) override {
       const NamedProcedure* p = find_procedure(w.scene, name);
@@ -88,6 +89,14 @@ struct Worker {
     return rest && rest->code == p.code;
   }
 
+  // Its first line, as far as it takes to know it again.
+  static std::string brief(std::string_view source) {
+    source.remove_prefix(std::min(source.find_first_not_of(" \t\r\n"), source.size()));
+    const std::string_view line = source.substr(0, source.find('\n'));
+    const bool more = source.find_first_not_of(" \t\r\n", line.size()) != std::string_view::npos;
+    return std::string(line.substr(0, 60)) + (more ? " …" : "");
+  }
+
   // None where it errs; then `problems` says so.
   std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
     if (asking.work(0)) return std::nullopt;
@@ -100,9 +109,9 @@ struct Worker {
     if (asking.work(cost + 300)) return std::nullopt;  // beginning is work, too
     if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // there is no such thing as its value
     const auto say = [&](const std::string& why) {
-      asking.err(fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component),
-                             p.code->source.substr(0, 60), why),
-                 p.code->source);
+      asking.err(
+          fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component), brief(p.code->source), why),
+          p.code->source);
       return std::nullopt;
     };
     if (!answer) return say(answer.error().message);
@@ -112,6 +121,11 @@ struct Worker {
     double n[4];
     if (!finite({n, static_cast<std::size_t>(to_numbers(*fitting, n))})) return say("it is not finite");
     const auto* text = std::get_if<Text>(&*fitting);
+    if (const FunctionSpec& spec = spec_of(scene, live.function); text && !spec.words.empty()) {
+      const auto words = choices(spec);
+      if (std::find(words.begin(), words.end(), **text) == words.end())
+        return say(fmt::format("'{}' is none of {}", (*text)->substr(0, 40), fmt::join(words, ", ")));
+    }
     if (text && live.function == fn::text && (*text)->size() > most_letters && count_characters(**text) > most_letters)
       return say(fmt::format("its text has more than {} letters", most_letters));
     return *fitting;
@@ -291,6 +305,7 @@ struct Worker {
       const Value v = w.looked_at(s, stage, from_seconds(seconds));
       return component < 0 ? v : Value(component_of(v, component));
     }
+    Rate rate() const override { return w.scene.rate; }
     void work(std::uint64_t steps) override { w.asking.work(steps + 300); }
   };
 

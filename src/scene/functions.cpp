@@ -471,6 +471,16 @@ const std::vector<FunctionSpec>& table() {
 
 }  // namespace
 
+std::vector<std::string_view> choices(const FunctionSpec& spec) {
+  std::vector<std::string_view> words;
+  for (std::string_view rest = spec.words; !rest.empty();) {
+    const auto bar = rest.find('|');
+    words.push_back(rest.substr(0, bar));
+    rest = bar == std::string_view::npos ? std::string_view() : rest.substr(bar + 1);
+  }
+  return words;
+}
+
 std::span<const FunctionSpec> built_in_functions() { return table(); }
 
 std::optional<FunctionId> find_built_in(Kind kind, std::string_view name) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "betwixt/object.h"
 #include "track/types.h"
@@ -39,6 +40,9 @@ struct FunctionSpec {
   bool matters_to_contacts() const { return place || shape != nullptr; }
   friend bool operator==(const FunctionSpec&, const FunctionSpec&) = default;
 };
+
+// The words of a text that is one of a few.
+std::vector<std::string_view> choices(const FunctionSpec&);
 
 // The built-in ones, in the order of their ids; those of `fn` first.
 std::span<const FunctionSpec> built_in_functions();

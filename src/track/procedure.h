@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "betwixt/result.h"
+#include "betwixt/time.h"
 #include "betwixt/value.h"
 
 namespace betwixt {
@@ -36,6 +37,7 @@ class Questions {
  public:
   virtual ~Questions() = default;
   virtual double seconds() const = 0;         // the time that a value is wanted for
+  virtual Rate rate() const = 0;              // of frames
   virtual std::string_view self() const = 0;  // the name of the object it is wanted of; empty: of none
   // "leg.rotation.z", ".scale.x" (of the object itself), "ball.world", "ball.position.velocity"; at any time.
   // Colours as the author writes them, angles in radians.
@@ -51,6 +53,7 @@ class Input {
  public:
   virtual ~Input() = default;
   virtual Value at(double seconds) = 0;
+  virtual Rate rate() const = 0;       // of frames
   virtual void work(std::uint64_t) {}  // so many steps were taken beside what was asked
 };
 

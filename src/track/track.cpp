@@ -23,6 +23,15 @@ double to_srgb(double l) {
   return std::copysign(s, l);
 }
 
+Color from_hsv(double turns, double s, double v) {
+  const double h = (turns - std::floor(turns)) * 6;
+  const auto channel = [&](double n) {
+    const double k = std::fmod(n + h, 6);
+    return v - v * s * std::max(0.0, std::min({k, 4 - k, 1.0}));
+  };
+  return {channel(5), channel(3), channel(1)};
+}
+
 Vec3 to_linear(Color c) { return {to_linear(c.r), to_linear(c.g), to_linear(c.b)}; }
 Color to_srgb(Vec3 l) { return {to_srgb(l.x), to_srgb(l.y), to_srgb(l.z)}; }
 

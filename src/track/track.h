@@ -27,5 +27,6 @@ double to_linear(double srgb);
 double to_srgb(double linear);
 Vec3 to_linear(Color c);
 Color to_srgb(Vec3 linear);
+Color from_hsv(double turns, double saturation, double value);
 
 }  // namespace betwixt

@@ -17,6 +17,7 @@ struct FakeQuestions : Questions {
   std::map<std::string, std::shared_ptr<const Routine>, std::less<>> procedures;
   std::map<std::string, Value, std::less<>> readings;
   double seconds() const override { return time; }
+  Rate rate() const override { return {25, 1}; }
   std::string_view self() const override { return name; }
   Result<Value> value(std::string_view target, double seconds, std::uint64_t& cost) override {
     cost += 10;
@@ -42,6 +43,7 @@ struct FakeQuestions : Questions {
 
 struct FakeInput : Input {
   Value at(double seconds) override { return Value(10 * seconds); }
+  Rate rate() const override { return {25, 1}; }
 };
 
 struct FakeHost : Host {

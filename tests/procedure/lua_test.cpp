@@ -37,7 +37,7 @@ TEST(Lua, TwerpersFiltersCommands) {
   EXPECT_EQ(host.lines, (std::vector<std::string>{"hide a*xx", "hide bxx"}));
   EXPECT_EQ(made(Role::command, "run('bad one')")->command(host, {}).error().message, "there is no command 'bad'");
   EXPECT_TRUE(made(Role::command, "run('at ' .. value('x', 2))")->command(host, {}));
-  EXPECT_EQ(host.lines.back(), "at 4.0");
+  EXPECT_EQ(host.lines.back(), "at 4");
   EXPECT_EQ(made(Role::twerper, "vec(1,2,3)")->blend(0).error().message,
             "a twerper gives a number, this gave vec(1, 2, 3)");
   EXPECT_EQ(made(Role::twerper, "value('x')")->blend(0).error().message,

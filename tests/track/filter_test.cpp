@@ -18,6 +18,7 @@ struct Film : Input {
   std::function<Value(double)> f;
   explicit Film(std::function<Value(double)> of) : f(std::move(of)) {}
   Value at(double seconds) override { return f(seconds); }
+  Rate rate() const override { return {}; }
 };
 Filter filter(std::string name, Parameters parameters = {}) {
   Filter f;

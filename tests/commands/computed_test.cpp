@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What code can give a value to: points, words, names; and what it knows.
+#include <cmath>
+
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+Points points(const LoadedFilm& s, std::string_view target, std::string_view time) {
+  return std::get<Points>(s.read(target, time));
+}
+
+std::string problem(const std::string& script, const char* time = "1f") {
+  const LoadedFilm s(script);
+  const Frame f = s.frame(time);
+  return f.problems.empty() ? "" : f.problems[0];
+}
+
+// shows: G15
+TEST(Computed, PointsMakeALine) {
+  const LoadedFilm s(
+      "rate 24\ncreate w polyline\nset w.points = \"local p = {} for i = 1, 5 do p[i] = vec(i, sin(i + t)) end "
+      "return p\"\ncreate m sphere\nset m.position = \"value('w.points')[2]\"\n");
+  for (const char* time : {"1f", "25f", "7f"}) {
+    const double t = parse_time(time, s.loaded.document)->seconds();
+    const Points p = points(s, "w.points", time);
+    ASSERT_EQ(p->size(), 5u);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double x = static_cast<double>(i) + 1;
+      EXPECT_NEAR((*p)[i].x, x, 0);
+      EXPECT_NEAR((*p)[i].y, std::sin(x + t), 1e-15);
+    }
+    expect_numbers(s, "m.position", time, {2, std::sin(2 + t), 0}, 1e-15);
+    // What is drawn is that.
+    const Frame f = s.frame(time);
+    ASSERT_EQ(f.items.size(), 2u);
+    EXPECT_EQ(f.items[0].shape->points, p);
+    EXPECT_TRUE(f.problems.empty());
+  }
+}
+
+TEST(Computed, PointsOfOneTrackAndOthers) {
+  // From an event on; before it what was set. A line of no points is one that is not seen.
+  const LoadedFilm s(
+      "rate 24\ncreate g polygon points=((0 0) (1 0) (0 1))\ng.points\n  1f ((0 0) (2 0) (0 2)) hold\n"
+      "  10f = \"{vec(t, 0), vec(1, 0), vec(0, 1)}\"\n  25f ((0 0) (4 0) (0 4))\n"
+      "create empty polyline\nset empty.points = \"{}\"\n");
+  EXPECT_EQ((*points(s, "g.points", "9f"))[1].x, 2);
+  EXPECT_EQ((*points(s, "g.points", "13f"))[0].x, 0.5);
+  EXPECT_EQ((*points(s, "g.points", "25f"))[1].x, 4);
+  EXPECT_EQ(points(s, "empty.points", "3f"), Points());
+  EXPECT_TRUE(s.frame("13f").problems.empty());
+}
+
+TEST(Computed, ThingsGoAlongAComputedLine) {
+  // A straight one that rises: half its length is half of its height.
+  const LoadedFilm s(
+      "rate 24\ncreate road curve smooth=off\nset road.points = \"{vec(0, 0), vec(0, 2 + 2 * t)}\"\ncreate b sphere\n"
+      "b.position\n  1f..25f along road linear\n");
+  expect_place(s, "b", "13f", {0, 1.5, 0});
+  expect_place(s, "b", "25f", {0, 4, 0});
+}
+
+TEST(Computed, WordsAreThoseThatThereAre) {
+  const LoadedFilm s(
+      "rate 24\ncreate b sphere\nset b.material = \"t < 0.5 and 'matte' or 'glow'\"\ncreate l light\n"
+      "set l.shines = \"frame > 5 and 'sun' or 'point'\"\nset l.shadow = \"'soft'\"\ncreate x text text=\"ab\"\n"
+      "set x.align = \"t < 0.5 and 'left' or 'right'\"\n");
+  const Frame first = s.frame("1f"), later = s.frame("24f");
+  EXPECT_EQ(first.items[0].material, Material::matte);
+  EXPECT_EQ(later.items[0].material, Material::glow);
+  EXPECT_FALSE(first.lights[0].sun);
+  EXPECT_TRUE(later.lights[0].sun);
+  EXPECT_EQ(first.lights[0].casting, Casting::soft);
+  EXPECT_EQ(first.items[1].shape->letters.align, Align::left);
+  EXPECT_EQ(later.items[1].shape->letters.align, Align::right);
+  EXPECT_TRUE(first.problems.empty());
+  EXPECT_EQ(problem("create b sphere\nset b.material = \"'gold'\"\n"),
+            "b.material: the procedure \"'gold'\" gives no value: 'gold' is none of plastic, matte, metal, glow");
+  EXPECT_EQ(problem("create b sphere\nset b.material = \"vec(1, 2, 3)\"\n"),
+            "b.material: the procedure \"vec(1, 2, 3)\" gives no value: it gives a vector where a text is wanted");
+}
+
+TEST(Computed, ComponentsAndPlacesInTheWorld) {
+  const LoadedFilm s(
+      "rate 24\ncreate hub group position=(1 2 3)\ncreate hub/p box position=(0 1 0)\n"
+      "set hub.rotation.z = \"t * tau / 4\"\ncreate c sphere\nset c.position.x = \"value('hub/p.world.x')\"\n"
+      "set c.position.y = \"value('hub/p.world').y\"\nset c.color.g = \"0.25\"\n");
+  expect_numbers(s, {{"hub.rotation", "25f", {0, 0, pi / 2}}, {"c.color.g", "1f", {0.25}}});
+  expect_place(s, "c", "1f", {1, 3, 0});
+  expect_place(s, "c", "25f", {0, 2, 0});  // a quarter turn anticlockwise
+}
+
+// Components that code computes for the whole film: the others stay what is set.
+TEST(Computed, ASetComponent) {
+  const LoadedFilm s(
+      "rate 24\ncreate b box position=(1 2 3)\nset b.position.y = \"10 + t\"\nset b.color red\n"
+      "set b.color.{g,b} = \"t\"\ncreate c{1..2} box\nset c*.position.x = \"t\"\nset c*.position.x = \"2 * t\"\n");
+  expect_numbers(s, {{"b.position", "25f", {1, 11, 3}}, {"c2.position", "25f", {2, 0, 0}}});
+  expect_numbers(s, "b.color", "13f", {1, 0.5, 0.5});
+  EXPECT_EQ(read(write(s.loaded.document)).document, s.loaded.document);
+  // Behind a track's first event it is as with all that is set.
+  const Loaded late = read("create b box\nb.position.x\n  1f 3\nset b.position.x = \"t\"\n");
+  ASSERT_EQ(late.diagnostics.size(), 1u);
+  EXPECT_EQ(late.diagnostics[0].what.message, "this track has events from the beginning on: what is set is not seen");
+  EXPECT_EQ(first_error("create b box\nset b.position = \"vec(1, 2)\"\nset b.position.x = \"t\"\n"),
+            "3:5: code computes the whole of it; it has no separate components");
+}
+
+TEST(Computed, PartsOfWhatCanBeAsked) {
+  EXPECT_EQ(problem("create b box\nset b.position.x = \"value('b.world.w')\"\n"),
+            "b.position.x: the procedure \"value('b.world.w')\" gives no value: value('b.world.w'): this has no such "
+            "part; a matrix is a table of 16 numbers, with x y z");
+  EXPECT_EQ(problem("create b box\nset b.color.r = \"value('b.in-view.x')\"\n"),
+            "b.color.r: the procedure \"value('b.in-view.x')\" gives no value: value('b.in-view.x'): this has no such "
+            "part; a matrix is a table of 16 numbers, with x y z");
+  EXPECT_EQ(
+      problem("create b box\nset b.position.x = \"\"\"\n  local a = 1\n\n  return a.b.c\n\"\"\"\n"),
+      "b.position.x: the procedure \"local a = 1 …\" gives no value: line 4: attempt to index a number value (local "
+      "'a')");
+}
+
+TEST(Computed, FramesAreCountedAsScriptsCount) {
+  const LoadedFilm s("rate 30\ncreate x text\nset x.text = \"frame .. '/' .. rate\"\n");
+  EXPECT_EQ(s.text("x.text", "12f"), "12/30");
+  EXPECT_EQ(s.text("x.text", "1s"), "31/30");
+  const LoadedFilm f(
+      "rate 30\ncreate a box\nprocedure counted filter lua \"input() + frame\"\nfilter a.position.x counted\n"
+      "set a.color = \"hsv(0.5, 1, 1)\"\ncreate b box color=hsv(0.5 1 1)\n");
+  expect_numbers(f, {{"a.position.x", "16f", {16}}, {"a.color", "1f", f.numbers("b.color", "1f")}});
+}
+
+TEST(Computed, WhatIsReadOnceIsNot) {
+  for (const auto& [line, words] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"create m box\nset m.texture = \"'a.png'\"", "2:17: texture cannot be computed"},
+           {"create m text\nset m.font = \"'Serif'\"", "2:14: font cannot be computed"},
+           {"layer sway add\nset sway.mode = \"'mix'\"", "2:17: mode cannot be computed"},
+           {"create m trace\nset m.of = \"'m'\"", "2:12: of cannot be computed"},
+           {"create m box\nset m.attachment = \"'m'\"", "2:20: an attachment cannot be computed"},
+           {"create m polyline\nset m.points = 3", "2:16: behind '=' stands a procedure, in quotes"}}) {
+    const auto all = errors(read(line));
+    ASSERT_EQ(all.size(), 1u) << line;
+    EXPECT_EQ(all[0], words) << line;
+  }
+  EXPECT_NE(problem("create m polyline\nset m.points = \"vec(1, 2, 3)\"\n").find("a list of points is wanted"),
+            std::string::npos);
+}
+
+// What a procedure makes of points is written and read back; bake makes plain events of it.
+TEST(Computed, PointsAreWrittenAndBaked) {
+  const char* film =
+      "rate 24\ncreate w polyline\nset w.points = \"{vec(0, 0), vec(1 + t, 0)}\"\nset w.material = \"'glow'\"\n";
+  const Document d = read(film).document;
+  EXPECT_EQ(read(write(d)).document, d);
+  const LoadedFilm baked(std::string(film) + "bake w.points 1f..25f every 12f\n");
+  EXPECT_EQ((*points(baked, "w.points", "13f"))[1].x, 1.5);
+  EXPECT_EQ((*points(baked, "w.points", "19f"))[1].x, 1.75);
+}
+
+}  // namespace
+}  // namespace betwixt
