@@ -19,10 +19,13 @@ struct NotWanted {};
 // The work that this thread does while it lives.
 class Wanted {
  public:
-  // Until one of the two flags is raised, and as long as it takes no more of the processor; 0: however long.
-  Wanted(const std::atomic<bool>& gone, const std::atomic<bool>& over, std::chrono::nanoseconds most)
+  // Until one of the two flags is raised; and while others wait for its place it takes no more of the processor than
+  // this, 0: however much.
+  Wanted(const std::atomic<bool>& gone, const std::atomic<bool>& over, const std::atomic<int>& others,
+         std::chrono::nanoseconds most)
       : gone_(gone),
         over_(over),
+        others_(others),
         end_(most.count() > 0 ? used() + most : most),
         before_(std::exchange(current, this)) {}
   ~Wanted() { current = before_; }
@@ -43,12 +46,13 @@ class Wanted {
  private:
   void look() {
     if (gone_ || over_) throw NotWanted{};
-    if (end_.count() > 0 && ++looks_ % looks_a_time == 0 && used() > end_) throw NotWanted{};
+    if (end_.count() > 0 && ++looks_ % looks_a_time == 0 && others_ > 0 && used() > end_) throw NotWanted{};
   }
 
   static constexpr unsigned looks_a_time = 64;  // the system is asked for the time only now and then
   static inline thread_local Wanted* current = nullptr;
   const std::atomic<bool>&gone_, &over_;
+  const std::atomic<int>& others_;
   const std::chrono::nanoseconds end_;
   Wanted* const before_;
   unsigned looks_ = 0;

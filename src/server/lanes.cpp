@@ -40,10 +40,11 @@ void Lanes::look() {
 
 bool Lanes::run(const std::function<void()>& work, const std::atomic<bool>& gone) {
   std::unique_lock lock(mutex_);
-  Job job{&work, &gone, Job::State::waits, {}, {}};
-  for (std::size_t lane = 0; lane < lanes_.size() && job.state != Job::State::done; ++lane) {
+  Job job{&work, &gone, Job::State::waits, {}, {}, {}};
+  for (std::size_t lane = 0; job.state != Job::State::done; ++lane) {
+    while (lane + 1 < lanes_.size() && job.used > terms[lane].most) ++lane;
     if (gone || ended_) return false;
-    enter(lock, lane, job);
+    enter(lock, std::min(lane, lanes_.size() - 1), job);
   }
   if (job.failed) std::rethrow_exception(job.failed);
   return job.state == Job::State::done && !gone && !ended_;
@@ -60,11 +61,12 @@ void Lanes::enter(std::unique_lock<std::mutex>& lock, std::size_t lane, Job& job
     return;
   }
   std::deque<Job*>& waiting = lanes_[lane].waiting;
-  waiting.push_back(&job);
+  waiting.push_back(&job), ++lanes_[lane].others;
   lanes_[lane].changed.notify_one();
   job.changed.wait(
       lock, [&] { return job.state > Job::State::runs || (job.state == Job::State::waits && (*job.gone || ended_)); });
-  if (job.state == Job::State::waits) waiting.erase(std::find(waiting.begin(), waiting.end(), &job));
+  if (job.state != Job::State::waits) return;
+  waiting.erase(std::find(waiting.begin(), waiting.end(), &job)), --lanes_[lane].others;
 }
 
 // There is somebody in the lane who works, sooner or later.
@@ -89,7 +91,7 @@ void Lanes::serve(std::size_t at) {
     --lane.idle;
     if (ended_) return;
     Job& job = *lane.waiting.front();
-    lane.waiting.pop_front();
+    lane.waiting.pop_front(), --lane.others;
     job.state = Job::State::runs;
     lock.unlock();
     const Job::State end = work(job, at);
@@ -99,11 +101,13 @@ void Lanes::serve(std::size_t at) {
   }
 }
 
-Lanes::Job::State Lanes::work(Job& job, std::size_t lane) const {
+Lanes::Job::State Lanes::work(Job& job, std::size_t lane) {
+  const auto before = Wanted::used();
   try {
-    const Wanted wanted(*job.gone, ended_, terms[lane].most);
+    const Wanted wanted(*job.gone, ended_, lanes_[lane].others, terms[lane].most);
     (*job.work)();
   } catch (const NotWanted&) {
+    job.used = Wanted::used() - before;
     return Job::State::unfinished;
   } catch (...) {
     job.failed = std::current_exception();

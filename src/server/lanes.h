@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where work is done that may take long. Nobody knows before how long: it begins in the first lane, and what takes more
-// than is given there begins anew in the next one, where at least ten times as much is given, behind what others wait
-// for and with less claim to a processor. So what is short never waits for what is long, few work at a time, and at
-// most a ninth of the work is done in vain.
+// Where work is done that may take long. Nobody knows before how long: it begins in the first lane; what takes more
+// than is given there, and keeps others from beginning, begins anew in a later one, where at least ten times as much is
+// given, with less claim to a processor. So what is short never waits for what is long, and few work at a time.
 #pragma once
 
 #include <array>
@@ -40,6 +39,7 @@ class Lanes {
     const std::function<void()>* work;
     const std::atomic<bool>* gone;
     enum class State { waits, runs, done, unfinished } state = State::waits;
+    std::chrono::nanoseconds used{};  // of a processor, the last time
     std::exception_ptr failed;
     std::condition_variable changed;
   };
@@ -47,6 +47,7 @@ class Lanes {
     std::deque<Job*> waiting;
     std::size_t idle = 0, threads = 0;
     std::condition_variable changed;
+    std::atomic<int> others{0};  // who wait
   };
   struct Terms {
     std::chrono::milliseconds most;  // 0: as long as it takes
@@ -58,7 +59,7 @@ class Lanes {
   void enter(std::unique_lock<std::mutex>&, std::size_t lane, Job&);
   bool staffed(std::size_t lane);
   void serve(std::size_t lane);
-  Job::State work(Job&, std::size_t lane) const;
+  Job::State work(Job&, std::size_t lane);
 
   std::mutex mutex_;
   std::array<Lane, 4> lanes_;
