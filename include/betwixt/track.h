@@ -38,9 +38,12 @@ struct EventView {
   std::string_view twerper;      // "linear", the name of one of the author's; empty: nothing was said
   std::array<double, 4> arguments{0.25, 0.1, 0.25,
                                   1};  // in brackets behind it; of "bezier" x1 y1 x2 y2, as CSS counts them
+  std::span<const std::array<double, 2>> stops;      // of "linear": how far in time, in hundredths, and in value
   Time ease_out, ease_in;                            // how long it takes to leave and to arrive; 0: at once
   const Value* before = nullptr;  // a cut: what the track comes to; `value` is what it goes on from. Null: the same
   const Value *tangent_in = nullptr, *tangent_out = nullptr;  // of "hermite"; null: none was given
+  // Of "fcurve": how far in time its handles are; the tangents are then the way there in value. None: none was given.
+  std::optional<Time> handle_in, handle_out;
 };
 
 struct TrackView {
@@ -50,6 +53,7 @@ struct TrackView {
   // The one twerper of the whole track, whatever its events say; empty: each event's own.
   std::string_view twerper;
   std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};  // of that
+  std::span<const std::array<double, 2>> stops;
   std::string_view unsaid;         // what it is where neither the track nor the event has said one: "smooth"
   std::string_view before, after;  // the extrapolation: "hold", "linear", "cycle", "bounce"
   bool srgb = false;               // colours blend as the numbers are written, not as light

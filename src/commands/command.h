@@ -87,7 +87,7 @@ void say_missing_style(Command&, const Object&, FunctionId, const Value&, std::s
 // = "…": a value that code computes.
 bool computed(Command&, const Selected& to, Value& out);
 // A twerper's word and what stands in brackets behind it.
-bool twerper(Command&, const Selected& to, Twerper& out, std::array<double, 4>& arguments);
+bool twerper(Command&, const Selected& to, Twerper& out, TwerperArguments&);
 
 // What a pattern names; where the command is carried out once for each, the one that it is about now.
 std::vector<ObjectId> named(Command&, std::string_view pattern);
@@ -107,6 +107,7 @@ bool event(Command&, const Selected& to, Time);
 bool rate_of_change(Command&, const Selected&, Value& out);
 // tangent=V, tangent-in=V, tangent-out=V of an event, behind the word `key`.
 bool tangent(Command&, const Selected&, std::string_view key, Event&);
+bool handle(Command&, const Selected&, std::string_view key, Event&);
 // How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]
 bool way(Command&, const Selected& to, Event&);
 // What stands behind a row's segment: a motion.

@@ -8,10 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/names.h"
 #include "base/wanted.h"
 #include "commands/command.h"
-#include "commands/roads.h"
 #include "language/line_words.h"
 #include "procedure/lua.h"
 #include "scene/names.h"
@@ -19,16 +17,6 @@
 
 namespace betwixt {
 namespace {
-
-// Twerpers, and what else may stand behind a value: for near misses.
-std::vector<std::string_view> twerper_words(const Scene& s) {
-  std::vector<std::string_view> words(twerper_names.begin() + 1, twerper_names.end());
-  for (const char* w : {"release", "ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "cut"})
-    words.push_back(w);
-  for (const NamedProcedure& p : *s.procedures)
-    if (p.role == Role::twerper) words.push_back(p.name);
-  return words;
-}
 
 // Would an aim's separate numbers meet an object?
 bool mixes_aims(const Scene& s, const Target& t, const Value& v) {
@@ -117,8 +105,8 @@ bool keep_there(Scene& s, const Target& t, const Event& event) {
       d.arguments = event.detail->arguments;
       if (event.detail->ease_in > Time{}) d.ease_in = event.detail->ease_in;
       if (event.detail->ease_out > Time{}) d.ease_out = event.detail->ease_out;
-      if (event.detail->tangent_in) d.tangent_in = event.detail->tangent_in;
-      if (event.detail->tangent_out) d.tangent_out = event.detail->tangent_out;
+      if (event.detail->tangent_in) d.tangent_in = event.detail->tangent_in, d.handle_in = event.detail->handle_in;
+      if (event.detail->tangent_out) d.tangent_out = event.detail->tangent_out, d.handle_out = event.detail->handle_out;
     }
     track->events.put(std::move(other));
   }
@@ -160,79 +148,6 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
 }
 
 }  // namespace
-
-namespace {
-
-// What stands in brackets behind a twerper.
-bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, std::array<double, 4>& out) {
-  const TwerperRow& row = row_of(t);
-  c.space();
-  const char* const start = c.at;
-  if (row.arguments.empty())
-    return c.peek() != '(' || c.fail_here(ErrorCode::syntax, fmt::format("'{}' takes nothing in brackets", name));
-  if (c.peek() != '(')
-    return c.fail(ErrorCode::syntax,
-                  t == Twerper::bezier ? "bezier needs its two control points"
-                                       : fmt::format("{} needs in brackets {}", name, row.arguments[0].name),
-                  name, fmt::format("as in {}", row.example.substr(row.example.rfind(' ', row.example.find('(')) + 1)));
-  if (!c.open()) return false;
-  for (std::size_t i = 0; i < row.arguments.size(); ++i) {
-    const TwerperArgument& a = row.arguments[i];
-    c.space();
-    const char* const at = c.at;
-    if (!c.number(out[i])) return false;
-    if (out[i] >= a.low && out[i] <= a.high && (!a.whole || out[i] == std::floor(out[i]))) continue;
-    if (t == Twerper::bezier && a.name[0] == 'x')
-      return c.fail(ErrorCode::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
-    return c.fail(ErrorCode::range,
-                  fmt::format("{} is {} from {} to {}", a.name, a.whole ? "a whole number" : "a number",
-                              write_number(a.low), write_number(a.high)),
-                  c.since(at));
-  }
-  c.space();
-  if (!row.words.empty()) {
-    double& which = out[row.arguments.size()] = 0;
-    if (const std::string_view w = c.peek_word(); !w.empty()) {
-      const auto known = std::find(row.words.begin(), row.words.end(), w);
-      if (known == row.words.end())
-        return c.fail(ErrorCode::syntax, fmt::format("'{}' is none of {}", w.substr(0, 40), fmt::join(row.words, ", ")),
-                      w);
-      which = static_cast<double>(known - row.words.begin());
-      c.word();
-    }
-  }
-  return c.close();
-}
-
-}  // namespace
-
-// A twerper's word and what stands in brackets behind it.
-bool twerper(Command& k, const Selected& to, Twerper& out, std::array<double, 4>& arguments) {
-  auto& [s, c, time, layer, script] = k;
-  const std::string_view w = c.next_word();
-  const auto found = find_twerper(w);
-  const auto& own = *s.procedures;
-  const auto mine = std::find_if(own.begin(), own.end(),
-                                 [&](const NamedProcedure& p) { return p.name == w && p.role == Role::twerper; });
-  if (!found && mine != own.end()) {
-    out = static_cast<Twerper>(first_own_twerper + (mine - own.begin()));
-    std::string why;
-    return fits(out, to.type(), &why) || c.fail(ErrorCode::type, why, w);
-  }
-  if (!found) {
-    if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");
-    const std::string_view leads = road(w);
-    const std::string near = leads.empty() ? did_you_mean(w, twerper_words(s)) : std::string(leads);
-    return c.fail(ErrorCode::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
-                  near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
-  }
-  out = *found;
-  std::string why;
-  if (!fits(out, to.type(), &why))
-    return c.fail(ErrorCode::type, why, w,
-                  to.type() == Type::text ? "letters turn into others by geometry: at 24f A.geometry shape(B) …" : "");
-  return twerper_arguments(c, out, w, arguments);
-}
 
 // = "…": a value that code computes.
 bool computed(Command& k, const Selected& to, Value& out) {
@@ -310,7 +225,7 @@ bool event(Command& k, const Selected& to, Time when) {
   return put(k, to, std::move(e), about);
 }
 
-// How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V].
+// How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V] [handle…=(L V)].
 bool way(Command& k, const Selected& to, Event& e) {
   auto& [s, c, time, layer, script] = k;
   bool chosen = false;
@@ -340,12 +255,17 @@ bool way(Command& k, const Selected& to, Event& e) {
       if (!tangent(k, to, w, e)) return false;
       continue;
     }
+    if (w == "handle-in" || w == "handle-out") {
+      c.word();
+      if (!handle(k, to, w, e)) return false;
+      continue;
+    }
     if (chosen)
       return c.fail_here(ErrorCode::syntax,
                          fmt::format("'{}' is not expected here: this event has its twerper", w.substr(0, 40)));
-    std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};
+    TwerperArguments arguments;
     if (!twerper(k, to, e.twerper, arguments)) return false;
-    if (takes_arguments(e.twerper)) e.detail.edit().arguments = arguments;
+    if (arguments != TwerperArguments{}) e.detail.edit().arguments = arguments;
     chosen = true;
   }
   return !e.keep || chosen || c.fail_here(ErrorCode::syntax, "keep needs a twerper, as in keep linear");

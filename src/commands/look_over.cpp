@@ -74,23 +74,30 @@ void look_at_notes(const Scene& s, Diagnostics& out) {
                   format_time(s.range->first, s.rate), format_time(s.range->second, s.rate)));
 }
 
-// Tangents that no `hermite` asks for: said once for each track.
+// Tangents that no `hermite` asks for, handles that no `fcurve` does: said once for each track.
 void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Strand& strand, Diagnostics& out) {
   const auto look = [&](const Track& track, int component) {
     const Event* before = nullptr;
     bool said = false;
     track.events.each([&](const Event& e) {
-      const auto hermite = [&](const Event* from) {
-        return from && (track.global != Twerper::unset ? track.global : from->twerper) == Twerper::hermite;
+      const auto asks = [&](const Event* from, bool handle) {
+        if (!from) return false;
+        const Twerper t = track.global != Twerper::unset ? track.global : from->twerper;
+        return handle ? !is_own(t) && row_of(t).numbers : t == Twerper::hermite;
       };
-      const bool idle = (e.detail->tangent_out || e.detail->tangent_in) && !hermite(&e) && !hermite(before);
+      const EventDetail& d = *e.detail;
+      const bool tangents = (d.tangent_out && !d.handle_out) || (d.tangent_in && !d.handle_in);
+      const bool handles = (d.handle_out && !asks(&e, true)) || (d.handle_in && !asks(before, true));
+      const bool idle = handles || (tangents && !asks(&e, false) && !asks(before, false));
       before = &e;
       if (!idle || std::exchange(said, true)) return;
       Target t{id, slot.function, component};
       t.layer = slot.layer, t.velocity = &strand != &slot;
       say(out, ErrorCode::type,
-          fmt::format("{} has a tangent at {} that nothing asks for", target_name(s, t), format_time(e.time, s.rate)),
-          "hermite takes tangents, before an event and behind it");
+          fmt::format("{} has a {} at {} that nothing asks for", target_name(s, t), handles ? "handle" : "tangent",
+                      format_time(e.time, s.rate)),
+          handles ? "fcurve takes handles, before an event and behind it"
+                  : "hermite takes tangents, before an event and behind it");
     });
   };
   look(*strand.track, -1);

@@ -90,8 +90,38 @@ bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
     return false;
   if (std::holds_alternative<Quat>(v) && !turns)
     return c.fail(ErrorCode::type, "angles have tangents of angles", c.since(start), "as in tangent=euler(0 90deg 0)");
-  if (key != "tangent-out") e.detail.edit().tangent_in = v;
-  if (key != "tangent-in") e.detail.edit().tangent_out = v;
+  EventDetail& d = e.detail.edit();
+  if (key != "tangent-out") d.tangent_in = v, d.handle_in.reset();
+  if (key != "tangent-in") d.tangent_out = v, d.handle_out.reset();
+  return true;
+}
+
+// handle-in=(L V), handle-out=(L V): where the handles of fcurve are, seen from the event.
+bool handle(Command& k, const Selected& to, std::string_view key, Event& e) {
+  auto& [s, c, time, layer, script] = k;
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+  const Type type = to.type();
+  if (!row_of(type).tangents) return c.fail(ErrorCode::type, fmt::format("{} has no handles", to_string(type)), key);
+  if (type == Type::orientation || std::holds_alternative<Quat>(e.value))
+    return c.fail(ErrorCode::type, "an orientation has no handles", key, "angles have: euler(0 90deg 0)");
+  c.space();
+  if (c.peek() != '(')
+    return c.fail_here(ErrorCode::syntax, fmt::format("{} is a length of time and a difference of value", key),
+                       fmt::format("as in {}=(4f 1)", key));
+  if (!c.open()) return false;
+  c.space();
+  const char* const start = c.at;
+  Time length;
+  if (!c.length(length)) return false;
+  if (length < Time{}) return c.fail(ErrorCode::range, "a handle is not shorter than nothing", c.since(start));
+  Value v;
+  if (!values(k).value(unbounded(*to.spec), to.component, v)) return false;
+  if (std::holds_alternative<Quat>(v))
+    return c.fail(ErrorCode::type, "angles have handles of angles", c.since(start), "as in (4f euler(0 90deg 0))");
+  if (!c.close()) return false;
+  EventDetail& d = e.detail.edit();
+  (key == "handle-in" ? d.tangent_in : d.tangent_out) = std::move(v);
+  (key == "handle-in" ? d.handle_in : d.handle_out) = length;
   return true;
 }
 

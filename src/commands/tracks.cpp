@@ -142,7 +142,7 @@ bool global_twerper(Command& k) {
   if (!targets(k, c.next_word(), to, Meant::any)) return false;
   if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
   Twerper chosen = Twerper::unset;
-  std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};
+  TwerperArguments arguments;
   if (!c.accept_word("none") && !(alike(k, to) && twerper(k, to, chosen, arguments))) return false;
   std::optional<bool> srgb;
   if (!c.at_line_end()) {

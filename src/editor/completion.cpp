@@ -196,7 +196,7 @@ void ways(const Scene& s, Type type, Words& all) {
     if (const auto known = find_twerper(t.name); known && fits(*known, type)) all.emplace_back(t.name);
   own_words(s, Role::twerper, all);
   split("ease-in= ease-out= cut", ' ', all);
-  if (row_of(type).tangents) split("tangent= tangent-in= tangent-out=", ' ', all);
+  if (row_of(type).tangents) split("tangent= tangent-in= tangent-out= handle-in= handle-out=", ' ', all);
 }
 
 // Behind an event's target: a value, and behind that how it goes on.

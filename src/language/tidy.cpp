@@ -11,6 +11,7 @@
 #include "language/cursor.h"
 #include "language/line_words.h"
 #include "language/values.h"
+#include "track/twerpers.h"
 
 namespace betwixt {
 namespace {
@@ -186,9 +187,12 @@ class Tidier {
   }
   // rgb(…), euler(…), shape(…): no space before the bracket. Verbs and keys are words too, so the names are listed.
   static bool function(const std::vector<Token>& tokens, std::size_t i) {
-    static constexpr std::string_view names[] = {"rgb",       "hsv",    "euler", "axis",   "quat", "shape", "bezier",
-                                                 "translate", "rotate", "scale", "matrix", "T",    "R",     "S"};
-    return i > 0 && std::find(std::begin(names), std::end(names), tokens[i - 1].text) != std::end(names);
+    static constexpr std::string_view names[] = {"rgb",    "hsv",   "euler",  "axis", "quat", "shape", "translate",
+                                                 "rotate", "scale", "matrix", "T",    "R",    "S"};
+    if (i == 0) return false;
+    const auto twerper = find_twerper(tokens[i - 1].text);
+    return std::find(std::begin(names), std::end(names), tokens[i - 1].text) != std::end(names) ||
+           (twerper && (takes_arguments(*twerper) || row_of(*twerper).stops));
   }
 
   void put_lead(const std::vector<std::string>& lead, const char* indent) {

@@ -44,9 +44,18 @@ struct Writer {
     const std::string f = format_time(t, s.rate);
     return f.back() == 'f' ? f : write_seconds(t);
   }
+  static std::string stops(const Stops& stops) {
+    std::string out;
+    for (const SaidStop& s : as_said(stops)) {
+      out += (out.empty() ? "" : " ") + write_number(s.value);
+      if (s.place) out += " " + write_number(*s.place) + "%";
+    }
+    return out;
+  }
   // A twerper with what stands in brackets behind it.
-  std::string twerper(Twerper t, const std::array<double, 4>& arguments) const {
+  std::string twerper(Twerper t, const TwerperArguments& arguments) const {
     std::string text = twerper_name(s, t);
+    if (arguments.stops) return fmt::format("{}({})", text, stops(*arguments.stops));
     if (!takes_arguments(t)) return text;
     const TwerperRow& row = row_of(t);
     std::vector<std::string> all;
@@ -70,8 +79,14 @@ struct Writer {
       out += value(e.value, spec, component);
     }
     if (e.twerper != Twerper::unset) out += " " + twerper(e.twerper, e.detail->arguments);
-    if (e.detail->tangent_in) out += " tangent-in=" + value(*e.detail->tangent_in, spec, component);
-    if (e.detail->tangent_out) out += " tangent-out=" + value(*e.detail->tangent_out, spec, component);
+    const auto tangent = [&](const char* side, const std::optional<Value>& v, const std::optional<Time>& handle) {
+      if (!v) return;
+      const std::string said = value(*v, spec, component);
+      out += handle ? fmt::format(" handle-{}=({} {})", side, length(*handle), said)
+                    : fmt::format(" tangent-{}={}", side, said);
+    };
+    tangent("in", e.detail->tangent_in, e.detail->handle_in);
+    tangent("out", e.detail->tangent_out, e.detail->handle_out);
     if (ease_in != Time{}) out += " ease-in=" + length(ease_in);
     if (e.detail->ease_out != Time{}) out += " ease-out=" + length(e.detail->ease_out);
     out += "\n";

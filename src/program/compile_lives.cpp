@@ -114,7 +114,7 @@ struct Cutter {
     e.time = release;
     e.value = there;
     e.twerper = last ? last->twerper : Twerper::unset;
-    if (last && takes_arguments(last->twerper)) e.detail.edit().arguments = last->detail->arguments;
+    if (last && last->detail->arguments != TwerperArguments{}) e.detail.edit().arguments = last->detail->arguments;
     if (const Event* own = rest.events.find(release); own && !own->keep) {  // the author says where to go on
       Event cut = *own;
       cut.detail.edit().before = there;

@@ -49,13 +49,14 @@ struct Compare {
            (x.keep || x.release || values(x.value, y.value)) && x.detail->ease_in == y.detail->ease_in &&
            x.detail->ease_out == y.detail->ease_out && x.detail->arguments == y.detail->arguments &&
            maybe(x.detail->before, y.detail->before) && maybe(x.detail->tangent_in, y.detail->tangent_in) &&
-           maybe(x.detail->tangent_out, y.detail->tangent_out);
+           maybe(x.detail->tangent_out, y.detail->tangent_out) && x.detail->handle_in == y.detail->handle_in &&
+           x.detail->handle_out == y.detail->handle_out;
   }
   bool tracks(const Track& x, const Track& y) const {
     if (!same_twerper(x.global, y.global) || x.before != y.before || x.after != y.after || x.srgb != y.srgb ||
         x.events.size() != y.events.size())
       return false;
-    if (takes_arguments(x.global) && x.arguments != y.arguments) return false;
+    if (x.global != Twerper::unset && x.arguments != y.arguments) return false;
     const auto p = x.events.between({INT64_MIN}, {INT64_MAX}), q = y.events.between({INT64_MIN}, {INT64_MAX});
     return std::equal(p.begin(), p.end(), q.begin(), q.end(),
                       [&](const Event& e, const Event& f) { return events(e, f); });

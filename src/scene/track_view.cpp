@@ -48,6 +48,8 @@ Twerper unsaid(const Target& t, Type type, const Track& track) {
   return row_of(type).twerper;
 }
 
+std::span<const Stop> stops_of(const TwerperArguments& a) { return a.stops ? *a.stops : std::span<const Stop>{}; }
+
 TrackView view_of(const Scene& s, const Target& t, const Track& track) {
   const auto extrapolation = [](Extrapolation e) { return extrapolation_names[static_cast<std::size_t>(e)]; };
   TrackView view{t,
@@ -56,6 +58,7 @@ TrackView view_of(const Scene& s, const Target& t, const Track& track) {
                  {},
                  said(s, track.global),
                  track.arguments,
+                 stops_of(track.arguments),
                  said(s, unsaid(t, spec_of(s, t.function).type, track)),
                  extrapolation(track.before),
                  extrapolation(track.after),
@@ -72,7 +75,8 @@ EventView view_of(const Scene& s, const Event& e) {
   if (view.what == EventView::What::value) view.value = &e.value;
   view.twerper = said(s, e.twerper);
   if (!e.detail) return view;
-  view.arguments = e.detail->arguments;
+  view.arguments = e.detail->arguments, view.stops = stops_of(e.detail->arguments);
+  view.handle_in = e.detail->handle_in, view.handle_out = e.detail->handle_out;
   view.ease_out = e.detail->ease_out, view.ease_in = e.detail->ease_in;
   view.before = maybe(e.detail->before);
   view.tangent_in = maybe(e.detail->tangent_in), view.tangent_out = maybe(e.detail->tangent_out);

@@ -127,12 +127,13 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     all.values.insert(all.values.end(), n.begin(), n.begin() + c.channels);
     const Twerper t = resolve(track, e, type, c.orientation);
     all.twerpers.push_back(static_cast<std::uint8_t>(t));
-    if (!e.detail && !takes_arguments(track.global)) return;
+    const bool of_all = track.global != Twerper::unset && track.arguments != TwerperArguments{};
+    if (!e.detail && !of_all) return;
     CurveDetail d;
     d.event = index;
     d.ease_in = static_cast<double>(e.detail->ease_in.flicks);
     d.ease_out = static_cast<double>(e.detail->ease_out.flicks);
-    d.arguments = takes_arguments(track.global) ? track.arguments : e.detail->arguments;
+    d.arguments = track.global != Twerper::unset ? track.arguments : e.detail->arguments;
     if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
     const auto tangent = [&](const std::optional<Value>& said, bool& has, Numbers& rate) {
       if (!said || (c.orientation && !std::holds_alternative<Quat>(*said))) return;  // that of an angle among orientations
@@ -140,6 +141,8 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     };
     tangent(e.detail->tangent_in, d.has_in, d.tangent_in);
     tangent(e.detail->tangent_out, d.has_out, d.tangent_out);
+    if (d.has_in && e.detail->handle_in) d.handle_in = static_cast<double>(e.detail->handle_in->flicks);
+    if (d.has_out && e.detail->handle_out) d.handle_out = static_cast<double>(e.detail->handle_out->flicks);
     all.details.push_back(d);
   };
 
@@ -192,8 +195,10 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
 // A twerper of the author's gets the time with eases in it, like all others. One that errs is as good as linear.
 double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
   if (!is_own(t)) {
+    static const TwerperArguments unsaid;
+    const TwerperArguments& said = from ? from->arguments : unsaid;
     const auto row = row_of(t).factor;
-    return row ? row(s, from ? from->arguments : std::array<double, 4>{0.25, 0.1, 0.25, 1}) : s;
+    return row ? row(s, said) : said.stops ? through(*said.stops, s) : s;
   }
   const auto i = static_cast<std::size_t>(t) - first_own_twerper;
   if (i >= own.size() || !own[i]) return s;
@@ -243,8 +248,11 @@ Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
     g.after = g.to + n;
     g.length_after = static_cast<double>(time[1] - time[0]);
   }
-  if (here && here->has_out) g.tangent_out = here->tangent_out.data();
-  if (next && next->has_in) g.tangent_in = next->tangent_in.data();
+  const bool handle_out = here && here->handle_out >= 0, handle_in = next && next->handle_in >= 0;
+  if (here && here->has_out) (handle_out ? g.handle_out : g.tangent_out) = here->tangent_out.data();
+  if (next && next->has_in) (handle_in ? g.handle_in : g.tangent_in) = next->tangent_in.data();
+  if (handle_out) g.handle_out_length = here->handle_out;
+  if (handle_in) g.handle_in_length = next->handle_in;
   return g;
 }
 
@@ -266,6 +274,7 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
     for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = cubics[i].at(g.s);
     return;
   }
+  if (row && !c.orientation && row->numbers) return row->numbers(g, out);
   const double s = factor(twerper, g.s, here);  // its ends and a factor
   if (c.orientation) return store(slerp(quat(g.from), quat(g.to), s), out);
   for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = g.from[i] + s * (g.to[i] - g.from[i]);
@@ -314,7 +323,7 @@ void add_activity(std::vector<Activity>& out, std::size_t first, Activity run) {
 bool CurveSet::still(const Curve& c, std::uint32_t k) const {
   const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   if (twerper == Twerper::hold) return true;
-  if (is_own(twerper) || c.orientation || row_of(twerper).cubics != nullptr) return false;
+  if (is_own(twerper) || c.orientation || row_of(twerper).cubics || row_of(twerper).numbers) return false;
   const CurveDetail* next = detail(c, k + 1);
   const double* from = &c.columns->values[c.values + k * c.channels];
   return std::equal(from, from + c.channels, next && next->cut ? next->before.data() : from + c.channels);

@@ -23,8 +23,9 @@ namespace betwixt {
 struct CurveDetail {
   std::uint32_t event = 0;           // index into the columns
   double ease_in = 0, ease_out = 0;  // flicks
-  std::array<double, 4> arguments{};
+  TwerperArguments arguments;
   bool cut = false, has_in = false, has_out = false;
+  double handle_in = -1, handle_out = -1;  // flicks; the tangents are then differences; below 0: none
   std::array<double, 4> before{}, tangent_in{}, tangent_out{};
 };
 

@@ -92,7 +92,9 @@ bool CurveSet::cubic(const Curve& c, std::int64_t t, CubicSegment& out) const {
   if (is_own(twerper) || twerper == Twerper::hold) return false;
   const TwerperRow& row = row_of(twerper);
   const CurveDetail *here = detail(c, k), *next = detail(c, k + 1);
-  if ((!row.cubics && row.factor) || (here && here->ease_out > 0) || (next && next->ease_in > 0)) return false;
+  if ((!row.cubics && row.factor) || (here && (here->ease_out > 0 || here->arguments.stops)) ||
+      (next && next->ease_in > 0))
+    return false;
   const Blend g = blend(c, k);
   out.from = first[k], out.until = first[k + 1], out.length = g.length, out.event = k;
   put_cubics(row, g, out);

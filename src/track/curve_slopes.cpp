@@ -15,8 +15,19 @@ namespace {
 using Numbers = std::array<double, 4>;
 
 // Whether a segment of numbers is a polynomial of its eased time: a straight line or what a row works out itself.
-bool straight(Twerper t) { return !is_own(t) && !row_of(t).factor && !row_of(t).cubics && !row_of(t).turn; }
+bool straight(Twerper t, const CurveDetail* from) {
+  return !is_own(t) && !row_of(t).factor && !row_of(t).cubics && !row_of(t).turn && !(from && from->arguments.stops);
+}
 bool polynomial(Twerper t) { return !is_own(t) && (row_of(t).cubics || !row_of(t).factor); }
+
+// Of an F-curve, the whole segment taken as 1: towards the handle, or the other event's where it is the event itself.
+std::optional<double> handle_slope(const Blend& g, std::uint32_t i, bool after) {
+  const double own = after ? g.handle_in_length : g.handle_out_length;
+  const double* way = after ? g.handle_in : g.handle_out;
+  if (!way) return 0;
+  if (own > 0) return (after ? -1 : 1) * way[i] / own * g.length;
+  return std::nullopt;
+}
 
 // How steep a bezier's factor is where it ends or begins; none where it stands upright.
 std::optional<double> bezier_slope(const std::array<double, 4>& b, bool after) {
@@ -39,7 +50,7 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
   std::copy_n(value, n, out);
   if (twerper == Twerper::hold) return;
   const CurveDetail *from = detail(c, k), *to = detail(c, k + 1);
-  if (straight(twerper) && !(from && from->ease_out > 0) && !(to && to->ease_in > 0))
+  if (straight(twerper, from) && !(from && from->ease_out > 0) && !(to && to->ease_in > 0))
     return segment(c, k, after ? h + past : past, out);  // exact
 
   // An ease ends at rest; an upright tangent has no slope to go on with.
@@ -49,7 +60,13 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
   const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
   std::optional<double> rise = 1;
   if (twerper == Twerper::bezier && !(rise = bezier_slope(from->arguments, after))) return;
-  if (row && !c.orientation && (row->cubics || !row->factor || twerper == Twerper::bezier)) {
+  if (row && !c.orientation && row->numbers) {
+    const Blend g = blend(c, k);
+    for (std::uint32_t i = 0; i < n; ++i) out[i] += handle_slope(g, i, after).value_or(0) * eased_slope * past / h;
+    return;
+  }
+  const bool stops = from && from->arguments.stops;
+  if (row && !c.orientation && !stops && (row->cubics || !row->factor || twerper == Twerper::bezier)) {
     Cubic cubics[4];
     const Blend g = blend(c, k);
     if (row->cubics) row->cubics(g, cubics);
@@ -154,7 +171,9 @@ void CurveSet::integrate(const Curve& c, std::uint32_t k, double u, double* out)
     if (x > seams.back() && x < u) seams.push_back(x);
   };
   seam(a), seam(1 - b);
-  if (!polynomial(twerper))
+  if (here && here->arguments.stops && a == 0 && b == 0)
+    for (const Stop& stop : *here->arguments.stops) seam(stop[0] / 100);
+  else if (!polynomial(twerper) || (here && here->arguments.stops))
     for (int i = 1; i < 64; ++i) seam(i / 64.0);
   seams.push_back(u);
   Numbers n{};

@@ -4,9 +4,11 @@
 // An event: a value at a time, and how to go on from there. (twixt notes, 3.2 and 4.6)
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "betwixt/time.h"
 #include "betwixt/value.h"
@@ -21,13 +23,29 @@ enum class Twerper : std::uint8_t { unset, hold, linear, smooth, bspline, hermit
 inline constexpr std::uint8_t first_own_twerper = 56;
 constexpr bool is_own(Twerper t) { return static_cast<std::uint8_t>(t) >= first_own_twerper; }
 
+// Of linear(…): how far in time a stop is, in hundredths, and how far between the two values; in the order of time.
+using Stop = std::array<double, 2>;
+using Stops = std::vector<Stop>;
+
+// What stands in brackets behind a twerper: of bezier x1 y1 x2 y2.
+struct TwerperArguments : std::array<double, 4> {
+  TwerperArguments() : TwerperArguments(0.25, 0.1, 0.25, 1) {}
+  TwerperArguments(const std::array<double, 4>& numbers) : array(numbers) {}
+  TwerperArguments(double a, double b, double c, double d) : array{a, b, c, d} {}
+  std::shared_ptr<const Stops> stops;  // of linear; null: none
+  friend bool operator==(const TwerperArguments& a, const TwerperArguments& b) {
+    return std::equal(a.begin(), a.end(), b.begin()) &&
+           (a.stops == b.stops || (a.stops && b.stops && *a.stops == *b.stops));
+  }
+};
+
 // What few events have.
 struct EventDetail {
   Time ease_in, ease_out;
   std::optional<Value> before;  // a cut: what the track comes to; the event's value is what it goes on from
-  std::array<double, 4> arguments{0.25, 0.1, 0.25,
-                                  1};  // what stands in brackets behind the twerper; of bezier x1 y1 x2 y2
-  std::optional<Value> tangent_in, tangent_out;      // hermite: per second
+  TwerperArguments arguments;
+  std::optional<Value> tangent_in, tangent_out;  // hermite: per second; with a handle the way there in value
+  std::optional<Time> handle_in, handle_out;     // fcurve: how far in time from the event its handles are
   friend bool operator==(const EventDetail&, const EventDetail&) = default;
 };
 

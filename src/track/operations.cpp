@@ -70,6 +70,18 @@ Result<Changed> put_back(Track& track, Segment s, std::vector<Event> events) {
   return done;
 }
 
+// Tangents; handles are differences of value, which time does not change.
+bool steepen(EventDetail& d, double by) {
+  bool all = true;
+  const auto change = [&](std::optional<Value>& tangent, const std::optional<Time>& handle) {
+    if (!tangent || handle) return;
+    tangent = steeper(*tangent, by);
+    all = all && (!tangent || finite(*tangent));
+  };
+  change(d.tangent_in, d.handle_in), change(d.tangent_out, d.handle_out);
+  return all;
+}
+
 Error out_of_reach() { return fail(ErrorCode::range, "the events would end up more than 146 years away"); }
 
 }  // namespace
@@ -129,10 +141,11 @@ Result<Changed> stretch_segment(Track& track, Segment s, double factor) {
     EventDetail& d = e.detail.edit();
     if (std::max(d.ease_in, d.ease_out).seconds() * factor > longest_seconds) return out_of_reach();
     d.ease_in = stretched(d.ease_in), d.ease_out = stretched(d.ease_out);
-    for (auto* tangent : {&d.tangent_in, &d.tangent_out})
-      if (*tangent) {
-        *tangent = steeper(**tangent, 1 / factor);
-        if (*tangent && !finite(**tangent)) return fail(ErrorCode::range, "a tangent grows beyond all numbers");
+    if (!steepen(d, 1 / factor)) return fail(ErrorCode::range, "a tangent grows beyond all numbers");
+    for (auto* handle : {&d.handle_in, &d.handle_out})
+      if (*handle) {
+        if ((*handle)->seconds() * factor > longest_seconds) return out_of_reach();
+        *handle = stretched(**handle);
       }
   }
   return put_back(track, s, std::move(events));
@@ -152,8 +165,8 @@ void own_tangents(Track& track, Segment s, Type type, bool component) {
     for (std::size_t i = 0; i < curve.channels; ++i)
       out[i] = rate * g.c[1][i], in[i] = rate * (g.c[1][i] + 2 * g.c[2][i] + 3 * g.c[3][i]);
     from.twerper = Twerper::hermite;
-    from.detail.edit().tangent_out = with_numbers(from.value, out);
-    to.detail.edit().tangent_in = with_numbers(to.value, in);
+    from.detail.edit().tangent_out = with_numbers(from.value, out), from.detail.edit().handle_out.reset();
+    to.detail.edit().tangent_in = with_numbers(to.value, in), to.detail.edit().handle_in.reset();
   };
   if (track.events.front().time < s.from) own(inside[0], inside[1]);
   if (track.events.back().time > s.to) own(inside[inside.size() - 2], inside.back());
@@ -186,13 +199,13 @@ void as_hermite(const CubicSegment& g, double u, Event& from, std::optional<Valu
 EventDetail end_alone(Track& track, Time t, Type type, bool component) {
   const Event* there = track.events.find(t);
   EventDetail arrival = there ? *there->detail : EventDetail{};
-  arrival.ease_out = {}, arrival.tangent_out.reset();
+  arrival.ease_out = {}, arrival.tangent_out.reset(), arrival.handle_out.reset();
   if (track.events.empty() || !(track.events.front().time < t) || !row_of(type).tangents || computed(track))
     return arrival;
   if (track.global != Twerper::unset) {  // from now on each event says it, for those to come say otherwise
     track.events.edit_between(ever_before, ever_after, [&](Event& e) {
       e.twerper = track.global;
-      if (track.arguments != EventDetail{}.arguments) e.detail.edit().arguments = track.arguments;
+      if (track.arguments != TwerperArguments{}) e.detail.edit().arguments = track.arguments;
     });
     track.global = Twerper::unset;
   }
@@ -275,11 +288,12 @@ namespace {
 void keep_outside(const Event& first, const Event& last, Event& now_first, Event& now_last) {
   if (now_first.detail || first.detail) {
     EventDetail& d = now_first.detail.edit();
-    d.ease_in = first.detail->ease_in, d.tangent_in = first.detail->tangent_in;
+    d.ease_in = first.detail->ease_in, d.tangent_in = first.detail->tangent_in, d.handle_in = first.detail->handle_in;
   }
   if (now_last.detail || last.detail) {
     EventDetail& d = now_last.detail.edit();
     d.ease_out = last.detail->ease_out, d.tangent_out = last.detail->tangent_out;
+    d.handle_out = last.detail->handle_out;
   }
 }
 
@@ -308,16 +322,15 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
       if (seen && (after != e.value || corner)) before = e.value;
       e.value = std::move(after);
     }
-    std::array<double, 4> arguments = leader.detail->arguments;
+    TwerperArguments arguments = leader.detail->arguments;
     if (i > 0) reverse(e.twerper, arguments);
-    if (e.detail || leader.detail || before || takes_arguments(e.twerper)) {
+    if (e.detail || leader.detail || before || arguments != TwerperArguments{}) {
       EventDetail& d = e.detail.edit();
       std::swap(d.ease_in, d.ease_out);
       d.before = std::move(before);
       d.arguments = arguments;
-      std::swap(d.tangent_in, d.tangent_out);
-      for (auto* tangent : {&d.tangent_in, &d.tangent_out})
-        if (*tangent) *tangent = steeper(**tangent, -1);
+      std::swap(d.tangent_in, d.tangent_out), std::swap(d.handle_in, d.handle_out);
+      steepen(d, -1);
     }
     out.push_back(std::move(e));
   }

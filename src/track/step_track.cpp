@@ -17,7 +17,7 @@ StepTrack::StepTrack(const Track& track, Type type) : before_(track.before), aft
     const std::size_t comes_to = values_.size() - (e.keep || (e.detail && e.detail->before) ? 1 : 0);
     if (!e.keep) values_.push_back(e.value);
     keys_.push_back({e.time, comes_to, values_.size() - 1, twerper, e.detail});
-    if (takes_arguments(track.global)) keys_.back().detail.edit().arguments = track.arguments;
+    if (track.global != Twerper::unset) keys_.back().detail.edit().arguments = track.arguments;
   });
 }
 

@@ -15,7 +15,7 @@ inline constexpr std::array<std::string_view, 4> extrapolation_names{"hold", "li
 struct Track {
   Events events;
   Twerper global = Twerper::unset;  // set: the one interpolator of the whole track, whatever the events say (G102)
-  std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};  // of the global twerper
+  TwerperArguments arguments;       // of the global twerper
   Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
   bool srgb = false;  // colours: blend the numbers as written, not the light
   friend bool operator==(const Track&, const Track&) = default;

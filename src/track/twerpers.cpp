@@ -12,6 +12,9 @@
 namespace betwixt {
 namespace {
 
+// Where on a Bezier curve from 0 to 1 with these two handles, each from 0 to 1, its x is u.
+double bezier_parameter(double u, double x1, double x2);
+
 double smoothstep(double s, const std::array<double, 4>&) { return s * s * (3 - 2 * s); }
 
 // ---- Numbers
@@ -107,6 +110,23 @@ Quat squad_turn(const Blend& g) {
   return normalize(slerp(slerp(q1, q2, s), slerp(near, far, s), 2 * s * (1 - s)));
 }
 
+// A Bezier curve in time and value through both handles, each at most as long as the segment: then time never runs
+// back. A handle that nobody says is at rest, a third of the way off.
+void fcurve_numbers(const Blend& g, double* out) {
+  const auto fit = [&](const double* way, double length) {
+    return std::pair(way ? std::min(1.0, length / g.length) : 1.0 / 3,
+                     way && length > g.length ? g.length / length : 1);
+  };
+  const auto [x1, part1] = fit(g.handle_out, g.handle_out_length);
+  const auto [x2, part2] = fit(g.handle_in, g.handle_in_length);
+  const double p = bezier_parameter(g.s, x1, 1 - x2), q = 1 - p;
+  for (std::uint32_t i = 0; i < g.channels; ++i) {
+    const double near = g.handle_out ? part1 * g.handle_out[i] : 0, far = g.handle_in ? part2 * g.handle_in[i] : 0;
+    const double b = g.from[i], e = g.to[i];
+    out[i] = q * q * (q * b + 3 * p * (b + near)) + p * p * (3 * q * (e + far) + p * e);
+  }
+}
+
 // Numbers of the named ones are their places; new ones come last.
 constexpr TwerperArgument of_bezier[] = {
     {"x1", 0, 1, false}, {"y1", -1e6, 1e6, false}, {"x2", 0, 1, false}, {"y2", -1e6, 1e6, false}};
@@ -114,8 +134,10 @@ constexpr TwerperRow first_rows[] = {
     {.name = "unset"},
     {.name = "hold", .sentence = "Stays, then jumps at the next event.", .example = "at 12f ball.radius 2 hold"},
     {.name = "linear",
-     .sentence = "Straight to the next event.",
+     .sentence = "Straight to the next event; or in straight lines through stops between the two, as in CSS.",
+     .written = "linear or linear(0 0.25 25% 75% 1)",
      .example = "at 12f ball.radius 2 linear",
+     .stops = true,
      .for_orientations = Twerper::slerp},
     {.name = "smooth",
      .sentence = "Through all events without a corner (Catmull-Rom).",
@@ -155,6 +177,12 @@ constexpr TwerperRow first_rows[] = {
      .example = "at 12f ball.radius 2 auto",
      .cubics = auto_cubics,
      .for_orientations = Twerper::squad},
+    {.name = "fcurve",
+     .sentence = "To the next event by handles in time and value, as F-curves of other tools.",
+     .written = "fcurve [handle-in=(L V)] [handle-out=(L V)]",
+     .example = "at 12f ball.radius 2 fcurve handle-out=(8f 0)",
+     .factor = smoothstep,
+     .numbers = fcurve_numbers},
 };
 constexpr auto twerper_rows = [] {
   std::array<TwerperRow, std::size(first_rows) + std::size(easings::rows)> all;
@@ -177,12 +205,70 @@ std::optional<Twerper> find_twerper(std::string_view name) {
   return static_cast<Twerper>(at - std::begin(twerper_rows));
 }
 
-void reverse(Twerper& t, std::array<double, 4>& a) {
+namespace {
+
+double evenly(double a, double b, std::size_t k, std::size_t n) {
+  return a + (b - a) * static_cast<double>(k) / static_cast<double>(n);
+}
+
+}  // namespace
+
+Stops placed(const std::vector<SaidStop>& said) {
+  Stops out;
+  for (const SaidStop& s : said) {
+    const bool first = out.empty(), last = out.size() + 1 == said.size();
+    double latest = 0;
+    for (std::size_t i = 0; last && i < out.size(); ++i) latest = std::max(latest, said[i].place.value_or(0));
+    out.push_back({s.place.value_or(first ? 0 : std::max(100.0, latest)), s.value});
+  }
+  for (std::size_t i = 0, j = 1; j < out.size(); ++j) {
+    if (j + 1 < out.size() && !said[j].place) continue;
+    for (std::size_t k = i + 1; k < j; ++k) out[k][0] = evenly(out[i][0], out[j][0], k - i, j - i);
+    i = j;
+  }
+  return out;
+}
+
+std::vector<SaidStop> as_said(const Stops& stops) {
+  std::vector<SaidStop> out;
+  for (const auto& [place, value] : stops) out.push_back({value, place});
+  if (stops.front()[0] == 0) out.front().place.reset();
+  if (stops.back()[0] == 100) out.back().place.reset();
+  const auto even = [&](std::size_t i, std::size_t j) {
+    for (std::size_t k = i + 1; k < j; ++k)
+      if (stops[k][0] != evenly(stops[i][0], stops[j][0], k - i, j - i)) return false;
+    return true;
+  };
+  for (std::size_t i = 0; i + 1 < stops.size();) {
+    std::size_t j = stops.size() - 1;
+    while (j > i + 1 && !even(i, j)) --j;
+    for (std::size_t k = i + 1; k < j; ++k) out[k].place.reset();
+    i = j;
+  }
+  return out;
+}
+
+double through(const Stops& stops, double s) {
+  const double at = 100 * s;
+  const auto next =
+      std::upper_bound(stops.begin() + 1, stops.end() - 1, at, [](double x, const Stop& stop) { return x < stop[0]; });
+  const auto& [x, y] = next[-1];
+  const auto& [x2, y2] = *next;
+  return x == x2 ? y2 : y + (at - x) / (x2 - x) * (y2 - y);
+}
+
+void reverse(Twerper& t, TwerperArguments& a) {
   if (is_own(t)) return;
   const TwerperRow& row = row_of(t);
+  if (a.stops) {
+    Stops back;
+    for (auto stop = a.stops->rbegin(); stop != a.stops->rend(); ++stop)
+      back.push_back({100 - (*stop)[0], 1 - (*stop)[1]});
+    a.stops = std::make_shared<const Stops>(std::move(back));
+  }
   const auto as_bezier = [&](std::array<double, 4> b) {
     t = Twerper::bezier;
-    a = {1 - b[2], 1 - b[3], 1 - b[0], 1 - b[1]};
+    a = TwerperArguments(1 - b[2], 1 - b[3], 1 - b[0], 1 - b[1]);
   };
   if (const auto other = row.reversed.empty() ? std::nullopt : find_twerper(row.reversed)) t = *other;
   if (t == Twerper::bezier) as_bezier(a);
@@ -190,22 +276,30 @@ void reverse(Twerper& t, std::array<double, 4>& a) {
   if (row.name == "steps" && a[1] < 2) a[1] = 1 - a[1];  // what jumped at its end jumps at its start
 }
 
-double bezier_factor(double u, const std::array<double, 4>& xy) {
-  if (u <= 0 || u >= 1) return u;
-  const auto at = [](double p, double q, double s) {
-    return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s;
-  };
-  // x rises over [0, 1] because the language keeps x1 and x2 there: halving always ends.
+namespace {
+
+double bezier_at(double p, double q, double s) {
+  return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s;
+}
+
+// x rises over [0, 1] because x1 and x2 are kept there: halving always ends.
+double bezier_parameter(double u, double x1, double x2) {
   double low = 0, high = 1, s = u;
   for (int i = 0; i < 60; ++i) {
-    const double x = at(xy[0], xy[2], s);
+    const double x = bezier_at(x1, x2, s);
     if (std::abs(x - u) < 1e-15) break;
     (x < u ? low : high) = s;
-    const double slope = 3 * (1 - s) * (1 - s) * xy[0] + 6 * (1 - s) * s * (xy[2] - xy[0]) + 3 * s * s * (1 - xy[2]);
+    const double slope = 3 * (1 - s) * (1 - s) * x1 + 6 * (1 - s) * s * (x2 - x1) + 3 * s * s * (1 - x2);
     const double newton = slope > 1e-9 ? s - (x - u) / slope : low;
     s = newton > low && newton < high ? newton : (low + high) / 2;
   }
-  return at(xy[1], xy[3], s);
+  return s;
+}
+
+}  // namespace
+
+double bezier_factor(double u, const std::array<double, 4>& xy) {
+  return u <= 0 || u >= 1 ? u : bezier_at(xy[1], xy[3], bezier_parameter(u, xy[0], xy[2]));
 }
 
 Quat slerp(Quat a, Quat b, double s) {

@@ -25,6 +25,8 @@ struct Blend {
   double s = 0;                                      // 0 to 1, eases in it
   double length = 1, length_before = 1, length_after = 1;      // flicks
   const double *tangent_out = nullptr, *tangent_in = nullptr;  // per second; null where nobody says
+  const double *handle_out = nullptr, *handle_in = nullptr;    // as differences; null where nobody says
+  double handle_out_length = 0, handle_in_length = 0;          // flicks
   double left(std::uint32_t i) const { return before ? before[i] : 2 * from[i] - to[i]; }  // else it is reflected
   double right(std::uint32_t i) const { return after ? after[i] : 2 * to[i] - from[i]; }
 };
@@ -46,12 +48,14 @@ struct TwerperRow {
   // Of a segment of numbers the cubic of s of each channel, and of one of orientations, where the two ends and a factor
   // are not all that counts.
   void (*cubics)(const Blend&, Cubic* out) = nullptr;
+  void (*numbers)(const Blend&, double* out) = nullptr;  // at g.s, where it is no cubic of s
   Quat (*turn)(const Blend&) = nullptr;
   // The one that stands for it where orientations are blended, or numbers (then it turns orientations only); unset:
   // itself.
   // All of its arguments are said, and one of the words may be; its place is the next argument.
   std::span<const TwerperArgument> arguments = {};
   std::span<const std::string_view> words = {};
+  bool stops = false;              // or in their place stops, any number of them
   std::string_view reversed = {};  // the one that goes the same way back; empty: see reverse()
   Twerper for_orientations = Twerper::unset, for_numbers = Twerper::unset;
 };
@@ -70,7 +74,16 @@ inline const std::vector<std::string_view> twerper_names = [] {
 
 inline bool takes_arguments(Twerper t) { return !is_own(t) && !row_of(t).arguments.empty(); }
 // The twerper that goes the same way back.
-void reverse(Twerper&, std::array<double, 4>& arguments);
+void reverse(Twerper&, TwerperArguments&);
+
+// Stops as they are said, some without their places in time: these lie evenly between their neighbours' (CSS Easing 2).
+struct SaidStop {
+  double value = 0;
+  std::optional<double> place;
+};
+Stops placed(const std::vector<SaidStop>&);
+std::vector<SaidStop> as_said(const Stops&);  // the other way round: as few places as say the same
+double through(const Stops&, double s);       // where between two values straight lines through them are
 
 double bezier_factor(double u, const std::array<double, 4>& xy);
 Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen

@@ -147,7 +147,7 @@ TEST(Errors, ValuesAndEvents) {
            {"at 5f ball.radius 1 slerp", 21, "'slerp' turns orientations; this is a number"},
            {"at 5f ball.radius 1 bezier", 21, "bezier needs its two control points"},
            {"at 5f ball.radius 1 bezier(2 0 0 1)", 27, "the x of a bezier's control points is from 0 to 1"},
-           {"at 5f ball.radius 1 linear(2)", 27, "'linear' takes nothing in brackets"},
+           {"at 5f ball.radius 1 smooth(2)", 27, "'smooth' takes nothing in brackets"},
            {"at 5f ball.radius 1 ease-in=-2f", 21, "an ease cannot be shorter than nothing"},
            {"at 5f ball.radius 1 ease-in 2f", 29, "'=' is missing behind ease-in"},
            {"at 5f ball.radius 1 ease-in=2", 29, "a length of time needs a unit", "write 2f for frames"},

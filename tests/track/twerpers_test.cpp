@@ -191,7 +191,7 @@ TEST(Twerpers, ReversedTheyGoTheSameWayBack) {
     const TwerperRow& row = twerpers()[i];
     if (!row.factor || row.cubics) continue;
     Twerper t = static_cast<Twerper>(i);
-    std::array<double, 4> there{0.2, 0.7, 0.4, 1.1}, back = there;
+    TwerperArguments there{0.2, 0.7, 0.4, 1.1}, back = there;
     if (row.name == "steps") there = back = {4, 0, 0, 0};
     reverse(t, back);
     for (int k = 0; k < 40; ++k) {

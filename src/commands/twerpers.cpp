@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A twerper's word, and what stands in brackets behind it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "commands/roads.h"
+#include "language/line_words.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+// Twerpers, and what else may stand behind a value: for near misses.
+std::vector<std::string_view> twerper_words(const Scene& s) {
+  std::vector<std::string_view> words(twerper_names.begin() + 1, twerper_names.end());
+  for (const char* w :
+       {"release", "ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "handle-in", "handle-out", "cut"})
+    words.push_back(w);
+  for (const NamedProcedure& p : *s.procedures)
+    if (p.role == Role::twerper) words.push_back(p.name);
+  return words;
+}
+
+// A percentage, where one is next; `%` between two numbers is a formula's.
+bool percentage(Cursor& c, std::optional<double>& out) {
+  const char* const start = (c.space(), c.at);
+  if (!starts_like_time(c.peek())) return true;
+  const char* p = start + 1;
+  while (p < c.end && (starts_like_time(*p) || *p == 'e' || *p == 'E')) ++p;
+  if (p == c.end || *p != '%' || (p + 1 < c.end && !blank(p[1]) && p[1] != ')')) return true;
+  double place = 0;
+  if (!c.literal(place)) return false;
+  if (c.at != p)
+    return c.fail(ErrorCode::syntax, "this is no percentage", {start, static_cast<std::size_t>(p - start)});
+  ++c.at;
+  if (!(std::abs(place) <= 1e6))
+    return c.fail(ErrorCode::range, "a stop's place in time is from -1000000% to 1000000%", c.since(start));
+  out = place;
+  return true;
+}
+
+// A stop: how far in value, and behind it one place in time or, where it stays for a while, two.
+bool stop(Cursor& c, std::vector<SaidStop>& all, std::optional<double>& latest) {
+  const char* const start = (c.space(), c.at);
+  std::optional<double> place;
+  if (!percentage(c, place)) return false;
+  if (place)
+    return c.fail(ErrorCode::syntax,
+                  all.empty() ? "a percentage stands behind its stop" : "a stop has at most two places in time",
+                  c.since(start), "as in linear(0 0.25 25% 75% 1)");
+  SaidStop said;
+  if (!c.number(said.value)) return false;
+  if (const auto unit = c.unit(); !unit.empty())
+    return c.fail(ErrorCode::type, fmt::format("a stop is a plain number, without '{}'", unit), c.since(start));
+  if (!(std::abs(said.value) <= 1e6))
+    return c.fail(ErrorCode::range, "a stop is a number from -1000000 to 1000000", c.since(start));
+  all.push_back(said);
+  for (int i = 0; i < 2; ++i) {
+    const char* const at = (c.space(), c.at);
+    if (!percentage(c, place = std::nullopt)) return false;
+    if (!place) break;
+    if (latest && *place < *latest)
+      return c.fail(
+          ErrorCode::range,
+          fmt::format("stops go forward in time: {}% stands behind {}%", write_number(*place), write_number(*latest)),
+          c.since(at));
+    if (i == 1) all.push_back(said);
+    latest = all.back().place = place;
+  }
+  if (!latest) latest = 0;  // the first one is at the beginning, where nobody says
+  return true;
+}
+
+// (0 0.25 25% 75% 1)
+bool stops(Cursor& c, std::shared_ptr<const Stops>& out) {
+  constexpr std::size_t most = 1000;
+  const char* const start = c.at;
+  if (!c.open()) return false;
+  std::vector<SaidStop> all;
+  std::optional<double> latest;
+  for (c.space(); c.peek() != ')'; c.space()) {
+    if (!stop(c, all, latest)) return false;
+    if (all.size() > most)
+      return c.fail(ErrorCode::range, fmt::format("linear has at most {} stops", most), {start, 1});
+  }
+  if (!c.close()) return false;
+  if (all.size() < 2)
+    return c.fail(ErrorCode::syntax, "linear needs at least two stops in its brackets, or no brackets", c.since(start),
+                  "as in linear(0 0.3 1)");
+  out = std::make_shared<const Stops>(placed(all));
+  return true;
+}
+
+// What stands in brackets behind a twerper.
+bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArguments& out) {
+  const TwerperRow& row = row_of(t);
+  c.space();
+  const char* const start = c.at;
+  if (row.stops) return c.peek() != '(' || stops(c, out.stops);
+  if (row.arguments.empty())
+    return c.peek() != '(' || c.fail_here(ErrorCode::syntax, fmt::format("'{}' takes nothing in brackets", name));
+  if (c.peek() != '(')
+    return c.fail(ErrorCode::syntax,
+                  t == Twerper::bezier ? "bezier needs its two control points"
+                                       : fmt::format("{} needs in brackets {}", name, row.arguments[0].name),
+                  name, fmt::format("as in {}", row.example.substr(row.example.rfind(' ', row.example.find('(')) + 1)));
+  if (!c.open()) return false;
+  for (std::size_t i = 0; i < row.arguments.size(); ++i) {
+    const TwerperArgument& a = row.arguments[i];
+    c.space();
+    const char* const at = c.at;
+    if (!c.number(out[i])) return false;
+    if (out[i] >= a.low && out[i] <= a.high && (!a.whole || out[i] == std::floor(out[i]))) continue;
+    if (t == Twerper::bezier && a.name[0] == 'x')
+      return c.fail(ErrorCode::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
+    return c.fail(ErrorCode::range,
+                  fmt::format("{} is {} from {} to {}", a.name, a.whole ? "a whole number" : "a number",
+                              write_number(a.low), write_number(a.high)),
+                  c.since(at));
+  }
+  c.space();
+  if (!row.words.empty()) {
+    double& which = out[row.arguments.size()] = 0;
+    if (const std::string_view w = c.peek_word(); !w.empty()) {
+      const auto known = std::find(row.words.begin(), row.words.end(), w);
+      if (known == row.words.end())
+        return c.fail(ErrorCode::syntax, fmt::format("'{}' is none of {}", w.substr(0, 40), fmt::join(row.words, ", ")),
+                      w);
+      which = static_cast<double>(known - row.words.begin());
+      c.word();
+    }
+  }
+  return c.close();
+}
+
+}  // namespace
+
+// A twerper's word and what stands in brackets behind it.
+bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arguments) {
+  auto& [s, c, time, layer, script] = k;
+  const std::string_view w = c.next_word();
+  const auto found = find_twerper(w);
+  const auto& own = *s.procedures;
+  const auto mine = std::find_if(own.begin(), own.end(),
+                                 [&](const NamedProcedure& p) { return p.name == w && p.role == Role::twerper; });
+  if (!found && mine != own.end()) {
+    out = static_cast<Twerper>(first_own_twerper + (mine - own.begin()));
+    std::string why;
+    return fits(out, to.type(), &why) || c.fail(ErrorCode::type, why, w);
+  }
+  if (!found) {
+    if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");
+    const std::string_view leads = road(w);
+    const std::string near = leads.empty() ? did_you_mean(w, twerper_words(s)) : std::string(leads);
+    return c.fail(ErrorCode::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
+                  near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
+  }
+  out = *found;
+  std::string why;
+  if (!fits(out, to.type(), &why))
+    return c.fail(ErrorCode::type, why, w,
+                  to.type() == Type::text ? "letters turn into others by geometry: at 24f A.geometry shape(B) …" : "");
+  return twerper_arguments(c, out, w, arguments);
+}
+
+}  // namespace betwixt
