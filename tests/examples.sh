@@ -59,6 +59,9 @@ holds 'the dot is as high as the hand' 'v[4] == 240 && same(v[2], -sqrt(3))' sin
 holds 'the ride ends where it began' 'same(v[1], v[4]) && same(v[2], v[5]) && same(v[3], v[6])' ride 1f,193f eye.position
 holds 'the fifth fish is where the leader was 15.36 frames before' 'same(v[1], v[10]) && same(v[2], v[11])' \
   swarm 84.64f,100f lead.position fish5.position
+holds 'a foot stays where it is while it carries' \
+  'same((v[4] - 0.45)^2 + (v[8] - 0.05)^2, 0.0049) && same((v[20] - 0.45)^2 + (v[24] - 0.05)^2, 0.0049)' \
+  walk 3f,13f man/left/knee/foot.world
 holds 'letters come one after another' 'same(v[2], 0) && v[5] < -1 && same(v[11], 0)' \
   letters 30f,54f title/1.position title/7.position
 holds 'what was a lid on top lies in the plane at last' 'same(v[8], 2.03) && same(v[12], 0) && same(v[24], 0.03) && same(v[28], -4)' \

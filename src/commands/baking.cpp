@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "commands/segments.h"
 #include "program/compiled.h"
@@ -87,6 +88,36 @@ void put_baked(Scene& s, const Target& t, const std::vector<Time>& times, const 
   }
 }
 
+// What reaches no longer does: the joints that it hangs on have its turns as events of their rotations.
+bool bake_reach(Command& k, const Selected& on, const Baking& how, std::string_view about) {
+  Scene& s = k.scene;
+  Rollback rollback(s);
+  const std::vector<Time> times = how.times();
+  for (const Target& hand : on.targets) {
+    if (hand.function != fn::reach)
+      return k.cursor.fail(ErrorCode::type, "what reaches is baked alone", about,
+                           fmt::format("bake {}", target_name(s, Target{hand.object, fn::reach})));
+    const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
+    std::map<std::uint32_t, std::vector<Value>> turns;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      Asking asking;
+      for (const auto& [joint, turn] : program.compiled().reached_turns(hand.object, times[i], asking)) {
+        auto& all = turns[joint.index];
+        all.resize(i, turn);  // before it hung there
+        all.push_back(turn);
+      }
+    }
+    for (auto& [joint, all] : turns) {
+      all.resize(times.size(), all.back());
+      put_baked(s, Target{ObjectId{joint}, fn::rotation}, times, all, how.within);
+    }
+    std::erase_if(s.objects.edit(hand.object.index).slots,
+                  [](const Slot& slot) { return slot.function >= fn::reach && slot.function <= fn::reach_chain; });
+  }
+  rollback.keep();
+  return true;
+}
+
 bool bake(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Selected on;
@@ -122,9 +153,11 @@ bool bake(Command& k) {
                       fmt::format("the layer {} lies over {}: it would count twice", s.objects[slot.layer.index].name,
                                   target_name(s, t)),
                       word);
-    if (!row_of(spec_of(s, t.function).type).computed)
+    if (t.function != fn::reach && !row_of(spec_of(s, t.function).type).computed)
       return c.fail(ErrorCode::type, fmt::format("{} cannot be baked", to_string(spec_of(s, t.function).type)), word);
   }
+  if (std::any_of(on.targets.begin(), on.targets.end(), [](const Target& t) { return t.function == fn::reach; }))
+    return bake_reach(k, on, how, word);
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
   const std::vector<Time> times = how.times();
   std::vector<std::vector<Value>> values(on.targets.size());
@@ -138,7 +171,7 @@ bool bake(Command& k) {
 
 constexpr Verb baking_rows[] = {
     {"bake", "bake TARGETS A..B [every LENGTH] [within TOLERANCE]",
-     "What code, filters and velocities make of a value becomes plain events.",
+     "What code, filters, velocities and what reaches make of a value becomes plain events.",
      "bake ball.position 1f..24f within 0.01", 0, bake},
 };
 

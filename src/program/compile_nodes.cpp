@@ -3,6 +3,7 @@
 //
 // Nodes: what each object hangs on and which environments it is in, from when on.
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <unordered_map>
 
@@ -56,7 +57,14 @@ struct NodeCompiler {
     compiled.offsets.push_back({n.position, n.rotation, n.scale, n.pivot, n.orientation});
     const auto said = [&](FunctionId f) { return &compiled.find(object, f) != &compiled.defaults[f]; };
     n.looks = said(fn::look_at) || said(fn::roll);
-    compiled.looks = compiled.looks || n.looks;
+    if (said(fn::reach)) {  // for the whole film: how many joints there are does not change
+      Asking asking;
+      double bones[4] = {2};
+      const Binding& chain = compiled.find(object, fn::reach_chain);
+      if (chain.live < 0) compiled.evaluate(chain, {}, asking, bones);
+      n.reaches = static_cast<std::uint8_t>(std::clamp(std::round(bones[0]), 1.0, 64.0));
+    }
+    compiled.looks = compiled.looks || n.looks || n.reaches;
     compiled.sited = compiled.sited || n.around >= 0;
     compiled.node_of[object] = static_cast<std::uint32_t>(compiled.nodes.size());
     compiled.nodes.push_back(std::move(n));
@@ -143,6 +151,7 @@ struct NodeCompiler {
       ++n.spans;
       compiled.spans.push_back(span);
     }
+    compiled.find_joints();
     compile_motions(compiled);
     compile_schedule(compiled, before);
     settle(compiled, in_time);

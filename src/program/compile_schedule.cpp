@@ -28,6 +28,9 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
     case fn::look_offset:
     case fn::roll:
     case fn::front:
+    case fn::reach:
+    case fn::reach_share:
+    case fn::reach_pole:
       return affects::aim;
     case fn::scale:
       return affects::place | affects::other;  // how far a light reaches
@@ -144,7 +147,7 @@ struct ScheduleCompiler {
       if (n.kind == Kind::camera) {
         if (!scene.objects[n.object].derived && !compiled.first_camera) compiled.first_camera = n.object;
       }
-      if (n.looks) compiled.eyes.push_back(i);
+      if (n.looks || n.reaches) compiled.eyes.push_back(i);
       if (!drawable(n.kind)) continue;
       Drawable d{find(fn::transparency)->offset,
                  find(fn::shininess)->offset,

@@ -220,6 +220,8 @@ struct Node {
   std::int32_t moving = -1;                                                                            // motions
   bool transform = false;                                                                              // it has one
   bool looks = false;  // it is turned by what it looks at, or rolled
+  bool bends = false;  // it may be turned by what reaches for something
+  std::uint8_t reaches = 0;  // for something, by so many joints
 };
 
 // What is drawn, or may be: the node of the same number.
@@ -364,12 +366,16 @@ struct Program::Compiled {
   std::optional<Value> along(std::uint32_t object, FunctionId, ObjectId road, double share, Time t, Asking&) const;
   // In the world, with its front in that direction.
   Quat turned(const Node&, Vec3 direction, Time t, Asking&) const;
+  std::vector<std::uint32_t> goals(std::uint32_t object, FunctionId) const;
+  void find_joints();
+  // The joints by which a thing reaches, and the rotations that would do the same.
+  std::vector<std::pair<ObjectId, Quat>> reached_turns(ObjectId hand, Time, Asking&) const;
   // The numbers for the time; null: they are worked out.
   // A function's value as a shape takes it; points on their way are between two of the author's.
   Value shape_part(const Binding& b, Time t, const double* numbers, Asking&) const;
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;
   // `place`: of a node, in the world.
-  std::optional<Vec3> aim(std::uint32_t camera, Time t, const double* numbers,
+  std::optional<Vec3> aim(std::uint32_t object, FunctionId, Time t, const double* numbers,
                           const std::function<Vec3(std::uint32_t)>& place, Asking&) const;
   const StepTrack& steps_of(const Binding& b) const { return *steps[static_cast<std::size_t>(b.steps)]; }
   Between between(const Binding& b, Time t) const { return steps_of(b).at(t, set); }

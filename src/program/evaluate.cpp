@@ -63,10 +63,10 @@ Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
   return values[w.s >= 1 ? w.b : w.a];
 }
 
-std::optional<Vec3> Program::Compiled::aim(std::uint32_t camera, Time t, const double* numbers,
+std::optional<Vec3> Program::Compiled::aim(std::uint32_t object, FunctionId f, Time t, const double* numbers,
                                            const std::function<Vec3(std::uint32_t)>& place, Asking& asking) const {
-  const Binding& b = find(camera, fn::look_at);
-  const Vec3 beside = vec3(numbers + find(camera, fn::look_offset).offset);
+  const Binding& b = find(object, f);
+  const Vec3 beside = f == fn::look_at ? vec3(numbers + find(object, fn::look_offset).offset) : Vec3{};
   if (b.channels == 3 && b.live < 0) return beside + vec3(numbers + b.offset);
   const auto point = [&](const Value& v) -> std::optional<Vec3> {
     if (const auto* p = std::get_if<Vec3>(&v)) return *p + beside;

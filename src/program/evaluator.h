@@ -52,6 +52,8 @@ class Evaluator {
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const {
     return number < compiled_.shapes.size() ? compiled_.shapes[number] : forms_[number - compiled_.shapes.size()];
   }
+  std::vector<std::uint32_t> joints_of(std::uint32_t hand) const;
+  Quat own_turn(std::uint32_t node) const;
   void add_items(Frame&) const;
   std::vector<Light> lights(Asking&) const;
   Camera camera() const;
@@ -77,6 +79,11 @@ class Evaluator {
   void compose_below(std::uint32_t at);
   void places(Asking&);
   void turn_eyes(Asking&);
+  void arrange_reaches();
+  void reach(std::uint32_t hand, Asking&);
+  Vec3 joint_place(std::uint32_t node) const;
+  void turn_joint(std::uint32_t node, Quat);
+  Placed own_placed(std::uint32_t node) const;
   void restyle(Asking&, bool solids);
   void look(std::uint32_t drawable, Asking&, bool solids);
   std::uint32_t form(std::uint32_t drawable, Asking&);
@@ -84,7 +91,8 @@ class Evaluator {
   std::uint32_t splined(const StepTrack&, const Between&, std::uint32_t drawable, Asking&);
   Quat turn(std::uint32_t node) const { return turns_.empty() ? Quat{} : turns_[node]; }
   // Its own matrix is kept: it is held, or may be turned.
-  bool kept(std::uint32_t node) const { return held_[node] || compiled_.nodes[node].looks; }
+  bool kept_apart(std::uint32_t node) const { return compiled_.nodes[node].looks || compiled_.nodes[node].bends; }
+  bool kept(std::uint32_t node) const { return held_[node] || kept_apart(node); }
   template <class F>
   void each_below(std::uint32_t node, F&& f) const {
     for (std::uint32_t at = at_[node], end = at + size_[at]; at < end; ++at) f(order_[at]);

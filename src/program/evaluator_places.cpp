@@ -47,7 +47,7 @@ void Evaluator::arrange() {
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t node = order_[k];
     const bool plain = parent_[node] >= 0 && held_[node]->kind == AttachmentKind::couple && held_[node]->frozen < 0 &&
-                       !compiled_.nodes[node].looks && !compiled_.sited;
+                       !kept_apart(node) && !compiled_.sited;
     links_[k] = {node, plain ? static_cast<std::uint32_t>(parent_[node]) : 0, compiled_.nodes[node].attach, plain};
   }
   arrange_eyes();
@@ -69,6 +69,7 @@ void Evaluator::arrange_eyes() {
     for (; !chain.empty(); chain.pop_back())
       if (is_eye[chain.back()]) eyes_.push_back(chain.back());
   }
+  arrange_reaches();
 }
 
 namespace {
@@ -89,6 +90,8 @@ Own own_of_placed(const Placed& p) {
 }
 
 }  // namespace
+
+Placed Evaluator::own_placed(std::uint32_t node) const { return placed_of(owns_[node]); }
 
 // By all that its own tracks say.
 Own Evaluator::own_of(std::uint32_t node, Asking& asking) const {
@@ -200,8 +203,10 @@ void Evaluator::places(Asking& asking) {
   // What looks at something, and hangs on that, is worked out twice: what it was before this time is kept aside.
   std::vector<std::pair<std::uint32_t, Mat4>> before;
   for (const std::uint32_t eye : eyes_) {
-    dirty_places_.push_back(at_[eye]);
-    each_below(eye, [&](std::uint32_t d) {
+    const auto joints = joints_of(eye);
+    const std::uint32_t top = joints.empty() ? eye : joints.front();
+    dirty_places_.push_back(at_[top]);
+    each_below(top, [&](std::uint32_t d) {
       if (compiled_.draws(d) && !flags_[d]) before.emplace_back(d, worlds()[d]);
     });
   }
@@ -222,9 +227,11 @@ void Evaluator::places(Asking& asking) {
 void Evaluator::turn_eyes(Asking& asking) {
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
   for (const std::uint32_t eye : eyes_) {
-    const auto target = compiled_.aim(compiled_.nodes[eye].object, now_, numbers_.data(), in_world, asking);
-    const Vec3 place = in_world(eye);
     const Node& n = compiled_.nodes[eye];
+    if (n.reaches) reach(eye, asking);
+    if (!n.looks) continue;
+    const auto target = compiled_.aim(n.object, fn::look_at, now_, numbers_.data(), in_world, asking);
+    const Vec3 place = in_world(eye);
     const double roll = numbers_[compiled_.find(n.object, fn::roll).offset];
     const bool looks = target && *target != place;
     if (!looks && roll == 0) continue;

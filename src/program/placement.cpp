@@ -188,7 +188,7 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
   for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
     const Node& n = nodes[static_cast<std::size_t>(i)];
     chain.push_back(static_cast<std::uint32_t>(i));
-    if (n.looks) {  // it turns with what it looks at
+    if (n.looks || n.bends) {  // it turns with what it looks at, or what reaches for something
       Evaluator all(*this);
       all.to(t, asking);
       return {all.placed(node), all.around(node)};

@@ -73,7 +73,8 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
         Evaluator all(*this);
         all.to(t, asking);
         const auto place = [&](std::uint32_t node) { return translation_of(all.world(node)); };
-        if (const auto p = aim(object, t, all.numbers(), place, asking)) return part(*p, target.component);
+        if (const auto p = aim(object, target.function, t, all.numbers(), place, asking))
+          return part(*p, target.component);
       }
     }
     if (type == Type::points && b.steps >= 0) return std::get<Points>(shape_part(b, t, rest.data(), asking));

@@ -101,6 +101,10 @@ enum : FunctionId {
   trace_last,
   casts,
   casting,
+  reach,
+  reach_share,
+  reach_pole,
+  reach_chain,
   count
 };
 }

@@ -137,7 +137,7 @@ TEST(Functions, KindsHaveTheirs) {
            {Kind::arrow, {"to", "width"}}};
   const Scene s;
   const auto common = function_names(s, Kind::group);
-  EXPECT_EQ(common.size(), 21U);
+  EXPECT_EQ(common.size(), 25U);
   const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {
