@@ -5,7 +5,7 @@
 
     tools/marathon.py PROGRAM [COMMANDS] [SECONDS]
 
-Ten million commands if not said, or as many as fit into the seconds. They come in bundles of a hundred, some of them on the
+Ten million commands if not said, or as many as fit into the seconds. They come in bundles of a thousand, some of them on the
 way at once, and are about a thousand objects: values, events that replace others, environments, undo. Says as it goes how much
 memory the server takes and how long its log is; at last how long it takes to begin again, and whether what is there is
 what was answered. Ends with an exit code: 1 where it is not, or where memory or log go on growing.
@@ -23,8 +23,8 @@ import tempfile
 import time
 
 OBJECTS = 1000
-BUNDLE = 100  # commands
-AHEAD = 20  # bundles that are on the way
+BUNDLE = 1000  # commands
+AHEAD = 6  # bundles that are on the way
 REPORTS = 20
 WORTH = "eval o*.radius o*.color o*.position.x o*.display at 50f"
 LOG = 64 << 20  # a checkpoint comes every 16 MiB, and what is said while it is made stands behind it

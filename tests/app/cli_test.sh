@@ -77,7 +77,7 @@ check 'no such script' 1 'none.bx' render none.bx -o a.mp4
 check 'script with errors' 1 'wrong.bx:1:' render wrong.bx -o a.mp4
 has 'all its errors' "$said" wrong.bx:2:
 check 'binary script' 1 'binary.bx' render binary.bx -o a.mp4
-is 'nothing was made of these' "$(ls -A | tr '\n' ' ')" 'binary.bx bounce.bx empty.bx wrong.bx '
+is 'nothing was made of these' "$(ls -A | tr '\n' ' ')" 'binary.bx bounce.bx empty.bx many.bx part.bx whole.bx wrong.bx '
 
 # What only frames tell, said by check.
 cat >procs.bx <<'BX'
