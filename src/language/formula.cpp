@@ -9,15 +9,14 @@
 #include <vector>
 
 #include "base/names.h"
+#include "language/formula_functions.h"
 #include "language/values.h"
-#include "procedure/noise.h"
 
 namespace betwixt {
 namespace {
 
-using Of = Quantity::Of;
+using namespace formulas;
 constexpr int deepest = 100;
-constexpr std::size_t most_arguments = 8;
 
 bool name_begins(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool name_goes_on(char c) { return name_begins(c) || (c >= '0' && c <= '9') || c == '_'; }
@@ -30,77 +29,6 @@ std::string_view name_at(const char* at, const char* end) {
   if (p < end && name_begins(*p))
     while (p < end && name_goes_on(*p)) ++p;
   return {at, static_cast<std::size_t>(p - at)};
-}
-
-constexpr std::pair<std::string_view, double> constants[] = {
-    {"pi", pi}, {"tau", 2 * pi}, {"e", 2.718281828459045235360287}};
-
-double radians(const Quantity& q) { return q.of == Of::angle ? q.value * (pi / 180) : q.value; }
-Quantity number(double v) { return {Of::number, v, 0, false}; }
-Quantity degrees(double radians) { return {Of::angle, radians * (180 / pi), 0, false}; }
-
-// A function of numbers: what it takes, and of what its answer is.
-struct FunctionRow {
-  std::string_view name;
-  std::size_t least, most;
-  enum Takes { numbers, turns, alike } takes;  // turns: an angle, or radians; alike: all of one kind, as its answer is
-  Quantity (*of)(const Quantity* a, std::size_t n);
-};
-Quantity with(Quantity like, double value) { return like.value = value, like; }
-
-constexpr FunctionRow functions[] = {
-    {"sin", 1, 1, FunctionRow::turns, [](const Quantity* a, std::size_t) { return number(std::sin(radians(*a))); }},
-    {"cos", 1, 1, FunctionRow::turns, [](const Quantity* a, std::size_t) { return number(std::cos(radians(*a))); }},
-    {"tan", 1, 1, FunctionRow::turns, [](const Quantity* a, std::size_t) { return number(std::tan(radians(*a))); }},
-    {"asin", 1, 1, FunctionRow::numbers, [](const Quantity* a, std::size_t) { return degrees(std::asin(a->value)); }},
-    {"acos", 1, 1, FunctionRow::numbers, [](const Quantity* a, std::size_t) { return degrees(std::acos(a->value)); }},
-    {"atan", 1, 2, FunctionRow::alike,
-     [](const Quantity* a, std::size_t n) { return degrees(std::atan2(a[0].value, n > 1 ? a[1].value : 1)); }},
-    {"sqrt", 1, 1, FunctionRow::numbers, [](const Quantity* a, std::size_t) { return number(std::sqrt(a->value)); }},
-    {"abs", 1, 1, FunctionRow::alike, [](const Quantity* a, std::size_t) { return with(*a, std::abs(a->value)); }},
-    {"min", 1, most_arguments, FunctionRow::alike,
-     [](const Quantity* a, std::size_t n) {
-       return *std::min_element(a, a + n, [](const auto& x, const auto& y) { return x.value < y.value; });
-     }},
-    {"max", 1, most_arguments, FunctionRow::alike,
-     [](const Quantity* a, std::size_t n) {
-       return *std::max_element(a, a + n, [](const auto& x, const auto& y) { return x.value < y.value; });
-     }},
-    {"floor", 1, 1, FunctionRow::numbers, [](const Quantity* a, std::size_t) { return number(std::floor(a->value)); }},
-    {"ceil", 1, 1, FunctionRow::numbers, [](const Quantity* a, std::size_t) { return number(std::ceil(a->value)); }},
-    {"round", 1, 1, FunctionRow::numbers,
-     [](const Quantity* a, std::size_t) { return number(std::floor(a->value + 0.5)); }},
-    {"sign", 1, 1, FunctionRow::alike,
-     [](const Quantity* a, std::size_t) { return number((a->value > 0) - (a->value < 0)); }},
-    {"mix", 3, 3, FunctionRow::alike,
-     [](const Quantity* a, std::size_t) {
-       return with(a[0], a[0].value * (1 - a[2].value) + a[1].value * a[2].value);
-     }},
-    {"clamp", 3, 3, FunctionRow::alike,
-     [](const Quantity* a, std::size_t) {
-       return with(a[0], std::fmax(a[1].value, std::fmin(a[0].value, a[2].value)));
-     }},
-    {"smoothstep", 3, 3, FunctionRow::alike,
-     [](const Quantity* a, std::size_t) {
-       const double low = a[0].value, high = a[1].value, x = a[2].value;
-       const double u = low == high ? x >= high : std::fmax(0, std::fmin((x - low) / (high - low), 1));
-       return number(u * u * (3 - 2 * u));
-     }},
-    {"hash", 1, 3, FunctionRow::numbers,
-     [](const Quantity* a, std::size_t n) {
-       return number(hashed({a[0].value, n > 1 ? a[1].value : 0, n > 2 ? a[2].value : 0}));
-     }},
-    {"noise", 1, 3, FunctionRow::numbers,
-     [](const Quantity* a, std::size_t n) {
-       const Vec3 at{a[0].value, n > 1 ? a[1].value : 0, n > 2 ? a[2].value : 0};
-       return number(noise(at, static_cast<int>(n)));
-     }},
-};
-
-const FunctionRow* find_function(std::string_view name) {
-  const auto at =
-      std::find_if(std::begin(functions), std::end(functions), [&](const auto& f) { return f.name == name; });
-  return at == std::end(functions) ? nullptr : at;
 }
 
 class Reader {
@@ -249,7 +177,7 @@ class Reader {
   bool unknown(std::string_view name) {
     std::vector<std::string_view> words{"i", "n"};
     for (const auto& c : constants) words.push_back(c.first);
-    for (const FunctionRow& f : functions) words.push_back(f.name);
+    for (const FunctionRow& f : function_rows) words.push_back(f.name);
     if (c_.lets)
       for (const auto& let : *c_.lets) words.push_back(let.first);
     std::string hint = did_you_mean(name, words);
@@ -261,7 +189,7 @@ class Reader {
     const FunctionRow* const f = find_function(name);
     if (!f) {
       std::vector<std::string_view> words;
-      for (const FunctionRow& row : functions) words.push_back(row.name);
+      for (const FunctionRow& row : function_rows) words.push_back(row.name);
       std::string hint = did_you_mean(name, words);
       if (hint.empty()) hint = fmt::format("functions are {}", fmt::join(words, " "));
       return c_.fail(ErrorCode::name, fmt::format("formulas have no function '{}'", name.substr(0, 40)), name, hint);

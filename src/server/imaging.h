@@ -222,6 +222,12 @@ class Imaging {
   std::set<std::int64_t> names_given_;    // thousands of numbers that the script has names of
   std::int64_t next_names_ = 1;
   std::size_t event_count_ = 0;  // of the document
+  struct Overview {              // what `help` says, as long as nobody adds words
+    decltype(Scene::defined) defined;
+    decltype(Scene::procedures) procedures;
+    std::string text;
+  };
+  std::optional<Overview> overview_;
   Transport transport_;
   Nanos latest_ = 0;  // that somebody has said it is
   std::optional<TimeFile> time_file_;

@@ -156,11 +156,15 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
 }
 
 Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w, Nanos now) {
-  std::string out;
   if (w.size() < 2) {
-    for (const Word& word : words())
-      if (!word.sentence.empty()) out += fmt::format("{:12} {}\n", word.word, word.sentence);
-    return said(out + "\n" + help_overview(document().scene(), false));
+    const Scene& scene = document().scene();
+    if (!overview_ || !overview_->defined.same(scene.defined) || !overview_->procedures.same(scene.procedures)) {
+      std::string out;
+      for (const Word& word : words())
+        if (!word.sentence.empty()) out += fmt::format("{:12} {}\n", word.word, word.sentence);
+      overview_ = {scene.defined, scene.procedures, said(out + "\n" + help_overview(scene, false))};
+    }
+    return overview_->text;
   }
   if (const Word* word = find_word(w[1])) {
     if (word->sentence.empty()) return not_for_hosts(h, {w[1]}, now);

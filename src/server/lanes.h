@@ -65,6 +65,8 @@ class Lanes {
   std::array<Lane, 4> lanes_;
   std::vector<std::thread> threads_;
   std::atomic<bool> ended_{false};
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point trim_again_{};
 };
 
 }  // namespace betwixt
