@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cstdlib>
 
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 
 namespace betwixt {
 namespace {
@@ -60,7 +60,7 @@ Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t
     const auto width = body[0] == '0' && dots > 1 ? dots : 1;
     if (width > 1000) return fail(ErrorCode::range, "the braces make names that are too long");
     for (long i = a;; i += a <= b ? 1 : -1) {
-      Wanted::ask();
+      StillWanted::ask();
       out.push_back(fmt::format("{:0{}}", i, width));
       if (i == b) break;
     }
@@ -112,7 +112,7 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
       if (next.size() + parts->size() > most)
         return fail(ErrorCode::range, fmt::format("the braces make more than {} names", most));
       for (const auto& part : *parts) {
-        Wanted::ask();
+        StillWanted::ask();
         next.push_back(s.substr(0, open) + part + s.substr(close + 1));
         characters += next.back().size();
         if (characters > most_characters) return fail(ErrorCode::range, "the braces make names that are too long");

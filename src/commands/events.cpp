@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "language/line_words.h"
 #include "procedure/lua.h"
@@ -143,7 +143,7 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
     return true;
   }
   for (const Target& t : to.targets)
-    if (Wanted::ask(); !event.keep || !keep_there(s, t, event)) put_event(s, t, event);
+    if (StillWanted::ask(); !event.keep || !keep_there(s, t, event)) put_event(s, t, event);
   return true;
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/names.h"
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "commands/following.h"
 #include "commands/roads.h"
@@ -46,7 +46,7 @@ struct Like {
 
 // One copy: what referred to the original or to one of its parts refers to the copy of that.
 void add_copy(Scene& s, const Like& like, const std::string& name, ObjectId parent) {
-  Wanted::ask();
+  StillWanted::ask();
   const std::string& old = like.object.name;
   Following copies(old, name, &s);
   const auto first = static_cast<std::uint32_t>(s.objects.size());
@@ -87,7 +87,7 @@ bool create(Command& k) {
   if (!names) return c.fail(names.error().code, names.error().message, word);
   if (!script.only && names->size() > 1) script.touched = names->size();
   for (const auto& name : *names)
-    if (Wanted::ask(); !free_name(k, name, word)) return false;
+    if (StillWanted::ask(); !free_name(k, name, word)) return false;
   const std::string_view kind_word = c.next_word();
   Like like;
   auto& [original, object, said, parts] = like;
@@ -131,7 +131,7 @@ bool create(Command& k) {
     if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
   if (original) return create_like(k, like, *names, parents, word);
   for (std::size_t i = 0; i < names->size(); ++i) {
-    Wanted::ask();
+    StillWanted::ask();
     object.name = (*names)[i];
     add_child(s, object, parents[i]);
   }

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/names.h"
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
@@ -105,7 +105,7 @@ bool in_places(Command& k, const std::function<bool()>& command) {
   const Alone alone(k);
   Rollback rollback(k.scene);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    Wanted::ask();
+    StillWanted::ask();
     k.cursor.at = start, k.cursor.depth = 0;
     k.cursor.place = all[i];
     k.script.only = {about.creates ? ObjectId{} : objects[i], names[i], false};
@@ -138,7 +138,7 @@ bool in_places(Command& k, const Selected& of, const std::function<bool(const Se
   {
     Rollback rollback(k.scene);
     for (std::size_t i = 0; done && i < each.size(); ++i) {
-      Wanted::ask();
+      StillWanted::ask();
       k.cursor.at = start, k.cursor.depth = 0;
       k.cursor.place = all[i];
       sheet.above = above.size() == each.size() ? above[i] : before;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/names.h"
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "commands/list_rows.h"
 #include "commands/roads.h"
 #include "commands/verbs.h"
@@ -160,7 +160,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
   while (c.at < c.end && !script.given_up) {
-    Wanted::ask();
+    StillWanted::ask();
     const char* line_start = c.at;
     const char* p = c.at;
     while (p < c.end && blank(*p)) ++p;

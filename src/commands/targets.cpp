@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/names.h"
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "commands/roads.h"
 #include "scene/names.h"
@@ -213,7 +213,7 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
   }
   std::vector<bool> found(wanted.size());
   for (const ObjectId id : objects) {
-    Wanted::ask();
+    StillWanted::ask();
     for (std::size_t i = 0; i < wanted.size(); ++i)
       for (const FunctionId f : functions(q, q.kind(id), wanted[i])) {
         found[i] = true;

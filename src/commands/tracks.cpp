@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/names.h"
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "commands/verbs.h"
 #include "track/curve.h"
 
@@ -89,7 +89,7 @@ bool compute_component(Command& k, const Selected& to, const Value& code) {
     const auto tracks = tracks_of(k.scene, t);
     if (!std::all_of(tracks.begin(), tracks.end(), free)) return say_unseen(k, to, to.text), true;
   }
-  for (const Target& t : to.targets) Wanted::ask(), put_event(k.scene, t, e);
+  for (const Target& t : to.targets) StillWanted::ask(), put_event(k.scene, t, e);
   return true;
 }
 
@@ -111,7 +111,7 @@ bool set_alike(Command& k, const Selected& to) {
   if (c.peek() == '=') {
     if (!computed(k, to, v) || !finish(c)) return false;
     if (to.component >= 0) return compute_component(k, to, v);
-    for (const Target& t : to.targets) Wanted::ask(), set_value(s, t, v);
+    for (const Target& t : to.targets) StillWanted::ask(), set_value(s, t, v);
     return true;
   }
   if (goes_along(c)) return set_along_line(k, to);
@@ -126,7 +126,7 @@ bool set_alike(Command& k, const Selected& to) {
     if (!draws(k, t, w) || !has_components(k, t, w)) return false;
   }
   say_unseen(k, to, w);
-  for (const Target& t : to.targets) Wanted::ask(), set_value(s, t, v);
+  for (const Target& t : to.targets) StillWanted::ask(), set_value(s, t, v);
   say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, v, w);
   return true;
 }

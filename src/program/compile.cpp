@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 
 namespace betwixt {
 namespace {
@@ -125,7 +125,7 @@ void bind_all(Compiled& compiled, const Compiled* before) {
   const std::vector<FunctionId> computed = bind_defaults(compiled);
   compiled.pieces.reserve(scene.objects.size() + 1);
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
-    Wanted::ask();
+    StillWanted::ask();
     begin_piece(compiled);
     if (before && computed.empty() && scene.objects.same(i, before->document.scene().objects) &&
         before->pieces[i].alone)

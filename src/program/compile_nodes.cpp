@@ -7,7 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "program/compile.h"
 
 namespace betwixt {
@@ -74,7 +74,7 @@ struct NodeCompiler {
     compiled.node_of.assign(scene.objects.size(), ObjectId::nothing);
     for (const bool drawn : {true, false})
       for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-        if (Wanted::ask(); !scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
+        if (StillWanted::ask(); !scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
     constexpr std::size_t many = 1024;  // below, setting them up costs more than it saves
     if (members.size() >= many && !scene.smooth_ticks) compiled.many.emplace(std::move(members));
     spans();

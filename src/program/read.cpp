@@ -4,7 +4,7 @@
 // Values read back, one or many at a time.
 #include <algorithm>
 
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "program/evaluator.h"
 
 namespace betwixt {
@@ -102,7 +102,7 @@ std::vector<Value> read_all(const Program::Compiled& code, const std::vector<Tar
   };
   if (std::count_if(targets.begin(), targets.end(), wants_world) > 4) all.emplace(code).to(t, asking);
   for (const Target& target : targets) {
-    Wanted::ask();
+    StillWanted::ask();
     out.push_back(wants_world(target) && all ? place_in(all->world(code.node_of[target.object.index]), target.component)
                                              : code.read(target, t, asking));
   }

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "base/names.h"
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 #include "commands/verbs.h"
 #include "language/json.h"
 #include "server/answers.h"
@@ -109,9 +109,9 @@ Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
   Alone alone(*this);
   bool changes = true;
   const auto timed = [&](const Point& from, std::size_t events) {
-    const auto before = Wanted::used();
+    const auto before = StillWanted::used();
     changes = work(from, events);
-    h.took = (Wanted::used() - before).count();
+    h.took = (StillWanted::used() - before).count();
   };
   for (;; ++h.attempts) {
     if (h.attempts >= most_in_vain) return h.attempts = 0, Worked::in_vain;

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 
 namespace betwixt {
 
@@ -118,13 +118,13 @@ void Lanes::serve(std::size_t at) {
 }
 
 Lanes::Job::State Lanes::work(Job& job, std::size_t lane) {
-  const auto before = Wanted::used();
+  const auto before = StillWanted::used();
   try {
-    const Wanted wanted(*job.gone, ended_, lanes_[lane].others, terms[lane].most);
+    const StillWanted wanted(*job.gone, ended_, lanes_[lane].others, terms[lane].most);
     (*job.work)();
-    job.used = Wanted::used() - before;
+    job.used = StillWanted::used() - before;
   } catch (const NotWanted&) {
-    job.used = Wanted::used() - before;
+    job.used = StillWanted::used() - before;
     return Job::State::unfinished;
   } catch (...) {
     job.failed = std::current_exception();

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How a script is read, line by line: sheets and their rows, where errors are said to be, texts that are none.
-#include <chrono>
+#include <ctime>
 
-#include "base/wanted.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -110,7 +109,7 @@ TEST(Reader, NotAText) {
 }
 
 TEST(Reader, AbsurdTextsAreRefusedSoon) {
-  const auto before = Wanted::used();
+  const auto begun = std::clock();  // of processors, whatever else the machine does
   const std::string open(100'000, '('), deep = open + std::string(100'000, ')');
   for (const std::string& text :
        {"set ball.position " + deep, "create p polygon points=" + deep, open, deep, "create b sphere radius=" + open,
@@ -128,7 +127,7 @@ TEST(Reader, AbsurdTextsAreRefusedSoon) {
   ASSERT_EQ(l.diagnostics.size(), 1001u);
   EXPECT_EQ(l.diagnostics.back().what.message, "more than 1000 errors; the rest is not said");
   EXPECT_EQ(l.diagnostics[999].what.place.line, 1000);
-  EXPECT_LT(Wanted::used() - before, std::chrono::minutes(1)) << "not a measure, only a bound";
+  EXPECT_LT(std::clock() - begun, 60 * CLOCKS_PER_SEC) << "not a measure, only a bound";
 }
 
 // A text need not end with a zero, nor a command with a line. (The address sanitizer sees where one was looked for.)

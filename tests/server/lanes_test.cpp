@@ -11,7 +11,7 @@
 #include <new>
 #include <thread>
 
-#include "base/wanted.h"
+#include "base/still_wanted.h"
 
 namespace betwixt {
 namespace {
@@ -23,8 +23,8 @@ const std::atomic<int> nobody{0}, somebody{1};
 
 // Takes so much of a processor, and can be left in between.
 void toil(std::chrono::nanoseconds much) {
-  const auto end = Wanted::used() + much;
-  while (Wanted::used() < end) Wanted::ask();
+  const auto end = StillWanted::used() + much;
+  while (StillWanted::used() < end) StillWanted::ask();
 }
 
 TEST(Lanes, WhatIsShortGoesBeforeWhatIsLong) {
@@ -39,7 +39,7 @@ TEST(Lanes, WhatIsShortGoesBeforeWhatIsLong) {
       return lanes.run(
           [&] {
             ++begun;
-            while (!over) Wanted::ask();
+            while (!over) StillWanted::ask();
           },
           mine);
     }));
@@ -97,7 +97,7 @@ TEST(Lanes, EndWithAllThatWaits) {
       return lanes.run(
           [&] {
             ++begun;
-            for (;;) Wanted::ask();
+            for (;;) StillWanted::ask();
           },
           stays);
     }));
@@ -114,23 +114,23 @@ TEST(Lanes, WhatIsThrownComesOut) {
 }
 
 // Outside of such work nobody is asked.
-TEST(Wanted, IsAboutTheWorkThatItStandsAround) {
-  Wanted::ask();
+TEST(StillWanted, IsAboutTheWorkThatItStandsAround) {
+  StillWanted::ask();
   const std::atomic<bool> gone{true};
   {
-    const Wanted outer(stays, stays, somebody, 0ns);
-    Wanted::ask();
+    const StillWanted outer(stays, stays, somebody, 0ns);
+    StillWanted::ask();
     {
-      const Wanted inner(gone, stays, nobody, 0ns);
-      EXPECT_THROW(Wanted::ask(), NotWanted);
+      const StillWanted inner(gone, stays, nobody, 0ns);
+      EXPECT_THROW(StillWanted::ask(), NotWanted);
     }
-    Wanted::ask();
+    StillWanted::ask();
   }
   {
-    const Wanted alone(stays, stays, nobody, 1ms);
+    const StillWanted alone(stays, stays, nobody, 1ms);
     toil(5ms);
   }
-  const Wanted short_one(stays, stays, somebody, 1ms);
+  const StillWanted short_one(stays, stays, somebody, 1ms);
   EXPECT_THROW(toil(10s), NotWanted);
 }
 

@@ -17,20 +17,20 @@ namespace betwixt {
 struct NotWanted {};
 
 // The work that this thread does while it lives.
-class Wanted {
+class StillWanted {
  public:
   // Until one of the two flags is raised; and while others wait for its place it takes no more of the processor than
   // this, 0: however much.
-  Wanted(const std::atomic<bool>& gone, const std::atomic<bool>& over, const std::atomic<int>& others,
-         std::chrono::nanoseconds most)
+  StillWanted(const std::atomic<bool>& gone, const std::atomic<bool>& over, const std::atomic<int>& others,
+              std::chrono::nanoseconds most)
       : gone_(gone),
         over_(over),
         others_(others),
         end_(most.count() > 0 ? used() + most : most),
         before_(std::exchange(current, this)) {}
-  ~Wanted() { current = before_; }
-  Wanted(const Wanted&) = delete;
-  Wanted& operator=(const Wanted&) = delete;
+  ~StillWanted() { current = before_; }
+  StillWanted(const StillWanted&) = delete;
+  StillWanted& operator=(const StillWanted&) = delete;
 
   // Of all work that may take long, between one piece and the next.
   static void ask() {
@@ -50,11 +50,11 @@ class Wanted {
   }
 
   static constexpr unsigned looks_a_time = 64;  // the system is asked for the time only now and then
-  static inline thread_local Wanted* current = nullptr;
+  static inline thread_local StillWanted* current = nullptr;
   const std::atomic<bool>&gone_, &over_;
   const std::atomic<int>& others_;
   const std::chrono::nanoseconds end_;
-  Wanted* const before_;
+  StillWanted* const before_;
   unsigned looks_ = 0;
 };
 
