@@ -9,6 +9,7 @@
 
 #include "base/utf8.h"
 #include "language/cursor.h"
+#include "language/formula.h"
 #include "language/line_words.h"
 #include "language/values.h"
 #include "track/twerpers.h"
@@ -20,6 +21,7 @@ namespace {
 struct Token {
   std::string text;
   bool comment = false, fresh_line = false;  // fresh_line: inside brackets, the author began a new line before it
+  bool close = false;                        // nothing stood between it and the one before
 };
 
 struct Line {
@@ -111,6 +113,7 @@ class Tidier {
     const char* start = c_.at;
     c_.depth = 0;
     bool fresh = false;
+    const char* before = nullptr;  // where the token before ended
     for (;;) {
       while (c_.at < c_.end &&
              (*c_.at == ' ' || *c_.at == '\t' || *c_.at == '\r' || *c_.at == ',' || (*c_.at == '\n' && c_.depth > 0))) {
@@ -148,8 +151,9 @@ class Tidier {
         ++c_.at;
       }
       if (c_.at - from == 1 && ch == '#') return false;  // no colour, and with a space behind it a comment
-      line.tokens.push_back({shortest({from, static_cast<std::size_t>(c_.at - from)}), false, fresh && c_.depth > 0});
-      fresh = false;
+      line.tokens.push_back(
+          {shortest({from, static_cast<std::size_t>(c_.at - from)}), false, fresh && c_.depth > 0, from == before});
+      fresh = false, before = c_.at;
     }
   }
 
@@ -171,7 +175,8 @@ class Tidier {
         out += "\n    ";
       else if (tokens[i].comment)
         out += "  ";
-      else if (i > first && t != ")" && t != "=" && last != "(" && last != "=" && !(t == "(" && function(tokens, i)))
+      else if (i > first && t != ")" && t != "=" && last != "(" && last != "=" && !(t == "(" && function(tokens, i)) &&
+               !in_formula(tokens, i))
         out += " ";
       else if (i > first && ((t == "=" && spaced_equals(tokens, i)) || (last == "=" && spaced_equals(tokens, i - 1))))
         out += " ";
@@ -195,6 +200,18 @@ class Tidier {
            (twerper && (takes_arguments(*twerper) || row_of(*twerper).stops));
   }
 
+  // Within a formula brackets stand close: cos(i), -(1+2)*3, (1+2)^2.
+  static bool in_formula(const std::vector<Token>& tokens, std::size_t i) {
+    constexpr std::string_view operators = "+-*/%^";
+    if (i == 0 || !tokens[i].close) return false;
+    const std::string &left = tokens[i - 1].text, &here = tokens[i].text;
+    if (left == ")") return operators.find(here[0]) != std::string_view::npos;
+    if (here != "(" || left == "(" || left[0] == '"') return false;
+    if (operators.find(left.back()) != std::string_view::npos) return true;
+    const auto name = left.find_last_of("+-*/%^");
+    return is_formula_word(std::string_view(left).substr(name == std::string::npos ? 0 : name + 1));
+  }
+
   void put_lead(const std::vector<std::string>& lead, const char* indent) {
     for (const auto& l : lead) {
       if (!l.empty()) {
@@ -211,7 +228,9 @@ class Tidier {
     for (std::size_t i = 1; i < tokens.size(); ++i) {
       if (tokens[i].text == "(") ++depth;
       if (tokens[i].text == ")") --depth;
-      if (depth > 0 || (i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1))) continue;
+      if (depth > 0 || (i + 1 < tokens.size() && in_formula(tokens, i + 1)) ||
+          (i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1)))
+        continue;
       const bool goes_on = i + 2 < tokens.size() && tokens[i + 2].text == "(" && tokens[i + 1].text.size() == 1;
       if (!goes_on) return i + 1;  // a motion has factors: T(…) R(…)
     }

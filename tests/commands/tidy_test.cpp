@@ -24,6 +24,18 @@ TEST(Tidy, SortsRowsWithTheirComments) {
             "set ball.radius 2\n");
 }
 
+TEST(Tidy, BracketsOfFormulasStayClose) {
+  const std::string text =
+      "let m = 2\ncreate o{1..3} sphere position=(3*cos(i*tau/n)  (1+2)*m -(2)^m)\n"
+      "set o1.radius  2*(3-1)\no2.position.x\n  1f (1+2)*m   linear\n  9f -(m+1)*hash(2,3)\n";
+  const std::string tidied = tidy(text);
+  EXPECT_EQ(tidied,
+            "let m=2\ncreate o{1..3} sphere position=(3*cos(i*tau/n) (1+2)*m -(2)^m)\n"
+            "set o1.radius 2*(3-1)\no2.position.x\n  1f  (1+2)*m           linear\n  9f  -(m+1)*hash(2 3)\n");
+  EXPECT_EQ(tidy(tidied), tidied);
+  EXPECT_EQ(read(tidied).document, read(text).document);
+}
+
 TEST(Tidy, RowsThatCountFromTheOneAboveStayBehindIt) {
   const std::string text = "create b sphere\nb.radius\n  37f 3\n  +12.0f 5\n  1f 1\n  +0.50s 2\n  +12f 4\n";
   EXPECT_EQ(tidy(text), "create b sphere\nb.radius\n  1f     1\n  +0.5s  2\n  +12f   4\n  37f    3\n  +12f   5\n");
