@@ -83,6 +83,7 @@ class Tidier {
         if (!time.time(line.time)) return false;
         if (line.tokens[0].text[0] == '+')
           line.time = rows_.empty() ? Time{} : rows_.back().time;  // it stays behind that
+        one_time(line.tokens);
         rows_.push_back(std::move(line));
         continue;
       }
@@ -186,7 +187,7 @@ class Tidier {
   }
   // alias NAME = …, a target or a time and its procedure: there the sign stands by itself; behind a key it does not.
   static bool spaced_equals(const std::vector<Token>& tokens, std::size_t i) {
-    if (i == 0 || tokens[0].text == "alias" || tokens[0].text == "define") return true;
+    if (i == 0 || tokens[0].text == "alias" || tokens[0].text == "define" || tokens[0].text == "let") return true;
     const auto& left = tokens[i - 1].text;
     return left.find('.') != std::string::npos || std::isdigit(static_cast<unsigned char>(left[0]));
   }
@@ -203,13 +204,25 @@ class Tidier {
   // Within a formula brackets stand close: cos(i), -(1+2)*3, (1+2)^2.
   static bool in_formula(const std::vector<Token>& tokens, std::size_t i) {
     constexpr std::string_view operators = "+-*/%^";
-    if (i == 0 || !tokens[i].close) return false;
+    if (i == 0 || i >= tokens.size() || !tokens[i].close) return false;
     const std::string &left = tokens[i - 1].text, &here = tokens[i].text;
-    if (left == ")") return operators.find(here[0]) != std::string_view::npos;
+    if (left.back() == ')') return operators.find(here[0]) != std::string_view::npos;
     if (here != "(" || left == "(" || left[0] == '"') return false;
     if (operators.find(left.back()) != std::string_view::npos) return true;
     const auto name = left.find_last_of("+-*/%^");
     return is_formula_word(std::string_view(left).substr(name == std::string::npos ? 0 : name + 1));
+  }
+
+  // A row's time is one token, brackets and all.
+  static void one_time(std::vector<Token>& tokens) {
+    while (in_formula(tokens, 1)) {
+      std::size_t end = 2;
+      for (int depth = tokens[1].text == "("; depth > 0 && end < tokens.size(); ++end)
+        depth += (tokens[end].text == "(") - (tokens[end].text == ")");
+      const std::vector<Token> part(tokens.begin(), tokens.begin() + static_cast<std::ptrdiff_t>(end));
+      tokens[0].text = joined(part, 0);
+      tokens.erase(tokens.begin() + 1, tokens.begin() + static_cast<std::ptrdiff_t>(end));
+    }
   }
 
   void put_lead(const std::vector<std::string>& lead, const char* indent) {
@@ -228,7 +241,7 @@ class Tidier {
     for (std::size_t i = 1; i < tokens.size(); ++i) {
       if (tokens[i].text == "(") ++depth;
       if (tokens[i].text == ")") --depth;
-      if (depth > 0 || (i + 1 < tokens.size() && in_formula(tokens, i + 1)) ||
+      if (depth > 0 || in_formula(tokens, i + 1) ||
           (i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1)))
         continue;
       const bool goes_on = i + 2 < tokens.size() && tokens[i + 2].text == "(" && tokens[i + 1].text.size() == 1;

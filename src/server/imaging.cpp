@@ -114,7 +114,7 @@ Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
     h.took = (StillWanted::used() - before).count();
   };
   for (;; ++h.attempts) {
-    if (h.attempts >= most_in_vain) return h.attempts = 0, Worked::in_vain;
+    if (h.attempts >= most_in_vain && h.took > most_waited) return h.attempts = 0, Worked::in_vain;
     const bool first = h.attempts >= most_attempts && h.took <= most_waited;
     if (first) alone.ask(h.host);
     const Point from = editor_.now();

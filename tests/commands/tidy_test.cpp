@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Scripts put in order.
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -30,7 +31,7 @@ TEST(Tidy, BracketsOfFormulasStayClose) {
       "set o1.radius  2*(3-1)\no2.position.x\n  1f (1+2)*m   linear\n  9f -(m+1)*hash(2,3)\n";
   const std::string tidied = tidy(text);
   EXPECT_EQ(tidied,
-            "let m=2\ncreate o{1..3} sphere position=(3*cos(i*tau/n) (1+2)*m -(2)^m)\n"
+            "let m = 2\ncreate o{1..3} sphere position=(3*cos(i*tau/n) (1+2)*m -(2)^m)\n"
             "set o1.radius 2*(3-1)\no2.position.x\n  1f  (1+2)*m           linear\n  9f  -(m+1)*hash(2 3)\n");
   EXPECT_EQ(tidy(tidied), tidied);
   EXPECT_EQ(read(tidied).document, read(text).document);
@@ -42,6 +43,21 @@ TEST(Tidy, RowsThatCountFromTheOneAboveStayBehindIt) {
   EXPECT_EQ(read(tidy(text)).document, read(text).document);
   const std::string clock = "create b sphere\nb.radius\n  1f 1\n  +00:01 2\n  5f 3\n";
   EXPECT_EQ(read(tidy(clock)).document, read(clock).document);
+}
+
+TEST(Tidy, EveryExampleMeansTheSame) {
+  int films = 0;
+  for (const auto& file : std::filesystem::directory_iterator(SOURCE_DIR "/examples")) {
+    if (file.path().extension() != ".bx") continue;
+    ++films;
+    std::ifstream in(file.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}}, tidied = tidy(text);
+    const Loaded before = load_text(text, file.path()), after = load_text(tidied, file.path());
+    EXPECT_EQ(said(after.diagnostics), said(before.diagnostics)) << file.path();
+    EXPECT_EQ(after.document, before.document) << file.path();
+    EXPECT_EQ(tidy(tidied), tidied) << file.path();
+  }
+  EXPECT_GE(films, 20);
 }
 
 TEST(Tidy, TheExampleIsTidyAlready) {
