@@ -6,9 +6,10 @@
     tools/marathon.py PROGRAM [COMMANDS] [SECONDS]
 
 Ten million commands if not said, or as many as fit into the seconds. They come in bundles of a thousand, some of them on the
-way at once, and are about a thousand objects: values, events that replace others, environments, undo. Says as it goes how much
-memory the server takes and how long its log is; at last how long it takes to begin again, and whether what is there is
-what was answered. Ends with an exit code: 1 where it is not, or where memory or log go on growing.
+way at once, and are about a thousand objects: values, events that replace others, environments; what was done long ago is
+cleared now and then. Says as it goes how much memory the server takes and how long its log is; at last how long it takes
+to begin again, and whether what is there is what was answered. Ends with an exit code: 1 where it is not, or where memory
+or log go on growing.
 """
 
 import json
@@ -26,6 +27,7 @@ OBJECTS = 1000
 BUNDLE = 1000  # commands
 AHEAD = 6  # bundles that are on the way
 REPORTS = 20
+FORGET = 250_000  # commands, after which hosts that go on for months say what need not be kept
 WORTH = "eval o*.radius o*.color o*.position.x o*.display at 50f"
 LOG = 64 << 20  # a checkpoint comes every 16 MiB, and what is said while it is made stands behind it
 
@@ -57,6 +59,11 @@ class Host:
 
     def answer(self):
         return json.loads(self.answers.readline())
+
+    def answers_of(self, lines):
+        for _ in range(lines):
+            answer = self.answer()
+            assert answer["ok"], answer
 
     def ask(self, line):
         self.send([line])
@@ -90,6 +97,13 @@ class Film:
         return [*lines, "end"]
 
 
+def forget(host):
+    """What hosts did up to ten seconds ago."""
+    before = host.ask("time")["seconds"] - 10
+    host.send([f"clear *.{of} before {max(before, 0):.3f}s" for of in ("environments", "display")])
+    host.answers_of(2)
+
+
 def log_size():
     return sum(os.path.getsize(name) for name in (".live.bx.journal", "live.bx") if os.path.exists(name))
 
@@ -101,7 +115,7 @@ def run(program, commands, seconds):
     host.send([f"animate e{k} every 1t by rotate({k + 1}deg, y)" for k in range(10)])
     assert all(host.answer()["ok"] for _ in range(11))
     begun = time.monotonic()
-    done, ahead, refused, longest = 0, 0, 0, 0
+    done, ahead, refused, longest, forget_at = 0, 0, 0, 0, FORGET
     reports, sizes, logs = 0, [], []
     print(f"{'commands':>10} {'seconds':>8} {'a second':>9} {'memory MiB':>11} {'log MiB':>8} {'script MiB':>11}")
     while done < commands and time.monotonic() - begun < seconds:
@@ -117,6 +131,10 @@ def run(program, commands, seconds):
             if refused > 5:
                 break
         part = max(done / commands, (time.monotonic() - begun) / seconds)
+        if done >= forget_at:
+            host.answers_of(ahead)
+            done, ahead, forget_at = done + BUNDLE * ahead, 0, forget_at + FORGET
+            forget(host)
         if done % 10000 == 0:
             longest = max(longest, log_size())
         if part * REPORTS >= reports + 1:

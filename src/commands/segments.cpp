@@ -194,12 +194,49 @@ bool rotate(Command& k) {
   });
 }
 
+// Whether what a target is at any time may follow from all that came before: where it was let go, how far its velocity
+// has brought it, what a filter remembers, what comes round again.
+bool needs_all_before(const Scene& s, const Target& t) {
+  const Slot* const slot = s.objects[t.object.index].find(t.function, t.layer);
+  if (!slot) return false;
+  const Type type = spec_of(s, t.function).type;
+  if (type == Type::attachment || type == Type::motion || !slot->filters.empty()) return true;
+  const auto comes_round = [](const Cow<Track>& track) { return track->after != Extrapolation::hold; };
+  const auto empty = [](const Cow<Track>& track) { return track->events.empty(); };
+  return comes_round(slot->track) || std::ranges::any_of(slot->components, comes_round) ||
+         !empty(slot->velocity.track) || !std::ranges::all_of(slot->velocity.components, empty);
+}
+
+// Behind `clear TARGET before`.
+bool clear_before(Command& k, Stretch& on, bool notes) {
+  Time t;
+  if (!k.cursor.time(t)) return false;
+  if (notes) return retime_notes(k, on.word, {Time{INT64_MIN}, t - Time{1}}, [](Time, auto&) {});
+  std::size_t whole = 0;
+  std::string left;
+  std::erase_if(on.of.targets, [&](const Target& target) {
+    if (!needs_all_before(k.scene, target)) return false;
+    if (++whole <= 3) left += (left.empty() ? "" : ", ") + target_name(k.scene, target);
+    return true;
+  });
+  if (whole > 3) left += fmt::format(" and {} more", whole - 3);
+  if (whole > 0)
+    k.script.note(Severity::notice, "left whole, as what comes later follows from all of it: " + left, on.word);
+  if (on.of.targets.empty()) return finish(k.cursor);
+  const auto erase = [&](Track& track, Type type, int, bool) -> Result<Changed> {
+    return Changed{erase_before(track, t, row_of(type).changes), 0};
+  };
+  return operate(k, on, erase, false);
+}
+
 bool clear(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
   const bool notes = accept_notes(k, on.word);
   if (!notes) on.word = c.next_word();
-  if ((!notes && !targets(k, on.word, on.of, Meant::any)) || !c.time(on.segment.from)) return false;
+  if (!notes && !targets(k, on.word, on.of, Meant::any)) return false;
+  if (c.accept_word("before")) return clear_before(k, on, notes);
+  if (!c.time(on.segment.from)) return false;
   on.segment.to = on.segment.from;
   if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
     const char* at = c.at;
@@ -227,7 +264,9 @@ constexpr Verb segments_rows[] = {
      "translate ball.position 1f..24f (0 1 0)", Verb::layered, translate},
     {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", "Turns the values of a segment about an axis.",
      "rotate ball.position 1f..24f 90deg y", Verb::layered, rotate},
-    {"clear", "clear TARGET A..B or clear TARGET TIME", "Takes out the events of a segment, or of one time; or notes.",
+    {"clear", "clear TARGET A..B or clear TARGET TIME or clear TARGET before TIME",
+     "Takes out the events of a segment, or of one time, or those before a time that nothing from there on needs; or "
+     "notes.",
      "clear ball.position 6f..18f", Verb::layered, clear},
 };
 

@@ -68,6 +68,7 @@ constexpr Following following[] = {
     {"copy", 8, "on shift times"},
     {"move", 2, "by"},
     {"stretch", 2, "by"},
+    {"clear", 1, "before"},
     {"stagger", 1, "by"},
     {"stagger", 3, "from per random"},
     {"stagger", 4, "first last centre edges random"},

@@ -243,7 +243,6 @@ class Imaging {
   std::deque<Shown> shown_;              // frames of which nobody has been told yet …
   bool telling_ = false;                 // … and somebody is at it
   std::shared_ptr<ContactWatch> watch_;  // while anybody wants to know
-  bool long_to_watch_ = false;
   Time told_;  // notes up to here have been told
   std::vector<Event> events_;
   Nanos begun_ = 0;

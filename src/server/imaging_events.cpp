@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "language/json.h"
 #include "server/imaging.h"
@@ -66,10 +65,9 @@ void Imaging::tell(const Shown& f) {
   }
 }
 
-// Here, not on the clock's thread: it is never kept from the next frame. Where that takes long it is done beside, and
-// who watched before may be gone when it is done.
+// Here, not on the clock's thread: it is never kept from the next frame. Nobody knows before how long it takes, so it
+// is done beside; who watched before may be gone when it is done.
 void Imaging::tell_contacts(const Shown& f) {
-  constexpr auto soon = std::chrono::milliseconds(2);
   const auto watches = [](const auto& h) { return (h.second.topics & contacts) != 0; };
   if (std::none_of(hosts_.begin(), hosts_.end(), watches)) return watch_.reset();
   if (!watch_) watch_ = std::make_shared<ContactWatch>(options_.contacts, options_.sweep);
@@ -77,12 +75,10 @@ void Imaging::tell_contacts(const Shown& f) {
   const Program film = options_.beside ? program_ : program();  // what has been published, and shown
   std::vector<ContactEvent> events;
   const auto look = [&] { events = watch->step(film.frame(f.time)); };
-  const auto begun = std::chrono::steady_clock::now();
-  if (long_to_watch_ && options_.beside)
+  if (options_.beside)
     options_.beside(look, Claim::first);
   else
     look();
-  long_to_watch_ = std::chrono::steady_clock::now() - begun > soon;
   if (watch != watch_) return;  // whoever watches now begins anew
   std::string all;
   for (const ContactEvent& e : events) all += to_json(e, film.document()) + "\n";

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/lanes.h"
 
-#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -15,13 +14,6 @@
 namespace betwixt {
 
 using namespace std::chrono_literals;
-
-namespace {
-
-constexpr auto enough_to_trim = 5ms;  // of a processor: what took less has made little
-constexpr auto trim_time = 1s;
-
-}  // namespace
 
 const std::array<Lanes::Terms, 4> Lanes::terms{{{5ms, 4}, {50ms, 9}, {1s, 14}, {0ms, 19}}};
 
@@ -104,16 +96,9 @@ void Lanes::serve(std::size_t at) {
     lock.unlock();
     const Job::State end = work(job, at);
     lock.lock();
-    const bool much = job.used > enough_to_trim;
     job.state = end;
     job.changed.notify_one();
-    if (!much || Clock::now() < trim_again_) continue;
-    trim_again_ = Clock::now() + trim_time;
-    lock.unlock();
-#ifdef __GLIBC__
-    ::malloc_trim(0);  // each thread's heap keeps what once was needed there; here nobody waits for it
-#endif
-    lock.lock();
+    memory_.soon();
   }
 }
 

@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+#include "server/memory_return.h"
+
 namespace betwixt {
 
 class Lanes {
@@ -65,8 +67,7 @@ class Lanes {
   std::array<Lane, 4> lanes_;
   std::vector<std::thread> threads_;
   std::atomic<bool> ended_{false};
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point trim_again_{};
+  MemoryReturn memory_;
 };
 
 }  // namespace betwixt

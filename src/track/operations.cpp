@@ -338,6 +338,18 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
   return put_back(track, s, std::move(out));
 }
 
+std::size_t erase_before(Track& track, Time t, Changes changes) {
+  constexpr int neighbours = 2;  // before an in-between that reach into it, at most: of smooth, bspline and squad
+  std::vector<std::pair<Time, bool>> until;
+  track.events.each_between(ever_before, t, [&](const Event& e) { until.emplace_back(e.time, e.keep); });
+  std::size_t first = until.size();  // that is kept
+  for (int n = changes == Changes::in_steps ? 0 : neighbours; n >= 0 && first > 0; --n) {
+    --first;
+    while (first > 0 && until[first].second) --first;  // it has its value of those before
+  }
+  return first == 0 ? 0 : track.events.erase(ever_before, until[first - 1].first);
+}
+
 Result<Changed> scale_segment(Track& track, Segment s, const Value& by) {
   return change_values(track, s, true, "scaled by that",
                        [&](const Value& v) { return combine(v, by, [](double x, double y) { return x * y; }); });

@@ -38,6 +38,10 @@ EventDetail end_alone(Track&, Time t, Type, bool component);
 // Rows that keep the value have it: the same track, whatever becomes of its events.
 void fill_in_kept(Track&, Type, bool component);
 
+// Takes out the events before t that values at t and later owe nothing to; how many. What looks further back than the
+// twerpers of the track itself, as filters and velocities do, is the caller's to know.
+std::size_t erase_before(Track&, Time t, Changes);
+
 // `by`: a number for every component, or one for each. Tangents are scaled too.
 Result<Changed> scale_segment(Track&, Segment, const Value& by);
 Result<Changed> translate_segment(Track&, Segment, const Value& by);

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Operations on segments of tracks, by values worked out by hand.
+#include <array>
+
 #include "betwixt/object.h"
 #include "betwixt/track.h"
+#include "commands/dice.h"
 #include "commands/tracks.h"
 
 namespace betwixt {
@@ -83,6 +86,84 @@ TEST(Segments, ReversingAPartBendsNothingInside) {
     expect_numbers(is, "b.position", now, was.numbers("b.position", back), 1e-9);
     expect_numbers(is, "c.rotation.x", now, was.numbers("c.rotation.x", back), 1e-9);
   }
+}
+
+struct FilmsToForget : Dice {
+  using Dice::Dice;
+  static constexpr std::array twerpers{"", "linear", "smooth", "bspline", "hold", "ease-in-out", "auto", "keep smooth"};
+  std::string row(int frame, const std::string& value) {
+    const std::string how = frame == 1 ? "" : twerpers[static_cast<std::size_t>(below(static_cast<int>(twerpers.size())))];
+    return fmt::format("  {}f {}\n", frame, how.starts_with("keep") ? how : value + " " + how);
+  }
+  std::string film() {
+    std::string text = "rate 24\ncreate b box\n";
+    for (const char* target : {"position", "size.y", "color", "display", "rotation", "transparency"}) {
+      text += fmt::format("b.{}\n", target);
+      const std::string_view what = target;
+      for (int frame = 1; frame < 90; frame += 1 + below(9)) {
+        const int a = below(90), b = below(9);
+        if (what == "position")
+          text += row(frame, fmt::format("({} {} 3)", a, b));
+        else if (what == "color")
+          text += row(frame, fmt::format("#{:02x}{:02x}30", a, 9 * b));
+        else if (what == "display")
+          text += fmt::format("  {}f {}\n", frame, b < 4 ? "on" : "off");
+        else if (what == "rotation")
+          text += fmt::format("  {}f axis(x {}deg)\n", frame, 4 * a);
+        else
+          text += row(frame, fmt::format("{}", what == "transparency" ? a / 90.0 : 1 + a));
+      }
+    }
+    return text;
+  }
+};
+
+// Bit for bit, on both sides of events too; and of what holds one event is left.
+TEST(Segments, WhatCameBeforeATimeCanGoAndNothingFromThereOnChanges) {
+  std::size_t gone = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const std::string film = FilmsToForget(seed).film();
+    const int from = 20 + static_cast<int>(seed);
+    const LoadedFilm was(film), is(film + fmt::format("clear b.* before {}f\n", from));
+    ASSERT_EQ(errors(is.loaded), std::vector<std::string>{}) << film;
+    for (double f = from; f < 95; f += 0.25)
+      for (const char* target : {"b.position", "b.size", "b.color", "b.display", "b.transparency"})
+        ASSERT_EQ(is.read(target, fmt::format("{}f", f)), was.read(target, fmt::format("{}f", f)))
+            << target << " at " << f << "f, cleared before " << from << "f\n"
+            << film;
+    for (double f = from; f < 95; f += 0.25) {  // q and -q are one orientation
+      const auto a = std::get<Quat>(is.read("b.rotation", fmt::format("{}f", f)));
+      const auto b = std::get<Quat>(was.read("b.rotation", fmt::format("{}f", f)));
+      ASSERT_NEAR(std::abs(a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z), 1, 1e-12) << film;
+    }
+    const auto events = [](const LoadedFilm& s) {
+      std::size_t n = 0;
+      for (const auto& t : tracks(s.loaded.document, objects(s.loaded.document).front())) n += t.events;
+      return n;
+    };
+    gone += events(was) - events(is);
+  }
+  EXPECT_GT(gone, 500u);
+  const LoadedFilm held("create b box\nb.display\n 1f on\n 5f off\n 9f on\n 12f off\nclear b.display before 10f\n");
+  const auto left = tracks(held.loaded.document, objects(held.loaded.document).front());
+  EXPECT_EQ(left.front().events, 2u);
+  EXPECT_EQ(held.read("b.display", "1f"), Value(true));
+}
+
+TEST(Segments, WhatFollowsFromAllThatCameBeforeIsLeftWhole) {
+  const Loaded l = read(
+      "rate 24\ncreate {a,b,c,d,e} box\nat 1f a.position (1 2 3)\nat 9f a.position (3 2 1)\n"
+      "at 1f b.size.y 2\nat 3f b.size.y 3\nextend b.size.y cycle\nat 2f c.position.velocity (1 0 0)\n"
+      "at 4f attach d to a\nat 1f e.color red\nat 5f e.color blue\nfilter e.color delay by=2f\n"
+      "clear {a,b,c,d,e}.{position,size,color,attachment} before 8f\nat 1f note \"x\"\nat 3f note \"y\"\nclear notes before "
+      "3f\n");
+  EXPECT_EQ(errors(l), std::vector<std::string>{});
+  EXPECT_NE(
+      said(l.diagnostics)
+          .find("left whole, as what comes later follows from all of it: b.size, c.position, d.attachment and 1 more"),
+      std::string::npos)
+      << said(l.diagnostics);
+  EXPECT_EQ(errors(read("create b box\nclear b.position before\n")).size(), 1u);
 }
 
 TEST(Segments, ComponentsWithoutEventsAreNotPassedOver) {

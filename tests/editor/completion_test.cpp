@@ -54,6 +54,7 @@ TEST(Session, CompletesWhatCanFollow) {
   for (const auto& [line, words] : std::vector<std::pair<std::string, Words>>{
            {"policy ", {"ask", "ignore", "translate"}},
            {"notes o", {"off", "on"}},
+           {"clear ball.position ", {"before"}},
            {"extend ball.position ", {"bounce", "cycle", "hold", "linear"}},
            {"extend ball.position cycle ", {"after", "before"}},
            {"layer up ", {"add", "mix"}},
