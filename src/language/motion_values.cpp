@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "base/utf8.h"
+#include "language/formula.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -40,9 +41,77 @@ std::string_view factors_from(const char* from, const char* end) {
   return {from, static_cast<std::size_t>(last - from)};
 }
 
-const char* character(const char* at, const char* end, int count) {
-  return at + first_characters({at, end}, static_cast<std::size_t>(std::max(0, count))).size();
-}
+// The text of a motion with what its formulas come to in their places, and where each of its characters stood before.
+class Spelled {
+ public:
+  std::string text;
+
+  // As it stands.
+  explicit Spelled(std::string_view source) : text(source) {
+    for (const char& at : source) from_.push_back(&at);
+    from_.push_back(source.data() + source.size());
+  }
+  // Reads `source`, which `c` stands behind.
+  Spelled(Cursor& c, const Scene& scene, std::string_view source) : end_(source.data() + source.size()) {
+    int depth = 0;
+    for (const char* at = source.data(); at < end_ && !c.error;) {
+      const char* const next = depth > 0 && begins_word(at) ? behind_formula(c, scene, at) : nullptr;
+      if (!next) {
+        depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
+        before_ = blank(*at) ? before_ : *at;
+        text += *at;
+        from_.push_back(at++);
+      } else {
+        at = next, before_ = '0';
+      }
+    }
+    from_.push_back(end_);
+  }
+
+  // What stood there of which this many characters of the text were made, from a column on that counts from 1.
+  std::string_view source(int column, int characters) const {
+    const std::string_view all = text;
+    const std::size_t begin = first_characters(all, static_cast<std::size_t>(std::max(0, column - 1))).size();
+    return part(begin, first_characters(all.substr(begin), static_cast<std::size_t>(std::max(0, characters))).size());
+  }
+  std::string_view part(std::size_t at, std::size_t bytes) const {
+    return {from_[at], static_cast<std::size_t>(from_[at + bytes] - from_[at])};
+  }
+
+ private:
+  static bool blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n'; }
+  static bool begins_word(const char* at) { return !blank(*at) && (blank(at[-1]) || at[-1] == '(' || at[-1] == '@'); }
+  // A formula's end, where one begins that is more than a number; what it comes to is written then.
+  const char* behind_formula(Cursor& c, const Scene& scene, const char* at) {
+    Cursor ahead = c;
+    ahead.at = at, ahead.end = end_;
+    const std::string_view word = ahead.peek_word(), head = word.substr(0, word.find_first_of("+-*/%^"));
+    const bool name = !word.empty() && a_letter(word.front());
+    const bool known = is_formula_word(head) || (c.lets && c.lets->contains(head));
+    if (name && (a_word(word) || (before_ == '@' && (!known || scene.names.find(word))) || !formula_begins(ahead)))
+      return nullptr;
+    ValueReader values{ahead, scene, {}, {}, {}};
+    if (*at == '(' && values.is_vector()) return nullptr;
+    std::optional<Quantity> q;
+    double plain = 0;
+    const bool read = ahead.number(plain, q);
+    if (!q) return nullptr;
+    if (!read) return c.error = ahead.error, c.where = ahead.where, nullptr;
+    const std::string came_to = write_quantity(*q);
+    text += came_to;
+    from_.insert(from_.end(), came_to.size(), at);
+    return ahead.at;
+  }
+  // What a factor says besides numbers.
+  static bool a_word(std::string_view w) {
+    static constexpr std::string_view words[] = {"T", "R", "S", "axis", "linear", "x", "y", "z"};
+    return std::find(std::begin(words), std::end(words), w) != std::end(words);
+  }
+
+  std::vector<const char*> from_;
+  const char* end_ = nullptr;
+  char before_ = ' ';  // the last one that is no blank
+};
 
 }  // namespace
 
@@ -50,26 +119,20 @@ bool ValueReader::motion(Moves& out) {
   c.space();
   const char* start = c.at;
   std::string quoted;
-  std::string_view text;
-  if (c.peek() == '"') {
-    if (!c.text(quoted)) return false;
-    text = quoted;
-  } else {
-    text = factors_from(start, c.end);
-    if (text.empty())
-      return c.fail_here(ErrorCode::syntax, "a motion is wanted here",
-                         "a string of T(…), R(…) and S(…), as in T(6.28 0) R(-1turn @ 0 1)");
-    c.at = text.data() + text.size();
-  }
-  const auto part = [&](int column, int length) -> std::string_view {
-    if (!quoted.empty()) return c.since(start);
-    const char *from = character(text.data(), c.at, column - 1), *to = character(from, c.at, length);
-    return {from, static_cast<std::size_t>(to - from)};
-  };
+  if (c.peek() == '"' && !c.text(quoted)) return false;
+  const std::string_view stands = c.at > start ? std::string_view() : factors_from(start, c.end);
+  if (c.at == start && stands.empty())
+    return c.fail_here(ErrorCode::syntax, "a motion is wanted here",
+                       "a string of T(…), R(…) and S(…), as in T(6.28 0) R(-1turn @ 0 1)");
+  c.at += stands.size();
+  const Spelled spelled = stands.empty() ? Spelled(quoted) : Spelled(c, scene, stands);
+  if (c.error) return false;
+  const std::string_view text = spelled.text;
+  const auto part = [&](std::string_view in_source) { return stands.empty() ? c.since(start) : in_source; };
   auto read = parse_motion(text);
   if (!read) {
     const Error& e = read.error();
-    return c.fail(e.code, e.message, part(e.place.column, e.place.length), e.hint);
+    return c.fail(e.code, e.message, part(spelled.source(e.place.column, e.place.length)), e.hint);
   }
   std::size_t sign = 0;
   for (const Factor& f : read->factors) {
@@ -80,7 +143,7 @@ bool ValueReader::motion(Moves& out) {
     };
     std::size_t at = named();
     while (!a_letter(text[at])) at = named();
-    const std::string_view about = quoted.empty() ? text.substr(at, f.about.size()) : c.since(start);
+    const std::string_view about = part(spelled.part(at, f.about.size()));
     Cursor name(f.about);
     ObjectId id;
     ValueReader reader{name, scene, {}, {}, {}};

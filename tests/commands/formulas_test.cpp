@@ -95,6 +95,30 @@ TEST(Formulas, ErrorsByTheirPlace) {
   EXPECT_EQ(first_error("let a = 1\nlet again a = a+1\ncreate b sphere radius=a\n"), "");
 }
 
+// Planets whose years are as i: their places are complex powers of e.
+TEST(Formulas, StandInMotions) {
+  const LoadedFilm s(
+      "rate 24\nlet year = 1turn\nlet far = 2m\ncreate sun sphere position=(1 0 0)\ncreate k sphere\nlet k = 3\n"
+      "create p{1..3} sphere position=(1+i 0 0)\np*.motion\n  1f..25f R(year/i @ sun)\n  25f..49f T(k-1 -far i/2) "
+      "S(2^i @ k*0 (1-1))\n"
+      "create near sphere\nnear.motion\n  1f..25f R(-(45deg+i*45deg) @ k axis (0 0 i)) T(2*cos(60deg) sqrt(4), 0)\n");
+  for (int i = 1; i <= 3; ++i) {
+    const double angle = pi / i, r = std::exp2(i);  // after half of the segment; what the second one scales by
+    const std::string o = fmt::format("p{}", i);
+    expect_place(s, o, "13f", {1 + i * std::cos(angle), i * std::sin(angle), 0});
+    expect_place(s, o, "49f", {(1 + i * std::cos(2 * angle)) * r + 2, i * std::sin(2 * angle) * r - 2, i / 2.0});
+  }
+  expect_place(s, "near", "25f", {2, -1, 0});  // (1 2 0) a quarter turn clockwise about the ball k
+  const auto error = [](const std::string& motion) {
+    return first_error("let k = 3\ncreate a sphere\na.motion\n  1f..24f " + motion + "\n");
+  };
+  EXPECT_EQ(error("R(2*q @ a)"), "4:15: there is no number 'q'");
+  EXPECT_EQ(error("R(2*k @ a)"), "4:13: an angle needs its unit: 6");
+  EXPECT_EQ(error("T(1 0) R(k*1deg @ so)"), "4:29: there is no object 'so'");
+  EXPECT_EQ(error("T(1/0 0)"), "4:13: this formula divides by zero");
+  EXPECT_EQ(error("\"T(k 0)\""), "4:11: a translation has two or three numbers");
+}
+
 TEST(Formulas, AScriptThatIsWrittenOutHasWhatTheyCameTo) {
   const LoadedFilm s(
       "let beat = 1f+0.5s\nlet p = (1 2/3 3)\nlet w = gold\nlet a = 30deg/7\nlet l = 2m\n"
