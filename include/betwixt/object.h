@@ -54,6 +54,7 @@ std::vector<FunctionView> functions(const Document&, ObjectId);
 struct AttachmentSpan {
   Time from = from_the_beginning, until = for_good;
   Attachment to;
+  bool computed = false;  // by code, from time to time; what `to` says is nothing then
 };
 std::vector<AttachmentSpan> attachments(const Document&, ObjectId);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/names.h"
+#include "betwixt/pose.h"
 #include "commands/command.h"
 #include "exchange/geometry.h"
 #include "program/compiled.h"
@@ -48,14 +49,6 @@ void take_in(Measured& m, const Item& item) {
   }
 }
 
-// What an object is held by at a time; none: nothing.
-ObjectId held_by(const Scene& s, ObjectId id, Time t) {
-  ObjectId by;
-  for (const AttachmentSpan& a : attachments(s.objects[id.index]))
-    if (a.from <= t) by = a.to.kind >= AttachmentKind::hang ? a.to.parent : ObjectId{};
-  return by;
-}
-
 std::vector<Measured> measured(const Scene& s, const std::vector<ObjectId>& objects, Time t) {
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
   std::vector<Measured> all(objects.size());
@@ -70,9 +63,10 @@ std::vector<Measured> measured(const Scene& s, const std::vector<ObjectId>& obje
               false};
     whose[objects[i].index] = static_cast<std::int32_t>(i);
   }
+  const std::vector<Pose> standing = poses(program, t);
   for (const Item& item : program.frame(t).items) {
     ObjectId at = item.id;
-    for (std::size_t up = 0; at && up < 1000 && whose[at.index] < 0; ++up) at = held_by(s, at, t);
+    for (std::size_t up = 0; at && up < 1000 && whose[at.index] < 0; ++up) at = standing[at.index].parent;
     if (at && whose[at.index] >= 0) take_in(all[static_cast<std::size_t>(whose[at.index])], item);
   }
   return all;

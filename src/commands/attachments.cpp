@@ -60,6 +60,15 @@ constexpr Verb attachments_rows[] = {
 
 }  // namespace
 
+void say_fall_ends(Command& k, ObjectId child, Time when, std::string_view about) {
+  Scene& s = k.scene;
+  if (end_fall(s, child, when))
+    k.script.note(Severity::notice,
+                  fmt::format("{} falls no further than to {}, where it is held from now on",
+                              s.objects[child.index].name, format_time(when, s.rate)),
+                  about);
+}
+
 // Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).
 bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachment& to, std::optional<Time> when,
                 std::string_view about) {
@@ -99,11 +108,7 @@ bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachm
       set_value(s, {child, fn::attachment}, to);
       continue;
     }
-    if (to.kind >= AttachmentKind::hang && end_fall(s, child, *when))
-      script.note(Severity::notice,
-                  fmt::format("{} falls no further than to {}, where it is held from now on",
-                              s.objects[child.index].name, format_time(*when, s.rate)),
-                  about);
+    if (to.kind >= AttachmentKind::hang) say_fall_ends(k, child, *when, about);
     Event e;
     e.time = *when;
     e.value = to;

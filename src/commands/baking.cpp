@@ -82,10 +82,19 @@ void put_baked(Scene& s, const Target& t, const std::vector<Time>& times, const 
     Event e;
     e.time = times[i];
     e.value = samples[i];
-    const bool blends = !std::holds_alternative<Text>(e.value) && !std::holds_alternative<bool>(e.value);
+    const bool blends = !std::holds_alternative<Text>(e.value) && !std::holds_alternative<bool>(e.value) &&
+                        !std::holds_alternative<Attachment>(e.value);
     e.twerper = blends ? Twerper::linear : Twerper::hold;
     track->events.put(std::move(e));
   }
+}
+
+// Whether code says what holds it, and nothing else: what was kept or let go is not what an event of another time says.
+bool bakes(const Scene& s, ObjectId id) {
+  const auto all = attachments(s.objects[id.index]);
+  const auto plain = [](const AttachmentSpan& a) { return !a.to.keep_world && a.to.kind != AttachmentKind::letgo; };
+  return std::any_of(all.begin(), all.end(), [](const AttachmentSpan& a) { return a.computed; }) &&
+         std::all_of(all.begin(), all.end(), plain);
 }
 
 // What reaches no longer does: the joints that it hangs on have its turns as events of their rotations.
@@ -153,7 +162,8 @@ bool bake(Command& k) {
                       fmt::format("the layer {} lies over {}: it would count twice", s.objects[slot.layer.index].name,
                                   target_name(s, t)),
                       word);
-    if (t.function != fn::reach && !row_of(spec_of(s, t.function).type).computed)
+    if (t.function != fn::reach &&
+        (!row_of(spec_of(s, t.function).type).computed || (t.function == fn::attachment && !bakes(s, t.object))))
       return c.fail(ErrorCode::type, fmt::format("{} cannot be baked", to_string(spec_of(s, t.function).type)), word);
   }
   if (std::any_of(on.targets.begin(), on.targets.end(), [](const Target& t) { return t.function == fn::reach; }))

@@ -115,7 +115,9 @@ bool keep_there(Scene& s, const Target& t, const Event& event) {
 
 bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
-  if (to.type() == Type::attachment && !event.keep) {
+  if (to.type() == Type::attachment && std::holds_alternative<Procedure>(event.value)) {
+    for (const Target& t : to.targets) say_fall_ends(k, t.object, event.time, about);
+  } else if (to.type() == Type::attachment && !event.keep) {
     std::vector<ObjectId> children;
     for (const Target& t : to.targets) children.push_back(t.object);
     return attachment(k, children, std::get<Attachment>(event.value), event.time, about);
@@ -136,7 +138,8 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   if (to.type() == Type::text && !event.keep)
     say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, event.value, about);
   const auto& direct = script.sheet.tracks;
-  if (&to == &script.sheet.on && !direct.empty() && !event.keep) {
+  const bool straight = to.type() != Type::attachment;  // a plain one among its rows has had the scene copied
+  if (&to == &script.sheet.on && !direct.empty() && !event.keep && straight) {
     for (std::size_t i = 1; i < direct.size(); ++i) direct[i]->events.put(event);
     if (direct[0]->events.put(std::move(event)) && script.sheet.fresh)
       script.note(Severity::warning, "an earlier row of this sheet has the same time; this one replaces it", about);
@@ -166,6 +169,12 @@ bool computed(Command& k, const Selected& to, Value& out) {
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
   if (!row_of(to.type()).computed)
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
+  if (to.type() == Type::attachment) {
+    if (layer) return c.fail(ErrorCode::type, "attachments are on no layer", about);
+    for (const Target& t : to.targets)
+      if (!placed(s.objects[t.object.index].kind))
+        return c.fail(ErrorCode::type, "layers and environments are no objects that hang on anything", about);
+  }
   // What is read once, when the script is.
   static constexpr std::string_view settled[] = {"file", "texture", "font", "mode", "of", "within"};
   const bool is_name = to.type() == Type::text || to.type() == Type::aim;

@@ -148,7 +148,7 @@ void end_reign(Scene& s, ObjectId id, Time from, Time until) {
 // It ends where something takes hold of what falls.
 Laws until_caught(const Object& o, Time start, Laws laws) {
   for (const AttachmentSpan& a : attachments(o)) {
-    if (a.from <= start || a.to.kind < AttachmentKind::hang) continue;
+    if (a.from <= start || (!a.computed && a.to.kind < AttachmentKind::hang)) continue;
     laws.delay = std::min(laws.delay, a.from - start);
     laws.length = std::min(laws.length, std::max(a.from - start - laws.delay, Time{1}));
   }

@@ -121,7 +121,7 @@ void look_at_code(const Scene& s, ObjectId id, const Slot& slot, Diagnostics& ou
 void look_at_letting_go(const Scene& s, const Object& o, Diagnostics& out) {
   bool held = false, said = false;
   for (const AttachmentSpan& a : attachments(o)) {
-    const bool holds = a.to.kind >= AttachmentKind::hang;
+    const bool holds = a.computed || a.to.kind >= AttachmentKind::hang;
     if (!holds && !held && a.from != from_the_beginning && !std::exchange(said, true))
       say(out, ErrorCode::type,
           fmt::format("{} is let go at {}, where nothing holds it", o.name, format_time(a.from, s.rate)));

@@ -31,6 +31,14 @@ ObjectId holder(const Scene& s, ObjectId id, Time t) {
   return held;
 }
 
+// Whether code says so: then nobody knows by now.
+bool held_by_code(const Scene& s, ObjectId id, Time t) {
+  bool computed = false;
+  for (const AttachmentSpan& a : attachments(s.objects[id.index]))
+    if (a.from <= t) computed = a.computed;
+  return computed;
+}
+
 // The joints by which it reaches at a time, the nearest first.
 std::vector<ObjectId> joints(const Scene& s, ObjectId hand, Time t, long bones) {
   std::vector<ObjectId> out;
@@ -98,7 +106,8 @@ bool can_reach(Command& k, const Reaching& r, ObjectId hand, std::string_view ab
     return c.fail(ErrorCode::type, fmt::format("'{}' is nowhere: it cannot reach for anything", name), about);
   const Time t = r.from.value_or(Time{});
   std::vector<ObjectId> chain = joints(s, hand, t, r.bones);
-  if (static_cast<long>(chain.size()) < std::max(2L, r.bones))
+  if (static_cast<long>(chain.size()) < std::max(2L, r.bones) &&
+      !held_by_code(s, chain.empty() ? hand : chain.back(), t))
     return c.fail(ErrorCode::type,
                   chain.empty() ? fmt::format("'{}' hangs on nothing that could bend", name)
                                 : fmt::format("'{}' hangs on {} joint{} only: {} would have to bend", name,

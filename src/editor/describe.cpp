@@ -46,7 +46,12 @@ Error no_object(const Document& d, const std::string& word) {
 std::string attachment_lines(const Document& d, const Object& o) {
   std::string said;
   for (const AttachmentSpan& a : attachments(o)) {
-    if (!a.to.parent && a.from == from_the_beginning) continue;
+    if (!a.to.parent && !a.computed && a.from == from_the_beginning) continue;
+    if (a.computed) {
+      said += "  hangs on what its code says";
+      said += a.from == from_the_beginning ? "\n" : fmt::format(" from {}\n", format_time(a.from, d));
+      continue;
+    }
     static constexpr std::string_view how[] = {"is detached", "is let go", "hangs on", "is attached to",
                                                "is coupled to"};
     said += fmt::format("  {}", how[static_cast<std::size_t>(a.to.kind)]);

@@ -299,15 +299,19 @@ void wrap(lua_State* l, const char* name, lua_CFunction through) {
   lua_setfield(l, -2, name);
 }
 
-constexpr luaL_Reg own[] = {{"tostring", guarded<to_text>},
-                            {"pairs", pairs},
-                            {"value", priced<value_of>},
-                            {"touching", priced<touching_of>},
-                            {"place", priced<place_of>},
-                            {"input", priced<input_at>},
-                            {"run", priced<run_line>},
-                            {"objects", objects},
-                            {nullptr, nullptr}};
+// couple("hand"): how something is held, as a row says it.
+template <int how>
+int holding(lua_State* l) {
+  static constexpr const char* words[] = {"hang on %s", "attach to %s", "couple to %s"};
+  return lua_pushfstring(l, words[how], luaL_checkstring(l, 1)), 1;
+}
+
+constexpr luaL_Reg own[] = {{"tostring", guarded<to_text>}, {"pairs", pairs},
+                            {"value", priced<value_of>},    {"touching", priced<touching_of>},
+                            {"place", priced<place_of>},    {"hang", holding<0>},
+                            {"attach", holding<1>},         {"couple", holding<2>},
+                            {"input", priced<input_at>},    {"run", priced<run_line>},
+                            {"objects", objects},           {nullptr, nullptr}};
 
 }  // namespace
 

@@ -17,21 +17,21 @@ namespace betwixt {
 // is being worked out.
 Carrier Program::Compiled::carried(const Node& n, Time t, Asking& asking) const {
   Carrier out;
-  const CompiledSpan* const span = this->span(n, t);
-  if (!span) {
+  if (!span(n, t)) {
     if (n.around >= 0) out.above = product(n.around, t);
     return out;
   }
-  if (span->frozen >= 0) thaw(span->frozen, asking);
-  const Frozen* const kept = span->frozen >= 0 ? &frozen[static_cast<std::size_t>(span->frozen)] : nullptr;
+  const CompiledSpan span = held(node_of[n.object], t, asking);
+  if (span.frozen >= 0) thaw(span.frozen, asking);
+  const Frozen* const kept = span.frozen >= 0 ? &frozen[static_cast<std::size_t>(span.frozen)] : nullptr;
   Mat4 around;
   Quat turn;
-  if (span->kind >= AttachmentKind::hang) {
-    const Sited parent = placement(static_cast<std::uint32_t>(span->parent), t, asking);
+  if (span.kind >= AttachmentKind::hang) {
+    const Sited parent = placement(static_cast<std::uint32_t>(span.parent), t, asking);
     double x[4] = {};
     evaluate(find(n.object, fn::attach_position), t, asking, x);
     around = parent.around, out.above = parent.world, out.attach = vec3(x);
-    if (span->kind != AttachmentKind::hang) turn = parent.turn;
+    if (span.kind != AttachmentKind::hang) turn = parent.turn;
   } else if (kept && kept->held) {
     around = kept->around, out.above = kept->parent, out.attach = kept->attach, turn = kept->parent_turn;
   }

@@ -80,15 +80,6 @@ struct NodeCompiler {
     spans();
   }
 
-  // Whether it is one body with what it hangs on: with a thing that is drawn, or with the whole that it is named as a
-  // part of (car/wheel on car).
-  bool one_body(std::uint32_t node, std::uint32_t parent) const {
-    const std::string &name = scene.objects[compiled.nodes[node].object].name,
-                      &whole = scene.objects[compiled.nodes[parent].object].name;
-    return drawable(compiled.nodes[parent].kind) ||
-           (name.size() > whole.size() && name[whole.size()] == '/' && name.starts_with(whole));
-  }
-
   // Attachments in the order of time, over all objects: one that would close a circle with those in force then is left
   // out (R-H6). At one time, what lets go does so before anything takes hold.
   void spans() {
@@ -97,12 +88,14 @@ struct NodeCompiler {
       bool takes;
       std::uint32_t node;
       Attachment what;
+      bool computed;
     };
     std::vector<Happening> all;
     for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i)
       for (const AttachmentSpan& a : attachments(scene.objects[compiled.nodes[i].object]))
-        if (a.from.flicks != INT64_MIN || a.to.kind >= AttachmentKind::hang)
-          all.push_back({a.from, a.to.kind >= AttachmentKind::hang && find_object(scene, a.to.parent), i, a.to});
+        if (a.from.flicks != INT64_MIN || a.to.kind >= AttachmentKind::hang || a.computed)
+          all.push_back(
+              {a.from, a.to.kind >= AttachmentKind::hang && find_object(scene, a.to.parent), i, a.to, a.computed});
     std::stable_sort(all.begin(), all.end(), [&](const Happening& a, const Happening& b) {
       return std::tuple(a.time, a.takes, compiled.nodes[a.node].object) <
              std::tuple(b.time, b.takes, compiled.nodes[b.node].object);
@@ -113,6 +106,7 @@ struct NodeCompiler {
     for (const Happening& h : all) {
       CompiledSpan span;
       span.from = h.time;
+      span.computed = h.computed;
       span.kind = h.takes ? h.what.kind : h.what.kind >= AttachmentKind::hang ? AttachmentKind::detach : h.what.kind;
       if (h.takes) {
         span.parent = static_cast<std::int32_t>(compiled.node_of[h.what.parent.index]);
@@ -128,7 +122,7 @@ struct NodeCompiler {
           continue;
         }
         leads[static_cast<std::size_t>(span.parent)] = true;
-        span.one_body = one_body(h.node, static_cast<std::uint32_t>(span.parent));
+        span.one_body = compiled.one_body(h.node, static_cast<std::uint32_t>(span.parent));
       }
       above[h.node] = span.parent;
       if (h.what.kind == AttachmentKind::letgo || (h.takes && h.what.keep_world)) {
@@ -136,7 +130,7 @@ struct NodeCompiler {
         compiled.frozen.emplace_back();
         compiled.frozen.back().node = h.node;
       }
-      compiled.turning = compiled.turning || span.frozen >= 0 || span.kind == AttachmentKind::attach;
+      compiled.turning = compiled.turning || span.frozen >= 0 || span.kind == AttachmentKind::attach || h.computed;
       kept.push_back({h.node, span});
     }
     std::vector<std::int32_t> in_time;  // frozen ones, as they come
@@ -149,6 +143,8 @@ struct NodeCompiler {
       if (span.frozen >= 0)
         compiled.frozen[static_cast<std::size_t>(span.frozen)].span = static_cast<std::int32_t>(n.spans);
       ++n.spans;
+      if (span.computed && (compiled.held_by_code.empty() || compiled.held_by_code.back() != node))
+        compiled.held_by_code.push_back(node);
       compiled.spans.push_back(span);
     }
     compiled.find_joints();

@@ -173,6 +173,7 @@ struct CompiledSpan {
   std::int32_t parent = -1;  // a node
   std::int32_t frozen = -1;  // what a letgo or keep-world keeps
   bool one_body = false;     // with the parent
+  bool computed = false;     // code says what it hangs on: Compiled::held
 };
 struct Frozen {
   std::uint32_t node = 0;
@@ -315,6 +316,7 @@ struct Program::Compiled {
   std::optional<std::uint32_t> first_camera;  // an object
   Schedule schedule;
   std::vector<CompiledSpan> spans;   // by node, then time
+  std::vector<std::uint32_t> held_by_code;  // nodes, at some time
   mutable std::vector<Frozen> frozen;  // all done when compiling ends
   std::vector<std::shared_ptr<const Environment>> environments;
   std::vector<Siting> sitings;
@@ -351,6 +353,10 @@ struct Program::Compiled {
   void say(const TwerperFailures&, Asking&) const;
 
   const CompiledSpan* span(const Node& n, Time t) const;  // null: it never hangs on anything
+  // What holds a node, by code or not; what code would have hang on itself is free.
+  CompiledSpan held(std::uint32_t node, Time t, Asking&) const;
+  CompiledSpan said_to_hold(std::uint32_t node, Time t, Asking&) const;  // round in a circle, too
+  bool one_body(std::uint32_t node, std::uint32_t parent) const;
   // Of its environments. `own`: a set of all of them that is at that time's tick, of whoever asks for many.
   Mat4 product(std::int32_t siting, Time t, const EnvironmentSet* own = nullptr) const;
   Mat4 matrix(const Site&, Time t) const;  // A

@@ -27,6 +27,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled)
       asked_(compiled.schedule.sources.size()),
       marks_(compiled.nodes.size()),
       held_(compiled.nodes.size()),
+      by_code_(compiled.held_by_code.size()),
       parent_(compiled.nodes.size(), -1),
       products_(compiled.sitings.size()),
       owns_(compiled.spans.empty() && !compiled.looks ? 0 : compiled.nodes.size()),
@@ -153,7 +154,7 @@ bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
 void Evaluator::evaluate_lives(Asking& asking, bool solids) {
   const InStage stage(Stage::procedures);
   for (const Schedule::LiveSource& live : compiled_.schedule.lives) {
-    if (solids && !live.solid) continue;
+    if ((solids && !live.solid) || live.binding->function == fn::attachment) continue;
     if (live.binding->channels == 0) {
       marks_.add(live.node, live.affects);
       continue;
@@ -210,6 +211,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   play(t.flicks);
   for (const std::uint32_t i : due_) evaluate(i, t.flicks);
   evaluate_lives(asking, solids);
+  take_hold(asking);
   environments(!solids);
   places(asking);
   restyle(asking, solids);

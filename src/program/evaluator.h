@@ -67,6 +67,7 @@ class Evaluator {
   void play(std::int64_t t);
   bool seek(std::uint32_t source, std::int64_t t);
   void evaluate_lives(Asking&, bool solids);
+  void take_hold(Asking&);
   void environments(bool own_set);
   void arrange();
   void arrange_eyes();
@@ -116,6 +117,7 @@ class Evaluator {
   playing::Marks marks_;  // nodes, and what of them
 
   std::vector<const CompiledSpan*> held_;  // by node
+  std::vector<CompiledSpan> by_code_;      // of Compiled::held_by_code
   std::vector<std::int32_t> parent_;
   bool rearrange_ = true;
   std::vector<std::uint32_t> order_, at_, size_;  // depth first; a node's place there; what is below a place and itself

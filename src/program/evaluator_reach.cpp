@@ -108,6 +108,9 @@ std::vector<std::uint32_t> Program::Compiled::goals(std::uint32_t object, Functi
 
 // All that what reaches may turn, at any time.
 void Program::Compiled::find_joints() {
+  const auto mark_all = [&] {
+    for (Node& n : nodes) n.bends = true;
+  };
   for (std::uint32_t hand = 0; hand < nodes.size(); ++hand) {
     if (!nodes[hand].reaches) continue;
     std::vector<std::uint32_t> level{hand};
@@ -116,6 +119,7 @@ void Program::Compiled::find_joints() {
       for (const std::uint32_t node : level)
         for (std::uint32_t k = 0; k < nodes[node].spans; ++k) {
           const CompiledSpan& span = spans[nodes[node].first_span + k];
+          if (span.computed) return mark_all();  // who knows what code has it hang on
           if (span.kind < AttachmentKind::hang || span.parent < 0) continue;
           above.push_back(static_cast<std::uint32_t>(span.parent));
           nodes[above.back()].bends = true;

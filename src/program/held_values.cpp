@@ -33,9 +33,34 @@ Value written_value(Type type, const double* n, bool orientation) {
   return value_of_numbers(type, written);
 }
 
+namespace {
+
+// A name is what it is attached to; "couple to NAME" and "hang on NAME" say how else.
+Result<Value> holder(const Value& v, const Scene& scene) {
+  const auto* off = std::get_if<bool>(&v);
+  if (off && !*off) return Value(Attachment{});
+  const auto* text = std::get_if<Text>(&v);
+  if (!text) return fail(ErrorCode::type, "it gives no name of what holds it: an object, \"none\" or false");
+  std::string_view name = **text;
+  if (name == "none") return Value(Attachment{});
+  AttachmentKind kind = AttachmentKind::attach;
+  for (const auto& [words, how] : {std::pair(std::string_view("couple to "), AttachmentKind::couple),
+                                   std::pair(std::string_view("attach to "), AttachmentKind::attach),
+                                   std::pair(std::string_view("hang on "), AttachmentKind::hang)})
+    if (name.starts_with(words)) name.remove_prefix(words.size()), kind = how;
+  const ObjectId id = scene.names.find(name);
+  if (!id) return fail(ErrorCode::name, fmt::format("there is no object '{}'", name.substr(0, 60)));
+  if (!placed(scene.objects[id.index].kind))
+    return fail(ErrorCode::type, fmt::format("'{}' is nowhere: nothing hangs on it", name));
+  return Value(Attachment{kind, id, false});
+}
+
+}  // namespace
+
 Result<Value> fit(const Value& v, Type type, const Scene& scene) {
   if (const auto fitting = fitted(v, type)) return *fitting;
   const auto* text = std::get_if<Text>(&v);
+  if (type == Type::attachment) return holder(v, scene);
   if (text && std::holds_alternative<ObjectId>(row_of(type).example())) {
     if (**text == "none") return Value(ObjectId{});
     if (const ObjectId id = scene.names.find(**text)) return Value(id);

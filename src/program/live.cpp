@@ -201,7 +201,9 @@ struct Worker {
     std::vector<const Event*> near;  // three before, three behind: splines see no further
     std::size_t before = 0;
     const Event* last = nullptr;
+    const bool holds = part.type == Type::attachment;  // before its first event it is what holds from the beginning
     part.track.events.each([&](const Event& e) {
+      if (holds && (e.keep || e.time > t)) return;
       if (e.time <= t) {
         near.push_back(&e), last = &e;
         if (near.size() > 3) near.erase(near.begin());

@@ -106,6 +106,8 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   const Node& n = nodes[f.node];
   const CompiledSpan& now = spans[n.first_span + static_cast<std::uint32_t>(f.span)];
   const CompiledSpan* before = f.span > 0 ? &now - 1 : nullptr;
+  CompiledSpan by_code;  // just before
+  if (before && before->computed) by_code = held(f.node, {now.from.flicks - 1}, asking), before = &by_code;
   const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
   const Said said = said_at(*this, n, t, asking);
   const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
@@ -184,27 +186,26 @@ std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& ask
 }
 
 Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) const {
-  std::vector<std::uint32_t> chain;
+  std::vector<std::pair<std::uint32_t, CompiledSpan>> chain;
   for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
     const Node& n = nodes[static_cast<std::size_t>(i)];
-    chain.push_back(static_cast<std::uint32_t>(i));
     if (n.looks || n.bends) {  // it turns with what it looks at, or what reaches for something
       Evaluator all(*this);
       all.to(t, asking);
       return {all.placed(node), all.around(node)};
     }
-    const CompiledSpan* h = span(n, t);
-    i = h && h->kind >= AttachmentKind::hang ? h->parent : -1;
+    chain.emplace_back(static_cast<std::uint32_t>(i), held(static_cast<std::uint32_t>(i), t, asking));
+    const CompiledSpan& h = chain.back().second;
+    i = h.kind >= AttachmentKind::hang ? h.parent : -1;
   }
   Sited placed;
   for (; !chain.empty(); chain.pop_back()) {
-    const Node& n = nodes[chain.back()];
-    const CompiledSpan* h = span(n, t);
-    if (h && h->frozen >= 0) thaw(h->frozen, asking);
+    const Node& n = nodes[chain.back().first];
+    const CompiledSpan* h = &chain.back().second;
+    if (h->frozen >= 0) thaw(h->frozen, asking);
     const Said said = said_at(*this, n, t, asking);
-    const Frozen* f = h && h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
-    const bool held = h && h->kind >= AttachmentKind::hang;
-    if (!held) placed.around = f && f->held ? f->around : Mat4{};
+    const Frozen* f = h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
+    if (h->kind < AttachmentKind::hang) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(own_place(said), said.attach, h, f, &placed);
     if (n.around >= 0) placed.around = placed.around * product(n.around, t);
   }
@@ -219,19 +220,19 @@ Kinematics Program::kinematics(ObjectId object, Time t) const {
   const auto place = [&](Time when) { return translation_of(compiled.placement(node, when, asking).in_world()); };
   Kinematics b;
   b.position = place(t);
-  const CompiledSpan* h = compiled.span(n, t);
-  const bool held = h && h->kind >= AttachmentKind::hang;
-  if (held) b.to_world = linear_part(compiled.placement(static_cast<std::uint32_t>(h->parent), t, asking).world);
+  const CompiledSpan h = compiled.held(node, t, asking);
+  const bool held = h.kind >= AttachmentKind::hang;
+  if (held) b.to_world = linear_part(compiled.placement(static_cast<std::uint32_t>(h.parent), t, asking).world);
   const Mat4 around = linear_part(compiled.placement(node, t, asking).around);
-  if (h && h->frozen >= 0) {
-    const Frozen& f = compiled.frozen[static_cast<std::size_t>(h->frozen)];
+  if (h.frozen >= 0) {
+    const Frozen& f = compiled.frozen[static_cast<std::size_t>(h.frozen)];
     if (!held) b.to_world = linear_part(f.parent);
     b.to_world = b.to_world * linear_part(f.before);
   }
   b.to_world = around * b.to_world;
   if (const auto motion = compiled.moved(n, t)) b.to_world = b.to_world * linear_part(*motion);
   // Its track says how fast it goes; what carries it, or carried it up to now, is looked at as it goes by.
-  if (held || (h && h->from == t) || n.moving >= 0) {
+  if (held || h.computed || h.from == t || n.moving >= 0) {
     constexpr Time look{flicks_per_second / 2000};
     b.velocity = 1000 * (3.0 * b.position - 4.0 * place(t - look) + place(t - look - look));
   } else {

@@ -8,17 +8,17 @@ namespace {
 
 // world(node): the matrix of a node, which is asked of the object and of what it hangs on.
 template <class World>
-Pose pose_of(const Program::Compiled& compiled, std::uint32_t object, Time t, World&& world) {
+Pose pose_of(const Program::Compiled& compiled, std::uint32_t object, Time t, Asking& asking, World&& world) {
   Pose pose;
   if (object >= compiled.node_of.size() || compiled.node_of[object] == ObjectId::nothing) return pose;
   const Node& n = compiled.nodes[compiled.node_of[object]];
   if (!placed(n.kind)) return pose;
   pose.world = world(compiled.node_of[object]);
   pose.local = pose.world;
-  const CompiledSpan* span = compiled.span(n, t);
-  if (span) pose.attachment = span->kind;
-  if (!span || span->parent < 0) return pose;
-  const auto parent = static_cast<std::uint32_t>(span->parent);
+  const CompiledSpan span = compiled.held(compiled.node_of[object], t, asking);
+  pose.attachment = span.kind;
+  if (span.parent < 0) return pose;
+  const auto parent = static_cast<std::uint32_t>(span.parent);
   pose.parent = {compiled.nodes[parent].object};
   pose.local = inverse(world(parent));
   if (pose.local) pose.local = *pose.local * pose.world;
@@ -30,7 +30,7 @@ Pose pose_of(const Program::Compiled& compiled, std::uint32_t object, Time t, Wo
 Pose pose(const Program& program, ObjectId id, Time t) {
   const Program::Compiled& compiled = program.compiled();
   Asking asking;
-  return pose_of(compiled, id.index, t,
+  return pose_of(compiled, id.index, t, asking,
                  [&](std::uint32_t node) { return compiled.placement(node, t, asking).in_world(); });
 }
 
@@ -42,7 +42,7 @@ std::vector<Pose> poses(const Program& program, Time t) {
   std::vector<Pose> out;
   out.reserve(compiled.node_of.size());
   for (std::uint32_t i = 0; i < compiled.node_of.size(); ++i)
-    out.push_back(pose_of(compiled, i, t, [&](std::uint32_t node) { return all.world(node); }));
+    out.push_back(pose_of(compiled, i, t, asking, [&](std::uint32_t node) { return all.world(node); }));
   return out;
 }
 

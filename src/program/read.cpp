@@ -59,10 +59,10 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
   const Binding& b = find(object, target.function);
   const Type type = spec_of(document.scene(), target.function).type;
   if (type == Type::attachment) {  // before its first event it is what holds from the beginning
-    Attachment now;
+    AttachmentSpan now;
     for (const AttachmentSpan& a : attachments(document.scene().objects[object]))
-      if (a.from <= t) now = a.to;
-    return now;
+      if (a.from <= t) now = a;
+    return now.computed ? live_value(b.live, t, asking) : Value(now.to);
   }
   if (b.live >= 0 && parted(b.live, target.component)) return live_value(b.live, t, asking, target.component);
   if (b.live >= 0) return part(live_value(b.live, t, asking), target.component);

@@ -160,11 +160,15 @@ std::vector<AttachmentSpan> attachments(const Object& o) {
   std::vector<AttachmentSpan> out;
   const Slot* slot = o.find(fn::attachment);
   if (!slot) return out;
-  out.push_back({{INT64_MIN}, {INT64_MAX}, slot->set ? std::get<Attachment>(*slot->set) : Attachment{}});
+  const auto begin = [&](Time from, const Value& v) {
+    const auto* plain = std::get_if<Attachment>(&v);
+    out.push_back({from, {INT64_MAX}, plain ? *plain : Attachment{}, !plain});
+  };
+  begin({INT64_MIN}, slot->set.value_or(Attachment{}));
   slot->track->events.each([&](const Event& e) {
     if (e.keep) return;
     out.back().until = e.time;
-    out.push_back({e.time, {INT64_MAX}, std::get<Attachment>(e.value)});
+    begin(e.time, e.value);
   });
   return out;
 }

@@ -132,7 +132,7 @@ constexpr TypeRow type_table[] = {
      .changes = Changes::gradually,
      .computed = true},
     {.type = Type::names, .phrase = "a list of names", .example = plain<Names>},
-    {.type = Type::attachment, .phrase = "an attachment", .example = plain<Attachment>},
+    {.type = Type::attachment, .phrase = "an attachment", .example = plain<Attachment>, .computed = true},
     {.type = Type::transform, .phrase = "a transform", .example = plain<Matrix>},
     {.type = Type::motion, .phrase = "a motion", .example = plain<Moves>, .changes = Changes::gradually},
 };

@@ -139,7 +139,7 @@ TEST(Computed, WhatIsReadOnceIsNot) {
            {"create m text\nset m.font = \"'Serif'\"", "2:14: font cannot be computed"},
            {"layer sway add\nset sway.mode = \"'mix'\"", "2:17: mode cannot be computed"},
            {"create m trace\nset m.of = \"'m'\"", "2:12: of cannot be computed"},
-           {"create m box\nset m.attachment = \"'m'\"", "2:20: an attachment cannot be computed"},
+           {"create m box\nset m.motion = \"'m'\"", "2:16: a motion cannot be computed"},
            {"create m polyline\nset m.points = 3", "2:16: behind '=' stands a procedure, in quotes"}}) {
     const auto all = errors(read(line));
     ASSERT_EQ(all.size(), 1u) << line;

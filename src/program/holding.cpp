@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What holds a thing at a time: what its track says, or code in it.
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "program/evaluator.h"
+
+namespace betwixt {
+namespace {
+
+// Of the code that is in force from a time on.
+std::string source_of(const Object& o, Time from) {
+  const Slot& slot = *o.find(fn::attachment);
+  const Event* event = slot.track->events.find(from);
+  const Value* v = event ? &event->value : slot.set ? &*slot.set : nullptr;
+  const auto* code = v ? std::get_if<Procedure>(v) : nullptr;
+  return code ? code->code->source : std::string();
+}
+
+}  // namespace
+
+// Whether it is one body with what it hangs on: with a thing that is drawn, or with the whole that it is named as a
+// part of (car/wheel on car).
+bool Program::Compiled::one_body(std::uint32_t node, std::uint32_t parent) const {
+  const auto& objects = document.scene().objects;
+  const std::string &name = objects[nodes[node].object].name, &whole = objects[nodes[parent].object].name;
+  return drawable(nodes[parent].kind) ||
+         (name.size() > whole.size() && name[whole.size()] == '/' && name.starts_with(whole));
+}
+
+CompiledSpan Program::Compiled::said_to_hold(std::uint32_t node, Time t, Asking& asking) const {
+  const CompiledSpan* const said = span(nodes[node], t);
+  CompiledSpan now;
+  now.from = {INT64_MIN};
+  if (said) now = *said;
+  if (!now.computed) return now;
+  const Value v = live_value(find(nodes[node].object, fn::attachment).live, t, asking);
+  const auto* by = std::get_if<Attachment>(&v);
+  if (!by || by->kind < AttachmentKind::hang || !find_object(document.scene(), by->parent)) return now;
+  const std::uint32_t parent = node_of[by->parent.index];
+  now.kind = by->kind, now.parent = static_cast<std::int32_t>(parent), now.one_body = one_body(node, parent);
+  return now;
+}
+
+// Each of those whose code closes the circle is free, whoever asks first.
+CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking) const {
+  const CompiledSpan now = said_to_hold(node, t, asking);
+  if (!now.computed || now.parent < 0) return now;
+  const auto above = [&](std::int32_t at) { return said_to_hold(static_cast<std::uint32_t>(at), t, asking).parent; };
+  const auto self = static_cast<std::int32_t>(node);
+  std::int32_t seen = -1;  // of a circle of others (Brent 1980)
+  std::size_t steps = 0;
+  for (std::int32_t at = now.parent; at != self; at = above(at)) {
+    if (at < 0 || at == seen) return now;
+    if (std::has_single_bit(++steps)) seen = at;
+  }
+  const auto name = [&](std::int32_t at) -> const std::string& {
+    return document.scene().objects[nodes[static_cast<std::size_t>(at)].object].name;
+  };
+  std::string way = name(self);
+  for (std::int32_t at = now.parent; at != self && way.size() < 200; at = above(at)) way += " → " + name(at);
+  asking.err(fmt::format("{}.attachment: its code would have it hang on itself, {} → {}: nothing holds it meanwhile",
+                         name(self), way, name(self)),
+             source_of(document.scene().objects[nodes[node].object], now.from));
+  CompiledSpan free;
+  free.from = now.from, free.computed = true;
+  return free;
+}
+
+// Those that code says.
+void Evaluator::take_hold(Asking& asking) {
+  for (std::size_t k = 0; k < by_code_.size(); ++k) {
+    const std::uint32_t node = compiled_.held_by_code[k];
+    const CompiledSpan now = compiled_.held(node, now_, asking);
+    CompiledSpan& was = by_code_[k];
+    if (!now.computed || (held_[node] == &was && was.kind == now.kind && was.parent == now.parent)) continue;
+    was = now;
+    held_[node] = &was;
+    rearrange_ = true;
+    marks_.add(node, affects::place);
+  }
+}
+
+}  // namespace betwixt
