@@ -120,6 +120,8 @@ bool set_along_line(Command&, const Selected& to);
 // What goes along something that is about to go goes straight from then on.
 void keep_ways(const Command&, const std::vector<ObjectId>& leaving, std::string_view about);
 
+// What reaches, by `set` and rows too, for what moves with it, in words.
+std::vector<std::string> hindered_reaches(const Scene&);
 // Ends a fall where something takes hold, and says so.
 void say_fall_ends(Command&, ObjectId, Time, std::string_view about);
 // Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).

@@ -134,6 +134,8 @@ void look_at_letting_go(const Scene& s, const Object& o, Diagnostics& out) {
 void look_over(const Scene& s, Diagnostics& out) {
   look_at_blends(s, out);
   look_at_notes(s, out);
+  for (std::string& why : hindered_reaches(s))
+    out.push_back({Severity::warning, fail(ErrorCode::name, std::move(why)), {}, 0});
   for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
     const Object& o = s.objects[i];
     if (o.removed) continue;

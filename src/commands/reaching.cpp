@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "commands/command.h"
@@ -53,10 +54,10 @@ bool moves_with(const Scene& s, ObjectId what, const std::vector<ObjectId>& some
   return false;
 }
 
-// What reaches for something at any time, and for what.
+// What reaches for something, at any time, and for what, from when on.
 struct Reacher {
   ObjectId hand;
-  std::set<std::uint32_t> goals;
+  std::map<std::uint32_t, Time> goals;
   long bones = 2;
 };
 std::vector<Reacher> reachers(const Scene& s) {
@@ -65,11 +66,11 @@ std::vector<Reacher> reachers(const Scene& s) {
     const Slot* slot = s.objects[i].removed ? nullptr : s.objects[i].find(fn::reach);
     if (!slot) continue;
     Reacher r{{i}, {}, 2};
-    const auto add = [&](const Value& v) {
-      if (const auto* id = std::get_if<ObjectId>(&v); id && *id) r.goals.insert(id->index);
+    const auto add = [&](const Value& v, Time t) {
+      if (const auto* id = std::get_if<ObjectId>(&v); id && find_object(s, *id)) r.goals.emplace(id->index, t);
     };
-    if (slot->set) add(*slot->set);
-    slot->track->events.each([&](const Event& e) { add(e.value); });
+    if (slot->set) add(*slot->set, {});
+    slot->track->events.each([&](const Event& e) { add(e.value, e.time); });
     const Slot* chain = s.objects[i].find(fn::reach_chain);
     if (chain && chain->set)
       if (const auto* n = std::get_if<double>(&*chain->set)) r.bones = static_cast<long>(*n);
@@ -79,8 +80,8 @@ std::vector<Reacher> reachers(const Scene& s) {
 }
 
 // Whether what moves the goal reaches, by whatever way round, for something that the hand's own joints move.
-bool in_a_circle(const Scene& s, const std::vector<ObjectId>& chain, ObjectId goal, Time t) {
-  const std::vector<Reacher> all = reachers(s);
+bool in_a_circle(const Scene& s, const std::vector<Reacher>& all, const std::vector<ObjectId>& chain, ObjectId goal,
+                 Time t) {
   std::set<std::uint32_t> seen;
   std::vector<ObjectId> todo{goal};
   while (!todo.empty()) {
@@ -89,13 +90,25 @@ bool in_a_circle(const Scene& s, const std::vector<ObjectId>& chain, ObjectId go
     for (const Reacher& r : all) {
       if (seen.contains(r.hand.index) || !moves_with(s, at, joints(s, r.hand, t, r.bones), t)) continue;
       seen.insert(r.hand.index);
-      for (const std::uint32_t next : r.goals) {
+      for (const auto& [next, since] : r.goals) {
         if (moves_with(s, {next}, chain, t)) return true;
         todo.push_back({next});
       }
     }
   }
   return false;
+}
+
+// Why it cannot reach for an object; empty: it can.
+std::string hindrance(const Scene& s, const std::vector<Reacher>& all, ObjectId hand, std::vector<ObjectId> chain,
+                      ObjectId goal, Time t) {
+  const std::string &name = s.objects[hand.index].name, &there = s.objects[goal.index].name;
+  if (goal == hand) return fmt::format("'{}' cannot reach for itself", name);
+  chain.push_back(hand);
+  if (moves_with(s, goal, chain, t)) return fmt::format("'{}' moves with '{}': it cannot be reached", there, name);
+  if (in_a_circle(s, all, chain, goal, t))
+    return fmt::format("'{}' reaches for what moves with '{}': a circle", there, name);
+  return {};
 }
 
 bool can_reach(Command& k, const Reaching& r, ObjectId hand, std::string_view about) {
@@ -115,13 +128,8 @@ bool can_reach(Command& k, const Reaching& r, ObjectId hand, std::string_view ab
                   about, fmt::format("as in couple {} to forearm, couple forearm to arm", name));
   const auto* goal = std::get_if<ObjectId>(&r.goal);
   if (!goal || !*goal) return true;
-  const std::string& there = s.objects[goal->index].name;
-  if (*goal == hand) return c.fail(ErrorCode::name, fmt::format("'{}' cannot reach for itself", name), about);
-  chain.push_back(hand);
-  if (moves_with(s, *goal, chain, t))
-    return c.fail(ErrorCode::name, fmt::format("'{}' moves with '{}': it cannot be reached", there, name), about);
-  return !in_a_circle(s, chain, *goal, t) ||
-         c.fail(ErrorCode::name, fmt::format("'{}' reaches for what moves with '{}': a circle", there, name), about);
+  const std::string why = hindrance(s, reachers(s), hand, std::move(chain), *goal, t);
+  return why.empty() || c.fail(ErrorCode::name, why, about);
 }
 
 bool aimed(Command& k, FunctionId f, Value& out) { return values(k).value(built_in_functions()[f], -1, out, f); }
@@ -241,6 +249,19 @@ constexpr Verb reaching_rows[] = {
 };
 
 }  // namespace
+
+std::vector<std::string> hindered_reaches(const Scene& s) {
+  const std::vector<Reacher> all = reachers(s);
+  std::vector<std::string> out;
+  std::size_t looks = 1000;
+  for (const Reacher& r : all)
+    for (const auto& [goal, since] : r.goals) {
+      if (looks-- == 0) return out;
+      std::string why = hindrance(s, all, r.hand, joints(s, r.hand, since, r.bones), {goal}, since);
+      if (!why.empty()) out.push_back(std::move(why));
+    }
+  return out;
+}
 
 std::span<const Verb> reaching_verbs() { return reaching_rows; }
 

@@ -29,7 +29,8 @@ struct Line {
   std::vector<Token> tokens;      // none: only a comment
   std::string comment;            // behind it
   bool indented = false;
-  Time time;  // of a row
+  Time time;              // of a row
+  bool dateless = false;  // its time is a formula with names: it may be any
 };
 
 bool looks_like_number(std::string_view w) {
@@ -78,9 +79,7 @@ class Tidier {
         continue;
       }
       if (line.indented && in_sheet_) {
-        Cursor time(line.tokens[0].text);
-        time.rate = rate_, time.ticks = ticks_;
-        if (!time.time(line.time)) return false;
+        if (!date(line)) return false;
         if (line.tokens[0].text[0] == '+')
           line.time = rows_.empty() ? Time{} : rows_.back().time;  // it stays behind that
         one_time(line.tokens);
@@ -164,6 +163,15 @@ class Tidier {
     if (line.tokens.size() != 2 || (line.tokens[0].text != "rate" && line.tokens[0].text != "ticks")) return;
     Cursor c(line.tokens[1].text);
     if (Rate said; c.per_second(said, "") && c.at_line_end()) (line.tokens[0].text == "rate" ? rate_ : ticks_) = said;
+  }
+
+  bool date(Line& row) const {
+    const std::string& text = row.tokens[0].text;
+    Cursor time(text);
+    time.rate = rate_, time.ticks = ticks_;
+    const bool read = time.time(row.time);
+    row.dateless = !read || speaks_of_place(text.data(), text.data() + text.size());
+    return read || time.error->code == ErrorCode::name;
   }
 
   static std::string joined(const std::vector<Token>& tokens, std::size_t first) {
@@ -261,10 +269,12 @@ class Tidier {
   }
 
   void flush_rows() {
-    // Frames and seconds side by side can only be sorted where the rates are known.
+    // Frames and seconds side by side can only be sorted where the rates are known, and formulas where they have no
+    // names: of two rows at one time the last one counts.
     const auto unit = [](const Line& row) { return row.tokens[0].text.back(); };
-    if (rates_known_ ||
-        std::all_of(rows_.begin(), rows_.end(), [&](const Line& r) { return unit(r) == unit(rows_[0]); }))
+    const bool dated = std::none_of(rows_.begin(), rows_.end(), [](const Line& r) { return r.dateless; });
+    if (dated && (rates_known_ ||
+                  std::all_of(rows_.begin(), rows_.end(), [&](const Line& r) { return unit(r) == unit(rows_[0]); })))
       std::stable_sort(rows_.begin(), rows_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
     std::size_t time_width = 0, value_width = 0;
     std::vector<std::array<std::string, 3>> cells;

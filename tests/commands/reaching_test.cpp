@@ -229,5 +229,24 @@ TEST(Reach, WhatIsWrongIsSaid) {
   }
 }
 
+// `set`, sheets and what is coupled later are looked at when all is read: the order of the lines does not matter.
+TEST(Reach, ForWhatMovesWithItIsSaidAtTheEnd) {
+  const std::string more = "create ring torus\ncreate leg{1..3} group\ncouple leg2 to leg1\ncouple leg3 to leg2\n";
+  for (const auto& [lines, message] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"set arm/fore/palm.reach arm", "'arm' moves with 'arm/fore/palm': it cannot be reached"},
+           {"arm/fore/palm.reach\n  9f (1 1 0)\n  20f arm/fore/palm", "'arm/fore/palm' cannot reach for itself"},
+           {"at 5f arm/fore/palm.reach ring\ncouple ring to arm",
+            "'ring' moves with 'arm/fore/palm': it cannot be reached"},
+           {"set leg3.reach arm/fore/palm\nset arm/fore/palm.reach leg3",
+            "'leg3' reaches for what moves with 'arm/fore/palm': a circle"}}) {
+    const LoadedFilm s(arm + more + lines + "\n");
+    EXPECT_NE(said(s.loaded.diagnostics).find(message), std::string::npos) << lines << said(s.loaded.diagnostics);
+    EXPECT_TRUE(finite(std::span(s.frame("20f").items[0].world.m)));
+  }
+  const LoadedFilm fine(arm + more + "at 9f arm/fore/palm.reach ring\ncouple ring to arm\nat 5f detach ring\n");
+  EXPECT_EQ(said(fine.loaded.diagnostics), "");
+  EXPECT_EQ(said(read(write(fine.loaded.document)).diagnostics), "");
+}
+
 }  // namespace
 }  // namespace betwixt

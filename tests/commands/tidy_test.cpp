@@ -45,6 +45,18 @@ TEST(Tidy, RowsThatCountFromTheOneAboveStayBehindIt) {
   EXPECT_EQ(read(tidy(clock)).document, read(clock).document);
 }
 
+// Which of two rows comes first says which one counts where they meet: here for the second ball.
+TEST(Tidy, RowsAtTimesWithNamesStayInTheirOrder) {
+  const std::string text =
+      "let beat = 12f\ncreate b{1..3} sphere\nb*.radius\n  20f-i*4f 3.0\n  10f+i*1f 1\n  60f-beat 5\n"
+      "b1.position\n  1f+24f (1 0 0)\n  2.0s (2 0 0)\n  1f (0 0 0)\n";
+  const std::string tidied = tidy(text);
+  EXPECT_EQ(tidied,
+            "let beat = 12f\ncreate b{1..3} sphere\nb*.radius\n  20f-i*4f  3\n  10f+i*1f  1\n  60f-beat  5\n"
+            "b1.position\n  1f      (0 0 0)\n  1f+24f  (1 0 0)\n  2s      (2 0 0)\n");
+  EXPECT_EQ(read(tidied).document, read(text).document);
+}
+
 TEST(Tidy, EveryExampleMeansTheSame) {
   int films = 0;
   for (const auto& file : std::filesystem::directory_iterator(SOURCE_DIR "/examples")) {
