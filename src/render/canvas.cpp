@@ -100,7 +100,8 @@ void Canvas::begin(const std::optional<Vec3>& background) const {
   if (can_write_encoded_) c = {encoded(c.x), encoded(c.y), encoded(c.z)};
   glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1);
   glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  // With the stencil, so that whole words are cleared: of depth alone software GL clears bits, sample by sample.
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 void Canvas::draw_behind(const Gradient& gradient) const {
