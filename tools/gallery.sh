@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The page docs/gallery.md: a picture of each short example, what its first comment says, and the script.
+# The page docs/gallery.md: a picture of each short example, what its first comment says, and the script. And what docs/look.md shows.
 #   tools/gallery.sh PROGRAM   makes the page and its pictures
 #   tools/gallery.sh --check   says whether the page has the scripts as they are
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
@@ -43,5 +43,13 @@ case ${1-} in
       "$1" frame "$root/examples/$2.bx" --at "$3f" -o "$root/docs/pictures/gallery/$2.png" --size 480x270 || exit 1
       set -- "$1" "${@:4}"
     done
+    # The films of docs/look.md, each below its heading.
+    folder=$(mktemp -d) || exit 1
+    awk -v folder="$folder" '/^## /{name = tolower($2)} /^```/{inside = !inside; next} inside{print >(folder "/" name ".bx")}' "$root/docs/look.md"
+    for film in "$folder"/*.bx; do
+      name=${film##*/}
+      "$1" frame "$film" --at 1f -o "$root/docs/pictures/look/${name%.bx}-after.png" --size 480x270 || exit 1
+    done
+    rm -r "$folder"
     ;;
 esac

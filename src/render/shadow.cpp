@@ -79,6 +79,21 @@ Apparent apparent(const Thing& t, const View& view) {
   return {pixels, pixels * r};
 }
 
+// Of casters by their size all but those that dwarf the rest (grounds and walls), whose own shadows nobody misses; and
+// the ball around them.
+Ball without_grounds(const Things& things, Vec3 anchor, std::vector<std::uint32_t>& by_size) {
+  Ball all;
+  for (std::size_t k = 0; k < by_size.size(); ++k) {
+    const Ball one = ball_of(things[by_size[k]], anchor);
+    if (k > 0 && one.radius > 4 * all.radius) {
+      by_size.resize(k);
+      break;
+    }
+    all = k == 0 ? one : around(all, one);
+  }
+  return all;
+}
+
 Mat4 looking(Vec3 from, Vec3 backward) {
   const Vec3 helper = std::abs(backward.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   const Vec3 right = normalize(cross(helper, backward)), up = cross(backward, right);
@@ -163,26 +178,24 @@ void Shadows::look(One& one, const Things& things, const Lighting::One& light) c
   }
 }
 
-// What the map must show finely, of all casters by their size: all but those that dwarf the rest (grounds and walls),
-// whose own shadows nobody misses; and where the map would be coarse for what is seen best, all but what is small
-// beside it.
+// What the map must show finely: all but grounds; and where the map would be coarse for what is seen best, all but what
+// is small beside it. How large that is which the eye is within, as above a ground, says nothing then: without small
+// things far off it may be seen to dwarf the rest.
 std::vector<std::uint32_t> Shadows::subject(const Things& things, Vec3 anchor) const {
-  std::vector<std::uint32_t> found;
-  Ball all;
-  for (const std::uint32_t i : by_size_) {
-    const Ball one = ball_of(things[i], anchor);
-    if (!found.empty() && one.radius > 4 * all.radius) break;
-    all = found.empty() ? one : around(all, one);
-    found.push_back(i);
-  }
-  Apparent best{};
+  std::vector<std::uint32_t> found = by_size_;
+  const Ball all = without_grounds(things, anchor, found);
+  Apparent best{}, outside{};
   for (const std::uint32_t i : found) {
     const Apparent a = apparent(things[i], things.view());
     best = {std::max(best.pixels, a.pixels), std::max(best.size, a.size)};
+    if (length(things[i].bounds.center - things.view().eye) > things[i].bounds.radius())
+      outside.size = std::max(outside.size, a.size);
   }
   constexpr double coarse = 6, small = 0.2;  // pixels a texel; of the largest
   if (2 * all.radius / map_size * best.pixels <= coarse) return found;
-  std::erase_if(found, [&](std::uint32_t i) { return apparent(things[i], things.view()).size < small * best.size; });
+  const double least = small * (outside.size > 0 ? outside.size : best.size);
+  std::erase_if(found, [&](std::uint32_t i) { return apparent(things[i], things.view()).size < least; });
+  without_grounds(things, anchor, found);
   return found;
 }
 

@@ -49,6 +49,15 @@ TEST(RenderShadow, ASmallBallBesideALargePlaneHasACrispOne) {
   }
 }
 
+// So many that the plane does not dwarf what stands on it.
+TEST(RenderShadow, ManySmallThingsFarOffLeaveItCrisp) {
+  const RenderOptions options{640, 360, 4, "shaded"};
+  Frame f = small_ball();
+  for (const Vec3 far : {Vec3{-400, 0.1, 300}, {380, 0.1, 420}, {60, 0.1, 250}})  // behind the camera
+    f.items.push_back(item(sphere(0.1), translation(far), {1, 0, 0}, Material::matte));
+  EXPECT_LE(between(draw(f, options)), 6);
+}
+
 // The same renderer, from here and from there: what it keeps must not show.
 TEST(RenderShadow, WhatIsFineFollowsTheCamera) {
   const RenderOptions options{320, 180, 4, "shaded"};
