@@ -6,7 +6,7 @@
 #   tools/gallery.sh PROGRAM   makes the page and its pictures
 #   tools/gallery.sh --check   says whether the page has the scripts as they are
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
-films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 unfold 55 walk 60'
+films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 unfold 55 walk 60 fourier 170'
 
 page() {
   printf '# Gallery\n\nShort films, each with all of its text. `./test` renders them; `tools/gallery.sh PROGRAM` makes this page.\n'
@@ -21,7 +21,7 @@ page() {
 
 ## How long they are
 
-Each film beside the same one in the idiom of a tool whose gallery shows that kind ([bench/scripts](../bench/scripts)): written for this
+Ten of them, each beside the same film in the idiom of a tool whose gallery shows that kind ([bench/scripts](../bench/scripts)): written for this
 table, as compact as that tool's own pages are, and not run. Comments, blank lines and indentation are not counted, nor what it takes
 to make a film of a page that moves. Least is gained where the other has a word for the whole (a bar chart, a text that is split),
 most where scene, lights and loop are made by hand.
