@@ -140,6 +140,8 @@ bool ground(Command& k) {
 
 bool sky(Command& k) { return on_or_off(k.cursor, "the sky is on or off", k.scene.appearance.sky); }
 
+bool contact(Command& k) { return on_or_off(k.cursor, "contact shading is on or off", k.scene.appearance.contact); }
+
 constexpr Verb appearance_rows[] = {
     {"size", "size WxH, as in size 1920x1080", "How many pixels the film's pictures have; the command line wins.",
      "size 1920x1080", 0, size},
@@ -160,6 +162,8 @@ constexpr Verb appearance_rows[] = {
     {"ground", "ground on|off|COLOR", "An endless floor at y = 0 that takes shadows and fades into the background.",
      "ground on", 0, ground},
     {"sky", "sky on|off", "A blue sky with a pale horizon behind everything, and its light.", "sky on", 0, sky},
+    {"contact", "contact on|off", "Makes it darker where things meet each other and the ground, and in corners.",
+     "contact on", 0, contact},
 };
 
 }  // namespace

@@ -47,6 +47,7 @@ constexpr Following following[] = {
     {"fog", 3, "to"},
     {"ground", 0, "on off"},
     {"sky", 0, "on off"},
+    {"contact", 0, "on off"},
     {"size", 0, "1280x720 1920x1080 3840x2160"},
     {"extend", 1, "hold linear cycle bounce"},
     {"extend", 2, "before after"},

@@ -26,6 +26,7 @@ std::string write_appearance(const Scene& s) {
   if (a.ground_color) out += fmt::format("ground {}\n", write_color(*a.ground_color));
   if (a.ground != a.ground_color.has_value()) out += a.ground ? "ground on\n" : "ground off\n";
   if (a.sky) out += "sky on\n";
+  if (a.contact) out += "contact on\n";
   return out;
 }
 

@@ -92,9 +92,20 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   return c;
 }
 
-void Canvas::begin(const std::optional<Vec3>& background) const {
+void Canvas::bind() const {
   large_.bind();
   if (corners_.framebuffer.id() != 0) glBindFramebuffer(GL_FRAMEBUFFER, corners_.framebuffer.id());
+}
+
+void Canvas::copy_to(const gl::Target& to) const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.id());
+  glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height,
+                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  bind();
+}
+
+void Canvas::begin(const std::optional<Vec3>& background) const {
+  bind();
   write_encoded();
   Vec3 c = background && finite(*background) ? *background : Vec3{};
   if (can_write_encoded_) c = {encoded(c.x), encoded(c.y), encoded(c.z)};

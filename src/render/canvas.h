@@ -32,6 +32,10 @@ class Canvas {
   // Where can_write_encoded(), programs write encoded colours after begin(), which saves encoding each sample, and
   // after write_linear() linear light, which can be blended. Elsewhere always linear light.
   void write_linear() const;
+  // What is drawn goes there.
+  void bind() const;
+  // Copies what was drawn so far, with its depth, one sample where there are several to average; then binds this again.
+  void copy_to(const gl::Target& of_same_size) const;
   bool can_write_encoded() const { return can_write_encoded_; }
   // Fills what is still empty with the gradient.
   void draw_behind(const Gradient&) const;

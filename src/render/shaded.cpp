@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The style `shaded`: a shadow map, then solid surfaces, the background, glass, and the picture.
+#include "render/contact.h"
 #include "render/lines.h"
 #include "render/module.h"
 #include "render/surfaces.h"
@@ -33,7 +34,8 @@ class Shaded final : public Module {
     const Surroundings& around = scenery_.surroundings;
     const Lighting lighting = lighting_of(scenery_.lights, view, {}, around);
     const auto shadows = shadows_.update(things_, std::span(lighting.lights).first(lighting.casting));
-    const Surfaces::Circumstances now{view, lighting, shadows, shadows_.texture(), around, metal};
+    const bool contact = need_contact();  // what is made binds what is drawn into
+    const Surfaces::Circumstances now{view, lighting, shadows, shadows_.texture(), around, metal, contact};
     const bool encoded = canvas_.can_write_encoded();
     canvas_.begin(scenery_.background);
     surfaces_.set(now);
@@ -43,6 +45,7 @@ class Shaded final : public Module {
       surfaces_.draw_setting(now, behind(gradient), encoded);
     else if (!scenery_.plain())
       canvas_.draw_behind(behind(gradient));
+    if (contact) contact_->draw(canvas_, view);
     if (!hairlines.empty() || !glass.empty()) {
       canvas_.write_linear();
       draw_hairlines(view, hairlines);
@@ -50,6 +53,14 @@ class Shaded final : public Module {
       surfaces_.draw_transparent(things_, glass);
     }
     canvas_.finish();
+  }
+  // Whether there is contact shading; where it cannot be had, a film is drawn without.
+  bool need_contact() {
+    const Surroundings& around = scenery_.surroundings;
+    if (!around.contact || around.flat) return false;
+    if (contact_) return true;
+    if (auto made = ContactShading::create(canvas_)) contact_ = *std::move(made);
+    return contact_.has_value();
   }
   // Meshes that have edges but no triangles.
   void draw_hairlines(const View& view, const std::vector<std::uint32_t>& hairlines) {
@@ -70,6 +81,7 @@ class Shaded final : public Module {
   Surfaces surfaces_;
   Shadows shadows_;
   Lines lines_;
+  std::optional<ContactShading> contact_;  // made when it is wanted
   Instances line_instances_, clear_instances_;
 };
 

@@ -59,6 +59,9 @@ uniform int lights;
 uniform vec4 light_place[16];  // a position and 1, or a direction and 0
 uniform vec4 light_color[16];  // and 1 / range², 0 for suns
 uniform vec3 sky, ground;
+#if defined(RECEIVES)
+uniform float receives;  // 1: alpha says how much contact shading there is, 0: opacity
+#endif
 uniform float encodes;      // 1: colours are written encoded, 0: as linear light
 uniform sampler2DArrayShadow shadows;  // a layer for each of the first lights
 uniform float shadow_step;             // between look-ups, in the map's measure
@@ -287,6 +290,12 @@ void main() {
   float opacity = base.a;
   vec3 sum = (body * diffuse + soft) * opacity + shiny;
   opacity = opacity + (1.0 - opacity) * max(fresnel.r, max(fresnel.g, fresnel.b));
+#if defined(RECEIVES)
+  // Contact keeps the light from everywhere away; some of the lamps' too, which are no points.
+  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
+  float open = dot(soft * base.a + shiny - specular * f0, luminance) / max(dot(sum, luminance), 1e-6);
+  float received = mix(0.65, 1.0, clamp(open, 0.0, 1.0));
+#endif
   sum = rolled(sum);
   bool glows = gloss.y == 3.0 || unlit > 0.5;
   color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
@@ -294,6 +303,13 @@ void main() {
   color.rgb = mix(color.rgb, fog_color * color.a, clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0));
 #if defined(GROUND)
   color.rgb = mix(back, color.rgb, cover);
+#endif
+#if defined(RECEIVES)
+  received *= glows ? 0.0 : 1.0 - clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0);
+#if defined(GROUND)
+  received *= cover;
+#endif
+  color.a = mix(color.a, received, receives);
 #endif
   color.rgb = mix(color.rgb, encoded(color.rgb), encodes);
 }

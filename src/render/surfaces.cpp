@@ -53,28 +53,30 @@ std::vector<double> depths_later(const Things& things, const Batches& sorted) {
 
 }  // namespace
 
-Result<Surfaces::Look> Surfaces::new_look(bool fills, bool rich, const char* defines) {
+Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const char* defines) {
   const std::string vertex =
       fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
   auto program = gl::new_program(
       vertex, std::string(encoded_function) + surface_fragment,
-      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n{}{}", shadow_taps, shadow_seeds,
-                  rich ? Lighting::most_casting : 1, rich ? "#define RICH\n" : "", defines));
+      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n{}{}{}", shadow_taps, shadow_seeds,
+                  (variant & rich) != 0 ? Lighting::most_casting : 1, (variant & rich) != 0 ? "#define RICH\n" : "",
+                  (variant & contact) != 0 ? "#define RECEIVES\n" : "", defines));
   if (!program) return program.error();
   Look look;
   look.program = *std::move(program);
   look.encodes = gl::uniform(look.program, "encodes");
+  look.receives = gl::uniform(look.program, "receives");
   look.part_color = gl::uniform(look.program, "part_color");
   gl::set_samplers(look.program, {{"shadows", shadow_unit}, {"depths", depth_unit}, {"picture", picture_unit}});
-  if (rich) glUniform2fv(gl::uniform(look.program, "seeds"), shadow_seeds, sunflower().data());
+  if ((variant & rich) != 0) glUniform2fv(gl::uniform(look.program, "seeds"), shadow_seeds, sunflower().data());
   return look;
 }
 
-Result<Surfaces::Looks> Surfaces::new_looks(bool rich) {
+Result<Surfaces::Looks> Surfaces::new_looks(std::size_t variant) {
   Looks looks;
-  for (auto& [look, variant] :
+  for (auto& [look, defines] :
        {std::pair{&looks.plain, ""}, {&looks.textured, "#define TEXTURED"}, {&looks.balls, "#define BALL"}}) {
-    auto made = new_look(false, rich, variant);
+    auto made = new_look(false, variant, defines);
     if (!made) return made.error();
     *look = *std::move(made);
   }
@@ -83,9 +85,9 @@ Result<Surfaces::Looks> Surfaces::new_looks(bool rich) {
 
 Result<Surfaces> Surfaces::create() {
   Surfaces s;
-  auto simple = new_looks(false);
+  auto simple = new_looks(0);
   if (!simple) return simple.error();
-  s.simple_ = *std::move(simple);
+  s.variants_[0] = *std::move(simple);
   s.depths_ = gl::new_depth_sampler();
   return s;
 }
@@ -142,7 +144,7 @@ void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
 // What metals mirror beside the floor: the sky, or else the light from everywhere, as bright as makes a metal.
 void Surfaces::set_mirrored(const Look& look, const Circumstances& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
-  const auto& [view, lighting, shadows, layers, around, metal] = frame;
+  const auto& [view, lighting, shadows, layers, around, metal, contact] = frame;
   glUseProgram(look.program.id());
   glUniform3fv(at("top"), 1, four(around.sky ? lighting.zenith : 3 * lighting.sky, 0).data());
   glUniform3fv(at("bottom"), 1, four(around.sky ? lighting.horizon : 3 * lighting.sky, 0).data());
@@ -151,18 +153,22 @@ void Surfaces::set_mirrored(const Look& look, const Circumstances& frame) {
   glUniform1f(at("floor_height"), static_cast<float>(-view.eye.y));
 }
 
+bool Surfaces::use(std::size_t variant) {
+  if (!variants_[variant])
+    if (auto made = new_looks(variant)) variants_[variant] = *std::move(made);
+  if (!variants_[variant]) return false;
+  variant_ = variant;
+  return true;
+}
+
 void Surfaces::set(const Circumstances& frame) {
-  richly_ = is_rich(frame);
-  if (richly_ && !rich_) {
-    if (auto made = new_looks(true))
-      rich_ = *std::move(made);
-    else
-      richly_ = false;  // the simple ones, of what they can
-  }
+  const std::size_t received = frame.contact ? contact : 0;
+  if (!use(received | (is_rich(frame) ? rich : 0)) && !use(received)) use(0);  // of what they can
   for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
     set_program(*look, frame);
-    if (richly_) set_mirrored(*look, frame);
+    if ((variant_ & rich) != 0) set_mirrored(*look, frame);
   }
+  receive_contact(true);
   flat_ = frame.around.flat;
   if (frame.shadows.empty()) return;
   gl::use_layers(shadow_unit, frame.shadow_layers);
@@ -173,7 +179,7 @@ void Surfaces::set(const Circumstances& frame) {
 void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient, bool encoded) {
   Look& ground = looks().ground;
   if (ground.program.id() == 0) {
-    auto made = new_look(true, richly_, "#define GROUND");
+    auto made = new_look(true, variant_, "#define GROUND");
     if (!made) return;  // the same stages as those of all others
     ground = *std::move(made);
   }
@@ -198,6 +204,7 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
                four(around.ground.value_or(Vec3{}), seen ? 1 : 0).data());
   glUniform1f(gl::uniform(ground.program, "floor_height"), static_cast<float>(-v.eye.y));
   glUniform1f(ground.encodes, encoded ? 1 : 0);
+  glUniform1f(ground.receives, 1);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -224,6 +231,14 @@ void Surfaces::write_encoded(bool encoded) {
   for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
     glUseProgram(look->program.id());
     glUniform1f(look->encodes, encoded ? 1 : 0);
+  }
+}
+
+void Surfaces::receive_contact(bool receives) {
+  if ((variant_ & contact) == 0) return;
+  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
+    glUseProgram(look->program.id());
+    glUniform1f(look->receives, receives ? 1 : 0);
   }
 }
 
@@ -260,6 +275,7 @@ void Surfaces::draw_opaque(const Things& things, std::span<const std::uint32_t> 
 void Surfaces::draw_transparent(const Things& things, std::span<const std::uint32_t> numbers) {
   const Batches batches = sorted_singles(things, numbers);
   glass_.set(things, batches.order);
+  receive_contact(false);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);

@@ -20,7 +20,8 @@ class Surfaces {
     std::span<const Shadows::Map> shadows;  // of the first lights
     GLuint shadow_layers;                   // where these are
     const Surroundings& around;
-    bool metal;  // some thing is of metal
+    bool metal;    // some thing is of metal
+    bool contact;  // alpha says how much contact shading what is solid receives
   };
   void set(const Circumstances&);  // for the calls below
   void write_encoded(bool);        // see Canvas; linear light otherwise
@@ -32,24 +33,28 @@ class Surfaces {
  private:
   struct Look {  // one variant of the program
     gl::Program program;
-    GLint part_color = 0, encodes = 0;
+    GLint part_color = 0, encodes = 0, receives = 0;
   };
   // Those with which a picture is drawn.
   struct Looks {
     Look plain, textured, balls;
     Look ground;  // made when it is wanted
   };
-  Looks& looks() { return richly_ ? *rich_ : simple_; }
+  Looks& looks() { return *variants_[variant_]; }
+  // Makes them where that is needed; whether they are there.
+  bool use(std::size_t variant);
   void draw_parts(const Batch&);
   void draw_depth(const Batch&);
-  static Result<Look> new_look(bool fills, bool rich, const char* defines);
-  static Result<Looks> new_looks(bool rich);
+  static Result<Look> new_look(bool fills, std::size_t variant, const char* defines);
+  static Result<Looks> new_looks(std::size_t variant);
+  void receive_contact(bool);
   static void set_program(const Look&, const Circumstances&);
   static void set_shadows(const Look&, const Circumstances&);
   static void set_mirrored(const Look&, const Circumstances&);
-  Looks simple_;
-  std::optional<Looks> rich_;  // made when they are wanted
-  bool richly_ = false;        // which of them are set
+  static constexpr std::size_t rich = 1,
+                               contact = 2;  // what a variant can, beside the simple ones; all made when wanted
+  std::array<std::optional<Looks>, 4> variants_;
+  std::size_t variant_ = 0;  // which of them is set
   gl::Sampler depths_;
   Instances solid_, glass_;
   bool flat_ = false;  // nothing is lit

@@ -29,6 +29,7 @@ struct Appearance {
   bool ground = false;
   std::optional<Color> ground_color;  // none: its usual one
   bool sky = false;
+  bool contact = false;
   friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 

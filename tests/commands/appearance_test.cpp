@@ -12,7 +12,7 @@ double light(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) 
 TEST(Appearance, IsInTheFrame) {
   const LoadedFilm s(
       "let far = 40m\nlet dusk = rgb(0.2 0.4 0.6)\nbackground navy to #ff8000\nambient dusk\nexposure 2/4\n"
-      "fog white from 50cm to far\nground #808080\nsky on\n");
+      "fog white from 50cm to far\nground #808080\nsky on\ncontact on\n");
   const Surroundings a = s.frame("1f").surroundings;
   EXPECT_NEAR(s.frame("1f").background->z, light(128 / 255.0), 1e-12);
   EXPECT_NEAR(a.below->y, light(128 / 255.0), 1e-12);
@@ -21,14 +21,16 @@ TEST(Appearance, IsInTheFrame) {
   EXPECT_EQ(a.fog, (Surroundings::Fog{{1, 1, 1}, 0.5, 40}));
   EXPECT_NEAR(a.ground->x, light(128 / 255.0), 1e-12);
   EXPECT_TRUE(a.sky);
+  EXPECT_TRUE(a.contact);
   EXPECT_FALSE(a.flat);
   EXPECT_EQ(LoadedFilm("").frame("1f").surroundings, Surroundings{});
 }
 
 TEST(Appearance, TheLastWordCounts) {
   const std::string all =
-      "background navy to red\nambient off\nexposure 3\nfog red from 1 to 2\nground red\nsky on\nfilm flat\n";
-  const LoadedFilm s(all + "background none\nexposure 0\nfog off\nground off\nsky off\nfilm solid\n");
+      "background navy to red\nambient off\nexposure 3\nfog red from 1 to 2\nground red\nsky on\ncontact on\nfilm "
+      "flat\n";
+  const LoadedFilm s(all + "background none\nexposure 0\nfog off\nground off\nsky off\ncontact off\nfilm solid\n");
   Surroundings rest;
   rest.ambient = Vec3{};  // off is no light from everywhere; nothing else is said of it
   EXPECT_EQ(s.frame("1f").surroundings, rest);
@@ -110,7 +112,7 @@ TEST(Appearance, IsWrittenAndCompared) {
   const Document nothing;
   for (const char* line :
        {"size 320x200", "samples 16", "film flat", "background red to #010203", "ambient off", "ambient #123456",
-        "exposure -1.25", "fog gold from 0.1 to 1000", "ground on", "ground navy", "sky on"}) {
+        "exposure -1.25", "fog gold from 0.1 to 1000", "ground on", "ground navy", "sky on", "contact on"}) {
     const Document d = LoadedFilm(std::string(line) + "\n").loaded.document;
     EXPECT_FALSE(d == nothing) << line;
     const Loaded again = read(write(d));
@@ -162,6 +164,10 @@ TEST(Appearance, MistakesAreSaidWhereTheyAre) {
            {"ground on red", "1:11: 'red' is not expected here"},
            {"sky", "1:4: the sky is on or off"},
            {"sky blue", "1:5: the sky is on or off"},
+           {"contact", "1:8: contact shading is on or off"},
+           {"contact 3", "1:9: contact shading is on or off"},
+           {"contact on the floor", "1:12: 'the' is not expected here"},
+           {"at 3f contact on", "1:7: 'contact' has no time: it holds for the whole film"},
            {"at 3f sky on", "1:7: 'sky' has no time: it holds for the whole film"},
            {"at 3f size 3x3", "1:7: 'size' has no time: it holds for the whole film"}}) {
     const Loaded l = read(line + "\n");
