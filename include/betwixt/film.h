@@ -26,10 +26,14 @@ struct FilmOptions {
   int width = 1280, height = 720;
   int jobs = 0;  // painters at work; 0: as many as suits this machine
   bool overwrite = true;
+  // Of numbered pictures: those that are there, whole and of this size stay; each other one is put in place when it is
+  // made, whatever becomes of the rest.
+  bool missing = false;
 };
 
 struct FilmStats {
   int frames = 0;
+  int found = 0;        // of these: pictures that were there (FilmOptions::missing)
   double seconds = 0;   // wall clock, all of it
   double painting = 0;  // seconds inside painters, summed over jobs
   double encoding = 0;  // seconds in which the encoder or the disk was what was waited for
@@ -40,8 +44,9 @@ using Progress = std::function<bool(int done, int frames, double seconds)>;
 
 // new_painter is called once by each job, from the job's own thread, one job at a time. At most twice as many pictures
 // as jobs are held. The film (all its pictures, where it is made of these) gathers under a hidden name beside its own
-// and is put in place when it is whole. Errors: range (an ending nobody knows, bad sizes), file (no such folder, there
-// already), machine (no ffmpeg, not writable, disk full, stopped), or the painter's own, unchanged.
+// and is put in place when it is whole. Errors: range (an ending nobody knows, bad sizes, `missing` of a film in one
+// file), file (no such folder, there already), machine (no ffmpeg, not writable, disk full, stopped), or the painter's
+// own, unchanged.
 Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
                             const Progress& = {});
 

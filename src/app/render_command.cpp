@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "app/code_errors.h"
 #include "app/command.h"
+#include "app/making.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
-#include "betwixt/film.h"
 #include "betwixt/program.h"
 #include "film/formats.h"
 
@@ -23,50 +19,7 @@ struct RenderCall {
   std::string file, out, frames;
   PictureCall picture;
   int jobs = 0;
-  bool keep_old = false, keep_going = false, stats = false;
-};
-
-// "1.9 s", "4 min 12 s", "2 h 05 min"
-std::string duration(double seconds) {
-  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
-  const int whole = static_cast<int>(std::min(seconds, 1e9));
-  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-}
-
-// One line on a terminal that says how far the film is; silent where there is none.
-class Bar {
- public:
-  explicit Bar(int frames) : shown_(::isatty(STDERR_FILENO) == 1), frames_(frames) {}
-  ~Bar() { wipe(); }
-  void show(int done, double seconds) {
-    if (!shown_ || seconds < next_) return;
-    next_ = seconds + 0.1;
-    const double rate = seconds > 0 ? done / seconds : 0;
-    std::string tail = fmt::format(" {}/{}", done, frames_);
-    if (done == frames_) tail += "  finishing the file";
-    if (done > 0 && done < frames_)
-      tail += fmt::format("  {:.1f} frames/s  {} left", rate, duration((frames_ - done) / rate));
-    const int wide = std::clamp(columns() - static_cast<int>(tail.size()) - 4, 0, 40);
-    const int full = static_cast<int>(static_cast<double>(wide) * done / frames_);
-    fmt::print(stderr, "\r\x1b[K[{:#>{}}{: >{}}]{}", "", full, "", wide - full, tail);
-    std::fflush(stderr);
-    drawn_ = true;
-  }
-  void wipe() {
-    if (drawn_) fmt::print(stderr, "\r\x1b[K");
-    drawn_ = false;
-  }
-
- private:
-  static int columns() {
-    winsize size{};
-    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-  }
-  const bool shown_;
-  const int frames_;
-  double next_ = 0;
-  bool drawn_ = false;
+  bool missing = false, keep_old = false, keep_going = false, stats = false;
 };
 
 void print_stats(const FilmStats& s, const Spending& spent, const Program& program) {
@@ -114,23 +67,12 @@ int render(const RenderCall& call) {
   options.width = pictures.width, options.height = pictures.height;
   options.jobs = call.jobs;
   options.overwrite = !call.keep_old;
+  options.missing = call.missing;
 
-  catch_stops();
-  Bar bar(options.frames);
-  const Result<FilmStats> made = make_film(options, new_painter, [&](int done, int, double seconds) {
-    bar.show(done, seconds);
-    return !stop_requested();
-  });
-  bar.wipe();
-  if (!made && stop_requested()) {
-    fmt::print(stderr, "betwixt: stopped; {} was not made\n", call.out);
-    return interrupted;
-  }
-  if (!made) return complain(made.error(), wrong_call);
-  fmt::print(stderr, "{} frame{} in {}, {}\n", made->frames, made->frames == 1 ? "" : "s", duration(made->seconds),
-             call.out);
-  if (call.stats) print_stats(*made, spent, program);
-  return all_done;
+  const Result<FilmStats> made = make_showing(options, new_painter);
+  const int code = say_made(made, options);
+  if (made && call.stats) print_stats(*made, spent, program);
+  return code;
 }
 
 const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
@@ -149,13 +91,19 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
              .sentence = "pictures made at once; if not said, what suits this machine",
              .into = &call.jobs,
              .range = {{1, 256}}},
+            {.name = "--missing",
+             .sentence = "numbered pictures: make those only that are not there, or broken",
+             .into = &call.missing,
+             .excludes = "--no-overwrite"},
             flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
             keep_going_flag(call.keep_going),
             flag("--stats", "say where the time of a frame went, and what document and program take", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =
           "All but pictures need the program ffmpeg. A progress bar with frames per second and the time left is "
-          "shown on a terminal. A film that is stopped or fails leaves nothing under its final name."};
+          "shown on a terminal. A film that is stopped or fails leaves nothing under its final name; with --missing "
+          "each picture is put in "
+          "place when it is whole, so that the next call goes on from there."};
 });
 
 }  // namespace

@@ -90,6 +90,7 @@ class Crew {
 
   double painting() const { return painting_; }
   double packing() const { return packing_; }
+  int found() const { return found_; }
 
  private:
   struct Slot {
@@ -133,6 +134,11 @@ class Crew {
   Status paint(const Painter& painter, int k) {
     Parcel& parcel = slot(k).parcel;
     const auto start = Clock::now();
+    if (sink_.stands(k)) {
+      const std::lock_guard lock(mutex_);
+      ++found_;
+      return Nothing{};
+    }
     Status how = painter(k, parcel.picture);
     const double painted = since(start);
     if (how) how = check(parcel.picture, options_);
@@ -153,6 +159,7 @@ class Crew {
   bool stop_ = false;
   std::optional<Error> failed_early_;
   double painting_ = 0, packing_ = 0;
+  int found_ = 0;  // that needed no painting
   std::vector<std::thread> threads_;
 };
 
@@ -192,6 +199,7 @@ Result<FilmStats> make_film(const FilmOptions& options, const std::function<Resu
   if (Status s = encode([&] { return (*sink)->finish(keep_going); }); !s) return s.error();
   stats.seconds = since(start);
   stats.painting = crew.painting();
+  stats.found = crew.found();
   stats.encoding += crew.packing();
   if (progress) progress(stats.frames, options.frames, stats.seconds);
   return stats;

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "betwixt/picture.h"
+#include "film/numbered.h"
 #include "film/partial.h"
 #include "film/yuv.h"
 
@@ -52,14 +53,15 @@ class Movie final : public Sink {
   std::unique_ptr<Encoder> encoder_;  // goes first: it writes there
 };
 
-// Pictures gather in a hidden folder and move to their names together: a film is there whole or not at all.
+// Pictures gather in a hidden folder and move to their names together: a film is there whole or not at all. Where only
+// those are wanted that are missing, each moves when it is whole.
 class Pictures final : public Sink {
  public:
   Pictures(const FilmOptions& o, Output place)
       : options_(o), place_(std::move(place)), partial_(place_, Partial::What::folder), count_(o.frames) {}
 
   Status start() {
-    for (int k = 0; k < count_; ++k)
+    for (int k = 0; k < (options_.missing ? 1 : count_); ++k)
       if (Status s = check_place(place_.path(number(k)), options_.overwrite); !s) return s;
     if (Status s = partial_.make(); !s) return s;
     gathering_ = place_;
@@ -70,7 +72,7 @@ class Pictures final : public Sink {
   Status pack(int k, Parcel& parcel) override {
     const std::string hidden = gathering_.path(number(k));
     Status written = write_png(hidden, parcel.picture);
-    if (written) return written;
+    if (written) return options_.missing ? place(k) : written;
     Error e = written.error();  // in words that name the picture, not where it waits
     const std::size_t at = e.message.find(hidden);
     if (at != std::string::npos) e.message.replace(at, hidden.size(), place_.path(number(k)));
@@ -79,14 +81,20 @@ class Pictures final : public Sink {
   }
   Status take(const Parcel&, const KeepGoing&) override { return Nothing{}; }
   bool single_pictures() const override { return true; }
+  bool stands(int k) const override {
+    return options_.missing && whole_picture(place_.path(number(k)), options_.width, options_.height);
+  }
 
   Status finish(const KeepGoing&) override {
-    for (int k = 0; k < count_; ++k)
-      if (Status s = put_in_place(gathering_.path(number(k)), place_.path(number(k)), options_.overwrite); !s) return s;
+    for (int k = 0; k < count_ && !options_.missing; ++k)
+      if (Status s = place(k); !s) return s;
     return Nothing{};
   }
 
  private:
+  Status place(int k) const {
+    return put_in_place(gathering_.path(number(k)), place_.path(number(k)), options_.overwrite);
+  }
   int number(int k) const { return options_.first_number + k; }
 
   const FilmOptions options_;
@@ -129,6 +137,9 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
   const Result<Output> place = read_output(o.path);
   if (!place) return place.error();
+  if (o.missing && place->format)
+    return fail(ErrorCode::range, "a film in one file has no pictures that could be missing",
+                "numbered pictures do: frame-%04d.png; betwixt join makes a film of them");
   return place->format ? started<Movie>(o, *place) : started<Pictures>(o, *place);
 }
 

@@ -25,6 +25,8 @@ class Sink {
   virtual Status pack(int k, Parcel&) = 0;                   // from the painters' threads, in any order
   virtual Status take(const Parcel&, const KeepGoing&) = 0;  // from one thread, in the order of the film
   virtual Status finish(const KeepGoing&) = 0;
+  // It need not be made. From the painters' threads, in any order.
+  virtual bool stands(int /*k*/) const { return false; }
   virtual bool single_pictures() const { return false; }
 };
 

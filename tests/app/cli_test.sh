@@ -161,6 +161,44 @@ verdict 'frame and film make the same picture' "$(cmp -s one.png p-010.png && ec
 check 'no overwriting' 2 'film.mp4 is there already' render bounce.bx -o film.mp4 $small --no-overwrite
 check 'no overwriting a picture' 2 'one.png is there already' frame bounce.bx --at 1f -o one.png $small --no-overwrite
 check 'an empty script is a film' 0 'frames in' render empty.bx -o empty.gif $small
+
+# What is missing, and pictures put together.
+check 'all pictures' 0 '12 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
+sha256sum m-*.png >whole.sums
+check 'nothing is missing' 0 '0 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
+has 'what was there is counted' "$said" '12 were there'
+touch -d 2001-01-01 m-*.png
+rm m-03.png m-04.png
+truncate -s -20 m-07.png
+printf x | dd of=m-09.png bs=1 seek=100 conv=notrunc status=none
+cp one.png m-11.png && "$program" frame bounce.bx --at 11f -o m-11.png --size 32x24 2>/dev/null
+mv m-12.png kept.png
+check 'holes' 1 "3 of 12 pictures are not there, or broken: 3-4, 12" join m-%02d.png -o joined.mp4 --frames 1..12 --rate 24
+check 'a hole in the middle' 1 '2 of 11 pictures are not there, or broken: 3-4' join m-%02d.png -o joined.mp4
+mv kept.png m-12.png
+cp m-01.png m-03.png && cp m-01.png m-04.png
+check 'broken ones' 1 '3 of 12 pictures are not there, or broken: 7, 9, 11' join m-%02d.png -o joined.mp4
+has 'how they are made' "$said" 'betwixt render SCRIPT -o m-%02d.png --missing'
+verdict 'nothing was made of them' "$([ ! -e joined.mp4 ] && echo yes)" 'a film'
+rm m-03.png m-04.png
+check 'what is missing' 0 '5 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
+verdict 'as if it had never been missing' "$(sha256sum --quiet -c whole.sums >/dev/null 2>&1 && echo yes)" 'other pictures'
+is 'the others were left alone' "$(find . -name 'm-*.png' ! -newermt 2001-01-02 | wc -l)" 7
+check 'join' 0 '12 frames in' join m-%02d.png -o joined.mp4
+check 'the same film' 0 '12 frames in' render bounce.bx -o direct.mp4 $small
+verdict 'join makes what render makes' "$(cmp -s joined.mp4 direct.mp4 && echo yes)" 'they differ'
+check 'its rate' 0 '12 frames in' join m-%02d.png -o joined.mp4 --rate 30000/1001
+is 'its rate, seen' "$(ffprobe -v error -select_streams v:0 -show_entries stream=r_frame_rate -of csv=p=0 joined.mp4 | tr -d ,)" 30000/1001
+check 'a part' 0 '3 frames in' join m-%02d.png -o joined.gif --frames 2..4
+check 'no such pictures' 1 'there are no pictures' join nothing-%d.png -o joined.mp4
+check 'no such folder' 1 'there is no folder nowhere' join nowhere/m-%d.png -o joined.mp4
+check 'no pictures' 2 'no name of numbered pictures' join film.mp4 -o joined.mp4
+check 'no number' 2 'needs one number in its name' join m.png -o joined.mp4
+check 'no rate' 2 "'0' is no rate" join m-%02d.png -o joined.mp4 --rate 0
+check 'no range' 2 "'4..2' is no range of numbers" join m-%02d.png -o joined.mp4 --frames 4..2
+check 'missing of a film' 2 'a film in one file has no pictures that could be missing' render bounce.bx -o film.mp4 $small --missing
+check 'missing, and nothing overwritten' 2 '--missing excludes --no-overwrite' render bounce.bx -o m-%02d.png --missing --no-overwrite
+rm m-*.png whole.sums joined.* direct.mp4
 is 'no progress bar without a terminal' "$("$program" render bounce.bx -o film.gif $small 2>&1 | grep -c $'\r')" 0
 
 # Plots.

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <numeric>
+#include <string_view>
+
+#include "app/command.h"
+#include "app/making.h"
+#include "app/subcommand.h"
+#include "betwixt/picture.h"
+#include "film/numbered.h"
+
+namespace betwixt {
+namespace {
+
+struct JoinCall {
+  std::string pictures, out;
+  std::optional<std::pair<int, int>> numbers;
+  Rate rate{24, 1};
+  int jobs = 0;
+  bool keep_old = false;
+};
+
+// Whole numbers with something between them.
+std::optional<std::pair<int, int>> two_numbers(std::string_view text, std::string_view between) {
+  int a = 0, b = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, a);
+  if (first.ec != std::errc() || !std::string_view(first.ptr, end).starts_with(between)) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + between.size(), end, b);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  return std::pair(a, b);
+}
+
+Status read_numbers(const std::string& text, JoinCall& to) {
+  to.numbers = two_numbers(text, "..");
+  if (to.numbers && to.numbers->first <= to.numbers->second) return Nothing{};
+  return fail(ErrorCode::range, fmt::format("'{}' is no range of numbers such as 1..48", text));
+}
+
+Status read_rate(const std::string& text, JoinCall& to) {
+  const auto ratio = two_numbers(text.find('/') == std::string::npos ? text + "/1" : text, "/");
+  if (!ratio || ratio->first < 1 || ratio->second < 1 || ratio->first / ratio->second > 1000)
+    return fail(ErrorCode::range, fmt::format("'{}' is no rate such as 24 or 30000/1001", text));
+  to.rate = {ratio->first, ratio->second};
+  return Nothing{};
+}
+
+Error holes(const JoinCall& call, const std::vector<int>& missing, std::size_t of) {
+  return fail(ErrorCode::file,
+              fmt::format("{} of {} pictures {} not there, or broken: {}", missing.size(), of,
+                          missing.size() == 1 ? "is" : "are", runs(missing)),
+              fmt::format("betwixt render SCRIPT -o {} --missing makes them", call.pictures));
+}
+
+// What the film is of. Errors: range, file (holes).
+Result<std::vector<int>> numbers(const JoinCall& call, const Output& pictures) {
+  if (pictures.format)
+    return fail(ErrorCode::range, fmt::format("\"{}\" is no name of numbered pictures", call.pictures),
+                "such as frame-%04d.png");
+  const auto there = numbers_there(pictures);
+  if (!there) return there.error();
+  if (there->empty() && !call.numbers)
+    return fail(ErrorCode::file, fmt::format("there are no pictures {}", call.pictures));
+  const auto [first, last] = call.numbers.value_or(std::pair(0, 0));
+  const int from = call.numbers ? first : *there->begin(), to = call.numbers ? last : *there->rbegin();
+  if (static_cast<std::int64_t>(to) - from >= 10'000'000)
+    return fail(ErrorCode::range, "a film has at most 10,000,000 pictures");
+  std::vector<int> all(static_cast<std::size_t>(to - from + 1)), missing;
+  std::iota(all.begin(), all.end(), from);
+  for (const int n : all)
+    if (!there->contains(n)) missing.push_back(n);
+  if (!missing.empty()) return holes(call, missing, all.size());
+  return all;
+}
+
+// Only where one was broken: all that are, then.
+std::vector<int> broken_ones(const Output& pictures, const std::vector<int>& all, const FilmOptions& options) {
+  std::vector<int> broken;
+  for (const int n : all)
+    if (!whole_picture(pictures.path(n), options.width, options.height)) broken.push_back(n);
+  return broken;
+}
+
+int join(const JoinCall& call) {
+  const Result<Output> pictures = read_output(call.pictures);
+  if (!pictures) return complain(pictures.error(), wrong_call);
+  const Result<std::vector<int>> all = numbers(call, *pictures);
+  if (!all) return complain(all.error(), all.error().code == ErrorCode::range ? wrong_call : wrong_input);
+  const auto first = read_picture(pictures->path(all->front()));
+
+  FilmOptions options;
+  options.path = call.out;
+  options.frames = static_cast<int>(all->size());
+  options.rate = call.rate;
+  if (first) options.width = (*first)->width, options.height = (*first)->height;
+  options.jobs = call.jobs;
+  options.overwrite = !call.keep_old;
+  const auto new_painter = [&]() -> Result<Painter> {
+    return Painter([&](int k, Picture& out) -> Status {
+      const auto read = read_picture(pictures->path((*all)[static_cast<std::size_t>(k)]));
+      if (!read) return read.error();
+      out = **read;
+      return Nothing{};
+    });
+  };
+  const Result<FilmStats> made = make_showing(options, new_painter);
+  if (made || stop_requested()) return say_made(made, options);
+  const std::vector<int> broken = broken_ones(*pictures, *all, options);
+  return broken.empty() ? say_made(made, options) : complain(holes(call, broken, all->size()), wrong_input);
+}
+
+const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
+  return {.rank = 15,
+          .name = "join",
+          .sentence = "makes a film of numbered pictures",
+          .takes = {{.name = "PICTURES",
+                     .sentence = "their name, as in frame-%04d.png",
+                     .into = &call.pictures,
+                     .required = true,
+                     .offer = Offer::files},
+                    output_parameter(call.out, "OUT", "the film; its ending says what is made"),
+                    {.name = "--frames",
+                     .value = "A..B",
+                     .sentence = "the numbers that there must be; if not said, from the first to the last one",
+                     .into = ReadValue([&call](const std::string& text) { return read_numbers(text, call); })},
+                    {.name = "--rate",
+                     .value = "N",
+                     .sentence = "pictures a second, as in 24 or 30000/1001; 24 if not said",
+                     .into = ReadValue([&call](const std::string& text) { return read_rate(text, call); })},
+                    {.name = "--jobs",
+                     .value = "N",
+                     .sentence = "pictures read at once; if not said, what suits this machine",
+                     .into = &call.jobs,
+                     .range = {{1, 256}}},
+                    flag("--no-overwrite", "leave a film alone that is there already", call.keep_old)},
+          .example = "betwixt join frame-%04d.png -o film.mp4 --rate 25",
+          .manual = "Nothing is made where a picture is missing or broken: the list of these is said."};
+});
+
+}  // namespace
+}  // namespace betwixt

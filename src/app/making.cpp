@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/making.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "app/command.h"
+
+namespace betwixt {
+namespace {
+
+// "1.9 s", "4 min 12 s", "2 h 05 min"
+std::string duration(double seconds) {
+  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+  const int whole = static_cast<int>(std::min(seconds, 1e9));
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+// One line on a terminal that says how far the film is; silent where there is none.
+class Bar {
+ public:
+  explicit Bar(int frames) : shown_(::isatty(STDERR_FILENO) == 1), frames_(frames) {}
+  ~Bar() { wipe(); }
+  void show(int done, double seconds) {
+    if (!shown_ || seconds < next_) return;
+    next_ = seconds + 0.1;
+    const double rate = seconds > 0 ? done / seconds : 0;
+    std::string tail = fmt::format(" {}/{}", done, frames_);
+    if (done == frames_) tail += "  finishing the file";
+    if (done > 0 && done < frames_)
+      tail += fmt::format("  {:.1f} frames/s  {} left", rate, duration((frames_ - done) / rate));
+    const int wide = std::clamp(columns() - static_cast<int>(tail.size()) - 4, 0, 40);
+    const int full = static_cast<int>(static_cast<double>(wide) * done / frames_);
+    fmt::print(stderr, "\r\x1b[K[{:#>{}}{: >{}}]{}", "", full, "", wide - full, tail);
+    std::fflush(stderr);
+    drawn_ = true;
+  }
+  void wipe() {
+    if (drawn_) fmt::print(stderr, "\r\x1b[K");
+    drawn_ = false;
+  }
+
+ private:
+  static int columns() {
+    winsize size{};
+    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  }
+  const bool shown_;
+  const int frames_;
+  double next_ = 0;
+  bool drawn_ = false;
+};
+
+}  // namespace
+
+Result<FilmStats> make_showing(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter) {
+  catch_stops();
+  Bar bar(options.frames);
+  return make_film(options, new_painter, [&](int done, int, double seconds) {
+    bar.show(done, seconds);
+    return !stop_requested();
+  });
+}
+
+int say_made(const Result<FilmStats>& made, const FilmOptions& options) {
+  if (!made && stop_requested()) {
+    fmt::print(stderr, "betwixt: stopped; {} was not made\n", options.path);
+    return interrupted;
+  }
+  if (!made) return complain(made.error(), wrong_call);
+  const int painted = made->frames - made->found;
+  fmt::print(stderr, "{} frame{} in {}, {}", painted, painted == 1 ? "" : "s", duration(made->seconds), options.path);
+  if (made->found > 0) fmt::print(stderr, "; {} {} there", made->found, made->found == 1 ? "was" : "were");
+  fmt::print(stderr, "\n");
+  return all_done;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How subcommands make films.
+#pragma once
+
+#include "betwixt/film.h"
+
+namespace betwixt {
+
+// Makes the film, and shows how far it is.
+Result<FilmStats> make_showing(const FilmOptions&, const std::function<Result<Painter>()>& new_painter);
+// Says what was made, or why not. The exit code.
+int say_made(const Result<FilmStats>&, const FilmOptions&);
+
+}  // namespace betwixt

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "film/numbered.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+#include "base/files.h"
+#include "betwixt/picture.h"
+
+namespace betwixt {
+
+Result<std::set<int>> numbers_there(const Output& pictures) {
+  std::set<int> all;
+  std::error_code failed;
+  const std::filesystem::directory_iterator folder(pictures.folder, failed);
+  if (failed == std::errc::no_such_file_or_directory)
+    return fail(ErrorCode::file, "there is no folder " + pictures.folder);
+  if (failed) return system_error(failed.value(), "read", pictures.folder);
+  for (const auto& entry : folder) {
+    const std::string name = entry.path().filename().string();
+    const std::size_t around = pictures.before.size() + pictures.after.size();
+    if (name.size() <= around || !name.starts_with(pictures.before) || !name.ends_with(pictures.after)) continue;
+    int number = 0;
+    const char* const end = name.data() + name.size() - pictures.after.size();
+    const auto read = std::from_chars(name.data() + pictures.before.size(), end, number);
+    // As it would be written: frame-7.png is none of frame-%04d.png.
+    if (read.ec == std::errc() && read.ptr == end && pictures.path(number) == pictures.folder + '/' + name)
+      all.insert(number);
+  }
+  return all;
+}
+
+bool whole_picture(const std::string& path, int width, int height) {
+  using namespace std::string_view_literals;
+  constexpr auto end = "\0\0\0\0IEND\xae\x42\x60\x82"sv;  // which readers of pictures do not miss
+  const auto bytes = read_whole(path);
+  if (!bytes || !bytes->ends_with(end)) return false;
+  const auto picture = read_picture(path);
+  return picture && (*picture)->width == width && (*picture)->height == height;
+}
+
+std::string runs(const std::vector<int>& ascending) {
+  constexpr int most = 20;
+  std::string all;
+  int said = 0;
+  for (std::size_t i = 0; i < ascending.size();) {
+    std::size_t last = i;
+    while (last + 1 < ascending.size() && ascending[last + 1] == ascending[last] + 1) ++last;
+    if (said++ == most) return all + ", …";
+    if (!all.empty()) all += ", ";
+    all += last == i ? fmt::format("{}", ascending[i]) : fmt::format("{}-{}", ascending[i], ascending[last]);
+    i = last + 1;
+  }
+  return all;
+}
+
+}  // namespace betwixt
