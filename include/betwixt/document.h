@@ -29,7 +29,9 @@ inline constexpr Time from_the_beginning{INT64_MIN}, for_good{INT64_MAX};
 
 // What can be asked of an object, and not set: a target has it in the place of a display function.
 enum class Query : std::uint16_t {
-  in_view = 0xfffa,  // whether any of a thing drawn is in view
+  loudness = 0xfff8,  // of a sound, as it is heard then: 0 to 1, the root of the mean square over 50 ms
+  onsets,             // how many beats and strokes of it have been heard by then
+  in_view,            // whether any of a thing drawn is in view
   touching,          // the names of what a thing drawn touches
   count,             // of an environment: how many updates there have been
   interval,          // ticks from one update to the next
@@ -43,7 +45,7 @@ struct Target {
   constexpr Target(ObjectId o, std::uint16_t f, int c = -1) : object(o), function(f), component(c) {}
   constexpr Target(ObjectId o, Query q, int c = -1) : Target(o, static_cast<std::uint16_t>(q), c) {}
   constexpr std::optional<Query> query() const {
-    return function < static_cast<std::uint16_t>(Query::in_view) ? std::nullopt
+    return function < static_cast<std::uint16_t>(Query::loudness) ? std::nullopt
                                                                  : std::optional(static_cast<Query>(function));
   }
 

@@ -7,9 +7,11 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "betwixt/mesh.h"
+#include "betwixt/program.h"
 #include "betwixt/result.h"
 #include "betwixt/time.h"
 
@@ -17,6 +19,16 @@ namespace betwixt {
 
 // Makes the picture of the k-th frame of the film, k from 0. Each job calls its own painter, from its own thread.
 using Painter = std::function<Status(int k, Picture& out)>;
+
+// Fills a film's sound: left, right, left, …, `sound_rate` pairs a second. Called once, before the first picture.
+using Sounds = std::function<Status(std::span<float> stereo)>;
+
+// All sounds of a program from a time on, as they are heard, each to the next sample: at, from, until and the fades as
+// they are at the beginning, gain as it changes. Errors: file (not there any more), machine (no ffmpeg).
+Status mix_sounds(const Program&, Time from, std::span<float> stereo);
+bool has_sounds(const Document&);
+// Whether films whose names end so can have any.
+bool takes_sound(const std::string& path);
 
 struct FilmOptions {
   std::string path;      // the ending says what is made
@@ -29,6 +41,7 @@ struct FilmOptions {
   // Of numbered pictures: those that are there, whole and of this size stay; each other one is put in place when it is
   // made, whatever becomes of the rest.
   bool missing = false;
+  Sounds sounds;  // none: it is silent
 };
 
 struct FilmStats {

@@ -40,7 +40,8 @@ enum class Kind : std::uint8_t {
   arrow,
   curve,
   trace,
-  line
+  line,
+  sound  // nothing that is seen
 };
 
 // How letters look, beside their font, and how many of them are seen, blanks and ends of lines counted.

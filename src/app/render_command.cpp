@@ -9,6 +9,8 @@
 #include "app/making.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
+#include "base/tell_user.h"
+#include "betwixt/film.h"
 #include "betwixt/program.h"
 #include "film/formats.h"
 
@@ -68,6 +70,10 @@ int render(const RenderCall& call) {
   options.jobs = call.jobs;
   options.overwrite = !call.keep_old;
   options.missing = call.missing;
+  if (has_sounds(*document) && takes_sound(call.out))
+    options.sounds = [&](std::span<float> stereo) { return mix_sounds(program, frames->time(0), stereo); };
+  else if (has_sounds(*document))
+    tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4 and .webm do\n", call.out));
 
   const Result<FilmStats> made = make_showing(options, new_painter);
   const int code = say_made(made, options);

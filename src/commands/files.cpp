@@ -15,6 +15,7 @@
 #include "commands/reader.h"
 #include "exchange/fonts.h"
 #include "exchange/meshes.h"
+#include "exchange/sounds.h"
 
 namespace betwixt {
 namespace {
@@ -142,7 +143,7 @@ bool use(Command& k) {
   return true;
 }
 
-// Reads what a `file` or `texture` names, and keeps it in the scene; `path` becomes its place below the first script's
+// Reads what a `file` of a mesh or a sound or a `texture` names, and keeps it in the scene; `path` becomes its place below the first script's
 // folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
@@ -151,7 +152,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
     if (!known) script.note(Severity::warning, known.error().message, about, known.error().hint);
     return true;
   }
-  if ((f != fn::file && f != fn::texture) || path.empty()) return true;
+  if ((f != fn::file && f != fn::texture && f != fn::sound_file) || path.empty()) return true;
   const fs::path where = script.folder / path;
   if (!script.may_read(where))
     return c.fail(ErrorCode::file, fmt::format("'{}' lies outside the script's folder", path), about,
@@ -163,6 +164,11 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
     auto mesh = load_mesh(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
     if (!mesh) return failed(mesh.error());
     s.meshes.edit()[path] = *mesh;
+  } else if (f == fn::sound_file) {
+    if (s.sounds->contains(path)) return true;
+    auto sound = read_sound(where.string());
+    if (!sound) return failed(sound.error());
+    s.sounds.edit()[path] = *sound;
   } else {
     if (s.pictures->contains(path)) return true;
     auto picture = read_picture(where.string());

@@ -120,6 +120,8 @@ bool create(Command& k) {
   if (!parameters(k, object, &said)) return false;
   if (object.kind == Kind::mesh && !object.find(fn::file))
     return c.fail(ErrorCode::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
+  if (object.kind == Kind::sound && !object.find(fn::sound_file))
+    return c.fail(ErrorCode::syntax, "a sound needs its file", kind_word, "as in file=\"music.mp3\"");
   std::vector<ObjectId> parents(names->size());
   std::vector<std::string> sorted = *names;
   std::sort(sorted.begin(), sorted.end());

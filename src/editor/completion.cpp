@@ -10,6 +10,7 @@
 #include "editor/said_line.h"
 #include "editor/session_state.h"
 #include "language/colors.h"
+#include "scene/names.h"
 #include "track/filter.h"
 
 namespace betwixt {
@@ -120,8 +121,8 @@ void parts_of_target(const Document& d, std::string_view last, bool asking, Word
     const Kind kind = s.objects[id.index].kind;
     if (behind == std::string_view::npos) {
       for (const auto f : function_names(s, kind)) all.push_back(fmt::format("{}.{}", object, f));
-      for (const char* query : {"world", "touching", "in-view"})
-        if (asking) all.push_back(fmt::format("{}.{}", object, query));
+      for (const char* query : {"world", "touching", "in-view", "loudness", "onsets"})
+        if (asking && find_query(kind, query)) all.push_back(fmt::format("{}.{}", object, query));
       continue;
     }
     const std::string_view name = last.substr(dot + 1, behind - dot - 1);

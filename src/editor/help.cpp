@@ -22,6 +22,9 @@ using enum HelpGroup;
 
 constexpr HelpEntry other_words[] = {
     {function, "world", "Where it is in the world, a matrix; it can be asked for, not set.", "", ""},
+    {function, "loudness", "How loud a sound is then, 0 to 1, as it is heard; it can be asked for, not set.", "", ""},
+    {function, "onsets", "How many beats and strokes of a sound have been heard by then; it can be asked for, not set.",
+     "", ""},
     {function, "touching", "The names of what it touches; it can be asked for, not set.", "", ""},
     {function, "in-view", "Whether any of it is in view; it can be asked for, not set.", "", ""},
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,7 +14,7 @@
 #include <cerrno>
 #include <cstring>
 
-extern char** environ;
+#include "base/child.h"
 
 namespace betwixt {
 namespace {
@@ -27,31 +26,6 @@ constexpr int buffer = 1 << 20;       // bytes under way to the program
 void shut(int& fd) {
   if (fd >= 0) ::close(fd);
   fd = -1;
-}
-
-// The program in a process group of its own: a Ctrl-C of the terminal is for us, who then end it.
-int spawn(pid_t& pid, const std::vector<std::string>& arguments, int in, int err) {
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t ways;
-  posix_spawn_file_actions_init(&files);
-  posix_spawnattr_init(&ways);
-  posix_spawn_file_actions_adddup2(&files, in, 0);
-  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, err, 2);
-  sigset_t none, all;
-  sigemptyset(&none);
-  sigfillset(&all);
-  posix_spawnattr_setsigmask(&ways, &none);
-  posix_spawnattr_setsigdefault(&ways, &all);
-  posix_spawnattr_setpgroup(&ways, 0);
-  posix_spawnattr_setflags(&ways, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  std::vector<char*> words;
-  for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
-  words.push_back(nullptr);
-  const int failed = posix_spawnp(&pid, words[0], &files, &ways, words.data(), environ);
-  posix_spawnattr_destroy(&ways);
-  posix_spawn_file_actions_destroy(&files);
-  return failed;
 }
 
 // The last three lines, on one.
@@ -89,7 +63,7 @@ Result<std::unique_ptr<Encoder>> Encoder::start(const std::vector<std::string>& 
   ::setsockopt(in[0], SOL_SOCKET, SO_SNDBUF, &buffer, sizeof buffer);
   ::fcntl(err[0], F_SETFL, O_NONBLOCK);
   pid_t pid = -1;
-  if (const int failed = spawn(pid, arguments, in[1], err[1])) return give_up(failed);
+  if (const int failed = start_child(pid, arguments, {in[1], -1, err[1]})) return give_up(failed);
   shut(in[1]);
   shut(err[1]);
   return std::unique_ptr<Encoder>(new Encoder(pid, in[0], err[0]));
@@ -98,8 +72,7 @@ Result<std::unique_ptr<Encoder>> Encoder::start(const std::vector<std::string>& 
 Encoder::~Encoder() {
   if (pid_ > 0) {
     ::kill(pid_, SIGKILL);
-    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    wait_for_child(pid_);
   }
   shut(in_);
   shut(err_);
@@ -148,9 +121,7 @@ Status Encoder::end(const KeepGoing& keep_going) {
     if (mouth.revents) open = listen();
     if (!keep_going()) return stopped();
   }
-  int status = 0;
-  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = wait_for_child(pid_);
   pid_ = -1;
   // Of what fails while it closes its file it speaks, and ends as if all were well.
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !names_failure(said_)) return Nothing{};

@@ -34,7 +34,10 @@ Words gif_words(const FilmOptions& o) {
 Words apng_words(const FilmOptions&) { return {"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"}; }
 
 constexpr Format format_rows[] = {
-    {".mp4", true, mp4_words}, {".webm", true, webm_words}, {".gif", false, gif_words}, {".apng", false, apng_words}};
+    {".mp4", true, mp4_words, "-c:a aac -b:a 192k"},
+    {".webm", true, webm_words, "-c:a libopus -b:a 128k"},
+    {".gif", false, gif_words},
+    {".apng", false, apng_words}};
 
 }  // namespace
 

@@ -18,6 +18,7 @@ struct Format {
   bool yuv = true;          // ffmpeg gets BT.709 in 4:2:0; else RGBA
   // What ffmpeg is told of what it makes: everything but the file.
   std::vector<std::string> (*arguments)(const FilmOptions&) = nullptr;
+  std::string_view sound = {};  // the same of its sound, with blanks between; empty: it has none
 };
 
 std::span<const Format> formats();

@@ -4,10 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <ranges>
+
 #include "base/files.h"
 #include "betwixt/picture.h"
+#include "betwixt/sound.h"
 #include "film/numbered.h"
 #include "film/partial.h"
+#include "film/samples.h"
 #include "film/yuv.h"
 
 namespace betwixt {
@@ -22,7 +26,10 @@ class Movie final : public Sink {
     if (Status s = check_place(options_.path, options_.overwrite); !s) return s;
     // Made here, not by ffmpeg, so that a folder that cannot be written to is our own clear error.
     if (Status s = partial_.make(); !s) return s;
-    auto encoder = Encoder::start(encoder_arguments(options_, *place_.format, partial_.path()));
+    if (options_.sounds && !place_.format->sound.empty())
+      if (Status s = samples_.make(options_, place_.folder); !s) return s;
+    auto encoder = Encoder::start(
+        encoder_arguments(options_, *place_.format, partial_.path(), samples_.made() ? samples_.path() : ""));
     if (!encoder) return encoder.error();
     encoder_ = *std::move(encoder);
     return Nothing{};
@@ -50,7 +57,8 @@ class Movie final : public Sink {
   const FilmOptions options_;
   const Output place_;
   Partial partial_;
-  std::unique_ptr<Encoder> encoder_;  // goes first: it writes there
+  Samples samples_;
+  std::unique_ptr<Encoder> encoder_;  // goes first: it writes and reads there
 };
 
 // Pictures gather in a hidden folder and move to their names together: a film is there whole or not at all. Where only
@@ -113,7 +121,8 @@ Result<std::unique_ptr<Sink>> started(const FilmOptions& o, const Output& place)
 
 }  // namespace
 
-std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& format, const std::string& file) {
+std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& format, const std::string& file,
+                                           const std::string& samples) {
   const bool yuv = format.yuv;
   const int even = yuv ? 1 : 0;  // to_yuv420 has made the sizes even
   std::vector<std::string> a{"ffmpeg",  "-hide_banner", "-nostdin", "-loglevel", "error",
@@ -127,6 +136,11 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
   a.insert(a.end(), {"-framerate", fmt::format("{}/{}", o.rate.num, o.rate.den)});
   if (yuv) tags();
   add({"-i", "pipe:0"});
+  if (!samples.empty()) {
+    a.insert(a.end(), {"-f", "f32le", "-ar", std::to_string(sound_rate), "-ac", "2", "-i", "file:" + samples});
+    add({"-map", "0:v", "-map", "1:a"});
+    for (const auto word : std::views::split(format.sound, ' ')) a.emplace_back(word.begin(), word.end());
+  }
   if (yuv) tags();
   const std::vector<std::string> how = format.arguments(o);
   a.insert(a.end(), how.begin(), how.end());

@@ -32,7 +32,8 @@ class Sink {
 
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions&);
 
-// What ffmpeg is called with to make `file`. For tests.
-std::vector<std::string> encoder_arguments(const FilmOptions&, const Format&, const std::string& file);
+// What ffmpeg is called with to make `file`; `samples`: the file of its sound, "" for none. For tests.
+std::vector<std::string> encoder_arguments(const FilmOptions&, const Format&, const std::string& file,
+                                           const std::string& samples = {});
 
 }  // namespace betwixt

@@ -349,6 +349,7 @@ struct Program::Compiled {
   std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&) const;
   bool said_velocity(const LivePart&, Time t, double* out) const;  // by a reign or by its curve; false: by neither
   Value read(const Target&, Time t, Asking&) const;
+  Value heard(const Target&, Time t, Asking&) const;
   // Each twerper that failed, named once among the problems.
   void say(const TwerperFailures&, Asking&) const;
 

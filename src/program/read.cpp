@@ -6,6 +6,7 @@
 
 #include "base/still_wanted.h"
 #include "program/evaluator.h"
+#include "program/hearing.h"
 
 namespace betwixt {
 namespace {
@@ -31,6 +32,22 @@ void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const
         (*document.scene().procedures)[i].code->source);
 }
 
+// Of a sound, as it is heard at a time.
+Value Program::Compiled::heard(const Target& target, Time t, Asking& asking) const {
+  const auto number = [&](FunctionId f) {
+    return std::get<double>(read(Target(target.object, f), t, asking));
+  };
+  const auto& sounds = *document.scene().sounds;
+  const auto found = sounds.find(*std::get<Text>(read(Target(target.object, fn::sound_file), t, asking)));
+  if (found == sounds.end()) return 0.0;
+  const Sound& sound = *found->second;
+  const HeardPart part = heard_part(sound.seconds, number);
+  const double own = part.own_time(t.seconds());
+  if (target.query() == Query::onsets)
+    return static_cast<double>(sound.onsets_between(part.from, std::min(own, part.end())));
+  return number(fn::gain) * part.share(own) * sound.loudness(own);
+}
+
 Value Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
   const std::uint32_t object = target.object.index;
   const Object& what = document.scene().objects[object];
@@ -50,6 +67,7 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
     for (const ObjectId id : contacts(t, asking)->touching(target.object)) names.push_back(document.name(id));
     return Names(std::move(names));
   }
+  if (query == Query::loudness || query == Query::onsets) return heard(target, t, asking);
   if (query == Query::in_view) return contacts(t, asking)->sight(target.object) != Sight::out;
   if (query == Query::world) return place_in(placement(node_of[object], t, asking).in_world(), target.component);
   if (target.velocity) {

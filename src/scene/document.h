@@ -12,6 +12,7 @@
 
 #include "base/cow.h"
 #include "betwixt/document.h"
+#include "betwixt/sound.h"
 #include "scene/appearance.h"
 #include "scene/display_list.h"
 #include "scene/environment.h"
@@ -160,6 +161,7 @@ struct Scene {
   // What files held when they were named, by the path as the author wrote it.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;
+  Cow<std::map<std::string, std::shared_ptr<const Sound>>> sounds;
 };
 
 const FunctionSpec& spec_of(const Scene&, FunctionId);

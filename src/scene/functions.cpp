@@ -9,6 +9,7 @@
 #include "scene/document.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
+#include "scene/sound_functions.h"
 #include "scene/text_functions.h"
 
 namespace betwixt {
@@ -247,7 +248,7 @@ const FunctionSpec function_rows[] = {
      .rest = Text(),
      .kinds = bit(Kind::mesh),
      .shape = put_file,
-     .sentence = "The file of a mesh.",
+     .sentence = "The file of a mesh, or of a sound.",
      .written = "\"FILE\""},
     {.name = "range",
      .type = Type::scalar,
@@ -367,6 +368,7 @@ const FunctionSpec function_rows[] = {
 std::vector<FunctionSpec> make_functions() {
   std::vector<FunctionSpec> made(std::begin(function_rows), std::end(function_rows));
   made.insert(made.end(), std::begin(aiming_functions), std::end(aiming_functions));
+  made.insert(made.end(), std::begin(sound_functions), std::end(sound_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
   for (FunctionSpec& f : made) {

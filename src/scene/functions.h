@@ -105,6 +105,13 @@ enum : FunctionId {
   reach_share,
   reach_pole,
   reach_chain,
+  sound_file,
+  sound_at,
+  sound_from,
+  sound_until,
+  gain,
+  fade_in,
+  fade_out,
   count
 };
 }

@@ -16,13 +16,16 @@ struct QueryName {
   std::string_view name;
   bool (*of)(Kind);
 };
+bool heard(Kind k) { return k == Kind::sound; }
 bool moves_others(Kind k) { return k == Kind::environment; }
 constexpr QueryName query_names[] = {{Query::world, "world", [](Kind) { return true; }},
                                      {Query::motion, "by", moves_others},
                                      {Query::interval, "every", moves_others},
                                      {Query::count, "count", moves_others},
                                      {Query::touching, "touching", drawable},
-                                     {Query::in_view, "in-view", drawable}};
+                                     {Query::in_view, "in-view", drawable},
+                                     {Query::loudness, "loudness", heard},
+                                     {Query::onsets, "onsets", heard}};
 
 }  // namespace
 

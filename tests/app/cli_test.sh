@@ -210,6 +210,36 @@ check 'plot of a part' 0 '' plot bounce.bx 'ball.position.y' -o plot.svg --frame
 check 'plot of a matrix' 2 'is not made of numbers' plot bounce.bx ball.world -o world.svg
 check 'plot of an object' 0 '' plot bounce.bx ball -o ball.svg
 
+# Sound.
+ffmpeg -v error -y -f lavfi -i "aevalsrc='0.8*sin(3000*t)*lt(mod(t,0.25),0.01)':s=44100:d=9" ticks.wav
+printf 'rate 24\nrange 1f 48f\ncreate s sound file="ticks.wav" at=13f\ncreate b box\nset b.size.x = "1 + value(\x27s.onsets\x27)"\n' >sound.bx
+check 'a film with sound' 0 '48 frames in' render sound.bx -o sound.mp4 $small
+is 'it has both' "$(ffprobe -v error -show_entries stream=codec_name,duration -of csv=p=0 sound.mp4)" $'h264,2.000000\naac,2.000000'
+# When there is something to be heard, in milliseconds: a tick each quarter of a second from half a second on.
+heard() {
+  ffmpeg -v error -i "$1" -f s16le -ac 1 -ar 8000 - | od -An -v -td2 -w2 |
+    awk '{ if (($1 > 4000 || $1 < -4000) && NR - last > 400) { printf "%s%d", sep, NR / 8; sep = " "; last = NR } }'
+}
+near() { awk -v a="$1" -v b="$2" 'BEGIN { n = split(a, x, " "); m = split(b, y, " "); ok = n == m; for (i = 1; i <= n; ++i) if (x[i] - y[i] > 2 || y[i] - x[i] > 2) ok = 0; print ok ? "yes" : "" }'; }
+verdict 'each tick in its place' "$(near "$(heard sound.mp4)" '500 750 1000 1250 1500 1750')" "$(heard sound.mp4)"
+check 'a part of it' 0 '24 frames in' render sound.bx -o part.mp4 $small --frames 16..39
+verdict 'cut where the part is' "$(near "$(heard part.mp4)" '125 375 625 875')" "$(heard part.mp4)"
+check 'webm' 0 '48 frames in' render sound.bx -o sound.webm $small
+verdict 'heard in a webm' "$(near "$(heard sound.webm)" '500 750 1000 1250 1500 1750')" "$(heard sound.webm)"
+check 'who has no sound says so' 0 'silent.gif has no sound; .mp4 and .webm do' render sound.bx -o silent.gif $small --frames 1..3
+check 'what can be asked' 0 's.onsets  3' eval sound.bx --at 26f s.onsets
+check 'and be used' 0 'b.size.x  4' eval sound.bx --at 26f b.size.x
+check 'silence before it' 0 's.loudness  0' eval sound.bx --at 1f s.loudness
+said=$(PATH=/nowhere "$program" check sound.bx 2>&1)
+has 'without ffmpeg' "$said" 'sounds need the program ffmpeg, which is not installed'
+mkdir -p below && printf 'create s sound file="../ticks.wav"\n' >below/out.bx
+check 'a sound of elsewhere' 1 "'../ticks.wav' lies outside the script's folder" check below/out.bx
+head -c 3000 /dev/urandom >noise.wav && printf 'create s sound file="noise.wav"\n' >noise.bx
+check 'noise' 1 'noise.wav is broken or no sound' check noise.bx
+printf 'create s sound\n' >noise.bx
+check 'no file' 1 'a sound needs its file' check noise.bx
+rm -rf below sound.* part.mp4 silent.gif ticks.wav noise.*
+
 # The machine.
 ln -s "$(command -v true)" ./true
 said=$(PATH=$work "$program" render bounce.bx -o gone.mp4 $small 2>&1)

@@ -43,7 +43,7 @@ TEST(Kinds, EachHasOneRowWithItsWords) {
     EXPECT_FALSE(row.sentence.empty()) << row.name;
     EXPECT_EQ(row.example.empty(), !row.placed) << row.name;  // the others have commands of their own
   }
-  for (int k = 0; k <= static_cast<int>(Kind::line); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
+  for (int k = 0; k <= static_cast<int>(Kind::sound); ++k) EXPECT_TRUE(seen.count(static_cast<Kind>(k))) << k;
   EXPECT_EQ(find_kind("blob"), std::nullopt);
   EXPECT_EQ(a_kind(Kind::sphere), "a sphere");
   EXPECT_EQ(a_kind(Kind::environment), "an environment");
@@ -121,6 +121,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::line, {"to", "width", "dash", "trim"}},
       {Kind::points, {"points", "size"}},
       {Kind::mesh, {"file"}},
+      {Kind::sound, {"file", "at", "from", "until", "gain", "fade-in", "fade-out"}},
       {Kind::light, {"range", "intensity", "shines", "shadow"}},
       {Kind::camera, {"lens", "fov", "height", "roll"}},
       {Kind::curve, {"points", "width", "smooth", "closed", "dash", "trim"}},

@@ -15,7 +15,7 @@ inline constexpr const char* small_film =
 
 // Whether the entry has an example that is part of a script, and needs no file of its own.
 inline bool in_a_film(const HelpEntry& e) {
-  return e.group != HelpGroup::shell && !e.example.empty() && e.word != "mesh";
+  return e.group != HelpGroup::shell && !e.example.empty() && e.example.find("file=\"") == std::string::npos;
 }
 
 }  // namespace betwixt

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/child.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+extern char** environ;
+
+namespace betwixt {
+
+int start_child(pid_t& pid, const std::vector<std::string>& arguments, ChildFiles files) {
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t ways;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawnattr_init(&ways);
+  const int ours[] = {files.in, files.out, files.err};
+  for (int i = 0; i < 3; ++i)
+    if (ours[i] >= 0)
+      posix_spawn_file_actions_adddup2(&actions, ours[i], i);
+    else
+      posix_spawn_file_actions_addopen(&actions, i, "/dev/null", i == 0 ? O_RDONLY : O_WRONLY, 0);
+  sigset_t none, all;
+  sigemptyset(&none);
+  sigfillset(&all);
+  posix_spawnattr_setsigmask(&ways, &none);
+  posix_spawnattr_setsigdefault(&ways, &all);
+  posix_spawnattr_setpgroup(&ways, 0);
+  posix_spawnattr_setflags(&ways, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  std::vector<char*> words;
+  for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
+  words.push_back(nullptr);
+  const int failed = posix_spawnp(&pid, words[0], &actions, &ways, words.data(), environ);
+  posix_spawnattr_destroy(&ways);
+  posix_spawn_file_actions_destroy(&actions);
+  return failed;
+}
+
+int wait_for_child(pid_t pid) {
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which part of a sound is heard when, and how much of it.
+#pragma once
+
+#include <algorithm>
+
+#include "scene/functions.h"
+
+namespace betwixt {
+
+// All in seconds; `at` of the film, the others of the sound.
+struct HeardPart {
+  double at = 0, from = 0, until = 0, fade_in = 0, fade_out = 0, length = 0;
+
+  double own_time(double film) const { return from + (film - at); }
+  double end() const { return std::min(until, length); }
+  // 0 to 1: nothing before and behind it, straight ramps at its ends.
+  double share(double own) const {
+    if (own < from || own >= end()) return 0;
+    const double in = fade_in > 0 ? (own - from) / fade_in : 1, out = fade_out > 0 ? (end() - own) / fade_out : 1;
+    return std::clamp(std::min(in, out), 0.0, 1.0);
+  }
+};
+
+// number(function): of the sound, which is so long.
+template <class F>
+HeardPart heard_part(double length, F&& number) {
+  return {number(fn::sound_at), number(fn::sound_from), number(fn::sound_until),
+          number(fn::fade_in),  number(fn::fade_out),   length};
+}
+
+}  // namespace betwixt
