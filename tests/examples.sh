@@ -58,6 +58,7 @@ holds 'the ball flies on with the speed of the hand' 'same(v[1], -3 + 1.5) && sa
 holds 'what the wheel in the ring draws closes' 'same(v[4], v[20]) && same(v[8], v[24])' spirograph 1f,241f arm/wheel/pen.world
 holds 'the dot is as high as the hand' 'v[4] == 240 && same(v[2], -sqrt(3))' sine 49f dot.position hand.rotation.z
 holds 'five circles draw the sum of five sines' 'same(v[2], 1.9 * (1 - 1 / 3 + 1 / 5 - 1 / 7 + 1 / 9))' fourier 21f dot.position
+holds 'the bars are as wide as cities are large' 'same(v[1], 23.3 / 4) && same(v[3], 3.5 / 4)' race 81f bar2.size bar5.size
 holds 'the ride ends where it began' 'same(v[1], v[4]) && same(v[2], v[5]) && same(v[3], v[6])' ride 1f,193f eye.position
 holds 'the fifth fish is where the leader was 15.36 frames before' 'same(v[1], v[10]) && same(v[2], v[11])' \
   swarm 84.64f,100f fish0.position fish5.position

@@ -29,11 +29,19 @@ std::vector<std::string> used(const std::string& file, std::string_view text) {
   return all;
 }
 
+// Code as the script has it: without the values of names before it, "local k, i = 0.25, 3 return …".
+std::string_view as_written(std::string_view source, std::string_view script) {
+  if (!source.starts_with("local ") || script.find(source) != std::string_view::npos) return source;
+  for (std::size_t at = source.find(' '); at != std::string_view::npos; at = source.find(' ', at + 1))
+    if (script.find('"' + std::string(source.substr(at + 1))) != std::string_view::npos) return source.substr(at + 1);
+  return source;
+}
+
 // Whether the code stands in that script, or in one that it uses; then the error has its place.
 bool place_in(Diagnostic& d, const std::string& file, const std::string& source, int deep = 0) {
   const auto text = read_whole(file);
   if (!text) return false;
-  point_at(d, *text, source);
+  point_at(d, *text, std::string(as_written(source, *text)));
   if (d.what.place.line > 0) return d.what.place.file = file, true;
   const auto files = deep < 8 ? used(file, *text) : std::vector<std::string>();
   return std::any_of(files.begin(), files.end(), [&](const auto& f) { return place_in(d, f, source, deep + 1); });

@@ -86,6 +86,8 @@ bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr);
 void say_missing_style(Command&, const Object&, FunctionId, const Value&, std::string_view about);
 // = "…": a value that code computes.
 bool computed(Command&, const Selected& to, Value& out);
+// Code of a value, which knows what `let` gave, and, `placed`, the place in the command's pattern.
+Result<std::shared_ptr<const Routine>> make_code(const Command&, std::string source, bool placed);
 // A twerper's word and what stands in brackets behind it.
 bool twerper(Command&, const Selected& to, Twerper& out, TwerperArguments&);
 

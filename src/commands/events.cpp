@@ -11,7 +11,6 @@
 #include "base/still_wanted.h"
 #include "commands/command.h"
 #include "language/line_words.h"
-#include "procedure/lua.h"
 #include "scene/names.h"
 #include "track/curve.h"
 
@@ -180,7 +179,7 @@ bool computed(Command& k, const Selected& to, Value& out) {
   const bool is_name = to.type() == Type::text || to.type() == Type::aim;
   if (is_name && std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled))
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about);
-  auto code = make_lua(Role::value, std::move(source));
+  auto code = make_code(k, std::move(source), !to.targets.empty());
   if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
   out = Procedure{*std::move(code)};
   return true;

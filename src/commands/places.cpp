@@ -9,6 +9,7 @@
 #include "base/still_wanted.h"
 #include "commands/command.h"
 #include "commands/verbs.h"
+#include "language/code_names.h"
 #include "language/formula.h"
 #include "scene/rollback.h"
 
@@ -73,7 +74,9 @@ struct Alone {  // whatever way out
   ~Alone() { k.script.only.reset(), k.cursor.place = {}; }
 };
 
-bool says_place(const Command& k, const char* from) { return speaks_of_place(from, k.cursor.end); }
+bool says_place(const Command& k, const char* from) {
+  return speaks_of_place(from, k.cursor.end) || code_speaks_of_place(from, k.cursor.end);
+}
 
 }  // namespace
 

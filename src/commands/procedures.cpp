@@ -12,6 +12,7 @@
 #include "commands/command.h"
 #include "commands/plugins.h"
 #include "commands/reader.h"
+#include "language/code_names.h"
 #include "procedure/lua.h"
 
 namespace betwixt {
@@ -36,7 +37,7 @@ bool procedure(Command& k) {
   if (!finish(c)) return false;
   if (const std::string_view what = taken_by(name, role); !what.empty())
     return c.fail(ErrorCode::name, fmt::format("'{}' is {} already", name, what), name);
-  auto code = make_lua(role, std::move(source));
+  auto code = role == Role::value ? make_code(k, std::move(source), false) : make_lua(role, std::move(source));
   if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
   NamedProcedure made{std::string(name), role, *std::move(code)};
   const auto& all = *s.procedures;
@@ -126,6 +127,28 @@ constexpr Verb procedures_rows[] = {
 };
 
 }  // namespace
+
+Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string source, bool placed) {
+  const Cursor& c = k.cursor;
+  std::string names, values;
+  for (const std::string_view word : free_names(source)) {
+    const std::size_t place = placed ? place_of(word, c.place) : 0;
+    const auto let = c.lets ? c.lets->find(word) : Lets::const_iterator();
+    const bool let_so = c.lets && let != c.lets->end();
+    if ((place == 0 && !let_so) || known_to_lua(word) || find_procedure(k.scene, word)) continue;
+    const std::string value = place > 0 ? std::to_string(place) : write_code(let->second);
+    if (value.empty())
+      return fail(ErrorCode::type, fmt::format("'{}' counts frames, and code counts seconds", word),
+                  fmt::format("let {} = 0.5s is one; code knows frame and rate", word));
+    names += (names.empty() ? "" : ", ") + std::string(word);
+    values += (values.empty() ? "" : ", ") + value;
+  }
+  if (names.empty()) return make_lua(Role::value, std::move(source));
+  const std::string known = fmt::format("local {} = {} ", names, values);
+  if (auto expression = make_lua(Role::value, known + "return " + source)) return expression;
+  if (auto chunk = make_lua(Role::value, known + source)) return chunk;
+  return make_lua(Role::value, std::move(source));  // it says what is wrong
+}
 
 // A command of the author's: it runs commands of the language, all of them or none.
 bool own_command(Command& k, const NamedProcedure& p) {

@@ -24,8 +24,11 @@ std::string plain(std::string_view message, bool lines) {
   if (!message.starts_with(chunk)) return std::string(message);
   message.remove_prefix(chunk.size());
   const auto colon = message.find(": ");
-  const std::string_view line = message.substr(0, colon), rest = message.substr(colon + 2);
-  return lines ? "line " + std::string(line) + ": " + std::string(rest) : std::string(rest);
+  const std::string_view line = message.substr(0, colon);
+  std::string rest(message.substr(colon + 2));
+  if (rest.ends_with("(number has no integer representation)"))
+    rest += ": floor(x) makes a whole number, and '%.0f' writes any";
+  return lines ? "line " + std::string(line) + ": " + rest : rest;
 }
 
 bool has_lines(const std::string& source) { return source.find('\n') != std::string::npos; }

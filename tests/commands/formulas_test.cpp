@@ -119,6 +119,35 @@ TEST(Formulas, StandInMotions) {
   EXPECT_EQ(error("\"T(k 0)\""), "4:11: a translation has two or three numbers");
 }
 
+TEST(Formulas, GiveTheirNamesToCode) {
+  const LoadedFilm s(
+      "rate 24\nlet k = 0.25\nlet a = 30deg\nlet p = (1 2 3)\nlet warm = rgb(1 0.5 0)\nlet late = 2s\nlet t = 7\n"
+      "create b{1..4} sphere\ncreate t{1..3} text\ncreate g{1..2}-{a,b,c} box\n"
+      "set b*.radius = \"k * i + n\"\nb*.position\n  1f = \"p * i\"\nset b*.color = \"warm\"\n"
+      "set b*.rotation = \"euler(0, 0, a * i)\"\nset b*.shininess = \"clamp(t / late, 0, 1)\"\n"
+      "set t*.text = \"({'one', 'two', 'three'})[i]\"\nset g{1..2}-{a,b,c}.pivot = \"vec(i1, i2, i)\"\n"
+      "procedure half lua \"... * k * 2\"\nlet again k = 100\nset b1.transparency = \"half(0.5)\"\n"
+      "define heft number = \"k\"\nset t*.size = \"local n = 0 for i = 1, 3 do n = n + i end return n\"\n");
+  for (int i = 1; i <= 4; ++i) {
+    const std::string b = fmt::format("b{}", i);
+    expect_numbers(s, b + ".radius", "1f", {0.25 * i + 4});
+    expect_numbers(s, b + ".position", "1f", {1.0 * i, 2.0 * i, 3.0 * i});
+    expect_numbers(s, b + ".rotation", "1f", {0, 0, i * pi / 6});
+    expect_numbers(s, b + ".heft", "1f", {100});
+  }
+  expect_numbers(s, "b2.color", "1f", {1, 0.5, 0});
+  expect_numbers(s, "b2.shininess", "25f", {0.5});  // t is the time still, though a let has that name
+  expect_numbers(s, "b1.transparency", "1f", {0.25});
+  EXPECT_EQ(s.text("t3.text", "1f"), "three");
+  expect_numbers(s, "t2.size", "1f", {6});
+  expect_numbers(s, "g2-b.pivot", "1f", {2, 2, 5});
+  const LoadedFilm again(write(s.loaded.document));
+  EXPECT_EQ(again.text("t2.text", "1f"), "two");
+  EXPECT_EQ(first_error("let beat = 12f\ncreate b sphere\nset b.radius = \"beat\"\n"),
+            "3:16: 'beat' counts frames, and code counts seconds");
+  EXPECT_EQ(first_error("let k = 2\ncreate b sphere\nset b.radius = \"k +\"\n").substr(0, 6), "3:16: ");
+}
+
 TEST(Formulas, AScriptThatIsWrittenOutHasWhatTheyCameTo) {
   const LoadedFilm s(
       "let beat = 1f+0.5s\nlet p = (1 2/3 3)\nlet w = gold\nlet a = 30deg/7\nlet l = 2m\n"

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/code_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "language/cursor.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+bool code_name_begins(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool code_name_goes_on(char c) { return code_name_begins(c) || (c >= '0' && c <= '9'); }
+
+// Goes through Lua by its words, without what stands in texts and comments.
+class Words {
+ public:
+  explicit Words(std::string_view code) : rest_(code) {}
+
+  // A name, or one other character; empty at the end.
+  std::string_view next() {
+    while (!rest_.empty()) {
+      const char c = rest_[0];
+      if (rest_.starts_with("--")) {
+        rest_.remove_prefix(2);
+        const std::size_t brackets = long_text();
+        rest_.remove_prefix(brackets > 0 ? brackets : std::min(rest_.find('\n'), rest_.size()));
+      } else if (const std::size_t brackets = long_text(); brackets > 0) {
+        rest_.remove_prefix(brackets);
+      } else if (c == '\'' || c == '"') {
+        rest_.remove_prefix(text());
+        return "\"";
+      } else if (c == ' ' || c == '\t' || c == '\n' || c == '\r') {
+        rest_.remove_prefix(1);
+      } else {
+        return take(code_name_begins(c) || (c >= '0' && c <= '9') ? name() : rest_.starts_with("..") ? 2 : 1);
+      }
+    }
+    return {};
+  }
+
+ private:
+  std::string_view take(std::size_t length) {
+    const std::string_view out = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return out;
+  }
+  std::size_t name() const {
+    return static_cast<std::size_t>(std::find_if_not(rest_.begin(), rest_.end(), code_name_goes_on) - rest_.begin());
+  }
+  std::size_t text() const {
+    std::size_t at = 1;
+    while (at < rest_.size() && rest_[at] != rest_[0]) at += rest_[at] == '\\' ? 2 : 1;
+    return std::min(at + 1, rest_.size());
+  }
+  // [[…]] and [=[…]=]; 0 where none begins.
+  std::size_t long_text() const {
+    if (rest_.empty() || rest_[0] != '[') return 0;
+    const std::size_t second = rest_.find_first_not_of('=', 1);
+    if (second == std::string_view::npos || rest_[second] != '[') return 0;
+    const std::size_t end = rest_.find("]" + std::string(second - 1, '=') + "]", second + 1);
+    return end == std::string_view::npos ? rest_.size() : end + second + 1;
+  }
+
+  std::string_view rest_;
+};
+
+}  // namespace
+
+std::vector<std::string_view> free_names(std::string_view code) {
+  std::vector<std::string_view> used, made;
+  const auto has = [](const auto& all, std::string_view w) { return std::find(all.begin(), all.end(), w) != all.end(); };
+  enum { nothing, list, head, parameters } makes = nothing;
+  std::string_view before;
+  Words words(code);
+  for (std::string_view w = words.next(); !w.empty(); before = w, w = words.next()) {
+    if (w == "local" || w == "for") {
+      makes = list;
+    } else if (w == "function") {
+      makes = head;
+    } else if (code_name_begins(w[0])) {
+      if (makes == list && before != "," && before != "local" && before != "for") makes = nothing;
+      if (makes != nothing) made.push_back(w);
+      if (makes == nothing && before != "." && before != ":" && !has(used, w)) used.push_back(w);
+    } else if (makes == head) {
+      makes = w == "(" ? parameters : head;
+    } else if (makes == list ? w != "," : w == ")") {
+      makes = nothing;
+    }
+  }
+  std::erase_if(used, [&](std::string_view w) { return has(made, w); });
+  return used;
+}
+
+bool code_speaks_of_place(const char* at, const char* end) {
+  const std::string_view line(at, static_cast<std::size_t>(line_end(at, end) - at));
+  const std::size_t quote = line.find('"');
+  if (quote == std::string_view::npos || quote == 0) return false;
+  const std::size_t sign = line.find_last_not_of(" \t", quote - 1);
+  if (sign == std::string_view::npos || line[sign] != '=') return false;
+  Cursor c({at + quote, static_cast<std::size_t>(end - at) - quote});
+  std::string code;
+  if (!c.text(code)) return false;
+  const auto names = free_names(code);
+  return std::any_of(names.begin(), names.end(), [](std::string_view w) {
+    return w == "i" || w == "n" || (w.size() == 2 && w[0] == 'i' && w[1] >= '1' && w[1] <= '4');
+  });
+}
+
+std::size_t place_of(std::string_view word, const PatternPlace& place) {
+  if (word == "i" || word == "n") return word == "i" ? place.i : place.n;
+  if (word.size() != 2 || word[0] != 'i' || word[1] < '1' || word[1] > '4') return 0;
+  return place.ranges[static_cast<std::size_t>(word[1] - '1')];
+}
+
+std::string write_code(const Let& let) {
+  if (const auto* v = std::get_if<Vec3>(&let))
+    return fmt::format("vec({}, {}, {})", write_number(v->x), write_number(v->y), write_number(v->z));
+  if (const auto* c = std::get_if<Color>(&let))
+    return fmt::format("rgb({}, {}, {})", write_number(c->r), write_number(c->g), write_number(c->b));
+  const auto& q = std::get<Quantity>(let);
+  if (q.counts_frames) return {};
+  return write_number(q.of == Quantity::Of::angle ? q.value * (pi / 180) : q.value);
+}
+
+}  // namespace betwixt

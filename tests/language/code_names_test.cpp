@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "language/code_names.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+namespace betwixt {
+namespace {
+
+std::string free_in(std::string_view code) { return fmt::format("{}", fmt::join(free_names(code), " ")); }
+
+TEST(CodeNames, AreThoseThatCodeDoesNotMake) {
+  EXPECT_EQ(free_in("k * i + 2e3*n"), "k i n");
+  EXPECT_EQ(free_in("a.b + c:d() .. e..f"), "a c e f");
+  EXPECT_EQ(free_in("'k' .. \"i\\\"j\" .. [[l]] .. [=[ ]] m ]=] .. o -- p\n+ q --[[ r\ns ]] + u"), "o q u");
+  EXPECT_EQ(free_in("local a, b = c, d return a + b + e"), "c d return e");
+  EXPECT_EQ(free_in("for i = 1, n do s = s + i end"), "n do s end");
+  EXPECT_EQ(free_in("for k, v in pairs(w) do f(k, v) end"), "in pairs w do f end");
+  EXPECT_EQ(free_in("local function f(x, ...) return x + y end return f(z)"), "return y end z");
+  EXPECT_EQ(free_in("function(u) return u * v end"), "return v end");
+  EXPECT_EQ(free_in("({3, 4})[i]"), "i");
+  EXPECT_EQ(free_in("'never closed i"), "");
+  EXPECT_EQ(free_in(""), "");
+}
+
+TEST(CodeNames, TellALineThatSpeaksOfPlaces) {
+  const auto speaks = [](std::string_view line) { return code_speaks_of_place(line.data(), line.data() + line.size()); };
+  EXPECT_TRUE(speaks("set b*.radius = \"i / n\""));
+  EXPECT_TRUE(speaks("1f =\"i2\" linear"));
+  EXPECT_TRUE(speaks("set b*.radius = \"\"\"local a = 2\nreturn a * i\"\"\""));
+  EXPECT_FALSE(speaks("set b*.radius = \"t\"\nset c*.radius = \"i\""));
+  EXPECT_FALSE(speaks("set b*.text \"i\""));
+  EXPECT_FALSE(speaks("set b*.radius = \"value('i') + i5 + ii\""));
+  EXPECT_FALSE(speaks("set b*.radius = \"i"));
+  EXPECT_FALSE(speaks("\"i\""));
+}
+
+}  // namespace
+}  // namespace betwixt
