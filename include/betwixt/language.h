@@ -23,6 +23,7 @@ struct LoadOptions {
   // own) is not the host's: it happens as it stands.
   std::optional<Time> now = {};
   bool read_nothing = false;  // no files at all
+  bool tex = false;           // formulas are set by the programs latex and dvisvgm; else they are errors
   bool counts = false;        // a notice says of each command how many its pattern named, where that is more than one
 };
 

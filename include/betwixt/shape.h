@@ -55,6 +55,8 @@ struct Letters {
   friend bool operator==(const Letters&, const Letters&) = default;
 };
 
+struct Outline;  // src/scene/outline.h
+
 // What an object looks like in its own space, as a description; src/render turns it into triangles.
 //   sphere   radius, about the origin              disc      radius, in the plane z = 0, facing +z
 //   box      size, about the origin                plane     size x by y, in the plane z = 0, facing +z
@@ -64,7 +66,7 @@ struct Letters {
 //   polyline points, width (0: a hairline)         line      from the origin to `size`, width
 //   points   points, each drawn as a ball of diameter `width`
 //   text     text, font, letters, size.y = height of one line (em) in metres, depth along z; the first baseline at
-//            y = 0, x = 0 by how it is aligned
+//            y = 0, x = 0 by how it is aligned; or `formula` in place of the text
 //   mesh     mesh
 // Flat shapes lie in the plane z = 0, facing +z, about the origin; `depth` along z.
 //   rectangle size x by y, corner: radius of its corners
@@ -90,6 +92,7 @@ struct Shape {
   Text text, font;
   Letters letters;
   std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Outline> formula;  // as TeX sets it, at 1 m an em; shared by all that say it
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 // Its numbers beside the size: what blends from shape to shape, and what meshes are made to.

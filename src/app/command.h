@@ -20,7 +20,7 @@ enum Exit { all_done = 0, wrong_input = 1, wrong_call = 2, machine_failed = 3, i
 // Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
 int complain(const Error&, int otherwise);
 
-// What --read-anywhere says.
+// What --read-anywhere and --tex say.
 LoadOptions& load_options();
 
 // Loads a script, saying its errors and warnings on standard error; none where it has errors.

@@ -48,15 +48,19 @@ const std::vector<Subcommand>& subcommands() {
 }
 
 const std::vector<Parameter>& common_parameters() {
-  static const std::vector<Parameter> all{{.name = "--read-anywhere",
-                                           .sentence = "let the script read files outside its own folder",
-                                           .into = &load_options().read_anywhere},
-                                          {.name = "--load",
-                                           .value = "PLUGIN",
-                                           .sentence = "a plug-in: its words are the script's",
-                                           .into = ReadValue(use_plugin),
-                                           .repeated = true,
-                                           .offer = Offer::files}};
+  static const std::vector<Parameter> all{
+      {.name = "--read-anywhere",
+       .sentence = "let the script read files outside its own folder",
+       .into = &load_options().read_anywhere},
+      {.name = "--tex",
+       .sentence = "let the script's formulas be set by the programs latex and dvisvgm",
+       .into = &load_options().tex},
+      {.name = "--load",
+       .value = "PLUGIN",
+       .sentence = "a plug-in: its words are the script's",
+       .into = ReadValue(use_plugin),
+       .repeated = true,
+       .offer = Offer::files}};
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <thread>
 
 extern char** environ;
 
@@ -46,6 +47,19 @@ int wait_for_child(pid_t pid) {
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
+}
+
+std::optional<int> wait_for_child(pid_t pid, std::chrono::milliseconds most) {
+  const auto end = std::chrono::steady_clock::now() + most;
+  bool over = false;
+  while (!over && std::chrono::steady_clock::now() < end) {
+    siginfo_t how{};
+    over = ::waitid(P_PID, static_cast<id_t>(pid), &how, WEXITED | WNOHANG | WNOWAIT) != 0 || how.si_pid == pid;
+    if (!over) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ::kill(-pid, SIGKILL);  // its number is nobody else's while nobody has waited for it
+  const int status = wait_for_child(pid);
+  return over ? std::optional(status) : std::nullopt;
 }
 
 }  // namespace betwixt

@@ -6,6 +6,8 @@
 
 #include <sys/types.h>
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +23,7 @@ struct ChildFiles {
 int start_child(pid_t& pid, const std::vector<std::string>& arguments, ChildFiles);
 // Waits for its end: its status, as of waitpid.
 int wait_for_child(pid_t);
+// The same; after so long it is ended, and there is no status. What it began and left behind ends with it.
+std::optional<int> wait_for_child(pid_t, std::chrono::milliseconds most);
 
 }  // namespace betwixt

@@ -175,7 +175,7 @@ bool computed(Command& k, const Selected& to, Value& out) {
         return c.fail(ErrorCode::type, "layers and environments are no objects that hang on anything", about);
   }
   // What is read once, when the script is.
-  static constexpr std::string_view settled[] = {"file", "texture", "font", "mode", "of", "within"};
+  static constexpr std::string_view settled[] = {"file", "texture", "font", "tex", "mode", "of", "within"};
   const bool is_name = to.type() == Type::text || to.type() == Type::aim;
   if (is_name && std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled))
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about);

@@ -16,6 +16,7 @@
 #include "exchange/fonts.h"
 #include "exchange/meshes.h"
 #include "exchange/sounds.h"
+#include "exchange/tex.h"
 
 namespace betwixt {
 namespace {
@@ -143,6 +144,20 @@ bool use(Command& k) {
   return true;
 }
 
+// What a `tex` says is set by programs, and a script cannot run any of itself.
+bool tex_formula(Command& k, const std::string& tex, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  if (s.formulas->contains(tex)) return true;
+  if (!script.options.tex)
+    return c.fail(ErrorCode::file,
+                  "formulas are set by other programs, latex and dvisvgm, which no script runs by itself", about,
+                  "--tex allows it");
+  auto outline = set_by_tex(tex);
+  if (!outline) return c.fail(outline.error().code, outline.error().message, about, outline.error().hint);
+  s.formulas.edit()[tex] = *outline;
+  return true;
+}
+
 // Reads what a `file` of a mesh or a sound or a `texture` names, and keeps it in the scene; `path` becomes its place below the first script's
 // folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
@@ -152,6 +167,8 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
     if (!known) script.note(Severity::warning, known.error().message, about, known.error().hint);
     return true;
   }
+  static const FunctionId tex = *find_built_in(Kind::text, "tex");
+  if (f == tex) return path.empty() || tex_formula(k, path, about);
   if ((f != fn::file && f != fn::texture && f != fn::sound_file) || path.empty()) return true;
   const fs::path where = script.folder / path;
   if (!script.may_read(where))

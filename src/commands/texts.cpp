@@ -22,7 +22,7 @@ struct Setting {
   Letters letters;
   double size = 1;
 };
-constexpr std::array<std::string_view, 7> settled{"text", "font", "size", "align", "weight", "slant", "typed"};
+constexpr std::array<std::string_view, 8> settled{"text", "font", "size", "align", "weight", "slant", "typed", "tex"};
 
 bool is_settled(const Object& o, FunctionId f) {
   return std::all_of(o.slots.begin(), o.slots.end(), [&](const Slot& slot) {
@@ -49,6 +49,9 @@ bool setting_of(Command& k, const Object& o, std::string_view about, Setting& ou
                            about, name == "typed" ? "hide its letters and show them one by one: stagger" : "");
     spec_of(k.scene, f).shape(shape, settled_value(k.scene, o, f), k.scene);
   }
+  if (shape.formula)
+    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is a formula, which stays whole", o.name), about,
+                         "its glyphs come one by one by 'typed'");
   out = {*shape.text, *shape.font, shape.letters, shape.size.y};
   return true;
 }

@@ -14,13 +14,13 @@
 #include <tuple>
 
 #include "base/utf8.h"
+#include "exchange/flattener.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
 
 constexpr double line_spacing = 1.2;  // em
-constexpr double fineness = 0.0015;   // em: how far a flattened curve may stray
 
 // A glyph's contours at 1 m an em, outer ones counter-clockwise.
 using Glyph = std::vector<Contour>;
@@ -69,49 +69,25 @@ Face* face_for(Machine& m, const Typeface& typeface) {
   return i->second.get();
 }
 
-// Takes a glyph's outline apart into straight lines.
-struct Flattener {
-  Glyph glyph;
+// Takes a glyph's outline apart.
+struct GlyphReader {
+  Flattener lines{fineness};
   double unit;  // metres
 
   Vec3 point(const FT_Vector* v) const {
     return {unit * static_cast<double>(v->x), unit * static_cast<double>(v->y), 0};
   }
-  Vec3 here() const { return glyph.back().back(); }
-  // As many steps as keep the lines near the curve, whose second differences are `bend`.
-  static int steps(double bend) {
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * fineness)))), 1, 32);
-  }
+  static GlyphReader& of(void* self) { return *static_cast<GlyphReader*>(self); }
 
-  static int move(const FT_Vector* to, void* self) {
-    auto& f = *static_cast<Flattener*>(self);
-    f.glyph.push_back({f.point(to)});
-    return 0;
-  }
-  static int line(const FT_Vector* to, void* self) {
-    auto& f = *static_cast<Flattener*>(self);
-    f.glyph.back().push_back(f.point(to));
-    return 0;
-  }
+  static int move(const FT_Vector* to, void* self) { return of(self).lines.move(of(self).point(to)), 0; }
+  static int line(const FT_Vector* to, void* self) { return of(self).lines.line(of(self).point(to)), 0; }
   static int conic(const FT_Vector* control, const FT_Vector* to, void* self) {
-    auto& f = *static_cast<Flattener*>(self);
-    const Vec3 a = f.here(), b = f.point(control), c = f.point(to);
-    const int n = steps(2 * length(a - 2 * b + c));
-    for (int i = 1; i <= n; ++i) {
-      const double t = static_cast<double>(i) / n, u = 1 - t;
-      f.glyph.back().push_back(u * u * a + 2 * u * t * b + t * t * c);
-    }
-    return 0;
+    GlyphReader& r = of(self);
+    return r.lines.conic(r.point(control), r.point(to)), 0;
   }
   static int cubic(const FT_Vector* first, const FT_Vector* second, const FT_Vector* to, void* self) {
-    auto& f = *static_cast<Flattener*>(self);
-    const Vec3 a = f.here(), b = f.point(first), c = f.point(second), d = f.point(to);
-    const int n = steps(6 * std::max(length(a - 2 * b + c), length(b - 2 * c + d)));
-    for (int i = 1; i <= n; ++i) {
-      const double t = static_cast<double>(i) / n, u = 1 - t;
-      f.glyph.back().push_back(u * u * u * a + 3 * u * u * t * b + 3 * u * t * t * c + t * t * t * d);
-    }
-    return 0;
+    GlyphReader& r = of(self);
+    return r.lines.cubic(r.point(first), r.point(second), r.point(to)), 0;
   }
 };
 
@@ -122,14 +98,10 @@ const Glyph& glyph_of(Face& face, FT_UInt index) {
   FT_GlyphSlot slot = face.face->glyph;
   if (slot->format != FT_GLYPH_FORMAT_OUTLINE) return i->second;  // a picture of a letter has no contours
   if (FT_Outline_Get_Orientation(&slot->outline) == FT_ORIENTATION_TRUETYPE) FT_Outline_Reverse(&slot->outline);
-  Flattener f{{}, 1 / (64.0 * face.face->units_per_EM)};
-  const FT_Outline_Funcs funcs{&Flattener::move, &Flattener::line, &Flattener::conic, &Flattener::cubic, 0, 0};
-  if (FT_Outline_Decompose(&slot->outline, &funcs, &f) != 0) return i->second;
-  for (auto& contour : f.glyph) {
-    contour.erase(std::unique(contour.begin(), contour.end()), contour.end());
-    if (contour.size() > 1 && contour.front() == contour.back()) contour.pop_back();
-    if (contour.size() > 2) i->second.push_back(std::move(contour));
-  }
+  GlyphReader r{.unit = 1 / (64.0 * face.face->units_per_EM)};
+  const FT_Outline_Funcs funcs{&GlyphReader::move, &GlyphReader::line, &GlyphReader::conic, &GlyphReader::cubic, 0, 0};
+  if (FT_Outline_Decompose(&slot->outline, &funcs, &r) != 0) return i->second;
+  i->second = r.lines.take();
   return i->second;
 }
 

@@ -8,22 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "betwixt/math.h"
 #include "exchange/typefaces.h"
+#include "scene/outline.h"
 
 namespace betwixt {
-
-// One closed line in the plane; filled by the non-zero rule together with the others of its outline.
-using Contour = std::vector<Vec3>;
-// What belongs together: a character with its accents, a ligature.
-struct Letter {
-  std::size_t first = 0;  // of its contours; they end where the next letter's begin
-  std::string text;       // as written (UTF-8)
-};
-struct Outline {
-  std::vector<Contour> contours;
-  std::vector<Letter> letters;  // from left to right, line by line; blanks are left out
-};
 
 // `text` (UTF-8, lines end with \n) at 1 m an em, the first baseline at y = 0. A family that the machine lacks is
 // replaced by DejaVu Sans, or any other it has.

@@ -36,6 +36,7 @@ struct KeyHash {
     std::size_t h =
         mixed(static_cast<std::size_t>(s.kind), static_cast<std::size_t>(2 * k.detail.around + k.detail.even));
     h = mixed(h, std::hash<const Mesh*>{}(s.mesh.get()));
+    h = mixed(h, std::hash<const Outline*>{}(s.formula.get()));
     h = mixed(h, s.size);
     for (const auto measure : shape_measures) h = mixed(h, s.*measure);
     h = mixed(mixed(h, s.stroke), static_cast<std::size_t>(s.filled));
@@ -129,7 +130,7 @@ Mesh text_mesh(const Shape& s) {
 Mesh made(const KindRow& row, const Shape& s, const Detail& detail) {
   if (!by_contours(s)) return row.mesh(s, detail);
   const Pen pen = pen_of(s);
-  if (!row.contours && pen.fills && !(pen.width > 0)) return text_mesh(s);
+  if (!row.contours && !s.formula && pen.fills && !(pen.width > 0)) return text_mesh(s);
   // A contour that crosses itself is filled wherever it goes round; holes are cut out of whatever is there.
   return drawn(outline_of(s), pen, sane(s.depth) ? s.depth : 0,
                s.holes->empty() ? Winding::nonzero : Winding::positive);
@@ -146,6 +147,7 @@ Outline outline_of(const Shape& s) {
     return outline;
   }
   if (!sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
+  if (s.formula) return set_formula(s);
   Outline outline = text_outline(*s.text, *s.font, s.letters);
   for (auto& contour : outline.contours)
     for (auto& p : contour) p = s.size.y * p;

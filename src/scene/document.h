@@ -18,6 +18,7 @@
 #include "scene/environment.h"
 #include "scene/functions.h"
 #include "scene/kinds.h"
+#include "scene/outline.h"
 #include "scene/quantity.h"
 #include "track/filter.h"
 #include "track/track.h"
@@ -162,6 +163,7 @@ struct Scene {
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;
   Cow<std::map<std::string, std::shared_ptr<const Sound>>> sounds;
+  Cow<std::map<std::string, std::shared_ptr<const Outline>>> formulas;  // what TeX made of them, by their own words
 };
 
 const FunctionSpec& spec_of(const Scene&, FunctionId);

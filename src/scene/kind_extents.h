@@ -9,6 +9,7 @@
 
 #include "base/utf8.h"
 #include "scene/line.h"
+#include "scene/outline.h"
 #include "scene/strokes.h"
 
 namespace betwixt {
@@ -54,6 +55,7 @@ inline Extent of_mesh(const Shape& s) { return s.mesh && !s.mesh->positions.empt
 
 // Width and lines of a text, letters taken as 0.6 em wide.
 inline Extent of_text(const Shape& s) {
+  if (s.formula) return drawn_extent(set_formula(s).contours, s);
   double widest = 0, letters = 0, lines = 1;
   for (const char c : *s.text) {
     if (c == '\n')

@@ -68,6 +68,17 @@ inline const FunctionSpec text_functions[] = {
      .sentence = "How many letters of a text are seen, blanks counted; they stand where they stand in the whole.",
      .written = "a number",
      .example = "create title text text=\"The end\"\nat 1f title.typed 0 linear\nat 24f title.typed 7"},
+    {.name = "tex",
+     .type = Type::text,
+     .rest = Text(),
+     .kinds = bit(Kind::text),
+     .shape =
+         [](Shape& s, const Value& v, const Scene& scene) {
+           const auto found = scene.formulas->find(*std::get<Text>(v));
+           if (found != scene.formulas->end()) s.formula = found->second;
+         },
+     .sentence = "A formula in the words of TeX, drawn in place of the text. Needs latex and dvisvgm, and --tex.",
+     .written = "\"\\\\frac{a}{b}\""},
 };
 
 }  // namespace betwixt

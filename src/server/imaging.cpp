@@ -248,6 +248,7 @@ Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t event
       if (e.hint.find("--read-anywhere") != std::string::npos)
         e.hint = options_.load.read_nothing ? "this server began without a script: it reads no files"
                                             : "hosts reach files below the script's folder only";
+      if (e.hint.find("--tex") != std::string::npos) e.hint = "hosts show the formulas of the server's script only";
       return e;
     }
     c.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);

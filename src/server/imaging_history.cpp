@@ -86,7 +86,8 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   const auto kept = gather(from, goes_on, overwrite);
   if (!kept) return kept.error();
   author_ = options_.load;
-  options_.load.read_anywhere = false;  // behind the author's text strangers speak
+  // Behind the author's text strangers speak.
+  options_.load.read_anywhere = options_.load.tex = false;
   options_.load.read_nothing = name_.empty();
   Diagnostics all = editor_.begin(kept->base, name_);
   if (has_errors(all)) return all;

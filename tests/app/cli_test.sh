@@ -249,6 +249,22 @@ mkdir bin && printf '#!/bin/sh\nhead -c 9000 >/dev/null\nkill -9 $$\n' >bin/ffmp
 said=$(PATH=$work/bin:$PATH "$program" render bounce.bx -o gone.mp4 $small 2>&1)
 is 'ffmpeg is killed' "$?" 3
 has 'ffmpeg is killed, in words' "$said" 'signal 9'
+# Formulas, by programs that stand in for latex and dvisvgm.
+printf 'create f text tex="x^2"\n' >formula.bx
+printf '#!/bin/sh\n: >formula.dvi\n' >bin/latex && chmod +x bin/latex
+cat >bin/dvisvgm <<'END'
+#!/bin/sh
+echo "<svg><rect width='72' height='72'/><rect x='72' y='62' width='10' height='10'/></svg>" >formula.svg
+END
+chmod +x bin/dvisvgm
+said=$(PATH=$work/bin:$PATH "$program" check formula.bx 2>&1)
+is 'a formula without --tex' "$?" 1
+has 'a formula without --tex, what to do' "$said" '--tex allows it'
+said=$(PATH=$work/bin:$PATH "$program" frame formula.bx --tex --at 1f -o formula.png --size 64x48 2>&1)
+is 'a formula with --tex' "$? $said" '0 '
+said=$(PATH=$work "$program" check formula.bx --tex 2>&1)
+is 'a formula without latex' "$?" 1
+has 'a formula without latex, what to do' "$said" 'sudo apt-get install texlive-latex-base dvisvgm'
 mkdir disk
 if mount -t tmpfs -o size=4k tmpfs disk 2>/dev/null; then
   for o in film.mp4 film.gif 'p%d.png'; do

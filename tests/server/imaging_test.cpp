@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "server/stage.h"
+#include "support/fake_programs.h"
 
 namespace betwixt {
 namespace {
@@ -342,6 +343,20 @@ TEST(Imaging, WithoutAScriptNothingIsRead) {
   without.refused(without.imaging.arrive(), "use other.bx", "this server began without a script: it reads no files");
   with.done(with.imaging.arrive(), "use other.bx");
   std::filesystem::current_path("/");
+}
+
+// Nor do their words become programs, whatever the author's may.
+TEST(Imaging, HostsShowTheAuthorsFormulasOnly) {
+  const FakePrograms fake;
+  fake.draw(fraction_drawing);
+  const Folder folder;
+  Imaging::Options options;
+  options.load.tex = true;
+  Stage s(options, folder.put("film.bx", "create f text tex=\"x\"\n"));
+  const auto host = s.imaging.arrive();
+  s.refused(host, "create g text tex=\"y\"", "hosts show the formulas of the server's script only");
+  s.done(host, "create g text tex=\"x\"");
+  EXPECT_EQ(fake.latex_calls(), 1U);
 }
 
 // shows: C124 C130 R-E1

@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A reader of the little SVG that dvisvgm writes without fonts: paths, uses of them, and rectangles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "exchange/flattener.h"
+#include "exchange/tex.h"
+#include "scene/kinds.h"
+
+namespace betwixt {
+namespace {
+
+constexpr double em = 10 * 72 / 72.27;  // TeX's 10pt, in the drawing's 1/72 in
+constexpr double square_side = 72;
+constexpr double farthest = 1e6;
+constexpr std::size_t deepest = 64, most_points = 1'000'000;
+
+Error unreadable(std::string_view what) {
+  return fail(ErrorCode::machine, fmt::format("dvisvgm drew what is no formula: {}", what));
+}
+
+// PathNumbers one behind the other, between blanks and commas or nothing at all: "M.5-1.2,3".
+class PathNumbers {
+ public:
+  explicit PathNumbers(std::string_view text) : rest_(text) {}
+
+  bool done() {
+    const auto next = rest_.find_first_not_of(" ,\t\r\n");
+    rest_.remove_prefix(std::min(next, rest_.size()));
+    return rest_.empty();
+  }
+  // What comes next is that: up to a letter's end.
+  bool letter() { return !done() && std::isalpha(static_cast<unsigned char>(rest_[0])); }
+  char take() {
+    const char c = rest_[0];
+    rest_.remove_prefix(1);
+    return c;
+  }
+  std::optional<double> number() {
+    if (done()) return std::nullopt;
+    if (rest_[0] == '+') take();
+    double v = 0;
+    const auto read = std::from_chars(rest_.data(), rest_.data() + rest_.size(), v);
+    if (read.ec != std::errc() || !(std::abs(v) <= farthest)) return std::nullopt;
+    rest_.remove_prefix(static_cast<std::size_t>(read.ptr - rest_.data()));
+    return v;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+std::optional<double> number_in(std::string_view text) {
+  PathNumbers n(text);
+  const auto v = n.number();
+  return v && n.done() ? v : std::nullopt;
+}
+
+// As SVG's matrix(a b c d e f).
+struct Affine {
+  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+  Vec3 operator()(Vec3 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f, 0}; }
+  friend Affine operator*(const Affine& m, const Affine& n) {
+    return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
+            m.b * n.c + m.d * n.d, m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};
+  }
+  bool sane() const {
+    return std::max({std::abs(a), std::abs(b), std::abs(c), std::abs(d), std::abs(e), std::abs(f)}) <= farthest;
+  }
+};
+
+// "matrix(…)", "translate(…)" and "scale(…)", one behind the other.
+std::optional<Affine> transform_in(std::string_view text) {
+  Affine all;
+  for (std::size_t open; (open = text.find('(')) != std::string_view::npos;) {
+    const auto close = text.find(')', open);
+    if (close == std::string_view::npos) return std::nullopt;
+    std::string_view name = text.substr(0, open);
+    name.remove_prefix(std::min(name.find_first_not_of(" ,"), name.size()));
+    PathNumbers n(text.substr(open + 1, close - open - 1));
+    std::array<double, 6> v{};
+    std::size_t count = 0;
+    for (; count < v.size() && !n.done(); ++count) {
+      const auto one = n.number();
+      if (!one) return std::nullopt;
+      v[count] = *one;
+    }
+    if (!n.done()) return std::nullopt;
+    if (name == "matrix" && count == 6)
+      all = all * Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
+    else if (name == "translate" && (count == 1 || count == 2))
+      all = all * Affine{1, 0, 0, 1, v[0], v[1]};
+    else if (name == "scale" && (count == 1 || count == 2))
+      all = all * Affine{v[0], 0, 0, count == 2 ? v[1] : v[0], 0, 0};
+    else
+      return std::nullopt;
+    text.remove_prefix(close + 1);
+  }
+  return text.find_first_not_of(' ') == std::string_view::npos ? std::optional(all) : std::nullopt;
+}
+
+// The commands of a path's `d`, carried out.
+class PathReader {
+ public:
+  PathReader(const Affine& to, Flattener& into) : to_(to), into_(into) {}
+
+  bool read(std::string_view d) {
+    PathNumbers n(d);
+    char command = 0;
+    while (!n.done()) {
+      if (n.letter())
+        command = n.take();
+      else if (command == 0 || command == 'Z' || command == 'z')
+        return false;
+      const bool relative = command >= 'a';
+      const char upper = relative ? static_cast<char>(command - 'a' + 'A') : command;
+      const auto which = commands.find(upper);
+      if (which == std::string_view::npos) return false;
+      for (std::size_t i = 0; i < counts[which]; ++i) {
+        const auto v = n.number();
+        if (!v) return false;
+        v_[i] = *v;
+      }
+      if (upper != 'M' && !into_.begun()) return false;
+      from_ = relative ? at_ : Vec3{};
+      draw(upper);
+      before_ = upper;
+      if (upper == 'M') command = relative ? 'l' : 'L';  // as what follows without a letter is read
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::string_view commands = "MLHVCSQTZ";
+  static constexpr std::array<std::size_t, 9> counts{2, 2, 1, 1, 6, 4, 4, 2, 0};
+
+  Vec3 point(std::size_t i) const { return from_ + Vec3{v_[i], v_[i + 1], 0}; }
+  // The last curve's control point, mirrored, where that was one of these.
+  Vec3 smooth(char one, char other) const { return before_ == one || before_ == other ? 2 * at_ - control_ : at_; }
+
+  void draw(char command) {
+    if (command == 'M') return begin(point(0));
+    if (command == 'Z') return void(at_ = start_);
+    if (before_ == 'Z') begin(start_);
+    if (command == 'L') return line(point(0));
+    if (command == 'H') return line({from_.x + v_[0], at_.y, 0});
+    if (command == 'V') return line({at_.x, from_.y + v_[0], 0});
+    if (command == 'C') return cubic(point(0), point(2), point(4));
+    if (command == 'S') return cubic(smooth('C', 'S'), point(0), point(2));
+    if (command == 'Q') return conic(point(0), point(2));
+    conic(smooth('Q', 'T'), point(0));
+  }
+  void begin(Vec3 p) { into_.move(to_(at_ = start_ = p)); }
+  void line(Vec3 p) { into_.line(to_(at_ = p)); }
+  void cubic(Vec3 b, Vec3 c, Vec3 d) {
+    into_.cubic(to_(b), to_(c), to_(d));
+    control_ = c, at_ = d;
+  }
+  void conic(Vec3 b, Vec3 c) {
+    into_.conic(to_(b), to_(c));
+    control_ = b, at_ = c;
+  }
+
+  const Affine to_;
+  Flattener& into_;
+  std::array<double, 6> v_{};
+  Vec3 from_, at_, start_, control_;
+  char before_ = 0;
+};
+
+// <name a='…' b="…">, </name>, <name/>
+struct Tag {
+  std::string_view name;
+  std::map<std::string_view, std::string_view> attributes;
+  bool opens = true, closes = false;
+
+  std::string_view get(std::string_view a) const {
+    const auto found = attributes.find(a);
+    return found == attributes.end() ? std::string_view() : found->second;
+  }
+  // What is not said is 0.
+  std::optional<double> number(std::string_view a) const { return attributes.contains(a) ? number_in(get(a)) : 0; }
+};
+
+bool skip(std::string_view& rest, std::string_view begin, std::string_view end) {
+  if (!rest.starts_with(begin)) return false;
+  const auto at = rest.find(end, begin.size());
+  rest.remove_prefix(at == std::string_view::npos ? rest.size() : at + end.size());
+  return true;
+}
+
+// Takes the next one off. Nothing: that was all; false: what is there is none.
+std::optional<bool> next_tag(std::string_view& rest, Tag& tag) {
+  constexpr std::string_view blanks = " \t\r\n";
+  for (;;) {
+    rest.remove_prefix(std::min(rest.find('<'), rest.size()));
+    if (rest.empty()) return std::nullopt;
+    if (!skip(rest, "<!--", "-->") && !skip(rest, "<![CDATA[", "]]>") && !skip(rest, "<!", ">") &&
+        !skip(rest, "<?", "?>"))
+      break;
+  }
+  tag = {};
+  rest.remove_prefix(1);
+  if (rest.starts_with("/")) tag.opens = false, tag.closes = true, rest.remove_prefix(1);
+  const auto word = [&rest](std::string_view ends) {
+    const std::string_view w = rest.substr(0, rest.find_first_of(ends));
+    rest.remove_prefix(w.size());
+    return w;
+  };
+  tag.name = word(" \t\r\n/>");
+  for (;;) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    if (rest.starts_with(">")) return rest.remove_prefix(1), !tag.name.empty();
+    if (rest.starts_with("/>")) return tag.closes = true, rest.remove_prefix(2), !tag.name.empty();
+    const std::string_view name = word(" \t\r\n=/<>");
+    if (name.empty() || rest.size() < 2 || rest[0] != '=' || (rest[1] != '"' && rest[1] != '\'')) return false;
+    const auto end = rest.find(rest[1], 2);
+    if (end == std::string_view::npos) return false;
+    tag.attributes[name] = rest.substr(2, end - 2);
+    rest.remove_prefix(end + 1);
+  }
+}
+
+class DrawingReader {
+ public:
+  Result<Outline> read(std::string_view svg) {
+    Tag tag;
+    for (;;) {
+      const auto more = next_tag(svg, tag);
+      if (!more) break;
+      if (!*more) return unreadable("broken SVG");
+      if (Status s = tag.opens ? open(tag) : Status(Nothing{}); !s) return s.error();
+      if (!tag.closes) continue;
+      if (open_.empty() || open_.back().name != tag.name) return unreadable("broken SVG");
+      open_.pop_back();
+    }
+    if (!open_.empty()) return unreadable("SVG that breaks off");
+    if (!baseline_) return unreadable("nothing");
+    finish();
+    return std::move(out_);
+  }
+
+ private:
+  struct Open {
+    std::string_view name;
+    Affine to;
+  };
+
+  Status open(const Tag& tag) {
+    const auto own = transform_in(tag.get("transform"));
+    if (!own) return unreadable("a transformation that is none");
+    const Affine to = (open_.empty() ? Affine{} : open_.back().to) * *own;
+    if (!to.sane()) return unreadable("something too large");
+    if (open_.size() >= deepest) return unreadable("groups too deep in each other");
+    const bool defines = std::any_of(open_.begin(), open_.end(), [](const Open& o) { return o.name == "defs"; });
+    open_.push_back({tag.name, to});
+    if (tag.name == "path" && defines) return glyphs_[tag.get("id")] = tag.get("d"), Nothing{};
+    if (tag.name == "path") return path(tag.get("d"), to);
+    if (tag.name == "use" && !defines) return use(tag, to);
+    if (tag.name == "rect" && !defines) return bar(tag, to);
+    constexpr std::array<std::string_view, 7> others{"svg", "g", "defs", "style", "title", "desc", "metadata"};
+    if (std::find(others.begin(), others.end(), tag.name) != others.end()) return Nothing{};
+    return unreadable(fmt::format("<{}>", tag.name.substr(0, 20)));
+  }
+
+  Status path(std::string_view d, const Affine& to) {
+    if (!baseline_) return unreadable("no baseline");
+    Flattener lines(fineness * em);
+    if (!PathReader(to, lines).read(d)) return unreadable("a path that is none");
+    return add(lines, fmt::format("{:x}", std::hash<std::string_view>{}(d)));
+  }
+
+  Status use(const Tag& tag, const Affine& to) {
+    const std::string_view id = tag.attributes.contains("xlink:href") ? tag.get("xlink:href") : tag.get("href");
+    const auto glyph = id.starts_with("#") ? glyphs_.find(id.substr(1)) : glyphs_.end();
+    const auto x = tag.number("x"), y = tag.number("y");
+    if (glyph == glyphs_.end() || !x || !y) return unreadable("a glyph that is none");
+    return path(glyph->second, to * Affine{1, 0, 0, 1, *x, *y});
+  }
+
+  Status bar(const Tag& tag, const Affine& to) {
+    const auto x = tag.number("x"), y = tag.number("y"), w = tag.number("width"), h = tag.number("height");
+    if (!x || !y || !w || !h || *w < 0 || *h < 0) return unreadable("a bar that is none");
+    const auto is_side = [](double side) { return std::abs(side - square_side) < 0.01; };
+    if (!baseline_ && is_side(*w) && is_side(*h)) {
+      baseline_ = to({*x + *w, *y + *h, 0});
+      return Nothing{};
+    }
+    if (!baseline_) return unreadable("no baseline");
+    Flattener lines(fineness * em);
+    lines.move(to({*x, *y, 0}));
+    for (const Vec3 p : {Vec3{*x + *w, *y, 0}, Vec3{*x + *w, *y + *h, 0}, Vec3{*x, *y + *h, 0}}) lines.line(to(p));
+    return add(lines, "bar");
+  }
+
+  Status add(Flattener& lines, std::string name) {
+    std::vector<Contour> contours = lines.take();
+    if (contours.empty()) return Nothing{};
+    out_.letters.push_back({out_.contours.size(), std::move(name)});
+    for (Contour& c : contours) {
+      for (const Vec3 p : c)
+        if (!(std::max(std::abs(p.x), std::abs(p.y)) <= farthest)) return unreadable("something too far away");
+      points_ += c.size();
+      out_.contours.push_back(std::move(c));
+    }
+    if (points_ > most_points || out_.letters.size() > most_letters)
+      return fail(ErrorCode::range, "the formula is too large: too many letters and points");
+    return Nothing{};
+  }
+
+  // From 1/72 in downwards to em upwards; the outer contours of each letter go counter-clockwise.
+  void finish() {
+    for (Contour& contour : out_.contours)
+      for (Vec3& p : contour) p = {(p.x - baseline_->x) / em, (baseline_->y - p.y) / em, 0};
+    for (std::size_t i = 0; i < out_.letters.size(); ++i) {
+      const std::size_t first = out_.letters[i].first;
+      const std::size_t end = i + 1 < out_.letters.size() ? out_.letters[i + 1].first : out_.contours.size();
+      double area = 0;
+      for (std::size_t k = first; k < end; ++k)
+        for (std::size_t j = 0, n = out_.contours[k].size(); j < n; ++j)
+          area += cross(out_.contours[k][j] - out_.contours[first][0],
+                        out_.contours[k][(j + 1) % n] - out_.contours[first][0])
+                      .z;
+      for (std::size_t k = first; area < 0 && k < end; ++k)
+        std::reverse(out_.contours[k].begin(), out_.contours[k].end());
+    }
+  }
+
+  std::vector<Open> open_;
+  std::map<std::string_view, std::string_view> glyphs_;  // what is drawn, by name
+  std::optional<Vec3> baseline_;                         // where the formula begins on it
+  Outline out_;
+  std::size_t points_ = 0;
+};
+
+}  // namespace
+
+Result<Outline> read_tex_drawing(std::string_view svg) { return DrawingReader().read(svg); }
+
+}  // namespace betwixt
