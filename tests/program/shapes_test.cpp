@@ -8,6 +8,7 @@
 
 #include "betwixt/program.h"
 #include "scene/document.h"
+#include "scene/outline.h"
 
 namespace betwixt {
 namespace {
@@ -42,6 +43,7 @@ Scene scene_of(Kind kind, FunctionId f, const Value& first, const Value& last) {
   Mesh mesh;
   mesh.positions.push_back({1, 2, 3});
   s.meshes.edit()["two"] = std::make_shared<const Mesh>(mesh);
+  for (const char* formula : {"one", "two"}) s.formulas.edit()[formula] = std::make_shared<const Outline>();
   Object o;
   o.name = "thing";
   o.kind = kind;
