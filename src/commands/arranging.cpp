@@ -240,6 +240,8 @@ bool place(Command& k) {
                   fmt::format("what stands at the {} cannot be aligned to the {}", side.word, align.word), word);
   if (!placed(s.objects[other.index].kind))
     return c.fail(ErrorCode::type, fmt::format("nothing stands next to {}", a_kind(s.objects[other.index].kind)), word);
+  if (things.size() == 1 && things[0] == other)
+    return c.fail(ErrorCode::name, fmt::format("'{}' cannot stand next to itself", s.objects[other.index].name), word);
   // One after another: each next to the one before.
   std::vector<ObjectId> all{other};
   for (const ObjectId id : things)

@@ -87,6 +87,7 @@ TEST(Arranging, ErrorsByTheirPlace) {
       {"arrange a in circle radius=-1", "4:21: the radius is more than 0"},
       {"place a", "4:8: 'next-to' is missing here"},
       {"place a next-to zz", "4:17: there is no object 'zz'"},
+      {"place a next-to a", "4:7: 'a' cannot stand next to itself"},
       {"place a next-to up", "4:7: nothing stands next to a layer"},
       {"place a next-to b side=centre", "4:24: a side is left, right, bottom, top, back, front"},
       {"place a next-to b side=left align=right", "4:7: what stands at the left cannot be aligned to the right"},
