@@ -81,6 +81,7 @@ class Evaluator {
   void places(Asking&);
   void turn_eyes(Asking&);
   void arrange_reaches();
+  std::optional<Time> held_since(std::uint32_t node, std::uint32_t hand, std::span<const std::uint32_t> joints) const;
   void reach(std::uint32_t hand, Asking&);
   Vec3 joint_place(std::uint32_t node) const;
   void turn_joint(std::uint32_t node, Quat);

@@ -38,13 +38,31 @@ void Evaluator::turn_joint(std::uint32_t node, Quat turn) {
   show_sited(node);
 }
 
+// Since when it has hung on that one, or on what that hangs on up to `joints`; none where it does not, or always has.
+std::optional<Time> Evaluator::held_since(std::uint32_t node, std::uint32_t hand,
+                                          std::span<const std::uint32_t> joints) const {
+  std::optional<Time> since;
+  for (auto i = static_cast<std::int32_t>(node); i >= 0;) {
+    const auto n = static_cast<std::uint32_t>(i);
+    if (n == hand || std::ranges::find(joints, n) != joints.end()) return since;
+    const CompiledSpan* const span = held_[n];
+    if (span != nullptr && in_reach(span->from)) since = std::max(since.value_or(span->from), span->from);
+    i = parent_[n];
+  }
+  return std::nullopt;
+}
+
 void Evaluator::reach(std::uint32_t hand, Asking& asking) {
   const std::uint32_t object = compiled_.nodes[hand].object;
-  const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
+  std::vector<std::uint32_t> chain = joints_of(hand);
+  // What it has taken meanwhile goes where the hand goes: it reaches for where that was.
+  const auto in_world = [&](std::uint32_t i) {
+    const auto since = held_since(i, hand, chain);
+    return translation_of(since ? compiled_.placement(i, *since - Time{1}, asking).in_world() : world(i));
+  };
   const auto aim = [&](FunctionId f) { return compiled_.aim(object, f, now_, numbers_.data(), in_world, asking); };
   const double share = std::clamp(numbers_[compiled_.find(object, fn::reach_share).offset], 0.0, 1.0);
   const auto goal = share > 0 ? aim(fn::reach) : std::nullopt;
-  std::vector<std::uint32_t> chain = joints_of(hand);
   if (!goal || chain.empty()) return;
   asking.work(20 * chain.size() * chain.size());
   const Mat4 first = world(chain.front());

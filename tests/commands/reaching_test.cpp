@@ -147,6 +147,35 @@ TEST(Reach, WaitsForWhatItReachesFor) {
   }
 }
 
+// What it takes goes with it from there: nothing jumps when it is taken, nor when the reach ends.
+TEST(Reach, ForWhatItTakesMeanwhileGoesWhereThatWas) {
+  const std::string reaching = arm + "ball.position\n  1f (1 1 0) linear\n  25f (0.5 -1 1)\n" +
+                               "reach arm/fore/palm to ball from 1f until 61f blend-out=12f\n";
+  const LoadedFilm kept(reaching + "at 25f attach ball to arm/fore/palm keep-world\n"), bare(arm);
+  const Vec3 was{0.5, -1, 1}, back = place(bare, "arm/fore/palm", "1f");
+  for (const char* t : {"24.999999f", "25f", "30f", "49f"}) {
+    expect_place(kept, "ball", t, was, 1e-6);
+    expect_place(kept, "arm/fore/palm", t, was, 1e-6);
+  }
+  for (const char* t : {"50f", "55f", "60f", "61f", "90f"}) {
+    const Vec3 palm = place(kept, "arm/fore/palm", t);
+    expect_place(kept, "ball", t, palm, 1e-7);  // as near as it was a moment before
+  }
+  expect_place(kept, "arm/fore/palm", "61f", back, 1e-9);
+  // By a joint, through another thing, and one frame alone.
+  const LoadedFilm through(reaching +
+                           "create tray group\nat 10f attach tray to arm/fore keep-world\n"
+                           "at 25f attach ball to tray keep-world\n");
+  for (const char* t : {"49f", "30f", "25f", "24.999999f"}) expect_place(through, "arm/fore/palm", t, was, 1e-6);
+  // Another one takes it out of the hand: there it is reached for again.
+  const LoadedFilm handed(reaching +
+                          "create other group position=(1 -1 0)\nat 25f attach ball to arm/fore/palm keep-world\n" +
+                          "at 37f hang ball on other\n");
+  expect_place(handed, "arm/fore/palm", "36f", was, 1e-6);
+  expect_place(handed, "ball", "37f", Vec3{1, -1, 0} + was, 1e-9);
+  EXPECT_NEAR(length(place(handed, "arm/fore/palm", "37f") - 2 * normalize(Vec3{1, -1, 0} + was)), 0, 1e-9);
+}
+
 TEST(Reach, IsWrittenCopiedRenamedAndRemoved) {
   const std::string man =
       "create man group\ncreate man/arm group\ncreate man/arm/fore group position=(1 0.1 0)\n"
