@@ -143,7 +143,7 @@ class Play {
     if (flag('c')) o.ceilings.environments = 3, o.ceilings.events = 12, o.ceilings.history = 700;
     if (flag('k')) o.checkpoint = 200;
     o.wait = flag('w');
-    if (beside && flag('b')) o.beside = [this](const auto& work) { return work_beside(work); };
+    if (beside && flag('b')) o.beside = [this](const auto& work, auto) { return work_beside(work); };
     return o;
   }
 
@@ -273,7 +273,7 @@ class Play {
   void show() {
     const Time t = imaging_->transport().time(now_);
     const Frame frame = imaging_->program().frame(t);
-    imaging_->shown({++frames_, t, 0, {}});
+    imaging_->shown({{++frames_, t, 0, {}}});
   }
 
   bool work_beside(const std::function<void()>& work) {
