@@ -21,7 +21,7 @@ class Marks {
  public:
   explicit Marks(std::size_t many) : how_(many), which_(many) {}
   void add(std::uint32_t one, std::uint8_t how) {
-    if (how_[one] == 0) which_[count_++] = one;
+    if (how_[one] == 0 && how != 0) which_[count_++] = one;
     how_[one] |= how;
   }
   std::uint8_t operator[](std::uint32_t one) const { return how_[one]; }

@@ -147,6 +147,10 @@ TEST(Playing, MarksComeInOrder) {
     EXPECT_TRUE(marks.all().empty());
     EXPECT_EQ(marks[3], 0);
   }
+  // What nothing can be seen of, as code of a function of one's own, is no mark: there are as many places as nodes.
+  playing::Marks two(2);
+  for (int k = 0; k < 5; ++k) two.add(1, 0);
+  EXPECT_TRUE(two.all().empty());
 }
 
 }  // namespace
