@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Movies from pictures: .mp4 .webm .gif .apng through the ffmpeg program, or numbered PNG (frame-%04d.png).
+// Movies from pictures: .mp4 .webm .mov .gif .apng through the ffmpeg program, or numbered PNG (frame-%04d.png) and
+// OpenEXR (frame-%04d.exr). Opacity is straight in all but OpenEXR, where it is multiplied in.
 //
 // Room: film
 #pragma once
@@ -10,7 +11,7 @@
 #include <span>
 #include <string>
 
-#include "betwixt/mesh.h"
+#include "betwixt/deep_picture.h"
 #include "betwixt/program.h"
 #include "betwixt/result.h"
 #include "betwixt/time.h"
@@ -20,6 +21,9 @@ namespace betwixt {
 // Makes the picture of the k-th frame of the film, k from 0. Each job calls its own painter, from its own thread.
 using Painter = std::function<Status(int k, Picture& out)>;
 
+// The same as light.
+using DeepPainter = std::function<Status(int k, DeepPicture& out)>;
+
 // Fills a film's sound: left, right, left, …, `sound_rate` pairs a second. Called once, before the first picture.
 using Sounds = std::function<Status(std::span<float> stereo)>;
 
@@ -27,8 +31,12 @@ using Sounds = std::function<Status(std::span<float> stereo)>;
 // they are at the beginning, gain as it changes. Errors: file (not there any more), machine (no ffmpeg).
 Status mix_sounds(const Program&, Time from, std::span<float> stereo);
 bool has_sounds(const Document&);
-// Whether films whose names end so can have any.
+// What films can have whose names end so: sound; what is clear; more than 8 bits a channel (numbered PNG only where
+// FilmOptions::bits says so, and OpenEXR light that does not roll off).
 bool takes_sound(const std::string& path);
+bool takes_alpha(const std::string& path);
+bool takes_depth(const std::string& path);
+bool takes_open_light(const std::string& path);
 
 struct FilmOptions {
   std::string path;      // the ending says what is made
@@ -41,7 +49,9 @@ struct FilmOptions {
   // Of numbered pictures: those that are there, whole and of this size stay; each other one is put in place when it is
   // made, whatever becomes of the rest.
   bool missing = false;
-  Sounds sounds;  // none: it is silent
+  bool alpha = false;  // what is clear in the pictures is clear in the film, where it can be
+  int bits = 8;        // a channel of numbered PNG: 8 or 16
+  Sounds sounds;       // none: it is silent
 };
 
 struct FilmStats {
@@ -62,5 +72,7 @@ using Progress = std::function<bool(int done, int frames, double seconds)>;
 // own, unchanged.
 Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
                             const Progress& = {});
+Result<FilmStats> make_deep_film(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter,
+                                 const Progress& = {});
 
 }  // namespace betwixt

@@ -69,6 +69,7 @@ struct Surroundings {
   std::optional<Fog> fog;
   std::optional<Vec3> ground;  // the colour of an endless floor at y = 0; none: there is none
   bool sky = false;
+  bool clear = false;    // nothing is behind the things: what pictures have an opacity say so, elsewhere it is black
   bool contact = false;  // it is darker where things meet
   friend bool operator==(const Surroundings&, const Surroundings&) = default;
 };

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "betwixt/deep_picture.h"
 #include "betwixt/evaluation.h"
 #include "betwixt/result.h"
 
@@ -20,6 +21,10 @@ struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 1 to 8192
   int samples = 4;                 // a pixel: 1, 4, 9 or 16
   std::string style = "shaded";    // one of styles()
+  // Pictures of linear light can be had, and what has nothing behind it is clear where the film says so (elsewhere
+  // black).
+  bool deep = false;
+  bool open = false;  // deep: light stays as bright as it is; else it rolls off as in all that is shown
 };
 
 struct Style {
@@ -37,6 +42,9 @@ class Renderer {
   // The picture of its frame(), for playing: what has not changed is not looked at, if every `to` is followed by a
   // picture.
   virtual Status render(const Evaluation&, Picture& out) = 0;
+  // The same as light. Errors: range (RenderOptions::deep was not said).
+  virtual Status render(const Frame&, DeepPicture& out) = 0;
+  virtual Status render(const Evaluation&, DeepPicture& out) = 0;
 };
 
 // Errors: range (options out of bounds), name (no such style), machine (no graphics to be had).

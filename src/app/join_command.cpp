@@ -20,7 +20,7 @@ struct JoinCall {
   std::optional<std::pair<int, int>> numbers;
   Rate rate{24, 1};
   int jobs = 0;
-  bool keep_old = false;
+  bool alpha = false, keep_old = false;
 };
 
 // Whole numbers with something between them.
@@ -84,29 +84,44 @@ std::vector<int> broken_ones(const Output& pictures, const std::vector<int>& all
   return broken;
 }
 
+bool has_clear(const DeepPicture& picture) {
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+    if (picture.rgba[i] < 1) return true;
+  return false;
+}
+
 int join(const JoinCall& call) {
   const Result<Output> pictures = read_output(call.pictures);
   if (!pictures) return complain(pictures.error(), wrong_call);
   const Result<std::vector<int>> all = numbers(call, *pictures);
   if (!all) return complain(all.error(), all.error().code == ErrorCode::range ? wrong_call : wrong_input);
-  const auto first = read_picture(pictures->path(all->front()));
+  const bool deep = pictures->exr || takes_depth(call.out);
+  const auto first = read_deep_picture(pictures->path(all->front()));
 
   FilmOptions options;
   options.path = call.out;
   options.frames = static_cast<int>(all->size());
   options.rate = call.rate;
-  if (first) options.width = (*first)->width, options.height = (*first)->height;
+  if (first) options.width = first->width, options.height = first->height;
+  options.alpha = call.alpha || (first && has_clear(*first));
   options.jobs = call.jobs;
   options.overwrite = !call.keep_old;
-  const auto new_painter = [&]() -> Result<Painter> {
-    return Painter([&](int k, Picture& out) -> Status {
-      const auto read = read_picture(pictures->path((*all)[static_cast<std::size_t>(k)]));
-      if (!read) return read.error();
-      out = **read;
-      return Nothing{};
-    });
+  const auto path = [&](int k) { return pictures->path((*all)[static_cast<std::size_t>(k)]); };
+  const DeepPainter deep_painter = [&](int k, DeepPicture& out) -> Status {
+    auto read = read_deep_picture(path(k));
+    if (!read) return read.error();
+    out = *std::move(read);
+    return Nothing{};
   };
-  const Result<FilmStats> made = make_showing(options, new_painter);
+  const Painter painter = [&](int k, Picture& out) -> Status {
+    const auto read = read_picture(path(k));
+    if (!read) return read.error();
+    out = **read;
+    return Nothing{};
+  };
+  const Result<FilmStats> made = deep
+                                     ? make_deep_showing(options, [&]() -> Result<DeepPainter> { return deep_painter; })
+                                     : make_showing(options, [&]() -> Result<Painter> { return painter; });
   if (made || stop_requested()) return say_made(made, options);
   const std::vector<int> broken = broken_ones(*pictures, *all, options);
   return broken.empty() ? say_made(made, options) : complain(holes(call, broken, all->size()), wrong_input);
@@ -135,6 +150,7 @@ const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
                      .sentence = "pictures read at once; if not said, what suits this machine",
                      .into = &call.jobs,
                      .range = {{1, 256}}},
+                    flag("--alpha", "the film has an opacity, even if all of the first picture is opaque", call.alpha),
                     flag("--no-overwrite", "leave a film alone that is there already", call.keep_old)},
           .example = "betwixt join frame-%04d.png -o film.mp4 --rate 25",
           .manual = "Nothing is made where a picture is missing or broken: the list of these is said."};

@@ -58,15 +58,24 @@ class Bar {
   bool drawn_ = false;
 };
 
+bool go_on(Bar& bar, int done, double seconds) {
+  bar.show(done, seconds);
+  return !stop_requested();
+}
+
 }  // namespace
 
 Result<FilmStats> make_showing(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter) {
   catch_stops();
   Bar bar(options.frames);
-  return make_film(options, new_painter, [&](int done, int, double seconds) {
-    bar.show(done, seconds);
-    return !stop_requested();
-  });
+  return make_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
+}
+
+Result<FilmStats> make_deep_showing(const FilmOptions& options,
+                                    const std::function<Result<DeepPainter>()>& new_painter) {
+  catch_stops();
+  Bar bar(options.frames);
+  return make_deep_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
 }
 
 int say_made(const Result<FilmStats>& made, const FilmOptions& options) {

@@ -10,6 +10,7 @@ namespace betwixt {
 
 // Makes the film, and shows how far it is.
 Result<FilmStats> make_showing(const FilmOptions&, const std::function<Result<Painter>()>& new_painter);
+Result<FilmStats> make_deep_showing(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter);
 // Says what was made, or why not. The exit code.
 int say_made(const Result<FilmStats>&, const FilmOptions&);
 

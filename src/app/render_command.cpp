@@ -20,7 +20,7 @@ namespace {
 struct RenderCall {
   std::string file, out, frames;
   PictureCall picture;
-  int jobs = 0;
+  int jobs = 0, bits = 8;
   bool missing = false, keep_old = false, keep_going = false, stats = false;
 };
 
@@ -36,13 +36,24 @@ void print_stats(const FilmStats& s, const Spending& spent, const Program& progr
   print_sizes(program);
 }
 
+// What the film cannot have that its script has.
+void say_what_is_lost(const RenderCall& call, const Document& document) {
+  if (document.transparent() && !takes_alpha(call.out))
+    tell_user(
+        fmt::format("betwixt: notice: nothing is clear in {}, but black; .webm, .mov and pictures can be\n", call.out));
+  if (has_sounds(document) && !takes_sound(call.out))
+    tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4, .webm and .mov do\n", call.out));
+}
+
 int render(const RenderCall& call) {
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   const Result<FrameList> frames = read_frames(call.frames, *document);
   if (!frames) return complain(frames.error(), wrong_call);
 
-  const RenderOptions pictures = call.picture.of(*document);
+  RenderOptions pictures = call.picture.of(*document);
+  pictures.open = takes_open_light(call.out);
+  pictures.deep = (document->transparent() && takes_alpha(call.out)) || takes_depth(call.out) || call.bits > 8;
   const Program program = Program::compile(*document);
   const Time last = frames->time(frames->count - 1);
   const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
@@ -50,11 +61,11 @@ int render(const RenderCall& call) {
   Problems problems;
   for (const Diagnostic& d : found.errors) problems.known(d.what.message);
   Spending spent;
-  const auto new_painter = [&]() -> Result<Painter> {
+  const auto painter = [&]<class Out>(std::type_identity<Out>) -> Result<std::function<Status(int, Out&)>> {
     Result<std::unique_ptr<Renderer>> made = make_renderer(pictures);
     if (!made) return made.error();
     const auto evaluation = std::make_shared<Evaluation>(program);
-    return Painter([&, evaluation, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Picture& out) {
+    return std::function([&, evaluation, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Out& out) {
       const Spending::Listening listening(call.stats ? &spent : nullptr);
       evaluation->to(frames->time(k));
       problems.say(evaluation->problems());
@@ -70,12 +81,15 @@ int render(const RenderCall& call) {
   options.jobs = call.jobs;
   options.overwrite = !call.keep_old;
   options.missing = call.missing;
+  options.alpha = document->transparent();
+  options.bits = call.bits;
   if (has_sounds(*document) && takes_sound(call.out))
     options.sounds = [&](std::span<float> stereo) { return mix_sounds(program, frames->time(0), stereo); };
-  else if (has_sounds(*document))
-    tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4 and .webm do\n", call.out));
+  say_what_is_lost(call, *document);
 
-  const Result<FilmStats> made = make_showing(options, new_painter);
+  const Result<FilmStats> made =
+      pictures.deep ? make_deep_showing(options, [&] { return painter(std::type_identity<DeepPicture>{}); })
+                    : make_showing(options, [&] { return painter(std::type_identity<Picture>{}); });
   const int code = say_made(made, options);
   if (made && call.stats) print_stats(*made, spent, program);
   return code;
@@ -85,14 +99,15 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
   return {
       .rank = 10,
       .name = "render",
-      .sentence = "makes a film: " + film_endings() + " or numbered pictures",
+      .sentence = "makes a film: " + film_endings() + " or numbered pictures, .png .exr",
       .takes = joined(
           {{script_parameter(call.file),
             output_parameter(call.out, "OUT",
                              "the film; its ending says what is made, frame-%04d.png: numbered pictures"),
             frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
            picture_parameters(call.picture),
-           {{.name = "--jobs",
+           {bits_parameter(call.bits),
+            {.name = "--jobs",
              .value = "N",
              .sentence = "pictures made at once; if not said, what suits this machine",
              .into = &call.jobs,
@@ -106,7 +121,12 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
             flag("--stats", "say where the time of a frame went, and what document and program take", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =
-          "All but pictures need the program ffmpeg. A progress bar with frames per second and the time left is "
+          "All but pictures need the program ffmpeg. Of \"background transparent\" .webm, .mov (ProRes 4444), .apng "
+          "and .png "
+          "keep a straight opacity, .gif whether there is any, and .exr has it multiplied in; .mov has more than 8 "
+          "bits a "
+          "channel, as .png has with --bits 16; .exr has light, as bright as it is, in half floats. A progress bar "
+          "with frames per second and the time left is "
           "shown on a terminal. A film that is stopped or fails leaves nothing under its final name; with --missing "
           "each picture is put in "
           "place when it is whole, so that the next call goes on from there."};

@@ -132,6 +132,20 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
                            : fmt::format("samples {}\n", now.samples);
 }
 
+Parameter bits_parameter(int& bits) {
+  return {.name = "--bits",
+          .value = "N",
+          .sentence = "bits a channel of PNG: 8, or 16",
+          .into = ReadValue([&bits](const std::string& text) -> Status {
+            if (text != "8" && text != "16")
+              return fail(ErrorCode::range, fmt::format("'{}' is no number of bits a channel: 8 or 16", text));
+            bits = std::stoi(text);
+            return Nothing{};
+          }),
+          .words_only = true,
+          .words = {"8", "16"}};
+}
+
 std::vector<Parameter> picture_parameters(PictureCall& to) {
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);

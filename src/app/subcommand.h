@@ -101,6 +101,7 @@ struct PictureCall {
   std::optional<int> samples = {};
   RenderOptions of(const Document&) const;
 };
+Parameter bits_parameter(int& bits);
 std::vector<Parameter> picture_parameters(PictureCall&);  // --size, --style, --samples
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>>);
 

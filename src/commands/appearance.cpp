@@ -52,18 +52,6 @@ bool film(Command& k) {
   return true;
 }
 
-bool background(Command& k) {
-  auto& [s, c, time, layer, script] = k;
-  std::optional<Color> color, below;
-  if (!c.accept_word("none")) {
-    if (!values(k).color(color.emplace())) return false;
-    if (c.accept_word("to") && !values(k).color(below.emplace())) return false;
-  }
-  if (!finish(c)) return false;
-  s.background = color, s.appearance.below = below;
-  return true;
-}
-
 // A word that stands where a colour may, but is none, may have been meant as one of these.
 bool color_or(Command& k, std::initializer_list<std::string_view> words, Color& out) {
   Cursor& c = k.cursor;
@@ -72,6 +60,19 @@ bool color_or(Command& k, std::initializer_list<std::string_view> words, Color& 
   if (values(k).color(out)) return true;
   if (const std::string near = did_you_mean(w, words); !near.empty() && c.error) c.error->hint = near;
   return false;
+}
+
+bool background(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::optional<Color> color, below;
+  const bool clear = c.accept_word("transparent");
+  if (!clear && !c.accept_word("none")) {
+    if (!color_or(k, {"transparent", "none"}, color.emplace())) return false;
+    if (c.accept_word("to") && !values(k).color(below.emplace())) return false;
+  }
+  if (!finish(c)) return false;
+  s.background = color, s.appearance.below = below, s.appearance.clear = clear;
+  return true;
 }
 
 bool ambient(Command& k) {
@@ -150,8 +151,8 @@ constexpr Verb appearance_rows[] = {
     {"film", "film flat|solid",
      "flat: a drawing 9 m high, everything in its own color without light, on a dark background, 1920x1080.",
      "film flat", 0, film},
-    {"background", "background COLOR [to COLOR] or background none",
-     "The color behind everything, or one at the top and one at the bottom; none makes it clear again.",
+    {"background", "background COLOR [to COLOR] or background transparent|none",
+     "The color behind everything, or one at the top and one at the bottom; nothing at all; or the usual one.",
      "background navy to black", 0, background},
     {"ambient", "ambient COLOR|off", "The light that comes from everywhere.", "ambient #202428", 0, ambient},
     {"exposure", "exposure STOPS", "Makes all light brighter or darker: 1 is twice as much, -1 half.", "exposure 0.5",

@@ -14,9 +14,15 @@
 #include "betwixt/picture.h"
 
 namespace betwixt {
-namespace {
 
-constexpr int most_pixels_a_side = 16384;
+Status check_size(const std::string& name, std::int64_t width, std::int64_t height) {
+  constexpr std::int64_t most_pixels_a_side = 16384;
+  if (width >= 1 && height >= 1 && width <= most_pixels_a_side && height <= most_pixels_a_side) return Nothing{};
+  return fail(ErrorCode::range, fmt::format("{} has {} by {} pixels; 1 to {} a side can be read", name, width, height,
+                                            most_pixels_a_side));
+}
+
+namespace {
 
 struct Free {
   void operator()(spng_ctx* c) const { spng_ctx_free(c); }
@@ -30,17 +36,18 @@ Error broken(const std::string& name, const char* why) {
   return fail(ErrorCode::file, fmt::format("{} is broken or not a picture: {}", name, why));
 }
 
-Status check_size(const std::string& name, std::uint64_t width, std::uint64_t height) {
-  if (width >= 1 && height >= 1 && width <= most_pixels_a_side && height <= most_pixels_a_side) return Nothing{};
-  return fail(ErrorCode::range, fmt::format("{} has {} by {} pixels; 1 to {} a side can be read", name, width, height,
-                                            most_pixels_a_side));
-}
-
 std::size_t size_of(const Picture& p) {
   return 4 * static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height);
 }
 
-Decoded decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+// Its four channels of sizeof(Channel) bytes each.
+template <class Channel>
+struct Raw {
+  int width = 0, height = 0, bits = 8;
+  std::vector<Channel> rgba;
+};
+template <class Channel>
+Result<Raw<Channel>> read_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   const Png png(spng_ctx_new(0));
   if (!png) return fail(ErrorCode::machine, "out of memory");
   spng_ihdr head{};
@@ -48,12 +55,18 @@ Decoded decode_png(std::span<const std::uint8_t> bytes, const std::string& name)
   if (error == 0) error = spng_get_ihdr(png.get(), &head);
   if (error != 0) return broken(name, spng_strerror(error));
   if (const Status size = check_size(name, head.width, head.height); !size) return size.error();
-  auto picture = std::make_shared<Picture>();
-  picture->width = static_cast<int>(head.width), picture->height = static_cast<int>(head.height);
-  picture->rgba.resize(size_of(*picture));
-  error = spng_decode_image(png.get(), picture->rgba.data(), picture->rgba.size(), SPNG_FMT_RGBA8, SPNG_DECODE_TRNS);
+  Raw<Channel> raw{static_cast<int>(head.width), static_cast<int>(head.height), head.bit_depth, {}};
+  raw.rgba.resize(4 * static_cast<std::size_t>(head.width) * head.height);
+  error = spng_decode_image(png.get(), raw.rgba.data(), raw.rgba.size() * sizeof(Channel),
+                            sizeof(Channel) == 1 ? SPNG_FMT_RGBA8 : SPNG_FMT_RGBA16, SPNG_DECODE_TRNS);
   if (error != 0) return broken(name, spng_strerror(error));
-  return std::shared_ptr<const Picture>(std::move(picture));
+  return raw;
+}
+
+Decoded decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  auto raw = read_png<std::uint8_t>(bytes, name);
+  if (!raw) return raw.error();
+  return std::make_shared<const Picture>(raw->width, raw->height, std::move(raw->rgba));
 }
 
 Decoded decode_other(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -61,9 +74,7 @@ Decoded decode_other(std::span<const std::uint8_t> bytes, const std::string& nam
   const int length = static_cast<int>(bytes.size());
   const auto why = [] { return stbi_failure_reason() != nullptr ? stbi_failure_reason() : "no reason given"; };
   if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0) return broken(name, why());
-  if (const Status size = check_size(name, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
-      !size)
-    return size.error();
+  if (const Status size = check_size(name, width, height); !size) return size.error();
   const std::unique_ptr<stbi_uc, Free> pixels(
       stbi_load_from_memory(bytes.data(), length, &width, &height, &channels, 4));
   if (!pixels) return broken(name, why());
@@ -93,27 +104,56 @@ Decoded parse_picture(const std::string& path, Shelf& shelf) {
   return decode_picture(as_bytes(*bytes), path);
 }
 
-Status write_png(const std::string& path, const Picture& picture, bool overwrite) {
-  if (picture.width < 1 || picture.height < 1 || picture.rgba.size() != size_of(picture))
-    return fail(ErrorCode::range,
-                fmt::format("a picture of {} by {} pixels cannot be written", picture.width, picture.height));
+Status check_picture(int width, int height, std::size_t channels) {
+  if (width >= 1 && height >= 1 && channels == 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    return Nothing{};
+  return fail(ErrorCode::range, fmt::format("a picture of {} by {} pixels cannot be written", width, height));
+}
+
+namespace {
+
+// `rgba`: straight, with so many bits a channel.
+Status write_png(const std::string& path, int width, int height, std::uint8_t bits, std::span<const std::byte> rgba,
+                 bool overwrite) {
+  if (Status s = check_picture(width, height, 8 * rgba.size() / bits); !s) return s;
   const Png png(spng_ctx_new(SPNG_CTX_ENCODER));
   if (!png) return fail(ErrorCode::machine, "out of memory");
   spng_ihdr head{};
-  head.width = static_cast<std::uint32_t>(picture.width), head.height = static_cast<std::uint32_t>(picture.height);
-  head.bit_depth = 8, head.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+  head.width = static_cast<std::uint32_t>(width), head.height = static_cast<std::uint32_t>(height);
+  head.bit_depth = bits, head.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
   spng_set_option(png.get(), SPNG_ENCODE_TO_BUFFER, 1);
   spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL, 4);  // half the time of the usual 6 for a few per cent
   spng_set_ihdr(png.get(), &head);
   spng_set_srgb(png.get(), 0);
-  const int error =
-      spng_encode_image(png.get(), picture.rgba.data(), picture.rgba.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+  const int error = spng_encode_image(png.get(), rgba.data(), rgba.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
   if (error != 0) return fail(ErrorCode::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(error)));
   int result = 0;
   std::size_t length = 0;
   const std::unique_ptr<void, Free> bytes(spng_get_png_buffer(png.get(), &length, &result));
   if (!bytes) return fail(ErrorCode::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(result)));
   return write_whole(path, {static_cast<const char*>(bytes.get()), length}, overwrite);
+}
+
+}  // namespace
+
+Status write_png(const std::string& path, const Picture& picture, bool overwrite) {
+  return write_png(path, picture.width, picture.height, 8, std::as_bytes(std::span(picture.rgba)), overwrite);
+}
+
+Status write_png(const std::string& path, const DeepPicture& picture, bool overwrite) {
+  const std::vector<std::uint16_t> shown = to_shown_16(picture);
+  return write_png(path, picture.width, picture.height, 16, std::as_bytes(std::span(shown)), overwrite);
+}
+
+Result<DeepPicture> read_deep_picture(const std::string& path) {
+  const auto bytes = read_whole(path);
+  if (!bytes) return bytes.error();
+  if (begins(as_bytes(*bytes), exr_begins)) return decode_exr(*bytes, path);
+  if (!begins(as_bytes(*bytes), "\x89PNG"))
+    return fail(ErrorCode::file, fmt::format("{} is not a picture that can be read", path), "PNG and OpenEXR can be");
+  auto raw = read_png<std::uint16_t>(as_bytes(*bytes), path);
+  if (!raw) return raw.error();
+  return to_light(raw->width, raw->height, raw->rgba);
 }
 
 }  // namespace betwixt

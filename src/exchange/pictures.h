@@ -8,8 +8,9 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
-#include "betwixt/mesh.h"
+#include "betwixt/deep_picture.h"
 #include "betwixt/result.h"
 #include "exchange/shelf.h"
 
@@ -19,5 +20,13 @@ namespace betwixt {
 Result<std::shared_ptr<const Picture>> decode_picture(std::span<const std::uint8_t> bytes, const std::string& name);
 // As read_picture().
 Result<std::shared_ptr<const Picture>> parse_picture(const std::string& path, Shelf&);
+
+inline constexpr std::string_view exr_begins = "\x76\x2f\x31\x01";
+// As read_deep_picture().
+Result<DeepPicture> decode_exr(std::string_view bytes, const std::string& name);
+
+// Whether it can be read; whether these are all channels of a picture that can be written. Errors: range.
+Status check_size(const std::string& name, std::int64_t width, std::int64_t height);
+Status check_picture(int width, int height, std::size_t channels);
 
 }  // namespace betwixt

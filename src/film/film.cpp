@@ -29,6 +29,7 @@ Status check(const FilmOptions& o) {
     return fail(ErrorCode::range, fmt::format("a picture of {}x{} is not possible: 1 to {} pixels a side", o.width,
                                               o.height, largest_side));
   if (o.rate.num < 1 || o.rate.den < 1) return fail(ErrorCode::range, "a film needs a rate above 0");
+  if (o.bits != 8 && o.bits != 16) return fail(ErrorCode::range, "a channel of a PNG has 8 or 16 bits");
   if (o.jobs < 0 || o.jobs > most_jobs) return fail(ErrorCode::range, fmt::format("jobs are 1 to {}", most_jobs));
   return Nothing{};
 }
@@ -42,7 +43,8 @@ int jobs_of(const FilmOptions& o, bool pictures) {
   return std::min(o.frames, o.jobs > 0 ? o.jobs : suitable);
 }
 
-Status check(const Picture& p, const FilmOptions& o) {
+template <class Made>
+Status check(const Made& p, const FilmOptions& o) {
   if (p.width == o.width && p.height == o.height &&
       p.rgba.size() == 4 * static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height))
     return Nothing{};
@@ -50,12 +52,34 @@ Status check(const Picture& p, const FilmOptions& o) {
                                             o.width, o.height));
 }
 
+// A painter of either kind, for parcels.
+using Filler = std::function<Status(int k, Parcel&)>;
+using NewFiller = std::function<Result<Filler>()>;
+template <class Paints>
+NewFiller filler(const FilmOptions& o, const std::function<Result<Paints>()>& new_painter) {
+  return [&o, &new_painter]() -> Result<Filler> {
+    Result<Paints> made = new_painter();
+    if (!made) return made.error();
+    return Filler([&o, painter = *std::move(made)](int k, Parcel& parcel) {
+      auto& out = [&]() -> auto& {
+        if constexpr (std::is_same_v<Paints, Painter>)
+          return parcel.picture;
+        else
+          return parcel.deep;
+      }
+      ();
+      const Status how = painter(k, out);
+      return how ? check(out, o) : how;
+    });
+  };
+}
+
 // Painters at work. Picture k goes through slot k mod the number of slots, so that no more than these are ever held,
 // and is taken out in the order of the film.
 class Crew {
  public:
-  Crew(const FilmOptions& o, int jobs, const std::function<Result<Painter>()>& new_painter, Sink& sink)
-      : options_(o), new_painter_(new_painter), sink_(sink), slots_(2 * static_cast<std::size_t>(jobs)) {
+  Crew(const FilmOptions& o, int jobs, const NewFiller& new_filler, Sink& sink)
+      : options_(o), new_filler_(new_filler), sink_(sink), slots_(2 * static_cast<std::size_t>(jobs)) {
     try {
       for (int j = 0; j < jobs; ++j) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error& e) {  // fewer than asked for will do
@@ -101,20 +125,20 @@ class Crew {
   Slot& slot(int k) { return slots_[static_cast<std::size_t>(k) % slots_.size()]; }
 
   void work() {
-    Result<Painter> painter = fail(ErrorCode::machine, "no painter");
+    Result<Filler> filler = fail(ErrorCode::machine, "no painter");
     {
       // One at a time, while those that are ready paint.
       const std::lock_guard lock(making_);
-      painter = new_painter_();
+      filler = new_filler_();
     }
-    if (!painter) {
+    if (!filler) {
       const std::lock_guard lock(mutex_);
-      failed_early_ = painter.error();
+      failed_early_ = filler.error();
       changed_.notify_all();
       return;
     }
     while (const std::optional<int> k = next()) {
-      Status how = paint(*painter, *k);
+      Status how = paint(*filler, *k);
       const std::lock_guard lock(mutex_);
       if (!how) last_ = std::min(last_, *k);
       slot(*k).how = std::move(how);
@@ -131,7 +155,7 @@ class Crew {
     return over() ? std::nullopt : std::optional<int>(next_++);
   }
 
-  Status paint(const Painter& painter, int k) {
+  Status paint(const Filler& filler, int k) {
     Parcel& parcel = slot(k).parcel;
     const auto start = Clock::now();
     if (sink_.stands(k)) {
@@ -139,9 +163,8 @@ class Crew {
       ++found_;
       return Nothing{};
     }
-    Status how = painter(k, parcel.picture);
+    Status how = filler(k, parcel);
     const double painted = since(start);
-    if (how) how = check(parcel.picture, options_);
     if (how) how = sink_.pack(k, parcel);
     const std::lock_guard lock(mutex_);
     painting_ += painted;
@@ -150,7 +173,7 @@ class Crew {
   }
 
   const FilmOptions& options_;
-  const std::function<Result<Painter>()>& new_painter_;
+  const NewFiller& new_filler_;
   Sink& sink_;
   std::vector<Slot> slots_;
   std::mutex mutex_, making_;
@@ -163,10 +186,7 @@ class Crew {
   std::vector<std::thread> threads_;
 };
 
-}  // namespace
-
-Result<FilmStats> make_film(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter,
-                            const Progress& progress) {
+Result<FilmStats> make(const FilmOptions& options, const NewFiller& new_filler, const Progress& progress) {
   const auto start = Clock::now();
   if (Status s = check(options); !s) return s.error();
   Result<std::unique_ptr<Sink>> sink = make_sink(options);
@@ -185,7 +205,7 @@ Result<FilmStats> make_film(const FilmOptions& options, const std::function<Resu
     return s;
   };
 
-  Crew crew(options, jobs_of(options, (*sink)->single_pictures()), new_painter, **sink);
+  Crew crew(options, jobs_of(options, (*sink)->single_pictures()), new_filler, **sink);
   for (int k = 0; k < options.frames; ++k) {
     std::optional<Status> ready;
     while (!(ready = crew.wait(k)))
@@ -203,6 +223,18 @@ Result<FilmStats> make_film(const FilmOptions& options, const std::function<Resu
   stats.encoding += crew.packing();
   if (progress) progress(stats.frames, options.frames, stats.seconds);
   return stats;
+}
+
+}  // namespace
+
+Result<FilmStats> make_film(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter,
+                            const Progress& progress) {
+  return make(options, filler(options, new_painter), progress);
+}
+
+Result<FilmStats> make_deep_film(const FilmOptions& options, const std::function<Result<DeepPainter>()>& new_painter,
+                                 const Progress& progress) {
+  return make(options, filler(options, new_painter), progress);
 }
 
 }  // namespace betwixt

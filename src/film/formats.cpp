@@ -12,9 +12,32 @@ Words mp4_words(const FilmOptions&) {
           "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",   "mp4"};
 }
 
-Words webm_words(const FilmOptions&) {
-  return {"-c:v",    "libvpx-vp9", "-crf",          "28", "-b:v",     "0",       "-deadline", "good", "-cpu-used", "4",
-          "-row-mt", "1",          "-tile-columns", "2",  "-pix_fmt", "yuv420p", "-f",        "webm"};
+Words webm_words(const FilmOptions& o) {
+  Words w{"-c:v",      "libvpx-vp9", "-crf",    "28", "-b:v",          "0", "-deadline", "good",
+          "-cpu-used", "4",          "-row-mt", "1",  "-tile-columns", "2"};
+  // Of films with opacity the encoder can make no frames that are seen later.
+  if (o.alpha) w.insert(w.end(), {"-auto-alt-ref", "0"});
+  w.insert(w.end(), {"-pix_fmt", o.alpha ? "yuva420p" : "yuv420p", "-f", "webm"});
+  return w;
+}
+
+// ProRes 4444: what editors take. Opacity is not multiplied in.
+Words mov_words(const FilmOptions& o) {
+  return {"-vf",
+          "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
+          "setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709",
+          "-c:v",
+          "prores_ks",
+          "-profile:v",
+          "4444",
+          "-alpha_bits",
+          o.alpha ? "16" : "0",
+          "-vendor",
+          "apl0",
+          "-pix_fmt",
+          o.alpha ? "yuva444p10le" : "yuv444p10le",
+          "-f",
+          "mov"};
 }
 
 // A good palette needs all pictures at once, and ffmpeg keeps them; a long film gets a palette for each picture
@@ -33,11 +56,11 @@ Words gif_words(const FilmOptions& o) {
 
 Words apng_words(const FilmOptions&) { return {"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"}; }
 
-constexpr Format format_rows[] = {
-    {".mp4", true, mp4_words, "-c:a aac -b:a 192k"},
-    {".webm", true, webm_words, "-c:a libopus -b:a 128k"},
-    {".gif", false, gif_words},
-    {".apng", false, apng_words}};
+constexpr Format format_rows[] = {{".mp4", true, mp4_words, "-c:a aac -b:a 192k", false},
+                                  {".webm", true, webm_words, "-c:a libopus -b:a 128k"},
+                                  {".mov", false, mov_words, "-c:a pcm_s24le", true, true},
+                                  {".gif", false, gif_words},
+                                  {".apng", false, apng_words}};
 
 }  // namespace
 

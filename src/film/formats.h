@@ -19,6 +19,8 @@ struct Format {
   // What ffmpeg is told of what it makes: everything but the file.
   std::vector<std::string> (*arguments)(const FilmOptions&) = nullptr;
   std::string_view sound = {};  // the same of its sound, with blanks between; empty: it has none
+  bool alpha = true;            // it keeps what is clear
+  bool deep = false;            // ffmpeg gets 16 bits a channel
 };
 
 std::span<const Format> formats();

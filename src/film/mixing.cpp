@@ -8,7 +8,6 @@
 
 #include "betwixt/film.h"
 #include "exchange/sounds.h"
-#include "film/output.h"
 #include "program/hearing.h"
 #include "scene/document.h"
 
@@ -59,11 +58,6 @@ Status add(const Program& program, ObjectId id, const std::string& path, double 
 }  // namespace
 
 bool has_sounds(const Document& document) { return !sounds_of(document.scene()).empty(); }
-
-bool takes_sound(const std::string& path) {
-  const auto place = read_output(path);
-  return place && place->format && !place->format->sound.empty();
-}
 
 Status mix_sounds(const Program& program, Time from, std::span<float> stereo) {
   const Scene& scene = program.document().scene();

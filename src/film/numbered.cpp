@@ -36,6 +36,10 @@ Result<std::set<int>> numbers_there(const Output& pictures) {
 
 bool whole_picture(const std::string& path, int width, int height) {
   using namespace std::string_view_literals;
+  if (ending(path) == "exr") {
+    const auto light = read_deep_picture(path);
+    return light && light->width == width && light->height == height;
+  }
   constexpr auto end = "\0\0\0\0IEND\xae\x42\x60\x82"sv;  // which readers of pictures do not miss
   const auto bytes = read_whole(path);
   if (!bytes || !bytes->ends_with(end)) return false;

@@ -15,7 +15,7 @@ namespace betwixt {
 
 // Their numbers, in order: what else lies in the folder does not count. Errors: file (no such folder).
 Result<std::set<int>> numbers_there(const Output& pictures);
-// A PNG of that size, to its last byte.
+// A PNG or OpenEXR of that size, to its last byte.
 bool whole_picture(const std::string& path, int width, int height);
 // "3, 7-9, 12"; of more than 20 runs the first ones.
 std::string runs(const std::vector<int>& ascending);

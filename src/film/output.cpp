@@ -53,10 +53,11 @@ Result<Output> read_output(const std::string& path) {
   std::string ending = dot == std::string::npos ? "" : out.name.substr(dot);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".png") return read_number(out);
+  out.exr = ending == ".exr";
+  if (out.exr || ending == ".png") return read_number(out);
   out.format = find_format(ending);
   if (out.format && dot > 0) return out;
-  const std::string known_endings = film_endings() + ", or numbered pictures: frame-%04d.png";
+  const std::string known_endings = film_endings() + ", or numbered pictures: frame-%04d.png, frame-%04d.exr";
   if (dot == std::string::npos || dot == 0)
     return fail(ErrorCode::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
   std::vector<std::string_view> names;

@@ -16,6 +16,7 @@ struct Output {
   const Format* format = nullptr;                     // null: numbered pictures
   std::string folder;                                 // "." where the path names none; no slash at its end
   std::string name;                                   // the last part of the path
+  bool exr = false;                                   // pictures: OpenEXR; else PNG
   std::string before, after;                          // pictures: what stands around the number
   int digits = 0;                                     // pictures: at least so many
   std::string path() const;                           // of the film

@@ -20,7 +20,9 @@ namespace {
 class Movie final : public Sink {
  public:
   Movie(const FilmOptions& o, Output place)
-      : options_(o), place_(std::move(place)), partial_(place_, Partial::What::file) {}
+      : options_(o), place_(std::move(place)), partial_(place_, Partial::What::file) {
+    options_.alpha &= place_.format->alpha;
+  }
 
   Status start() {
     if (Status s = check_place(options_.path, options_.overwrite); !s) return s;
@@ -36,12 +38,14 @@ class Movie final : public Sink {
   }
 
   Status pack(int, Parcel& parcel) override {
-    if (place_.format->yuv) to_yuv420(parcel.picture, parcel.bytes);
+    if (place_.format->deep) return pack_deep(parcel), Nothing{};
+    if (parcel.deep.width > 0) to_shown(parcel.deep, parcel.picture);
+    if (place_.format->yuv) to_yuv420(parcel.picture, options_.alpha, parcel.bytes);
     return Nothing{};
   }
 
   Status take(const Parcel& parcel, const KeepGoing& keep_going) override {
-    return encoder_->write(place_.format->yuv ? parcel.bytes : parcel.picture.rgba, keep_going);
+    return encoder_->write(parcel.bytes.empty() ? parcel.picture.rgba : parcel.bytes, keep_going);
   }
 
   Status finish(const KeepGoing& keep_going) override {
@@ -54,7 +58,20 @@ class Movie final : public Sink {
   }
 
  private:
-  const FilmOptions options_;
+  // Sixteen bits a channel, the low byte first.
+  static void pack_deep(Parcel& parcel) {
+    std::vector<std::uint16_t> channels;
+    if (parcel.deep.width > 0)
+      channels = to_shown_16(parcel.deep);
+    else
+      for (const std::uint8_t byte : parcel.picture.rgba) channels.push_back(static_cast<std::uint16_t>(257 * byte));
+    parcel.bytes.clear();
+    parcel.bytes.reserve(2 * channels.size());
+    for (const std::uint16_t c : channels)
+      parcel.bytes.insert(parcel.bytes.end(), {static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(c >> 8)});
+  }
+
+  FilmOptions options_;
   const Output place_;
   Partial partial_;
   Samples samples_;
@@ -79,7 +96,7 @@ class Pictures final : public Sink {
 
   Status pack(int k, Parcel& parcel) override {
     const std::string hidden = gathering_.path(number(k));
-    Status written = write_png(hidden, parcel.picture);
+    Status written = write(hidden, parcel);
     if (written) return options_.missing ? place(k) : written;
     Error e = written.error();  // in words that name the picture, not where it waits
     const std::size_t at = e.message.find(hidden);
@@ -100,6 +117,14 @@ class Pictures final : public Sink {
   }
 
  private:
+  Status write(const std::string& path, Parcel& parcel) const {
+    if (place_.exr || options_.bits == 16) {
+      if (parcel.deep.width == 0) return fail(ErrorCode::range, "pictures of light are wanted for " + place_.name);
+      return place_.exr ? write_exr(path, parcel.deep) : write_png(path, parcel.deep);
+    }
+    if (parcel.deep.width > 0) to_shown(parcel.deep, parcel.picture);
+    return write_png(path, parcel.picture);
+  }
   Status place(int k) const {
     return put_in_place(gathering_.path(number(k)), place_.path(number(k)), options_.overwrite);
   }
@@ -131,7 +156,7 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
   const auto tags = [&] {
     add({"-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"});
   };
-  add({"-pix_fmt", yuv ? "yuv420p" : "rgba", "-video_size"});
+  add({"-pix_fmt", yuv && o.alpha ? "yuva420p" : yuv ? "yuv420p" : format.deep ? "rgba64le" : "rgba", "-video_size"});
   a.push_back(fmt::format("{}x{}", o.width + (o.width & even), o.height + (o.height & even)));
   a.insert(a.end(), {"-framerate", fmt::format("{}/{}", o.rate.num, o.rate.den)});
   if (yuv) tags();
@@ -151,10 +176,32 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
   const Result<Output> place = read_output(o.path);
   if (!place) return place.error();
+  if (o.bits == 16 && (place->format || place->exr))
+    return fail(ErrorCode::range, "16 bits a channel are of numbered PNG; .mov and .exr have more than 8 anyway");
   if (o.missing && place->format)
     return fail(ErrorCode::range, "a film in one file has no pictures that could be missing",
                 "numbered pictures do: frame-%04d.png; betwixt join makes a film of them");
   return place->format ? started<Movie>(o, *place) : started<Pictures>(o, *place);
+}
+
+bool takes_sound(const std::string& path) {
+  const Result<Output> place = read_output(path);
+  return place && place->format && !place->format->sound.empty();
+}
+
+bool takes_alpha(const std::string& path) {
+  const Result<Output> place = read_output(path);
+  return place && (!place->format || place->format->alpha);
+}
+
+bool takes_depth(const std::string& path) {
+  const Result<Output> place = read_output(path);
+  return place && (place->format ? place->format->deep : place->exr);
+}
+
+bool takes_open_light(const std::string& path) {
+  const Result<Output> place = read_output(path);
+  return place && place->exr;
 }
 
 }  // namespace betwixt

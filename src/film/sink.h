@@ -15,6 +15,7 @@ namespace betwixt {
 // One picture on its way from a painter to the film.
 struct Parcel {
   Picture picture;
+  DeepPicture deep;                 // in its place, where painters make these
   std::vector<std::uint8_t> bytes;  // as the encoder wants it; empty: as it is in the picture
 };
 

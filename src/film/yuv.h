@@ -12,7 +12,8 @@
 namespace betwixt {
 
 // Planar 4:2:0, BT.709, limited range: luma, then Cb, then Cr, with chroma sited at the left as H.264 and VP9 take it
-// to be. Odd sizes are made even by repeating the last row or column. Alpha is not looked at.
-void to_yuv420(const Picture&, std::vector<std::uint8_t>& out);
+// to be. Odd sizes are made even by repeating the last row or column. `alpha`: a fourth plane, and what is clear has no
+// say in chroma.
+void to_yuv420(const Picture&, bool alpha, std::vector<std::uint8_t>& out);
 
 }  // namespace betwixt

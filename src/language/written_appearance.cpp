@@ -14,7 +14,9 @@ std::string write_appearance(const Scene& s) {
   if (a.size) out += fmt::format("size {}x{}\n", a.size->first, a.size->second);
   if (a.samples) out += fmt::format("samples {}\n", *a.samples);
   if (a.flat) out += "film flat\n";
-  if (s.background && a.below)
+  if (a.clear)
+    out += "background transparent\n";
+  else if (s.background && a.below)
     out += fmt::format("background {} to {}\n", write_color(*s.background), write_color(*a.below));
   else if (s.background)
     out += fmt::format("background {}\n", write_color(*s.background));

@@ -13,6 +13,7 @@ std::optional<Vec3> light(const std::optional<Color>& c) { return c ? std::optio
 }  // namespace
 
 std::optional<Vec3> background_of(const Scene& s) {
+  if (s.appearance.clear) return Vec3{};
   if (s.background) return to_linear(*s.background);
   // What goes over into fog goes over into the same behind everything.
   if (s.appearance.fog && !s.appearance.sky) return to_linear(s.appearance.fog->color);
@@ -23,7 +24,7 @@ Surroundings surroundings_of(const Scene& s) {
   const Appearance& a = s.appearance;
   Surroundings r;
   r.flat = a.flat, r.below = light(a.below), r.ambient = light(a.ambient), r.exposure = a.exposure, r.sky = a.sky;
-  r.contact = a.contact;
+  r.clear = a.clear, r.contact = a.contact;
   if (a.fog) r.fog = {to_linear(a.fog->color), a.fog->from, a.fog->to};
   if (a.ground) r.ground = to_linear(a.ground_color.value_or(floor_color));
   return r;

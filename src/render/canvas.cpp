@@ -17,14 +17,14 @@ namespace {
 const char* const gradient_fragment = R"(
 in vec2 at;
 uniform vec3 top, bottom;
-uniform float bends;
+uniform float bends, opacity;
 out vec4 color;
 void main() {
   vec3 c = mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), bends));
 #ifdef ENCODED
   c = encoded(c);
 #endif
-  color = vec4(c, 1.0);
+  color = vec4(c, opacity);
 }
 )";
 
@@ -63,16 +63,19 @@ vec3 encoded(vec3 c) {
 Result<Canvas> Canvas::create(const RenderOptions& options) {
   Canvas c;
   c.width_ = options.width, c.height_ = options.height;
-  c.can_write_encoded_ = epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
+  c.deep_ = options.deep;
+  c.can_write_encoded_ = !c.deep_ && epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
+  if (c.deep_ && !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
+    return fail(ErrorCode::machine, "these graphics have no pictures of light (GL_EXT_color_buffer_float)");
   const bool multisampled = options.samples == 4 || options.samples == 16;
   c.side_ = options.samples == 9 ? 3 : options.samples == 16 ? 2 : 1;
   const int width = c.width_ * c.side_, height = c.height_ * c.side_;
   if (multisampled) {
-    auto corners = gl::new_multisampled(GL_SRGB8_ALPHA8, GL_DEPTH24_STENCIL8, 4, width, height);
+    auto corners = gl::new_multisampled(c.format(), GL_DEPTH24_STENCIL8, 4, width, height);
     if (!corners) return corners.error();
     c.corners_ = *std::move(corners);
   }
-  auto large = gl::new_target(GL_SRGB8_ALPHA8, multisampled ? 0 : GL_DEPTH24_STENCIL8, width, height);
+  auto large = gl::new_target(c.format(), multisampled ? 0 : GL_DEPTH24_STENCIL8, width, height);
   if (!large) return large.error();
   c.large_ = *std::move(large);
   auto gradient = gl::new_program(gl::fill_vertex, std::string(encoded_function) + gradient_fragment,
@@ -80,9 +83,9 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   if (!gradient) return gradient.error();
   c.gradient_ = *std::move(gradient);
   c.gradient_top_ = gl::uniform(c.gradient_, "top"), c.gradient_bottom_ = gl::uniform(c.gradient_, "bottom");
-  c.gradient_bends_ = gl::uniform(c.gradient_, "bends");
+  c.gradient_bends_ = gl::uniform(c.gradient_, "bends"), c.gradient_opacity_ = gl::uniform(c.gradient_, "opacity");
   if (c.side_ == 1) return c;
-  auto pixels = gl::new_target(GL_SRGB8_ALPHA8, 0, c.width_, c.height_);
+  auto pixels = gl::new_target(c.format(), 0, c.width_, c.height_);
   if (!pixels) return pixels.error();
   c.pixels_ = *std::move(pixels);
   auto average = gl::new_program(gl::fill_vertex, average_fragment, fmt::format("#define SIDE {}", c.side_));
@@ -104,22 +107,31 @@ void Canvas::copy_to(const gl::Target& to) const {
   bind();
 }
 
-void Canvas::begin(const std::optional<Vec3>& background) const {
+void Canvas::begin(const std::optional<Vec3>& background, bool clear) const {
   bind();
   write_encoded();
   Vec3 c = background && finite(*background) ? *background : Vec3{};
   if (can_write_encoded_) c = {encoded(c.x), encoded(c.y), encoded(c.z)};
-  glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1);
+  glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), deep_ && clear ? 0 : 1);
   glDepthMask(GL_TRUE);
   // With the stencil, so that whole words are cleared: of depth alone software GL clears bits, sample by sample.
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-void Canvas::draw_behind(const Gradient& gradient) const {
+void Canvas::draw_behind(const Gradient& gradient) const { fill_empty(gradient, 1); }
+
+void Canvas::clear_empty() const {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  fill_empty({}, 0);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void Canvas::fill_empty(const Gradient& gradient, float opacity) const {
   glUseProgram(gradient_.id());
   set_color(gradient_top_, gradient.top);
   set_color(gradient_bottom_, gradient.bottom);
   glUniform1f(gradient_bends_, gradient.bends ? 1 : 0);
+  glUniform1f(gradient_opacity_, opacity);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
@@ -155,14 +167,24 @@ void Canvas::finish() const {
   gl::fill();
 }
 
+void Canvas::bind_last() const { glBindFramebuffer(GL_FRAMEBUFFER, (side_ > 1 ? pixels_ : large_).framebuffer.id()); }
+
 void Canvas::read(Picture& out) const {
-  const gl::Target* const last = side_ > 1 ? &pixels_ : &large_;
   if (StageTimes::listened()) glFinish();  // else what was drawn is waited for, and counted, below
   const InStage stage(Stage::read_back);
   out.width = width_, out.height = height_;
   out.rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
-  glBindFramebuffer(GL_FRAMEBUFFER, last->framebuffer.id());
+  bind_last();
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.rgba.data());
+}
+
+void Canvas::read(DeepPicture& out) const {
+  if (StageTimes::listened()) glFinish();
+  const InStage stage(Stage::read_back);
+  out.width = width_, out.height = height_;
+  out.rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
+  bind_last();
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, out.rgba.data());
 }
 
 }  // namespace betwixt

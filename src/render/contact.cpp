@@ -154,7 +154,7 @@ void main() {
 Result<ContactShading> ContactShading::create(const Canvas& canvas) {
   ContactShading c;
   const int width = canvas.width() * canvas.side(), height = canvas.height() * canvas.side();
-  auto seen = gl::new_target(GL_SRGB8_ALPHA8, GL_DEPTH24_STENCIL8, width, height);
+  auto seen = gl::new_target(canvas.format(), GL_DEPTH24_STENCIL8, width, height);
   if (!seen) return seen.error();
   c.seen_ = *std::move(seen);
   for (gl::Target* t : {&c.closed_, &c.smooth_}) {

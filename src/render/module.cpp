@@ -4,10 +4,28 @@
 
 namespace betwixt {
 
-void Module::draw(const Columns& columns, Picture& out) {
+void Module::draw(const Columns& columns) {
   const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);  // both are told
   if (other_things || other_scenery) draw_anew();
+}
+
+Status Module::draw(const Columns& columns, Picture& out) {
+  draw(columns);
+  if (canvas_.deep()) {
+    DeepPicture light;
+    canvas_.read(light);
+    to_shown(light, out);
+  } else {
+    canvas_.read(out);
+  }
+  return Nothing{};
+}
+
+Status Module::draw(const Columns& columns, DeepPicture& out) {
+  if (!canvas_.deep()) return fail(ErrorCode::range, "pictures of light come from a renderer that was made for them");
+  draw(columns);
   canvas_.read(out);
+  return Nothing{};
 }
 
 Gradient Module::behind(const Gradient& own) const {

@@ -20,12 +20,14 @@ class Module {
   virtual ~Module() = default;
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
-  void draw(const Columns&, Picture& out);
+  Status draw(const Columns&, Picture& out);
+  Status draw(const Columns&, DeepPicture& out);  // errors: range (the canvas is not deep)
 
  protected:
   Module(Canvas canvas, Purpose purpose)
       : canvas_(std::move(canvas)), things_(purpose, canvas_.width(), canvas_.height()) {}
   virtual void draw_anew() = 0;
+  void draw(const Columns&);
   // The background, as a gradient; `own`: the style's, where the film says nothing.
   Gradient behind(const Gradient& own) const;
 

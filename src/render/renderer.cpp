@@ -31,15 +31,22 @@ class SurfacelessRenderer final : public Renderer {
     const gl::Current current(context_);
     module_.reset();
   }
-  Status render(const Frame& frame, Picture& out) override {
+  Status render(const Frame& frame, Picture& out) override { return draw(frame, out); }
+  Status render(const Frame& frame, DeepPicture& out) override { return draw(frame, out); }
+  Status render(const Evaluation& evaluation, Picture& out) override { return draw(evaluation, out); }
+  Status render(const Evaluation& evaluation, DeepPicture& out) override { return draw(evaluation, out); }
+
+ private:
+  template <class Out>
+  Status draw(const Frame& frame, Out& out) {
     const InStage draw(Stage::draw);
     const gl::Current current(context_);
     seen_ = {};
     const FrameColumns laid_out(frame);
-    module_->draw(laid_out.columns(), out);
-    return Nothing{};
+    return module_->draw(laid_out.columns(), out);
   }
-  Status render(const Evaluation& evaluation, Picture& out) override {
+  template <class Out>
+  Status draw(const Evaluation& evaluation, Out& out) {
     const InStage draw(Stage::draw);
     const gl::Current current(context_);
     Columns columns = columns_of(evaluation);
@@ -49,11 +56,9 @@ class SurfacelessRenderer final : public Renderer {
       if (now.times == seen_.times + 1) columns.changed = evaluation.changed();
     }
     seen_ = now;
-    module_->draw(columns, out);
-    return Nothing{};
+    return module_->draw(columns, out);
   }
 
- private:
   gl::Context context_;
   std::unique_ptr<Module> module_;
   Evaluation::Revision seen_;  // of the picture before

@@ -37,15 +37,16 @@ class Shaded final : public Module {
     const bool contact = need_contact();  // what is made binds what is drawn into
     const Surfaces::Circumstances now{view, lighting, shadows, shadows_.texture(), around, metal, contact};
     const bool encoded = canvas_.can_write_encoded();
-    canvas_.begin(scenery_.background);
+    canvas_.begin(scenery_.background, around.clear);
     surfaces_.set(now);
     surfaces_.write_encoded(encoded);
     surfaces_.draw_opaque(things_, solid);
-    if (around.ground || around.sky)
+    if (around.ground || (around.sky && !around.clear))
       surfaces_.draw_setting(now, behind(gradient), encoded);
     else if (!scenery_.plain())
       canvas_.draw_behind(behind(gradient));
     if (contact) contact_->draw(canvas_, view);
+    if (contact && around.clear && canvas_.deep()) canvas_.clear_empty();  // it took the place of opacity
     if (!hairlines.empty() || !glass.empty()) {
       canvas_.write_linear();
       draw_hairlines(view, hairlines);
@@ -90,7 +91,7 @@ class Shaded final : public Module {
 Result<std::unique_ptr<Module>> make_shaded(const RenderOptions& options) {
   auto canvas = Canvas::create(options);
   if (!canvas) return canvas.error();
-  auto surfaces = Surfaces::create();
+  auto surfaces = Surfaces::create(options.open);
   if (!surfaces) return surfaces.error();
   auto shadows = Shadows::create();
   if (!shadows) return shadows.error();

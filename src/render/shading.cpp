@@ -45,6 +45,7 @@ uniform float floor_height;                   // in eye space
 uniform vec3 ray, ray_x, ray_y, from_x, from_y;  // through the picture's middle, and what its borders add
 uniform vec3 top, bottom, under;              // of the background; of the sky: above, at the horizon, below
 uniform vec2 shape;                           // 1: the background bends; 1: it is a sky
+uniform float empty;                          // 1: there is nothing behind everything
 #else
 in vec3 at, facing;
 flat in vec4 paint;
@@ -161,6 +162,9 @@ vec3 surroundings(float up, float blur) {
 
 // What is brighter than can be shown rolls off, and goes over into white: Khronos' neutral tone mapping without its toe.
 vec3 rolled(vec3 c) {
+#if defined(OPEN)
+  return c;
+#endif
   const float start = 0.8, room = 1.0 - start;
   float peak = max(c.r, max(c.g, c.b)), over = max(peak - start, 0.0);
   float shown = peak - over + room * over / (room + over);
@@ -303,6 +307,7 @@ void main() {
   color.rgb = mix(color.rgb, fog_color * color.a, clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0));
 #if defined(GROUND)
   color.rgb = mix(back, color.rgb, cover);
+  color.a = mix(color.a, cover, empty);
 #endif
 #if defined(RECEIVES)
   received *= glows ? 0.0 : 1.0 - clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0);

@@ -53,14 +53,14 @@ std::vector<double> depths_later(const Things& things, const Batches& sorted) {
 
 }  // namespace
 
-Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const char* defines) {
+Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const char* defines) const {
   const std::string vertex =
       fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
   auto program = gl::new_program(
       vertex, std::string(encoded_function) + surface_fragment,
-      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n{}{}{}", shadow_taps, shadow_seeds,
+      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n{}{}{}{}", shadow_taps, shadow_seeds,
                   (variant & rich) != 0 ? Lighting::most_casting : 1, (variant & rich) != 0 ? "#define RICH\n" : "",
-                  (variant & contact) != 0 ? "#define RECEIVES\n" : "", defines));
+                  (variant & contact) != 0 ? "#define RECEIVES\n" : "", open_ ? "#define OPEN\n" : "", defines));
   if (!program) return program.error();
   Look look;
   look.program = *std::move(program);
@@ -72,7 +72,7 @@ Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const
   return look;
 }
 
-Result<Surfaces::Looks> Surfaces::new_looks(std::size_t variant) {
+Result<Surfaces::Looks> Surfaces::new_looks(std::size_t variant) const {
   Looks looks;
   for (auto& [look, defines] :
        {std::pair{&looks.plain, ""}, {&looks.textured, "#define TEXTURED"}, {&looks.balls, "#define BALL"}}) {
@@ -83,9 +83,10 @@ Result<Surfaces::Looks> Surfaces::new_looks(std::size_t variant) {
   return looks;
 }
 
-Result<Surfaces> Surfaces::create() {
+Result<Surfaces> Surfaces::create(bool open) {
   Surfaces s;
-  auto simple = new_looks(0);
+  s.open_ = open;
+  auto simple = s.new_looks(0);
   if (!simple) return simple.error();
   s.variants_[0] = *std::move(simple);
   s.depths_ = gl::new_depth_sampler();
@@ -196,9 +197,11 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
   put("from_x", v.orthographic ? 1 / v.sx * v.right : Vec3{});
   put("from_y", v.orthographic ? -1 / v.sy * v.up : Vec3{});
   const Lighting& light = frame.lighting;
-  put("top", around.sky ? light.zenith : gradient.top), put("bottom", around.sky ? light.horizon : gradient.bottom);
+  const bool sky = around.sky && !around.clear;
+  put("top", sky ? light.zenith : gradient.top), put("bottom", sky ? light.horizon : gradient.bottom);
   put("under", light.below);
-  glUniform2f(gl::uniform(ground.program, "shape"), gradient.bends ? 1 : 0, around.sky ? 1 : 0);
+  glUniform2f(gl::uniform(ground.program, "shape"), gradient.bends ? 1 : 0, sky ? 1 : 0);
+  glUniform1f(gl::uniform(ground.program, "empty"), around.clear ? 1 : 0);
   const bool seen = around.ground && v.eye.y > 0;
   glUniform4fv(gl::uniform(ground.program, "floor_color"), 1,
                four(around.ground.value_or(Vec3{}), seen ? 1 : 0).data());

@@ -13,7 +13,7 @@ namespace betwixt {
 
 class Surfaces {
  public:
-  static Result<Surfaces> create();
+  static Result<Surfaces> create(bool open);  // open: light does not roll off
   struct Circumstances {  // of a frame
     const View& view;
     const Lighting& lighting;
@@ -45,8 +45,8 @@ class Surfaces {
   bool use(std::size_t variant);
   void draw_parts(const Batch&);
   void draw_depth(const Batch&);
-  static Result<Look> new_look(bool fills, std::size_t variant, const char* defines);
-  static Result<Looks> new_looks(std::size_t variant);
+  Result<Look> new_look(bool fills, std::size_t variant, const char* defines) const;
+  Result<Looks> new_looks(std::size_t variant) const;
   void receive_contact(bool);
   static void set_program(const Look&, const Circumstances&);
   static void set_shadows(const Look&, const Circumstances&);
@@ -58,6 +58,7 @@ class Surfaces {
   gl::Sampler depths_;
   Instances solid_, glass_;
   bool flat_ = false;  // nothing is lit
+  bool open_ = false;
 };
 
 }  // namespace betwixt

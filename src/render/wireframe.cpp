@@ -35,7 +35,7 @@ class Wireframe final : public Module {
     std::vector<std::uint32_t> seen;
     for (std::uint32_t i = 0; i < things_.all().size(); ++i)
       if (things_[i].visible) seen.push_back(i);
-    canvas_.begin(scenery_.background);
+    canvas_.begin(scenery_.background, scenery_.surroundings.clear);
     if (!scenery_.plain()) canvas_.draw_behind(behind(dark_gradient));
     canvas_.write_linear();
     const Batches batches = batches_of(things_, seen);

@@ -22,6 +22,7 @@ struct Appearance {
   std::optional<std::pair<int, int>> size;  // pixels
   std::optional<int> samples;               // a pixel
   bool flat = false;                        // a drawing: its own view, and no light
+  bool clear = false;                       // there is no background
   std::optional<Color> below;               // what the background goes over to at the bottom
   std::optional<Color> ambient;
   double exposure = 0;  // stops

@@ -51,7 +51,7 @@ TEST_F(Film, NamesThatLookLikeSomethingElse) {
 }
 
 TEST_F(Film, EndingsNobodyKnows) {
-  const std::string known = ".mp4 .webm .gif .apng, or numbered pictures: frame-%04d.png";
+  const std::string known = ".mp4 .webm .mov .gif .apng, or numbered pictures: frame-%04d.png, frame-%04d.exr";
   const auto failure = [&](const std::string& path) {
     FilmOptions o = options("");
     o.path = path;

@@ -40,7 +40,7 @@ TEST(Yuv, AgreesWithTheDefinition) {
     Picture p{w, h, {}};
     for (int i = 0; i < w * h * 4; ++i) p.rgba.push_back(static_cast<std::uint8_t>(random() & 255));
     std::vector<std::uint8_t> made;
-    to_yuv420(p, made);
+    to_yuv420(p, false, made);
     const auto expected = by_the_book(p);
     ASSERT_EQ(made.size(), expected.size());
     for (std::size_t i = 0; i < made.size(); ++i)
@@ -50,9 +50,9 @@ TEST(Yuv, AgreesWithTheDefinition) {
 
 TEST(Yuv, BlackAndWhiteAreTheEndsOfTheRange) {
   std::vector<std::uint8_t> made;
-  to_yuv420({1, 1, {255, 255, 255, 255}}, made);
+  to_yuv420({1, 1, {255, 255, 255, 255}}, false, made);
   EXPECT_EQ(made, (std::vector<std::uint8_t>{235, 235, 235, 235, 128, 128}));
-  to_yuv420({1, 1, {0, 0, 0, 0}}, made);
+  to_yuv420({1, 1, {0, 0, 0, 0}}, false, made);
   EXPECT_EQ(made, (std::vector<std::uint8_t>{16, 16, 16, 16, 128, 128}));
 }
 

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// OpenEXR: half floats, linear light, the opacity multiplied in.
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfIO.h>
+#include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
+#include <fmt/format.h>
+
+#include <cstring>
+#include <exception>
+
+#include "base/files.h"
+#include "betwixt/picture.h"
+#include "exchange/pictures.h"
+
+namespace betwixt {
+namespace {
+
+// The library writes and reads memory; files are ours, so that none is ever half written.
+class Written final : public Imf::OStream {
+ public:
+  explicit Written(const std::string& name) : OStream(name.c_str()) {}
+  void write(const char bytes[], int n) override {
+    const std::size_t end = at_ + static_cast<std::size_t>(n);
+    if (end > all.size()) all.resize(end);
+    std::memcpy(all.data() + at_, bytes, static_cast<std::size_t>(n));
+    at_ = end;
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t to) override { at_ = to; }
+  std::string all;
+
+ private:
+  std::size_t at_ = 0;
+};
+
+class Read final : public Imf::IStream {
+ public:
+  Read(std::string_view all, const std::string& name) : IStream(name.c_str()), all_(all) {}
+  bool read(char to[], int n) override {
+    const auto wanted = static_cast<std::size_t>(n);
+    if (at_ > all_.size() || all_.size() - at_ < wanted) throw std::runtime_error("it ends too early");
+    std::memcpy(to, all_.data() + at_, wanted);
+    at_ += wanted;
+    return at_ < all_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t to) override { at_ = to; }
+
+ private:
+  const std::string_view all_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+Status write_exr(const std::string& path, const DeepPicture& picture, bool overwrite) {
+  if (Status s = check_picture(picture.width, picture.height, picture.rgba.size()); !s) return s;
+  std::vector<Imf::Rgba> pixels(picture.rgba.size() / 4);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const float* const p = &picture.rgba[4 * i];
+    pixels[i] = {p[0], p[1], p[2], p[3]};
+  }
+  try {
+    Written out(path);
+    {
+      Imf::Header head(picture.width, picture.height);
+      head.compression() = Imf::ZIP_COMPRESSION;
+      Imf::addChromaticities(head, Imf::Chromaticities());  // those of BT.709
+      Imf::RgbaOutputFile file(out, head, Imf::WRITE_RGBA, 0);
+      file.setFrameBuffer(pixels.data(), 1, static_cast<std::size_t>(picture.width));
+      file.writePixels(picture.height);
+    }
+    return write_whole(path, out.all, overwrite);
+  } catch (const std::exception& e) {
+    return fail(ErrorCode::machine, fmt::format("cannot encode {}: {}", path, e.what()));
+  }
+}
+
+Result<DeepPicture> decode_exr(std::string_view bytes, const std::string& name) {
+  try {
+    Read in(bytes, name);
+    Imf::RgbaInputFile file(in, 0);
+    const auto box = file.dataWindow();
+    const std::int64_t width = std::int64_t{box.max.x} - box.min.x + 1,
+                       height = std::int64_t{box.max.y} - box.min.y + 1;
+    if (Status s = check_size(name, width, height); !s) return s.error();
+    if (!file.isComplete()) return fail(ErrorCode::file, fmt::format("{} is broken: it ends too early", name));
+    std::vector<Imf::Rgba> pixels(static_cast<std::size_t>(width * height));
+    file.setFrameBuffer(pixels.data() - box.min.x - box.min.y * width, 1, static_cast<std::size_t>(width));
+    file.readPixels(box.min.y, box.max.y);
+    DeepPicture out{static_cast<int>(width), static_cast<int>(height), {}};
+    out.rgba.reserve(4 * pixels.size());
+    for (const Imf::Rgba& p : pixels) out.rgba.insert(out.rgba.end(), {p.r, p.g, p.b, p.a});
+    return out;
+  } catch (const std::exception& e) {
+    return fail(ErrorCode::file, fmt::format("{} is broken or not a picture: {}", name, e.what()));
+  }
+}
+
+}  // namespace betwixt

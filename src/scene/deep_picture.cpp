@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "betwixt/deep_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace betwixt {
+namespace {
+
+double encoded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
+double decoded(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+
+// 0 to 1; what is no number is 0.
+float share(float x) { return x > 0 ? std::min(x, 1.0F) : 0.0F; }
+
+// The curve at evenly spaced places: within a fortieth of a byte where it is steepest.
+constexpr std::size_t steps = 1 << 16;
+const std::array<std::uint8_t, steps + 1>& bytes_of_light() {
+  static const auto table = [] {
+    std::array<std::uint8_t, steps + 1> t;
+    for (std::size_t i = 0; i <= steps; ++i)
+      t[i] = static_cast<std::uint8_t>(std::lround(255 * encoded(static_cast<double>(i) / steps)));
+    return t;
+  }();
+  return table;
+}
+
+// Each pixel without its opacity: light, and that.
+template <class F>
+void each_pixel(const DeepPicture& picture, F&& f) {
+  for (std::size_t i = 0; i + 4 <= picture.rgba.size(); i += 4) {
+    const float* const p = &picture.rgba[i];
+    const float opacity = share(p[3]), whole = opacity > 0 ? 1 / opacity : 0;
+    f(i, std::array{share(p[0] * whole), share(p[1] * whole), share(p[2] * whole)}, opacity);
+  }
+}
+
+}  // namespace
+
+void to_shown(const DeepPicture& picture, Picture& out) {
+  out.width = picture.width, out.height = picture.height;
+  out.rgba.resize(picture.rgba.size());
+  const auto& table = bytes_of_light();
+  each_pixel(picture, [&](std::size_t i, const std::array<float, 3>& light, float opacity) {
+    for (std::size_t c = 0; c < 3; ++c) out.rgba[i + c] = table[static_cast<std::size_t>(light[c] * steps + 0.5F)];
+    out.rgba[i + 3] = static_cast<std::uint8_t>(opacity * 255 + 0.5F);
+  });
+}
+
+std::vector<std::uint16_t> to_shown_16(const DeepPicture& picture) {
+  std::vector<std::uint16_t> out(picture.rgba.size());
+  each_pixel(picture, [&](std::size_t i, const std::array<float, 3>& light, float opacity) {
+    for (std::size_t c = 0; c < 3; ++c) out[i + c] = static_cast<std::uint16_t>(std::lround(65535 * encoded(light[c])));
+    out[i + 3] = static_cast<std::uint16_t>(opacity * 65535 + 0.5F);
+  });
+  return out;
+}
+
+DeepPicture to_light(int width, int height, const std::vector<std::uint16_t>& rgba) {
+  DeepPicture out{width, height, std::vector<float>(rgba.size())};
+  for (std::size_t i = 0; i + 4 <= rgba.size(); i += 4) {
+    const double opacity = rgba[i + 3] / 65535.0;
+    for (std::size_t c = 0; c < 3; ++c) out.rgba[i + c] = static_cast<float>(opacity * decoded(rgba[i + c] / 65535.0));
+    out.rgba[i + 3] = static_cast<float>(opacity);
+  }
+  return out;
+}
+
+}  // namespace betwixt
