@@ -53,6 +53,7 @@ struct Camera {
   double fov = 0.9;    // horizontal, radians (perspective)
   double height = 10;  // metres seen from bottom to top (orthographic)
   double aspect = 16.0 / 9;  // width by height of the film's pictures, as its script says; others may be made
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 // What is around the things of a film, and what light there is beside its lights. Colours: linear light.

@@ -19,7 +19,7 @@ namespace betwixt {
 
 struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 1 to 8192
-  int samples = 4;                 // a pixel: 1, 4, 9 or 16
+  int samples = 4;                 // a pixel, as many as the style takes
   std::string style = "shaded";    // one of styles()
   // Pictures of linear light can be had, and what has nothing behind it is clear where the film says so (elsewhere
   // black).
@@ -29,6 +29,9 @@ struct RenderOptions {
 
 struct Style {
   std::string_view name, what;
+  std::string_view samples;    // how many a pixel it takes: "1, 4, 9 or 16"
+  bool (*takes)(int samples);  // whether it takes so many
+  int usual;                   // where nobody says how many, at least
 };
 const std::vector<Style>& styles();
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <tuple>
 
 #include "app/command.h"
@@ -26,11 +27,34 @@ Status read_size(const std::string& text, PictureCall& to) {
   return fail(ErrorCode::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
 }
 
-Status read_samples(const std::string& text, PictureCall& to) {
-  if (text != "1" && text != "4" && text != "9" && text != "16")
-    return fail(ErrorCode::range, fmt::format("'{}' is no number of samples: 1, 4, 9 or 16", text));
-  to.samples = std::stoi(text);
+// How many samples the styles take, each number once: "1, 4, 9 or 16; traced: 1 to 4096".
+std::string sample_counts() {
+  std::string said;
+  std::string_view last;
+  for (const Style& s : styles()) {
+    if (s.samples == last) continue;
+    said += said.empty() ? std::string(s.samples) : fmt::format("; {}: {}", s.name, s.samples);
+    last = s.samples;
+  }
+  return said;
+}
+
+// Of a style, or of any where none is said yet.
+Status read_samples(const std::string& text, PictureCall& to, const std::string& style = {}) {
+  int n = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  const auto takes = [&](const Style& s) { return (style.empty() || s.name == style) && s.takes(n); };
+  if (!number || std::none_of(styles().begin(), styles().end(), takes))
+    return fail(ErrorCode::range, fmt::format("'{}' is no number of samples: {}", text, sample_counts()));
+  to.samples = n;
   return Nothing{};
+}
+
+int usual_samples(const std::string& style) {
+  for (const Style& s : styles())
+    if (s.name == style) return s.usual;
+  return 1;
 }
 
 }  // namespace
@@ -104,7 +128,8 @@ Parameter flag(const std::string& name, const std::string& sentence, bool& given
 RenderOptions PictureCall::of(const Document& document) const {
   RenderOptions made = otherwise;
   if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
-  if (const auto n = samples ? samples : document.samples()) made.samples = *n;
+  const auto n = samples ? samples : document.samples();
+  made.samples = n ? *n : std::max(otherwise.samples, usual_samples(otherwise.style));
   return made;
 }
 
@@ -124,7 +149,7 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
     made.otherwise.style = value;
   }
   if (what == "samples" && !value.empty())
-    if (Status s = read_samples(value, made); !s) return s.error();
+    if (Status s = read_samples(value, made, made.otherwise.style); !s) return s.error();
   to = made;
   const RenderOptions now = to.of(document);
   return what == "size"    ? fmt::format("size {}x{}\n", now.width, now.height)
@@ -162,10 +187,10 @@ std::vector<Parameter> picture_parameters(PictureCall& to) {
        .words = names},
       {.name = "--samples",
        .value = "N",
-       .sentence = fmt::format("samples a pixel: 1, 4, 9 or 16; the script's if not said, or {}", to.otherwise.samples),
+       .sentence = fmt::format("samples a pixel: {}; the script's if not said, or {}, traced {}", sample_counts(),
+                               to.otherwise.samples, usual_samples("traced")),
        .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
-       .words_only = true,
-       .words = {"1", "4", "9", "16"}}};
+       .words = {"1", "4", "9", "16", "64", "256", "1024"}}};
 }
 
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>> parts) {

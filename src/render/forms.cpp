@@ -11,13 +11,17 @@ constexpr std::uint64_t looked_through_every = 16;  // pictures
 
 }  // namespace
 
-Form::Form(std::shared_ptr<const Shape> shape, std::shared_ptr<const Shape> toward, double blend)
-    : shape_(std::move(shape)), toward_(std::move(toward)), blend_(blend) {
-  const auto by_detail = [](const Shape& s) { return row_of(s.kind).detailed; };
-  const auto from_file = [](const Shape& s) { return row_of(s.kind).fill == Fill::file; };
-  // A blend of outlines or files is made anew for each question.
-  detailed_ = toward_ == nullptr ? by_detail(*shape_) || from_file(*shape_) : by_detail(*shape_) && by_detail(*toward_);
+// A blend of outlines or files is made anew for each question.
+bool has_details(const Shape& shape, const Shape* toward) {
+  const KindRow& row = row_of(shape.kind);
+  return toward == nullptr ? row.detailed || row.fill == Fill::file : row.detailed && row_of(toward->kind).detailed;
 }
+
+Form::Form(std::shared_ptr<const Shape> shape, std::shared_ptr<const Shape> toward, double blend)
+    : shape_(std::move(shape)),
+      toward_(std::move(toward)),
+      blend_(blend),
+      detailed_(has_details(*shape_, toward_.get())) {}
 
 const Form::Realised& Form::at(const Detail& asked, Store& store) {
   const Detail detail = detailed_ ? asked : Detail{};

@@ -9,6 +9,10 @@
 
 namespace betwixt {
 
+// Whether the mesh of a shape, or of what it is on the way to another, has more triangles where it is larger on the
+// picture.
+bool has_details(const Shape&, const Shape* toward);
+
 // A shape, or what it is on the way to another.
 class Form {
  public:
@@ -27,7 +31,7 @@ class Form {
  private:
   const std::shared_ptr<const Shape> shape_, toward_;
   const double blend_;
-  bool detailed_ = false;
+  const bool detailed_;
   std::vector<std::shared_ptr<const Realised>> known_;
 };
 

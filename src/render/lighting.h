@@ -18,6 +18,8 @@ namespace betwixt {
 
 struct Lighting {
   static constexpr std::size_t most = 16, most_casting = 4;
+  // What is behind everything, at the top of the picture and at its bottom, where a film says nothing.
+  static constexpr Vec3 above{0.26, 0.28, 0.31}, beneath{0.12, 0.125, 0.13};
   struct One {
     bool sun = false;
     Vec3 place;  // eye space: where a lamp is, or the direction towards a sun

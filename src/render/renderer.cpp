@@ -3,25 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/stages.h"
 #include "betwixt/render.h"
 #include "render/gl.h"
 #include "render/module.h"
+#include "render/traced.h"
 
 namespace betwixt {
 namespace {
-
-struct Entry {
-  Style style;
-  MakeModule make;
-};
-constexpr Entry table[] = {
-    {{"shaded", "lit surfaces with soft shadows, highlights and glass"}, make_shaded},
-    {{"wireframe", "all edges as fine lines"}, make_wireframe},
-    {{"hidden-line", "edges as fine lines, without those that surfaces hide"}, make_hidden_line},
-};
 
 class SurfacelessRenderer final : public Renderer {
  public:
@@ -62,6 +52,36 @@ class SurfacelessRenderer final : public Renderer {
   gl::Context context_;
   std::unique_ptr<Module> module_;
   Evaluation::Revision seen_;  // of the picture before
+};
+
+template <MakeModule make_module>
+Result<std::unique_ptr<Renderer>> surfaceless(const RenderOptions& options) {
+  auto context = gl::Context::create();
+  if (!context) return context.error();
+  auto module = [&] {
+    const gl::Current current(*context);
+    return make_module(options);
+  }();
+  if (!module) return module.error();
+  return std::unique_ptr<Renderer>(std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module)));
+}
+
+constexpr std::string_view squares = "1, 4, 9 or 16", any = "1 to 4096";
+bool is_square(int samples) { return samples == 1 || samples == 4 || samples == 9 || samples == 16; }
+bool is_any(int samples) { return samples >= 1 && samples <= 4096; }
+
+struct Entry {
+  Style style;
+  Result<std::unique_ptr<Renderer>> (*make)(const RenderOptions&);
+};
+constexpr Entry table[] = {
+    {{"shaded", "lit surfaces with soft shadows, highlights and glass", squares, is_square, 1},
+     surfaceless<make_shaded>},
+    {{"wireframe", "all edges as fine lines", squares, is_square, 1}, surfaceless<make_wireframe>},
+    {{"hidden-line", "edges as fine lines, without those that surfaces hide", squares, is_square, 1},
+     surfaceless<make_hidden_line>},
+    {{"traced", "light that is followed from thing to thing, for final pictures", any, is_any, 64},
+     [](const RenderOptions& options) { return make_traced(options); }},
 };
 
 // How many letters must be changed, added or dropped to get from `a` to `b`.
@@ -106,20 +126,13 @@ Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
     return fail(ErrorCode::range,
                 fmt::format("a picture of {}x{} pixels cannot be drawn", options.width, options.height),
                 "each side may have 1 to 8192 pixels");
-  constexpr std::array samples{1, 4, 9, 16};
-  if (std::find(samples.begin(), samples.end(), options.samples) == samples.end())
-    return fail(ErrorCode::range, fmt::format("{} samples a pixel cannot be drawn", options.samples), "1, 4, 9 or 16");
   const auto* entry =
       std::find_if(std::begin(table), std::end(table), [&](const Entry& e) { return e.style.name == options.style; });
   if (entry == std::end(table)) return no_such_style(options.style);
-  auto context = gl::Context::create();
-  if (!context) return context.error();
-  auto module = [&] {
-    const gl::Current current(*context);
-    return entry->make(options);
-  }();
-  if (!module) return module.error();
-  return std::unique_ptr<Renderer>(std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module)));
+  if (!entry->style.takes(options.samples))
+    return fail(ErrorCode::range, fmt::format("{} samples a pixel cannot be drawn", options.samples),
+                std::string(entry->style.samples));
+  return entry->make(options);
 }
 
 }  // namespace betwixt

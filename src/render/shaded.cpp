@@ -10,7 +10,7 @@
 namespace betwixt {
 namespace {
 
-constexpr Gradient gradient{{0.26, 0.28, 0.31}, {0.12, 0.125, 0.13}};
+constexpr Gradient gradient{Lighting::above, Lighting::beneath};
 
 class Shaded final : public Module {
  public:

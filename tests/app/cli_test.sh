@@ -55,7 +55,9 @@ check 'no script' 2 'FILE' render -o a.mp4
 check 'one word too many' 2 "'more'" render bounce.bx more -o a.mp4
 for c in render frame plot play; do check "help of $c" 0 "betwixt $c examples/bounce.bx" $c --help; done
 for s in 0x5 5 axb 64x 64x48x 99999x5 -5x5; do check "size '$s'" 2 'is no size such as 1280x720' render bounce.bx -o a.mp4 --size="$s"; done
-check 'samples' 2 '--samples' render bounce.bx -o a.mp4 --samples 3
+check 'samples' 2 '3 samples a pixel cannot be drawn' render bounce.bx -o a.mp4 --samples 3
+check 'samples' 2 '--samples' render bounce.bx -o a.mp4 --samples 5000
+check 'too many of them' 2 'samples' frame bounce.bx --at 6f -o traced.png --samples 4097 --style traced
 check 'jobs' 2 '--jobs' render bounce.bx -o a.mp4 --jobs -1
 check 'style' 2 'cubist' render bounce.bx -o a.mp4 --style cubist
 check 'ending' 2 "did you mean '.mp4'?" render bounce.bx -o a.mp5
@@ -144,6 +146,7 @@ check 'part by frames' 0 '5 frames in' render bounce.bx -o part.mp4 $small --fra
 check 'part by bare numbers' 0 '5 frames in' render bounce.bx -o part.mp4 $small --frames 3..7
 check 'part by seconds' 0 '7 frames in' render bounce.bx -o part.mp4 $small --frames 0s..0.25s
 check 'one frame' 0 '1 frame in' render bounce.bx -o part.gif $small --frames 3f..3f
+check 'samples of light that is followed' 0 '' frame bounce.bx --at 6f -o traced.png --size 64x48 --samples 3 --style traced
 # The script's size and samples, unless the command line says others.
 printf 'size 48x32\nsamples 1\n%s\n' "$(cat bounce.bx)" > sized.bx
 pixels() { od -An -t u1 -j 16 -N 8 "$1" | awk '{ print $4 + 256 * $3 "x" $8 + 256 * $7 }'; }

@@ -52,7 +52,8 @@ Picture alone(Renderer& r, const Frame& frame) {
 
 TEST(RenderPlayed, PicturesAreThoseOfTheFrames) {
   for (const Style& style : styles()) {
-    const RenderOptions options{96, 54, 4, std::string(style.name)};
+    const bool slow = style.name == "traced";
+    const RenderOptions options{slow ? 16 : 96, slow ? 9 : 54, slow ? 1 : 4, std::string(style.name)};
     const auto playing = scenes::renderer(options), framed = scenes::renderer(options),
                single = scenes::renderer(options);
     for (std::uint64_t seed = 1; seed <= (style.name == "shaded" ? 6 : 2); ++seed) {

@@ -36,7 +36,7 @@ TEST(RenderOptions, UnknownStyleWithTheNearestOne) {
   EXPECT_EQ(near.code, ErrorCode::name);
   EXPECT_EQ(near.message, "no style is called 'wirefame'");
   EXPECT_EQ(near.hint, "wireframe");
-  EXPECT_EQ(refused({10, 10, 4, "cubist"}).hint, "the styles are shaded, wireframe, hidden-line");
+  EXPECT_EQ(refused({10, 10, 4, "cubist"}).hint, "the styles are shaded, wireframe, hidden-line, traced");
 }
 
 // shows: G13

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/traced.h"
+
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
+#include <atomic>
+#include <new>
+#include <system_error>
+#include <thread>
+
+#include "base/stages.h"
+#include "render/traced_paths.h"
+
+namespace betwixt {
+namespace {
+
+using traced::Paths;
+using traced::Scattered;
+using traced::Sight;
+using traced::World;
+
+// Numbers too small to count are 0 while rays are traced, which Embree is fast with, and for nobody else.
+class TinyIsZero {
+ public:
+#ifdef __SSE__
+  TinyIsZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+  ~TinyIsZero() { _mm_setcsr(before_); }
+#else
+  TinyIsZero() = default;
+  ~TinyIsZero() {}
+#endif
+  TinyIsZero(const TinyIsZero&) = delete;
+  TinyIsZero& operator=(const TinyIsZero&) = delete;
+
+ private:
+  [[maybe_unused]] unsigned before_ = 0;
+};
+
+template <class Find>
+auto found_by(const Find& find, std::uint32_t number) {
+  return number == Evaluation::Look::none ? std::decay_t<decltype(find(number))>() : find(number);
+}
+
+// What was drawn last.
+class Drawn {
+ public:
+  // Whether anything differs from it; that is what is drawn then.
+  bool differs(const Columns& c) {
+    std::vector<Thing> now(c.looks.size());
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (!c.looks[i].visible) continue;
+      const Evaluation::Look& l = c.looks[i];
+      now[i] = {c.worlds[i], l, found_by(c.shape, l.shape), found_by(c.shape, l.toward),
+                found_by(c.texture, l.texture)};
+      now[i].look.shape = now[i].look.toward = now[i].look.texture = 0;
+    }
+    const bool scenery = scenery_.take(c), camera = !camera_ || !(*camera_ == c.camera), things = now != things_;
+    things_ = std::move(now), camera_ = c.camera;
+    return scenery || camera || things;
+  }
+  const Scenery& scenery() const { return scenery_; }
+  void forget() { camera_.reset(); }
+
+ private:
+  struct Thing {
+    Mat4 world;
+    Evaluation::Look look;
+    std::shared_ptr<const Shape> shape, toward;
+    std::shared_ptr<const Picture> texture;
+    friend bool operator==(const Thing&, const Thing&) = default;
+  };
+  std::vector<Thing> things_;
+  std::optional<Camera> camera_;
+  Scenery scenery_;
+};
+
+std::uint8_t encoded_byte(double c) {
+  c = std::clamp(c, 0.0, 1.0);
+  return static_cast<std::uint8_t>(
+      std::lround(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055)));
+}
+
+class Traced final : public Renderer {
+ public:
+  Traced(const RenderOptions& options, World world, unsigned threads)
+      : width_(options.width),
+        height_(options.height),
+        samples_(static_cast<std::uint32_t>(options.samples)),
+        threads_(threads),
+        world_(std::move(world)) {}
+
+  Status render(const Frame& frame, Picture& out) override {
+    const FrameColumns laid_out(frame);
+    return draw(laid_out.columns(), out);
+  }
+  Status render(const Evaluation& evaluation, Picture& out) override { return draw(columns_of(evaluation), out); }
+
+ private:
+  Status draw(const Columns& columns, Picture& out) {
+    const InStage draw(Stage::draw);
+    try {
+      if (drawn_.differs(columns))
+        if (Status s = draw_anew(columns); !s) return drawn_.forget(), s;
+      out.width = width_, out.height = height_;
+      out.rgba.resize(4 * light_.size());
+      for (std::size_t k = 0; k < light_.size(); ++k) {
+        for (std::size_t i = 0; i < 3; ++i) out.rgba[4 * k + i] = encoded_byte(light_[k][i]);
+        out.rgba[4 * k + 3] = 255;
+      }
+      return Nothing{};
+    } catch (const std::bad_alloc&) {
+      drawn_.forget();
+      return fail(ErrorCode::machine, "there is not enough memory for this picture");
+    }
+  }
+
+  Status draw_anew(const Columns& columns) {
+    bool good = false, always = true;
+    View view = make_view(columns.camera, width_, height_, good);
+    if (!good) view = make_view({}, width_, height_, always);  // which sees nothing
+    {
+      const InStage gather(Stage::gather);
+      const TinyIsZero now;
+      if (Status s = world_.set(columns, good ? columns.looks.size() : 0, view); !s) return s;
+    }
+    const Paths paths(world_, view, drawn_.scenery());
+    light_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    constexpr std::size_t run = 64;  // pixels
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+      const TinyIsZero now;
+      for (std::size_t first; (first = next.fetch_add(run)) < light_.size();)
+        for (std::size_t k = first; k < std::min(first + run, light_.size()); ++k) light_[k] = pixel(paths, k);
+    };
+    std::vector<std::thread> others;
+    try {
+      for (unsigned k = 1; k < threads_; ++k) others.emplace_back(work);
+    } catch (const std::system_error&) {  // fewer will do
+    }
+    work();
+    for (std::thread& t : others) t.join();
+    return Nothing{};
+  }
+
+  // The highlights of each cell of a pixel roll off by themselves: so edges are smooth where they are bright, and what
+  // single samples are off by hardly counts.
+  std::array<float, 3> pixel(const Paths& paths, std::size_t k) const {
+    const double x = static_cast<double>(k % static_cast<std::size_t>(width_));
+    const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
+    const int side = samples_ >= 64 ? 4 : samples_ >= 4 ? 2 : 1;
+    std::array<Sight, 16> cells;
+    for (std::uint32_t s = 0; s < samples_; ++s) {
+      Scattered dice(static_cast<std::uint32_t>(k), s, samples_);
+      const auto [right, down] = dice.two();
+      const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
+      const Sight seen = paths.seen((x + right) / width_, (y + down) / height_, dice);
+      cells[cell].lit = cells[cell].lit + seen.lit, cells[cell].plain = cells[cell].plain + seen.plain;
+      cells[cell].share += seen.share;
+    }
+    Vec3 sum;
+    for (const Sight& c : cells) {
+      sum = sum + c.plain;
+      if (c.share > 0) sum = sum + c.share * traced::rolled(1 / c.share * c.lit);
+    }
+    sum = 1.0 / samples_ * sum;
+    return {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)};
+  }
+
+  const int width_, height_;
+  const std::uint32_t samples_;
+  const unsigned threads_;
+  World world_;
+  Drawn drawn_;
+  std::vector<std::array<float, 3>> light_;  // linear
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Renderer>> make_traced(const RenderOptions& options, unsigned threads) {
+  auto world = World::create();
+  if (!world) return world.error();
+  const unsigned some = threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U);
+  return std::unique_ptr<Renderer>(std::make_unique<Traced>(options, *std::move(world), some));
+}
+
+}  // namespace betwixt
