@@ -47,8 +47,14 @@ case ${1-} in
     folder=$(mktemp -d) || exit 1
     awk -v folder="$folder" '/^## /{name = tolower($2)} /^```/{inside = !inside; next} inside{print >(folder "/" name ".bx")}' "$root/docs/look.md"
     for film in "$folder"/*.bx; do
-      name=${film##*/}
-      "$1" frame "$film" --at 1f -o "$root/docs/pictures/look/${name%.bx}-after.png" --size 480x270 || exit 1
+      name=${film##*/} name=${name%.bx} how='--size 480x270'
+      # Another style has no picture of an earlier program beside it, but one of this; smaller, as grain takes many bytes.
+      if [ "$name" = traced ]; then
+        how='--size 440x248'
+        "$1" frame "$film" --at 1f -o "$root/docs/pictures/look/$name-before.png" $how || exit 1
+        how="$how --style traced --samples 256"
+      fi
+      "$1" frame "$film" --at 1f -o "$root/docs/pictures/look/$name-after.png" $how || exit 1
     done
     rm -r "$folder"
     ;;

@@ -77,40 +77,49 @@ class Drawn {
   Scenery scenery_;
 };
 
-std::uint8_t encoded_byte(double c) {
-  c = std::clamp(c, 0.0, 1.0);
-  return static_cast<std::uint8_t>(
-      std::lround(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055)));
-}
-
 class Traced final : public Renderer {
  public:
   Traced(const RenderOptions& options, World world, unsigned threads)
       : width_(options.width),
         height_(options.height),
         samples_(static_cast<std::uint32_t>(options.samples)),
+        deep_(options.deep),
+        open_(options.open),
         threads_(threads),
         world_(std::move(world)) {}
 
-  Status render(const Frame& frame, Picture& out) override {
-    const FrameColumns laid_out(frame);
-    return draw(laid_out.columns(), out);
-  }
-  Status render(const Evaluation& evaluation, Picture& out) override { return draw(columns_of(evaluation), out); }
+  Status render(const Frame& frame, Picture& out) override { return show(frame, out); }
+  Status render(const Evaluation& evaluation, Picture& out) override { return show(evaluation, out); }
+  Status render(const Frame& frame, DeepPicture& out) override { return give(frame, out); }
+  Status render(const Evaluation& evaluation, DeepPicture& out) override { return give(evaluation, out); }
 
  private:
-  Status draw(const Columns& columns, Picture& out) {
+  Status draw(const Frame& frame) {
+    const FrameColumns laid_out(frame);
+    return draw(laid_out.columns());
+  }
+  Status draw(const Evaluation& evaluation) { return draw(columns_of(evaluation)); }
+  template <class Source>
+  Status show(const Source& source, Picture& out) {
+    Status drawn = draw(source);
+    if (drawn) to_shown(light_, out);
+    return drawn;
+  }
+  template <class Source>
+  Status give(const Source& source, DeepPicture& out) {
+    if (!deep_) return fail(ErrorCode::range, "pictures of light come from a renderer that was made for them");
+    Status drawn = draw(source);
+    if (drawn) out = light_;
+    return drawn;
+  }
+
+  Status draw(const Columns& columns) {
     const InStage draw(Stage::draw);
     try {
-      if (drawn_.differs(columns))
-        if (Status s = draw_anew(columns); !s) return drawn_.forget(), s;
-      out.width = width_, out.height = height_;
-      out.rgba.resize(4 * light_.size());
-      for (std::size_t k = 0; k < light_.size(); ++k) {
-        for (std::size_t i = 0; i < 3; ++i) out.rgba[4 * k + i] = encoded_byte(light_[k][i]);
-        out.rgba[4 * k + 3] = 255;
-      }
-      return Nothing{};
+      if (!drawn_.differs(columns)) return Nothing{};
+      Status made = draw_anew(columns);
+      if (!made) drawn_.forget();
+      return made;
     } catch (const std::bad_alloc&) {
       drawn_.forget();
       return fail(ErrorCode::machine, "there is not enough memory for this picture");
@@ -127,13 +136,15 @@ class Traced final : public Renderer {
       if (Status s = world_.set(columns, good ? columns.looks.size() : 0, view); !s) return s;
     }
     const Paths paths(world_, view, drawn_.scenery());
-    light_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    constexpr std::size_t run = 64;  // pixels
+    light_.width = width_, light_.height = height_;
+    light_.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    const std::size_t pixels = light_.rgba.size() / 4;
+    constexpr std::size_t run = 64;
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
       const TinyIsZero now;
-      for (std::size_t first; (first = next.fetch_add(run)) < light_.size();)
-        for (std::size_t k = first; k < std::min(first + run, light_.size()); ++k) light_[k] = pixel(paths, k);
+      for (std::size_t first; (first = next.fetch_add(run)) < pixels;)
+        for (std::size_t k = first; k < std::min(first + run, pixels); ++k) draw_pixel(paths, k);
     };
     std::vector<std::thread> others;
     try {
@@ -147,34 +158,37 @@ class Traced final : public Renderer {
 
   // The highlights of each cell of a pixel roll off by themselves: so edges are smooth where they are bright, and what
   // single samples are off by hardly counts.
-  std::array<float, 3> pixel(const Paths& paths, std::size_t k) const {
+  void draw_pixel(const Paths& paths, std::size_t k) {
     const double x = static_cast<double>(k % static_cast<std::size_t>(width_));
     const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
     const int side = samples_ >= 64 ? 4 : samples_ >= 4 ? 2 : 1;
     std::array<Sight, 16> cells;
+    double clear = 0;
     for (std::uint32_t s = 0; s < samples_; ++s) {
       Scattered dice(static_cast<std::uint32_t>(k), s, samples_);
       const auto [right, down] = dice.two();
       const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
       const Sight seen = paths.seen((x + right) / width_, (y + down) / height_, dice);
       cells[cell].lit = cells[cell].lit + seen.lit, cells[cell].plain = cells[cell].plain + seen.plain;
-      cells[cell].share += seen.share;
+      cells[cell].share += seen.share, clear += seen.clear;
     }
     Vec3 sum;
     for (const Sight& c : cells) {
       sum = sum + c.plain;
-      if (c.share > 0) sum = sum + c.share * traced::rolled(1 / c.share * c.lit);
+      if (c.share > 0) sum = sum + (open_ ? c.lit : c.share * traced::rolled(1 / c.share * c.lit));
     }
-    sum = 1.0 / samples_ * sum;
-    return {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)};
+    float* const out = &light_.rgba[4 * k];
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(sum[i] / samples_);
+    out[3] = deep_ ? static_cast<float>(1 - clear / samples_) : 1;
   }
 
   const int width_, height_;
   const std::uint32_t samples_;
+  const bool deep_, open_;
   const unsigned threads_;
   World world_;
   Drawn drawn_;
-  std::vector<std::array<float, 3>> light_;  // linear
+  DeepPicture light_;
 };
 
 }  // namespace

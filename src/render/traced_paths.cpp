@@ -88,9 +88,7 @@ Paths::Paths(const World& world, const View& view, const Scenery& scenery)
       lighting_(lighting_of(scenery.lights, view, {}, around_)),
       top_(scenery.background.value_or(Lighting::above)),
       bottom_(scenery.background ? around_.below.value_or(top_) : Lighting::beneath),
-      bends_(!scenery.background) {
-  if (around_.sky) top_ = lighting_.zenith, bottom_ = lighting_.horizon;
-}
+      bends_(!scenery.background) {}
 
 Ray Paths::through(double across, double down) const {
   const Vec3 there = (2 * across - 1) / view_.sx * view_.right + (1 - 2 * down) / view_.sy * view_.up;
@@ -102,13 +100,17 @@ Vec3 Paths::sky(double up, double below) const {
   return mix(mix(lighting_.zenith, lighting_.horizon, over * over), lighting_.below, below);
 }
 
-// Of an orthographic picture the sky is seen as if from somewhere.
-Vec3 Paths::backdrop(double down, Vec3 along) const {
-  if (around_.sky) {
+// Behind everything. Of an orthographic picture the sky is seen as if from somewhere.
+void Paths::see_behind(double down, Vec3 along, double left, Sight& sight) const {
+  if (around_.clear) {
+    sight.clear = left;
+  } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    return rolled(sky(d.y, smoothstep(0, 1, -4 * d.y)));
+    sight.lit = sight.lit + left * sky(d.y, smoothstep(0, 1, -4 * d.y));
+    sight.share = std::max(sight.share, left);
+  } else {
+    sight.plain = sight.plain + left * mix(top_, bottom_, bends_ ? smoothstep(0, 1, down) : down);
   }
-  return mix(top_, bottom_, bends_ ? smoothstep(0, 1, down) : down);
 }
 
 Vec3 Paths::outside(Vec3 along, Way way) const {
@@ -253,7 +255,7 @@ Sight Paths::seen(double across, double down, Scattered& dice) const {
     const double drop = r.along.y * r.along.y;
     add(surface(floor_spot(r, floor), -r.along, Way::look), floor, drop / (drop + 1e-3));
   }
-  sight.plain = sight.plain + left * backdrop(down, r.along);
+  see_behind(down, r.along, left, sight);
   return sight;
 }
 

@@ -13,10 +13,10 @@
 namespace betwixt::traced {
 
 // What the eye sees along a ray: what is lit, and what has its colour by itself. `share`: how much of it is lit; of
-// that the highlights roll off.
+// that the highlights roll off. `clear`: how much of it is nothing.
 struct Sight {
   Vec3 lit, plain;
-  double share = 0;
+  double share = 0, clear = 0;
 };
 
 // What is brighter than can be shown rolls off, and goes over into white.
@@ -34,7 +34,7 @@ class Paths {
   struct Surface;
 
   Ray through(double across, double down) const;
-  Vec3 backdrop(double down, Vec3 along) const;
+  void see_behind(double down, Vec3 along, double left, Sight&) const;
   Vec3 outside(Vec3 along, Way) const;
   Vec3 sky(double up, double below) const;
   double floor_distance(const Ray&) const;  // infinite where it is not met

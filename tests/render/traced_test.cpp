@@ -279,6 +279,29 @@ TEST(Traced, AnyNumberOfThreadsMakesTheSamePicture) {
   }
 }
 
+// Light as bright as it is, and what has nothing behind it.
+TEST(Traced, LightStaysAsBrightAsItIs) {
+  Frame f = everywhere({2, 2, 2});
+  f.surroundings.clear = true, f.background = Vec3{};
+  f.items.push_back(item(square(), translation({-2, 0, 0}) * scaling({4, 20, 1}), {1, 1, 1}, Material::matte));
+  f.items.push_back(item(square(), translation({2, 0, 0}) * scaling({4, 20, 1}), {1, 1, 1}));
+  f.items[1].transparency = 0.75;
+  RenderOptions options = with(10, 10, 4);  // a pixel is a metre
+  DeepPicture p;
+  EXPECT_EQ(renderer(options)->render(f, p).error().code, ErrorCode::range);
+  EXPECT_EQ(pixel(draw(f, options), 9, 5), (Pixel{0, 0, 0, 255}));
+  options.deep = options.open = true;
+  ASSERT_TRUE(renderer(options)->render(f, p));
+  const auto at = [&](std::size_t x) { return std::array{p.rgba[200 + 4 * x], p.rgba[203 + 4 * x]}; };
+  EXPECT_EQ(at(3), (std::array{2.0F, 1.0F}));
+  EXPECT_EQ(at(6), (std::array{0.25F, 0.25F}));
+  EXPECT_EQ(at(9), (std::array{0.0F, 0.0F}));
+  options.open = false;
+  ASSERT_TRUE(renderer(options)->render(f, p));
+  EXPECT_LT(p.rgba[200 + 4 * 3], 1);
+  EXPECT_EQ(pixel(draw(f, options), 6, 5).a, 64);
+}
+
 TEST(Traced, ArithmeticIsLeftAsItWas) {
   volatile double tiny = 1e-310;
   draw(some_of_all(), with(8, 8, 1));
