@@ -9,10 +9,13 @@
 #include "app/making.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
+#include "base/files.h"
 #include "base/tell_user.h"
 #include "betwixt/film.h"
 #include "betwixt/program.h"
 #include "film/formats.h"
+#include "film/output.h"
+#include "language/values.h"
 
 namespace betwixt {
 namespace {
@@ -21,8 +24,23 @@ struct RenderCall {
   std::string file, out, frames;
   PictureCall picture;
   int jobs = 0, bits = 8;
-  bool missing = false, keep_old = false, keep_going = false, stats = false;
+  bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false;
 };
+
+// What a film would be, for those who have it made in parts.
+int print_plan(const FilmOptions& o, const FrameList& frames) {
+  const Result<Output> place = read_output(o.path);
+  if (!place) return complain(place.error(), wrong_call);
+  if (const Status s = check_place(place->format ? o.path : place->path(o.first_number), o.overwrite); !s)
+    return complain(s.error(), wrong_call);
+  const std::string rate = o.rate.den == 1 ? std::to_string(o.rate.num) : fmt::format("{}/{}", o.rate.num, o.rate.den);
+  const std::string first = write_number(frames.rate.frame_number(frames.first));
+  fmt::print("{{\"first\":{},\"frames\":{},\"rate\":\"{}\",\"width\":{},\"height\":{},", first, o.frames, rate, o.width,
+             o.height);
+  fmt::print("\"bits\":{},\"alpha\":{},\"sound\":{}}}\n", takes_depth(o.path) ? 16 : o.bits,
+             o.alpha && takes_alpha(o.path), static_cast<bool>(o.sounds));
+  return all_done;
+}
 
 void print_stats(const FilmStats& s, const Spending& spent, const Program& program) {
   const auto each = [&](double seconds) { return 1000 * seconds / s.frames; };
@@ -87,6 +105,7 @@ int render(const RenderCall& call) {
     options.sounds = [&](std::span<float> stereo) { return mix_sounds(program, frames->time(0), stereo); };
   say_what_is_lost(call, *document);
 
+  if (call.plan) return print_plan(options, *frames);
   const Result<FilmStats> made =
       pictures.deep ? make_deep_showing(options, [&] { return painter(std::type_identity<DeepPicture>{}); })
                     : make_showing(options, [&] { return painter(std::type_identity<Picture>{}); });
@@ -118,6 +137,8 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
              .excludes = "--no-overwrite"},
             flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
             keep_going_flag(call.keep_going),
+            flag("--plan", "make nothing, but say as JSON what would be made: which frames, at which rate and size",
+                 call.plan),
             flag("--stats", "say where the time of a frame went, and what document and program take", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =

@@ -3,6 +3,7 @@
 #include "film/output.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -32,6 +33,13 @@ Result<Output> read_number(Output out) {
   return out;
 }
 
+constexpr std::size_t longest_stem = 50;  // leaves room for the machine
+
+std::string this_machine() {
+  char name[50] = "";
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
 }  // namespace
 
 std::string Output::path() const { return folder + '/' + name; }
@@ -40,7 +48,8 @@ std::string Output::path(int number) const {
 }
 std::string Output::hidden(const std::string& tail) const {
   std::string stem = format ? name : before + after;
-  return hidden_beside(folder + '/' + stem.substr(0, stem.rfind('.')), tail);
+  stem = stem.substr(0, stem.rfind('.')).substr(0, longest_stem);
+  return hidden_beside(fmt::format("{}/{}.{}", folder, stem, this_machine()), tail);
 }
 
 Result<Output> read_output(const std::string& path) {

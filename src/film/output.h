@@ -21,7 +21,9 @@ struct Output {
   int digits = 0;                                     // pictures: at least so many
   std::string path() const;                           // of the film
   std::string path(int number) const;                 // of one picture
-  std::string hidden(const std::string& tail) const;  // a hidden name beside it that no other process uses
+  // A hidden name beside it that no other process uses. It says the machine, of which others know neither who lives
+  // nor, on many shared disks, who holds a lock.
+  std::string hidden(const std::string& tail) const;
 };
 
 // Errors: range (an ending nobody knows, not exactly one number in a picture's name).

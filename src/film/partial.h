@@ -13,7 +13,8 @@
 namespace betwixt {
 
 // A hidden file or folder beside the film, which goes with this. It is locked while its maker lives: what stands there
-// unlocked is what one who was killed has left, and is cleared away by the next who makes the same film.
+// unlocked is what one who was killed has left, and is cleared away by the next who makes the same film on that
+// machine.
 class Partial {
  public:
   enum class What { file, folder };

@@ -165,6 +165,19 @@ check 'no overwriting' 2 'film.mp4 is there already' render bounce.bx -o film.mp
 check 'no overwriting a picture' 2 'one.png is there already' frame bounce.bx --at 1f -o one.png $small --no-overwrite
 check 'an empty script is a film' 0 'frames in' render empty.bx -o empty.gif $small
 
+# What would be made.
+plan() { "$program" render "$@" --plan 2>&1; }
+is 'a plan' "$(plan bounce.bx -o plan.mp4)" '{"first":1,"frames":12,"rate":"24","width":1280,"height":720,"bits":8,"alpha":false,"sound":false}'
+is 'a plan of a part' "$(plan bounce.bx -o plan-%d.png --size 64x48 --frames 0.125s..)" '{"first":4,"frames":9,"rate":"24","width":64,"height":48,"bits":8,"alpha":false,"sound":false}'
+printf 'rate 30000/1001\nrange 10.5f 20f\ncreate b box\n' >between.bx
+is 'a plan between two frames' "$(plan between.bx -o plan.gif $small)" '{"first":10.5,"frames":10,"rate":"30000/1001","width":64,"height":48,"bits":8,"alpha":false,"sound":false}'
+{ cat bounce.bx && echo 'background transparent'; } >clear.bx
+is 'a plan of what is clear' "$(plan clear.bx -o plan.mov $small)" '{"first":1,"frames":12,"rate":"24","width":64,"height":48,"bits":16,"alpha":true,"sound":false}'
+check 'a plan of nothing' 1 "did you mean 'sphere'?" render wrong.bx -o plan.mp4 --plan
+check 'a plan of no film' 2 'a film cannot end in' render bounce.bx -o plan.mp5 --plan
+check 'a plan for nowhere' 2 'nowhere' render bounce.bx -o nowhere/plan.mp4 --plan
+verdict 'plans make nothing' "$(compgen -G '*plan*' >/dev/null || echo yes)" 'something'
+
 # What is missing, and pictures put together.
 check 'all pictures' 0 '12 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
 sha256sum m-*.png >whole.sums
@@ -229,7 +242,7 @@ check 'a part of it' 0 '24 frames in' render sound.bx -o part.mp4 $small --frame
 verdict 'cut where the part is' "$(near "$(heard part.mp4)" '125 375 625 875')" "$(heard part.mp4)"
 check 'webm' 0 '48 frames in' render sound.bx -o sound.webm $small
 verdict 'heard in a webm' "$(near "$(heard sound.webm)" '500 750 1000 1250 1500 1750')" "$(heard sound.webm)"
-check 'who has no sound says so' 0 'silent.gif has no sound; .mp4 and .webm do' render sound.bx -o silent.gif $small --frames 1..3
+check 'who has no sound says so' 0 'silent.gif has no sound; .mp4, .webm and .mov do' render sound.bx -o silent.gif $small --frames 1..3
 check 'what can be asked' 0 's.onsets  3' eval sound.bx --at 26f s.onsets
 check 'and be used' 0 'b.size.x  4' eval sound.bx --at 26f b.size.x
 check 'silence before it' 0 's.loudness  0' eval sound.bx --at 1f s.loudness

@@ -75,20 +75,24 @@ TEST_F(Film, WhatAKilledMakerLeftGoesWithTheNext) {
 }
 
 TEST_F(Film, WhatOthersMakeStays) {
-  // Another film, another format, a folder, a link, and one that is being made.
-  const std::vector<std::string> others{".film.1-0.partial.gif", ".film.1-x.partial.mp4", ".film2.1-0.partial.mp4",
-                                        ".film.3-0.partial.mp4", "film.1-0.partial.mp4",  ".film.1-0.partial.mp4.txt"};
+  char host[256] = "";
+  ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
+  const std::string here = std::string(".film.") + host + '.', film2 = std::string(".film2.") + host + '.';
+  // Another film, another format, a folder, a link, another machine's, one of before machines were said, and one that
+  // is being made.
+  const std::vector<std::string> others{
+      here + "1-0.partial.gif", here + "1-x.partial.mp4", film2 + "1-0.partial.mp4", ".film.elsewhere.1-0.partial.mp4",
+      ".film.1-0.partial.mp4",  here + "3-0.partial.mp4", "film.1-0.partial.mp4",    here + "1-0.partial.mp4.txt"};
   for (const std::string& name : others) std::ofstream(folder_ / name) << "others";
-  fs::create_directory(folder_ / ".film.4-0.partial.mp4");
-  fs::create_symlink("film2", folder_ / ".film.5-0.partial.mp4");
-  for (const std::string name : {".film.1-0.partial.mp4", ".film.77777-12.partial.mp4"})
-    std::ofstream(folder_ / name) << "left";
-  const int made = ::open((folder_ / ".film.3-0.partial.mp4").c_str(), O_RDONLY);
+  fs::create_directory(folder_ / (here + "4-0.partial.mp4"));
+  fs::create_symlink("film2", folder_ / (here + "5-0.partial.mp4"));
+  for (const char* name : {"1-0.partial.mp4", "77777-12.partial.mp4"}) std::ofstream(folder_ / (here + name)) << "left";
+  const int made = ::open((folder_ / (here + "3-0.partial.mp4")).c_str(), O_RDONLY);
   ASSERT_EQ(::flock(made, LOCK_EX), 0);
   ASSERT_TRUE(make_film(options("film.mp4"), gray_steps()));
   ::close(made);
   auto wanted = others;
-  wanted.insert(wanted.end(), {"film.mp4", ".film.4-0.partial.mp4", ".film.5-0.partial.mp4"});
+  wanted.insert(wanted.end(), {"film.mp4", here + "4-0.partial.mp4", here + "5-0.partial.mp4"});
   auto there = files();
   std::sort(wanted.begin(), wanted.end());
   std::sort(there.begin(), there.end());
