@@ -18,7 +18,7 @@ verdict() {
 cmake --install "$1" --prefix "$folder/to" >"$folder/log" 2>&1 || tail -n 5 "$folder/log"
 # Moved: nothing may know where it was installed.
 mv "$folder/to" "$folder/prefix"
-for file in bin/betwixt libexec/betwixt/betwixt-parser include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
+for file in bin/betwixt bin/betwixt-farm libexec/betwixt/betwixt-parser include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
   share/zsh/site-functions/_betwixt share/fish/vendor_completions.d/betwixt.fish share/doc/betwixt/LICENSE \
   share/betwixt/examples/bounce.bx share/betwixt/python/betwixt_client.py; do
   verdict "is installed: $file" "$(ls "$folder/prefix/$file" 2>&1)" "$folder/prefix/$file"
