@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a picture costs: two examples, ten thousand things that move, and such that rest. Some pictures are compared,
-// byte by byte, with those of the frames by themselves.
+// What a picture costs: two examples, by shading and by following light, ten thousand things that move, and such that
+// rest. Some pictures are compared, byte by byte, with those of the frames by themselves.
 //
 //   bench_drawing FOLDER-OF-EXAMPLES
 #include <fmt/format.h>
@@ -128,6 +128,9 @@ int main(int count, char** arguments) {
   fmt::print("{:52} {:>9} {:>9}\n", "a picture", "minimum", "median");
   measure({"funnel, 480x270, 4 samples", example("funnel"), small, 60});
   measure({"menagerie, 480x270, 4 samples", example("menagerie"), small, 60});
+  const RenderOptions traced{480, 270, 16, "traced"};  // two million paths
+  measure({"funnel, 480x270, 16 samples, traced", example("funnel"), traced, 6});
+  measure({"menagerie, 480x270, 16 samples, traced", example("menagerie"), traced, 6});
   measure({"10,000 things move, 960x540, 1 sample", script(many(10000, 10000, false)), window, 30});
   measure({"10,000 things move, 960x540, 4 samples", script(many(10000, 10000, false)), smooth, 20});
   measure({"10,000 things rest, one moves, 960x540, 1 sample", script(many(10000, 1, false)), window, 20});

@@ -107,7 +107,7 @@ void Paths::see_behind(double down, Vec3 along, double left, Sight& sight) const
   } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
     sight.lit = sight.lit + left * sky(d.y, smoothstep(0, 1, -4 * d.y));
-    sight.share = std::max(sight.share, left);
+    sight.share = std::min(sight.share + left, 1.0);
   } else {
     sight.plain = sight.plain + left * mix(top_, bottom_, bends_ ? smoothstep(0, 1, down) : down);
   }
@@ -147,7 +147,8 @@ Paths::Surface Paths::surface(const Spot& spot, Vec3 toward, Way way) const {
   s.body = s.metal ? Vec3{} : spot.opacity * spot.color;
   const double dull = glossy ? 0.045 * std::min(1.0, 0.25 + spot.shine) : 0;
   s.upright = s.metal ? spot.color : Vec3{dull, dull, dull};
-  const double rim = std::pow(1 - std::clamp(s.facing, 0.0, 1.0), 5), most = glossy ? spot.shine * spot.shine : 0;
+  const double edge = 1 - std::clamp(s.facing, 0.0, 1.0), rim = edge * edge * edge * edge * edge;
+  const double most = glossy ? spot.shine * spot.shine : 0;
   for (int i = 0; i < 3; ++i) s.mirrors[i] = s.upright[i] + std::max(most - s.upright[i], 0.0) * rim;
   s.covers += (1 - spot.opacity) * std::min(largest(s.mirrors), 1.0);
   return s;
@@ -167,7 +168,7 @@ double Paths::unblocked(const Spot& spot, const Lighting::One& light, Scattered&
 Vec3 Paths::from_lights(const Surface& s, Scattered& dice) const {
   // What lights up by a highlight is seen as one, but is no lamp for others: that would be a speck here and there.
   const double roughness = s.way == Way::light ? std::max(s.roughness, 0.5) : s.roughness;
-  const double a2 = std::pow(roughness, 4);
+  const double a2 = roughness * roughness * roughness * roughness;
   Vec3 diffuse, specular;
   for (std::size_t i = 0; i < lighting_.lights.size(); ++i) {
     const Lighting::One& light = lighting_.lights[i];
@@ -238,7 +239,7 @@ Sight Paths::seen(double across, double down, Scattered& dice) const {
       sight.plain = sight.plain + clear * s.covers * s.spot.color;
     } else {
       sight.lit = sight.lit + clear * lit(s, 0, dice);
-      sight.share = std::max(sight.share, cover * (1 - fogged));
+      sight.share = std::min(sight.share + cover * (1 - fogged), 1.0);  // highlights of glass count as those of walls
     }
     if (fogged > 0) sight.plain = sight.plain + left * cover * fogged * s.covers * around_.fog->color;
     left *= 1 - cover * s.covers;

@@ -111,6 +111,9 @@ Meeting met(const RTCHit& hit, float distance) {
   return {instance ? hit.instID[0] : hit.geomID, hit.primID, distance, hit.u, hit.v, {hit.Ng_x, hit.Ng_y, hit.Ng_z}};
 }
 
+// Up to here what is met lies in one plane with what is met there.
+float end_of(double plane) { return static_cast<float>(plane * (1 + one_plane)); }
+
 // Of all that is met in a stretch of a ray, what has the highest rank below a given one. Embree is told that nothing
 // was met, so that it goes on.
 struct Highest : RTCIntersectContext {
@@ -328,30 +331,32 @@ std::uint64_t World::rank(const Meeting& m) const {
   return std::uint64_t{m.body} << 32 | (b.line ? 0 : m.triangle) | (b.hairline ? hairlines_first : 0);
 }
 
-std::optional<Meeting> World::highest(const Ray& r, double distance, std::uint64_t below) const {
+std::optional<Meeting> World::highest(const Ray& r, double plane, std::uint64_t below) const {
   Highest search;
   rtcInitIntersectContext(&search);
   search.filter = look_at_meeting;
   search.world = this, search.below = below;
-  RTCRayHit q = question(r, looks, std::max(distance * (1 - one_plane), 0.0), distance * (1 + one_plane));
+  RTCRayHit q = question(r, looks, plane, static_cast<double>(end_of(plane)));
   rtcIntersect1(all_.get(), &search, &q);
+  if (search.found) search.found->plane = plane;
   return search.found;
 }
 
 std::optional<Meeting> World::next_layer(const Ray& r, const std::optional<Meeting>& last) const {
   double from = 0;
   if (last) {
-    if (auto beneath = highest(r, last->distance, rank(*last))) return beneath;
-    from = last->distance * (1 + 2 * one_plane) + 1e-30;
+    if (auto beneath = highest(r, last->plane, rank(*last))) return beneath;
+    from = static_cast<double>(std::nextafter(end_of(last->plane), INFINITY));
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit q = question(r, looks, from, INFINITY);
   rtcIntersect1(all_.get(), &context, &q);
   if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  const Meeting first = met(q.hit, q.ray.tfar);
-  const std::optional<Meeting> top = highest(r, first.distance, ~std::uint64_t{0});
-  return top ? top : first;
+  Meeting first = met(q.hit, q.ray.tfar);
+  first.plane = first.distance;
+  const std::optional<Meeting> top = highest(r, first.plane, ~std::uint64_t{0});
+  return top && rank(*top) > rank(first) ? top : first;
 }
 
 double World::unblocked(const Ray& r, double distance) const {

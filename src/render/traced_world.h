@@ -44,7 +44,8 @@ struct Ray {
 struct Meeting {
   unsigned body = 0, triangle = 0;
   double distance = 0, u = 0, v = 0;
-  Vec3 across;  // as Embree has it: in mesh space, of any length
+  Vec3 across;       // as Embree has it: in mesh space, of any length
+  double plane = 0;  // of layers: how far away the first one is that lies in one plane with it
 };
 
 // What is there.
@@ -120,7 +121,7 @@ class World {
   GeometryHandle instance(const Body&) const;
   GeometryHandle hairlines(const Body&, const View&) const;
   Spot corner_spot(const Body&, const Meeting&, bool back) const;
-  std::optional<Meeting> highest(const Ray&, double distance, std::uint64_t below) const;
+  std::optional<Meeting> highest(const Ray&, double plane, std::uint64_t below) const;
 
   DeviceHandle device_;
   SceneHandle all_;

@@ -189,6 +189,17 @@ TEST(Traced, LayersLieInTheOrderInWhichTheyAreDrawn) {
   EXPECT_EQ(pixel(draw(f, with(5, 5, 1)), 2, 2).b, encoded_byte(0.5 + 0.125));
 }
 
+// However close they lie: planes of f32 overlap here.
+TEST(Traced, EachLayerIsSeenOnce) {
+  Frame f = frame();
+  f.surroundings.flat = true;
+  for (int i = 0; i < 40; ++i) {
+    f.items.push_back(item(square(), translation({0, 0, 1e-5 * (i * 7 % 40)}) * scaling({20, 20, 1}), {1, 1, 1}));
+    f.items.back().transparency = 0.95;
+  }
+  EXPECT_NEAR(light(draw(f, with(5, 5, 1)), 2, 2), 1 - std::pow(0.95, 40), 0.01);
+}
+
 // Balls, boxes and glass before a backdrop; walls with pictures; a sky; drawings.
 Frame apart() {
   Frame f = frame(20);
@@ -222,6 +233,14 @@ TEST(Traced, SaysWhatShadedSays) {
   EXPECT_GT(ratio(f), 35) << "sky";
   f.surroundings.flat = true, f.surroundings.sky = false, f.background = Vec3{0.1, 0.2, 0.3};
   EXPECT_GT(ratio(f), 35) << "flat";
+  // The floor goes over into the sky.
+  Frame wide;
+  wide.camera.world = look_at({0, 2, 0}, {0, 1.6, -10});
+  wide.surroundings.sky = true, wide.surroundings.ground = Vec3{0.7, 0.7, 0.6},
+  wide.surroundings.ambient = Vec3{0.2, 0.2, 0.2};
+  EXPECT_GT(ratio(wide), 40) << "horizon";
+  wide.surroundings.fog = {{0.5, 0.6, 0.7}, 15, 30};
+  EXPECT_GT(ratio(wide), 40) << "a horizon in fog";
   // A shadow on a floor of what gives no light back.
   Frame g = apart();
   for (Item& i : g.items) i.color = {0, 0, 0}, i.material = Material::matte;
