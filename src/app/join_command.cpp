@@ -9,14 +9,16 @@
 #include "app/command.h"
 #include "app/making.h"
 #include "app/subcommand.h"
+#include "betwixt/film.h"
 #include "betwixt/picture.h"
+#include "betwixt/program.h"
 #include "film/numbered.h"
 
 namespace betwixt {
 namespace {
 
 struct JoinCall {
-  std::string pictures, out;
+  std::string pictures, out, sound;
   std::optional<std::pair<int, int>> numbers;
   Rate rate{24, 1};
   int jobs = 0;
@@ -90,11 +92,26 @@ bool has_clear(const DeepPicture& picture) {
   return false;
 }
 
+// The script whose sounds are heard, where one is named. Errors have been said; the exit code.
+int open_sounds(const JoinCall& call, std::optional<Program>& heard) {
+  if (call.sound.empty()) return all_done;
+  if (!takes_sound(call.out))
+    return complain(
+        fail(ErrorCode::range, fmt::format("--sound: {} can have none; .mp4, .webm and .mov can", call.out)),
+        wrong_call);
+  const std::optional<Document> script = open_script(call.sound);
+  if (!script) return wrong_input;
+  heard = Program::compile(*script);
+  return all_done;
+}
+
 int join(const JoinCall& call) {
   const Result<Output> pictures = read_output(call.pictures);
   if (!pictures) return complain(pictures.error(), wrong_call);
   const Result<std::vector<int>> all = numbers(call, *pictures);
   if (!all) return complain(all.error(), all.error().code == ErrorCode::range ? wrong_call : wrong_input);
+  std::optional<Program> heard;
+  if (const int code = open_sounds(call, heard); code != all_done) return code;
   const bool deep = pictures->exr || takes_depth(call.out);
   const auto first = read_deep_picture(pictures->path(all->front()));
 
@@ -106,6 +123,10 @@ int join(const JoinCall& call) {
   options.alpha = call.alpha || (first && has_clear(*first));
   options.jobs = call.jobs;
   options.overwrite = !call.keep_old;
+  if (heard && has_sounds(heard->document()))
+    options.sounds = [&](std::span<float> stereo) {
+      return mix_sounds(*heard, heard->document().rate().frame(all->front()), stereo);
+    };
   const auto path = [&](int k) { return pictures->path((*all)[static_cast<std::size_t>(k)]); };
   const DeepPainter deep_painter = [&](int k, DeepPicture& out) -> Status {
     auto read = read_deep_picture(path(k));
@@ -150,6 +171,11 @@ const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
                      .sentence = "pictures read at once; if not said, what suits this machine",
                      .into = &call.jobs,
                      .range = {{1, 256}}},
+                    {.name = "--sound",
+                     .value = "SCRIPT",
+                     .sentence = "its sounds are heard, from the frame of the first picture on",
+                     .into = &call.sound,
+                     .offer = Offer::scripts},
                     flag("--alpha", "the film has an opacity, even if all of the first picture is opaque", call.alpha),
                     flag("--no-overwrite", "leave a film alone that is there already", call.keep_old)},
           .example = "betwixt join frame-%04d.png -o film.mp4 --rate 25",

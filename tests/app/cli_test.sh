@@ -242,6 +242,14 @@ check 'a part of it' 0 '24 frames in' render sound.bx -o part.mp4 $small --frame
 verdict 'cut where the part is' "$(near "$(heard part.mp4)" '125 375 625 875')" "$(heard part.mp4)"
 check 'webm' 0 '48 frames in' render sound.bx -o sound.webm $small
 verdict 'heard in a webm' "$(near "$(heard sound.webm)" '500 750 1000 1250 1500 1750')" "$(heard sound.webm)"
+"$program" render sound.bx -o s-%d.png $small >/dev/null 2>&1
+check 'joined with sound' 0 '48 frames in' join s-%d.png -o joined.mp4 --sound sound.bx
+verdict 'as if it had been rendered' "$(cmp -s sound.mp4 joined.mp4 && echo yes)" 'they differ'
+check 'a part joined with sound' 0 '24 frames in' join s-%d.png -o joined.mp4 --frames 16..39 --sound sound.bx
+verdict 'as if it had been rendered in part' "$(cmp -s part.mp4 joined.mp4 && echo yes)" 'they differ'
+check 'no sound in a gif' 2 '--sound: joined.gif can have none' join s-%d.png -o joined.gif --sound sound.bx
+check 'no script of sounds' 1 'nobody.bx' join s-%d.png -o joined.mp4 --sound nobody.bx
+rm s-*.png joined.mp4
 check 'who has no sound says so' 0 'silent.gif has no sound; .mp4, .webm and .mov do' render sound.bx -o silent.gif $small --frames 1..3
 check 'what can be asked' 0 's.onsets  3' eval sound.bx --at 26f s.onsets
 check 'and be used' 0 'b.size.x  4' eval sound.bx --at 26f b.size.x

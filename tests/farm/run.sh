@@ -162,13 +162,15 @@ farm --resume stopped.mp4 2>/dev/null
 wait_for 60 ended stopped.mp4
 is 'the film that was stopped' "$(sum stopped.mp4)" "$(sum local.mp4)"
 
-# All that a film shows is in its pictures: 16 bits, and what is clear. Its name has what Slurm has words for.
-printf '%s\n' 'background transparent' 'create b sphere transparency=0.4' 'b.color' '  1f gold' '  12f red' >clear.bx
+# 16 bits, what is clear, what is heard; and a name with what Slurm has words for.
+ffmpeg -loglevel error -f lavfi -i sine=440:duration=1 tone.wav
+printf '%s\n' 'background transparent' 'create b sphere transparency=0.4' 'b.color' '  1f gold' '  12f red' \
+  'create tone sound file="tone.wav" at=3f' >clear.bx
 mkdir 'a %j folder'
 farm clear.bx -o 'a %j folder/clear.mov' "${small[@]}" --chunk 6 --frames=-1..9 2>/dev/null
 wait_for 60 ended 'a %j folder/clear.mov'
 "$program" render clear.bx -o clear.mov "${small[@]}" --frames=-1..9 2>/dev/null
-is 'a film that is clear' "$(sum 'a %j folder/clear.mov')" "$(sum clear.mov)"
+is 'a film that is clear, and heard' "$(sum 'a %j folder/clear.mov')" "$(sum clear.mov)"
 
 # A node vanishes with all that runs on it.
 vanish() { # NODE PID-FILE-OF-SLURMD FILM
