@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -12,6 +13,7 @@
 #include <system_error>
 #include <thread>
 
+#include "base/still_wanted.h"
 #include "film/sink.h"
 
 namespace betwixt {
@@ -89,7 +91,7 @@ class Crew {
   }
   ~Crew() {
     {
-      const std::lock_guard lock(mutex_);
+      const std::lock_guard lock(mutex_);  // so that nobody goes to sleep between looking and waiting
       stop_ = true;
     }
     changed_.notify_all();
@@ -137,6 +139,7 @@ class Crew {
       changed_.notify_all();
       return;
     }
+    const StillWanted wanted(stop_, stop_, nobody_, {});
     while (const std::optional<int> k = next()) {
       Status how = paint(*filler, *k);
       const std::lock_guard lock(mutex_);
@@ -163,7 +166,12 @@ class Crew {
       ++found_;
       return Nothing{};
     }
-    Status how = filler(k, parcel);
+    Status how = Nothing{};
+    try {
+      how = filler(k, parcel);
+    } catch (const NotWanted&) {  // in the middle of a picture that takes long
+      how = stopped();
+    }
     const double painted = since(start);
     if (how) how = sink_.pack(k, parcel);
     const std::lock_guard lock(mutex_);
@@ -179,7 +187,8 @@ class Crew {
   std::mutex mutex_, making_;
   std::condition_variable changed_;
   int next_ = 0, taken_ = 0, last_ = std::numeric_limits<int>::max();
-  bool stop_ = false;
+  std::atomic<bool> stop_ = false;
+  const std::atomic<int> nobody_ = 0;  // waits for a painter's place
   std::optional<Error> failed_early_;
   double painting_ = 0, packing_ = 0;
   int found_ = 0;  // that needed no painting

@@ -7,11 +7,13 @@
 #endif
 
 #include <atomic>
+#include <limits>
 #include <new>
 #include <system_error>
 #include <thread>
 
 #include "base/stages.h"
+#include "base/still_wanted.h"
 #include "render/traced_paths.h"
 
 namespace betwixt {
@@ -62,7 +64,6 @@ class Drawn {
     return scenery || camera || things;
   }
   const Scenery& scenery() const { return scenery_; }
-  void forget() { camera_.reset(); }
 
  private:
   struct Thing {
@@ -75,6 +76,26 @@ class Drawn {
   std::vector<Thing> things_;
   std::optional<Camera> camera_;
   Scenery scenery_;
+};
+
+// Threads that take what is next. They are done when this ends, in the middle of their work where that is given up.
+class Hands {
+ public:
+  ~Hands() {
+    next = std::numeric_limits<std::size_t>::max() / 2;
+    for (std::thread& t : threads_) t.join();
+  }
+  template <class Work>
+  void lend(const Work& work) {
+    try {
+      threads_.emplace_back(work);
+    } catch (const std::system_error&) {  // fewer will do
+    }
+  }
+  std::atomic<std::size_t> next = 0;
+
+ private:
+  std::vector<std::thread> threads_;
 };
 
 class Traced final : public Renderer {
@@ -116,12 +137,12 @@ class Traced final : public Renderer {
   Status draw(const Columns& columns) {
     const InStage draw(Stage::draw);
     try {
-      if (!drawn_.differs(columns)) return Nothing{};
+      if (!drawn_.differs(columns) && whole_) return Nothing{};
+      whole_ = false;
       Status made = draw_anew(columns);
-      if (!made) drawn_.forget();
+      whole_ = static_cast<bool>(made);
       return made;
     } catch (const std::bad_alloc&) {
-      drawn_.forget();
       return fail(ErrorCode::machine, "there is not enough memory for this picture");
     }
   }
@@ -140,19 +161,16 @@ class Traced final : public Renderer {
     light_.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     const std::size_t pixels = light_.rgba.size() / 4;
     constexpr std::size_t run = 64;
-    std::atomic<std::size_t> next{0};
+    Hands hands;
     const auto work = [&] {
       const TinyIsZero now;
-      for (std::size_t first; (first = next.fetch_add(run)) < pixels;)
+      for (std::size_t first; (first = hands.next.fetch_add(run)) < pixels;) {
+        StillWanted::ask();
         for (std::size_t k = first; k < std::min(first + run, pixels); ++k) draw_pixel(paths, k);
+      }
     };
-    std::vector<std::thread> others;
-    try {
-      for (unsigned k = 1; k < threads_; ++k) others.emplace_back(work);
-    } catch (const std::system_error&) {  // fewer will do
-    }
+    for (unsigned k = 1; k < threads_; ++k) hands.lend(work);
     work();
-    for (std::thread& t : others) t.join();
     return Nothing{};
   }
 
@@ -189,6 +207,7 @@ class Traced final : public Renderer {
   World world_;
   Drawn drawn_;
   DeepPicture light_;
+  bool whole_ = false;  // all of it is what was drawn last
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "base/still_wanted.h"
 #include "film/films.h"
 
 namespace betwixt {
@@ -53,6 +54,19 @@ TEST_F(Film, PaintersDoNotRunAheadOfTheEncoder) {
   EXPECT_EQ(made.error().message, "the film was stopped");
   EXPECT_LE(painted, 6);
   EXPECT_EQ(files(), std::vector<std::string>{"bin"});
+}
+
+// Who stops a film does not wait for pictures that take long.
+TEST_F(Film, APictureIsGivenUpInTheMiddle) {
+  FilmOptions o = options("frame-%04d.png", 10);
+  o.jobs = 2;
+  const auto made = make_film(o, painting([&](int, Picture&) -> Status {
+                                for (;;) StillWanted::ask();
+                              }),
+                              [](int, int, double) { return false; });
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message, "the film was stopped");
+  EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Film, OfSeveralFailuresTheFirstInTheFilmIsTold) {
