@@ -20,7 +20,8 @@ struct DeepPicture {
   std::vector<float> rgba;
 };
 
-// As screens show it. What has no number is black.
+// As screens show it, the opacity not multiplied in: the colours are straight. Light above white is white; what is
+// brighter than its opacity (highlights on glass) gets more of that. What has no number is black.
 void to_shown(const DeepPicture&, Picture& out);
 // The same with 16 bits a channel.
 std::vector<std::uint16_t> to_shown_16(const DeepPicture&);

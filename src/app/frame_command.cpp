@@ -38,6 +38,8 @@ int frame(const FrameCall& call) {
     return complain(
         fail(ErrorCode::range, "one picture is a .png or .exr, not \"" + call.out + "\"", "for films: betwixt render"),
         wrong_call);
+  if (kind == "exr" && call.bits != 8)
+    return complain(fail(ErrorCode::range, "--bits is for PNG: a channel of OpenEXR is half a float"), wrong_call);
   if (Status s = check_place(call.out, !call.keep_old); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;

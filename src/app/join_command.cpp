@@ -121,6 +121,7 @@ int join(const JoinCall& call) {
   options.rate = call.rate;
   if (first) options.width = first->width, options.height = first->height;
   options.alpha = call.alpha || (first && has_clear(*first));
+  if (options.alpha && !takes_alpha(call.out)) say_not_clear(call.out);
   options.jobs = call.jobs;
   options.overwrite = !call.keep_old;
   if (heard && has_sounds(heard->document()))

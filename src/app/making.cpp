@@ -11,6 +11,7 @@
 #include <string>
 
 #include "app/command.h"
+#include "base/tell_user.h"
 
 namespace betwixt {
 namespace {
@@ -76,6 +77,11 @@ Result<FilmStats> make_deep_showing(const FilmOptions& options,
   catch_stops();
   Bar bar(options.frames);
   return make_deep_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
+}
+
+void say_not_clear(const std::string& path) {
+  tell_user(
+      fmt::format("betwixt: notice: what is clear is black in {}; .webm, .mov and pictures keep it clear\n", path));
 }
 
 int say_made(const Result<FilmStats>& made, const FilmOptions& options) {

@@ -11,6 +11,8 @@ namespace betwixt {
 // Makes the film, and shows how far it is.
 Result<FilmStats> make_showing(const FilmOptions&, const std::function<Result<Painter>()>& new_painter);
 Result<FilmStats> make_deep_showing(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter);
+// That the film cannot have what is clear.
+void say_not_clear(const std::string& path);
 // Says what was made, or why not. The exit code.
 int say_made(const Result<FilmStats>&, const FilmOptions&);
 

@@ -56,9 +56,7 @@ void print_stats(const FilmStats& s, const Spending& spent, const Program& progr
 
 // What the film cannot have that its script has.
 void say_what_is_lost(const RenderCall& call, const Document& document) {
-  if (document.transparent() && !takes_alpha(call.out))
-    tell_user(
-        fmt::format("betwixt: notice: nothing is clear in {}, but black; .webm, .mov and pictures can be\n", call.out));
+  if (document.transparent() && !takes_alpha(call.out)) say_not_clear(call.out);
   if (has_sounds(document) && !takes_sound(call.out))
     tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4, .webm and .mov do\n", call.out));
 }

@@ -9,6 +9,8 @@
 #include <ImfStandardAttributes.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <exception>
 
@@ -55,6 +57,9 @@ class Read final : public Imf::IStream {
   std::size_t at_ = 0;
 };
 
+// As bright as can be written; what is no number would spread in every blur.
+half half_of(float x) { return std::isnan(x) ? 0.0F : std::clamp(x, -65504.0F, 65504.0F); }
+
 }  // namespace
 
 Status write_exr(const std::string& path, const DeepPicture& picture, bool overwrite) {
@@ -62,7 +67,7 @@ Status write_exr(const std::string& path, const DeepPicture& picture, bool overw
   std::vector<Imf::Rgba> pixels(picture.rgba.size() / 4);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const float* const p = &picture.rgba[4 * i];
-    pixels[i] = {p[0], p[1], p[2], p[3]};
+    pixels[i] = {half_of(p[0]), half_of(p[1]), half_of(p[2]), half_of(p[3])};
   }
   try {
     Written out(path);

@@ -43,7 +43,7 @@ std::size_t size_of(const Picture& p) {
 // Its four channels of sizeof(Channel) bytes each.
 template <class Channel>
 struct Raw {
-  int width = 0, height = 0, bits = 8;
+  int width = 0, height = 0;
   std::vector<Channel> rgba;
 };
 template <class Channel>
@@ -55,7 +55,7 @@ Result<Raw<Channel>> read_png(std::span<const std::uint8_t> bytes, const std::st
   if (error == 0) error = spng_get_ihdr(png.get(), &head);
   if (error != 0) return broken(name, spng_strerror(error));
   if (const Status size = check_size(name, head.width, head.height); !size) return size.error();
-  Raw<Channel> raw{static_cast<int>(head.width), static_cast<int>(head.height), head.bit_depth, {}};
+  Raw<Channel> raw{static_cast<int>(head.width), static_cast<int>(head.height), {}};
   raw.rgba.resize(4 * static_cast<std::size_t>(head.width) * head.height);
   error = spng_decode_image(png.get(), raw.rgba.data(), raw.rgba.size() * sizeof(Channel),
                             sizeof(Channel) == 1 ? SPNG_FMT_RGBA8 : SPNG_FMT_RGBA16, SPNG_DECODE_TRNS);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ranges>
 
 #include "base/files.h"
@@ -38,6 +39,7 @@ class Movie final : public Sink {
   }
 
   Status pack(int, Parcel& parcel) override {
+    if (!options_.alpha) lay_over_black(parcel);
     if (place_.format->deep) return pack_deep(parcel), Nothing{};
     if (parcel.deep.width > 0) to_shown(parcel.deep, parcel.picture);
     if (place_.format->yuv) to_yuv420(parcel.picture, options_.alpha, parcel.bytes);
@@ -58,13 +60,31 @@ class Movie final : public Sink {
   }
 
  private:
+  // Light is added up, not bytes.
+  static void lay_over_black(Parcel& parcel) {
+    if (parcel.deep.width > 0) return make_opaque(parcel.deep);
+    Picture& shown = parcel.picture;
+    bool clear = false;
+    for (std::size_t i = 3; i < shown.rgba.size(); i += 4) clear |= shown.rgba[i] != 255;
+    if (!clear) return;
+    DeepPicture light = to_light(shown.width, shown.height, doubled(shown.rgba));
+    make_opaque(light);
+    to_shown(light, shown);
+  }
+  static void make_opaque(DeepPicture& light) {
+    for (std::size_t i = 3; i < light.rgba.size(); i += 4) light.rgba[i] = 1;
+  }
+  static std::vector<std::uint16_t> doubled(const std::vector<std::uint8_t>& bytes) {
+    std::vector<std::uint16_t> all(bytes.size());
+    std::ranges::transform(bytes, all.begin(),
+                           [](std::uint8_t byte) { return static_cast<std::uint16_t>(257 * byte); });
+    return all;
+  }
+
   // Sixteen bits a channel, the low byte first.
   static void pack_deep(Parcel& parcel) {
-    std::vector<std::uint16_t> channels;
-    if (parcel.deep.width > 0)
-      channels = to_shown_16(parcel.deep);
-    else
-      for (const std::uint8_t byte : parcel.picture.rgba) channels.push_back(static_cast<std::uint16_t>(257 * byte));
+    const std::vector<std::uint16_t> channels =
+        parcel.deep.width > 0 ? to_shown_16(parcel.deep) : doubled(parcel.picture.rgba);
     parcel.bytes.clear();
     parcel.bytes.reserve(2 * channels.size());
     for (const std::uint16_t c : channels)
@@ -177,7 +197,8 @@ Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
   const Result<Output> place = read_output(o.path);
   if (!place) return place.error();
   if (o.bits == 16 && (place->format || place->exr))
-    return fail(ErrorCode::range, "16 bits a channel are of numbered PNG; .mov and .exr have more than 8 anyway");
+    return fail(ErrorCode::range,
+                "only numbered PNG can have 16 bits a channel; .mov and .exr have more than 8 anyway");
   if (o.missing && place->format)
     return fail(ErrorCode::range, "a film in one file has no pictures that could be missing",
                 "numbered pictures do: frame-%04d.png; betwixt join makes a film of them");

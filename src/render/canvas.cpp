@@ -17,14 +17,14 @@ namespace {
 const char* const gradient_fragment = R"(
 in vec2 at;
 uniform vec3 top, bottom;
-uniform float bends, opacity;
+uniform float bends;
 out vec4 color;
 void main() {
   vec3 c = mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), bends));
 #ifdef ENCODED
   c = encoded(c);
 #endif
-  color = vec4(c, opacity);
+  color = vec4(c, 1.0);
 }
 )";
 
@@ -83,7 +83,7 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   if (!gradient) return gradient.error();
   c.gradient_ = *std::move(gradient);
   c.gradient_top_ = gl::uniform(c.gradient_, "top"), c.gradient_bottom_ = gl::uniform(c.gradient_, "bottom");
-  c.gradient_bends_ = gl::uniform(c.gradient_, "bends"), c.gradient_opacity_ = gl::uniform(c.gradient_, "opacity");
+  c.gradient_bends_ = gl::uniform(c.gradient_, "bends");
   if (c.side_ == 1) return c;
   auto pixels = gl::new_target(c.format(), 0, c.width_, c.height_);
   if (!pixels) return pixels.error();
@@ -110,7 +110,7 @@ void Canvas::copy_to(const gl::Target& to) const {
 void Canvas::begin(const std::optional<Vec3>& background, bool clear) const {
   bind();
   write_encoded();
-  Vec3 c = background && finite(*background) ? *background : Vec3{};
+  Vec3 c = background && finite(*background) && !clear ? *background : Vec3{};
   if (can_write_encoded_) c = {encoded(c.x), encoded(c.y), encoded(c.z)};
   glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), deep_ && clear ? 0 : 1);
   glDepthMask(GL_TRUE);
@@ -118,20 +118,11 @@ void Canvas::begin(const std::optional<Vec3>& background, bool clear) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-void Canvas::draw_behind(const Gradient& gradient) const { fill_empty(gradient, 1); }
-
-void Canvas::clear_empty() const {
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  fill_empty({}, 0);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
-void Canvas::fill_empty(const Gradient& gradient, float opacity) const {
+void Canvas::draw_behind(const Gradient& gradient) const {
   glUseProgram(gradient_.id());
   set_color(gradient_top_, gradient.top);
   set_color(gradient_bottom_, gradient.bottom);
   glUniform1f(gradient_bends_, gradient.bends ? 1 : 0);
-  glUniform1f(gradient_opacity_, opacity);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);

@@ -40,8 +40,6 @@ class Canvas {
   // Copies what was drawn so far, with its depth, one sample where there are several to average; then binds this again.
   void copy_to(const gl::Target& of_same_size) const;
   bool can_write_encoded() const { return can_write_encoded_; }
-  // Where nothing was drawn it is clear.
-  void clear_empty() const;
   // Fills what is still empty with the gradient.
   void draw_behind(const Gradient&) const;
   // Averages the samples in linear light.
@@ -51,7 +49,6 @@ class Canvas {
   void read(DeepPicture& out) const;  // of a deep one
 
  private:
-  void fill_empty(const Gradient&, float opacity) const;
   void bind_last() const;
   void write_encoded() const;
 
@@ -61,7 +58,7 @@ class Canvas {
   gl::Target large_;          // `side_` times the picture's size
   gl::Target pixels_;         // the picture's size; not there where `large_` is that
   gl::Program gradient_, average_;
-  GLint gradient_top_ = 0, gradient_bottom_ = 0, gradient_bends_ = 0, gradient_opacity_ = 0;
+  GLint gradient_top_ = 0, gradient_bottom_ = 0, gradient_bends_ = 0;
 };
 
 }  // namespace betwixt

@@ -31,7 +31,7 @@ struct Scenery {
   std::vector<Light> lights;
   std::optional<Vec3> background;
   Surroundings surroundings;
-  bool plain() const { return background && !surroundings.below; }
+  bool plain() const { return surroundings.clear || (background && !surroundings.below); }
   bool take(const Columns&);  // false: nothing differs from the picture before
 };
 

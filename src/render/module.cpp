@@ -29,6 +29,7 @@ Status Module::draw(const Columns& columns, DeepPicture& out) {
 }
 
 Gradient Module::behind(const Gradient& own) const {
+  if (scenery_.surroundings.clear) return {};
   const auto& background = scenery_.background;
   return background ? Gradient{*background, scenery_.surroundings.below.value_or(*background), false} : own;
 }

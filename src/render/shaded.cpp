@@ -35,7 +35,8 @@ class Shaded final : public Module {
     const Lighting lighting = lighting_of(scenery_.lights, view, {}, around);
     const auto shadows = shadows_.update(things_, std::span(lighting.lights).first(lighting.casting));
     const bool contact = need_contact();  // what is made binds what is drawn into
-    const Surfaces::Circumstances now{view, lighting, shadows, shadows_.texture(), around, metal, contact};
+    const Surfaces::Circumstances now{view,   lighting, shadows, shadows_.texture(),
+                                      around, metal,    contact, canvas_.deep() && around.clear};
     const bool encoded = canvas_.can_write_encoded();
     canvas_.begin(scenery_.background, around.clear);
     surfaces_.set(now);
@@ -46,7 +47,7 @@ class Shaded final : public Module {
     else if (!scenery_.plain())
       canvas_.draw_behind(behind(gradient));
     if (contact) contact_->draw(canvas_, view);
-    if (contact && around.clear && canvas_.deep()) canvas_.clear_empty();  // it took the place of opacity
+    if (contact && now.clear) put_opacity_back(now);
     if (!hairlines.empty() || !glass.empty()) {
       canvas_.write_linear();
       draw_hairlines(view, hairlines);
@@ -54,6 +55,13 @@ class Shaded final : public Module {
       surfaces_.draw_transparent(things_, glass);
     }
     canvas_.finish();
+  }
+  // Contact shading took its place: of the floor, and of what is empty. Things that are solid have all of it.
+  void put_opacity_back(Surfaces::Circumstances now) {
+    now.contact = false;
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    surfaces_.draw_setting(now, {}, false);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
   // Whether there is contact shading; where it cannot be had, a film is drawn without.
   bool need_contact() {

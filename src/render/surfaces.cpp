@@ -145,7 +145,7 @@ void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
 // What metals mirror beside the floor: the sky, or else the light from everywhere, as bright as makes a metal.
 void Surfaces::set_mirrored(const Look& look, const Circumstances& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
-  const auto& [view, lighting, shadows, layers, around, metal, contact] = frame;
+  const auto& [view, lighting, shadows, layers, around, metal, contact, clear] = frame;
   glUseProgram(look.program.id());
   glUniform3fv(at("top"), 1, four(around.sky ? lighting.zenith : 3 * lighting.sky, 0).data());
   glUniform3fv(at("bottom"), 1, four(around.sky ? lighting.horizon : 3 * lighting.sky, 0).data());
@@ -201,13 +201,13 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
   put("top", sky ? light.zenith : gradient.top), put("bottom", sky ? light.horizon : gradient.bottom);
   put("under", light.below);
   glUniform2f(gl::uniform(ground.program, "shape"), gradient.bends ? 1 : 0, sky ? 1 : 0);
-  glUniform1f(gl::uniform(ground.program, "empty"), around.clear ? 1 : 0);
+  glUniform1f(gl::uniform(ground.program, "empty"), frame.clear ? 1 : 0);
   const bool seen = around.ground && v.eye.y > 0;
   glUniform4fv(gl::uniform(ground.program, "floor_color"), 1,
                four(around.ground.value_or(Vec3{}), seen ? 1 : 0).data());
   glUniform1f(gl::uniform(ground.program, "floor_height"), static_cast<float>(-v.eye.y));
   glUniform1f(ground.encodes, encoded ? 1 : 0);
-  glUniform1f(ground.receives, 1);
+  glUniform1f(ground.receives, frame.contact ? 1 : 0);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);

@@ -22,6 +22,7 @@ class Surfaces {
     const Surroundings& around;
     bool metal;    // some thing is of metal
     bool contact;  // alpha says how much contact shading what is solid receives
+    bool clear;    // nothing is behind everything, and the canvas can say so
   };
   void set(const Circumstances&);  // for the calls below
   void write_encoded(bool);        // see Canvas; linear light otherwise

@@ -27,12 +27,13 @@ const std::array<std::uint8_t, steps + 1>& bytes_of_light() {
   return table;
 }
 
-// Each pixel without its opacity: light, and that.
+// Each pixel without its opacity: light, and that; it is at least so much that straight light can be as bright.
 template <class F>
 void each_pixel(const DeepPicture& picture, F&& f) {
   for (std::size_t i = 0; i + 4 <= picture.rgba.size(); i += 4) {
     const float* const p = &picture.rgba[i];
-    const float opacity = share(p[3]), whole = opacity > 0 ? 1 / opacity : 0;
+    const float opacity = std::max({share(p[0]), share(p[1]), share(p[2]), share(p[3])});
+    const float whole = opacity > 0 ? 1 / opacity : 0;
     f(i, std::array{share(p[0] * whole), share(p[1] * whole), share(p[2] * whole)}, opacity);
   }
 }
