@@ -45,8 +45,8 @@ inline std::string probe(const fs::path& film, const std::string& what) {
   return s;
 }
 
-inline std::string decode(const fs::path& film, const std::string& format) {
-  return output_of("ffmpeg -v error -i '" + film.string() + "' -f rawvideo -pix_fmt " + format + " -");
+inline std::string decode(const fs::path& film, const std::string& format, const std::string& by = "") {
+  return output_of("ffmpeg -v error " + by + " -i '" + film.string() + "' -f rawvideo -pix_fmt " + format + " -");
 }
 
 class Film : public testing::Test {
@@ -86,6 +86,6 @@ inline auto gray_steps(int width = 64, int height = 48) {
   });
 }
 
-inline const std::vector<std::string> movies{"film.mp4", "film.webm", "film.gif", "film.apng"};
+inline const std::vector<std::string> movies{"film.mp4", "film.webm", "film.mov", "film.gif", "film.apng"};
 
 }  // namespace betwixt

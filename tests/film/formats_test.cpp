@@ -23,7 +23,7 @@ TEST_F(Film, EveryEndingHasAllFramesAtItsRate) {
     EXPECT_EQ(made->frames, 10);
     EXPECT_EQ(probe(o.path, "width,height,r_frame_rate,nb_read_frames"), "64,48,25/1,10") << name;
   }
-  EXPECT_EQ(files(), (std::vector<std::string>{"film.apng", "film.gif", "film.mp4", "film.webm"}));
+  EXPECT_EQ(files(), (std::vector<std::string>{"film.apng", "film.gif", "film.mov", "film.mp4", "film.webm"}));
 }
 
 TEST_F(Film, RatesAreExactFractions) {

@@ -12,12 +12,16 @@
 namespace betwixt {
 namespace {
 
-// The same by the book, in f64: every pixel to Y'CbCr, then 1 2 1 across and 1 1 down around each chroma site.
-std::vector<double> by_the_book(const Picture& p) {
+// The same by the book, in f64: every pixel to Y'CbCr, then 1 2 1 across and 1 1 down around each chroma site, times
+// the opacity where there is one.
+std::vector<double> by_the_book(const Picture& p, bool alpha = false) {
   const int w = (p.width + 1) / 2 * 2, h = (p.height + 1) / 2 * 2;
-  const auto ycc = [&](int x, int y) {
+  const auto at = [&](int x, int y) {
     x = std::clamp(x, 0, p.width - 1), y = std::clamp(y, 0, p.height - 1);
-    const std::uint8_t* c = &p.rgba[static_cast<std::size_t>(4 * (y * p.width + x))];
+    return &p.rgba[static_cast<std::size_t>(4 * (y * p.width + x))];
+  };
+  const auto ycc = [&](int x, int y) {
+    const std::uint8_t* c = at(x, y);
     const double r = c[0] / 255.0, g = c[1] / 255.0, b = c[2] / 255.0, luma = 0.2126 * r + 0.7152 * g + 0.0722 * b;
     return std::array<double, 3>{16 + 219 * luma, 128 + 224 * (b - luma) / 1.8556, 128 + 224 * (r - luma) / 1.5748};
   };
@@ -27,10 +31,16 @@ std::vector<double> by_the_book(const Picture& p) {
   for (std::size_t c = 1; c < 3; ++c)
     for (int y = 0; y < h; y += 2)
       for (int x = 0; x < w; x += 2) {
-        double sum = 0;
-        for (int row = y; row < y + 2; ++row) sum += ycc(x - 1, row)[c] + 2 * ycc(x, row)[c] + ycc(x + 1, row)[c];
-        out.push_back(sum / 8);
+        double sum = 0, all = 0;
+        for (int row = y; row < y + 2; ++row)
+          for (int column = x - 1; column < x + 2; ++column) {
+            const double weight = (column == x ? 2 : 1) * (alpha ? at(column, row)[3] : 1);
+            sum += weight * ycc(column, row)[c], all += weight;
+          }
+        out.push_back(all > 0 ? sum / all : 128);
       }
+  for (int y = 0; alpha && y < h; ++y)
+    for (int x = 0; x < w; ++x) out.push_back(at(x, y)[3]);
   return out;
 }
 
@@ -39,12 +49,18 @@ TEST(Yuv, AgreesWithTheDefinition) {
   for (const auto& [w, h] : {std::pair{1, 1}, {2, 2}, {1, 4}, {5, 3}, {16, 9}, {33, 17}}) {
     Picture p{w, h, {}};
     for (int i = 0; i < w * h * 4; ++i) p.rgba.push_back(static_cast<std::uint8_t>(random() & 255));
-    std::vector<std::uint8_t> made;
-    to_yuv420(p, false, made);
-    const auto expected = by_the_book(p);
-    ASSERT_EQ(made.size(), expected.size());
-    for (std::size_t i = 0; i < made.size(); ++i)
-      EXPECT_NEAR(made[i], expected[i], 0.51) << w << "x" << h << " at " << i;
+    for (int i = 3; i < w * h * 4; i += 4)  // clear, opaque and all between
+      p.rgba[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i % 3 == 0   ? 0
+                                                                      : i % 3 == 1 ? 255
+                                                                                   : random() & 255);
+    for (const bool alpha : {false, true}) {
+      std::vector<std::uint8_t> made;
+      to_yuv420(p, alpha, made);
+      const auto expected = by_the_book(p, alpha);
+      ASSERT_EQ(made.size(), expected.size());
+      for (std::size_t i = 0; i < made.size(); ++i)
+        EXPECT_NEAR(made[i], expected[i], 0.58) << w << "x" << h << " at " << i << (alpha ? " with opacity" : "");
+    }
   }
 }
 
@@ -54,6 +70,17 @@ TEST(Yuv, BlackAndWhiteAreTheEndsOfTheRange) {
   EXPECT_EQ(made, (std::vector<std::uint8_t>{235, 235, 235, 235, 128, 128}));
   to_yuv420({1, 1, {0, 0, 0, 0}}, false, made);
   EXPECT_EQ(made, (std::vector<std::uint8_t>{16, 16, 16, 16, 128, 128}));
+  to_yuv420({1, 1, {0, 0, 0, 0}}, true, made);
+  EXPECT_EQ(made, (std::vector<std::uint8_t>{16, 16, 16, 16, 128, 128, 0, 0, 0, 0}));
+}
+
+// A green leaf at the border of nothing is as green as within.
+TEST(Yuv, WhatIsClearColorsNothing) {
+  std::vector<std::uint8_t> bordered, whole;
+  to_yuv420({2, 2, {0, 200, 0, 255, 0, 0, 0, 0, 0, 200, 0, 255, 0, 0, 0, 0}}, true, bordered);
+  to_yuv420({2, 2, {0, 200, 0, 255, 0, 200, 0, 255, 0, 200, 0, 255, 0, 200, 0, 255}}, true, whole);
+  EXPECT_EQ(bordered[4], whole[4]);
+  EXPECT_EQ(bordered[5], whole[5]);
 }
 
 }  // namespace
