@@ -56,6 +56,7 @@ void print_stats(const FilmStats& s, const Spending& spent, const Program& progr
 
 // What the film cannot have that its script has.
 void say_what_is_lost(const RenderCall& call, const Document& document) {
+  if (!read_output(call.out)) return;  // nothing is made
   if (document.transparent() && !takes_alpha(call.out)) say_not_clear(call.out);
   if (has_sounds(document) && !takes_sound(call.out))
     tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4, .webm and .mov do\n", call.out));

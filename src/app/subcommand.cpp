@@ -161,12 +161,7 @@ Parameter bits_parameter(int& bits) {
   return {.name = "--bits",
           .value = "N",
           .sentence = "bits a channel of PNG: 8, or 16",
-          .into = ReadValue([&bits](const std::string& text) -> Status {
-            if (text != "8" && text != "16")
-              return fail(ErrorCode::range, fmt::format("'{}' is no number of bits a channel: 8 or 16", text));
-            bits = std::stoi(text);
-            return Nothing{};
-          }),
+          .into = &bits,
           .words_only = true,
           .words = {"8", "16"}};
 }

@@ -39,7 +39,7 @@ constexpr Following following[] = {
     {"policy", 0, "translate ignore ask"},
     {"notes", 0, "on off"},
     {"record", 0, "on off"},
-    {"background", 0, "none"},
+    {"background", 0, "none transparent"},
     {"background", 1, "to"},
     {"film", 0, "flat solid"},
     {"ambient", 0, "off"},

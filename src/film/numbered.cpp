@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "betwixt/picture.h"
+#include "exchange/pictures.h"
 
 namespace betwixt {
 
@@ -37,7 +38,9 @@ Result<std::set<int>> numbers_there(const Output& pictures) {
 bool whole_picture(const std::string& path, int width, int height) {
   using namespace std::string_view_literals;
   if (ending(path) == "exr") {
-    const auto light = read_deep_picture(path);
+    const auto bytes = read_whole(path);
+    if (!bytes) return false;
+    const auto light = decode_exr(*bytes, path);
     return light && light->width == width && light->height == height;
   }
   constexpr auto end = "\0\0\0\0IEND\xae\x42\x60\x82"sv;  // which readers of pictures do not miss

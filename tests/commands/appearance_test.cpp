@@ -108,11 +108,28 @@ TEST(Appearance, FogIsTheBackgroundWhereNoneIsSaid) {
   EXPECT_FALSE(LoadedFilm("fog white from 1 to 2\nsky on\n").frame("1f").background);
 }
 
+// The last one that is said counts, whatever else would be behind things.
+TEST(Appearance, NothingBehindThingsIsABackgroundToo) {
+  const auto clear = [](const std::string& script) { return LoadedFilm(script).loaded.document.transparent(); };
+  EXPECT_FALSE(clear(""));
+  EXPECT_TRUE(clear("background transparent\n"));
+  EXPECT_TRUE(clear("background navy to red\nbackground transparent\n"));
+  for (const char* other : {"none", "red", "navy to red"})
+    EXPECT_FALSE(clear(std::string("background transparent\nbackground ") + other + "\n")) << other;
+  for (const char* else_behind : {"fog white from 1 to 2\n", "sky on\n", "film flat\n", "background red to blue\n"}) {
+    const Frame f = LoadedFilm(std::string(else_behind) + "background transparent\n").frame("1f");
+    EXPECT_TRUE(f.surroundings.clear) << else_behind;
+    EXPECT_EQ(f.background, Vec3{}) << else_behind;  // where it cannot be clear
+    EXPECT_FALSE(f.surroundings.below) << else_behind;
+  }
+  EXPECT_EQ(read("background transparant\n").diagnostics.at(0).what.hint, "did you mean 'transparent'?");
+}
+
 TEST(Appearance, IsWrittenAndCompared) {
   const Document nothing;
-  for (const char* line :
-       {"size 320x200", "samples 16", "film flat", "background red to #010203", "ambient off", "ambient #123456",
-        "exposure -1.25", "fog gold from 0.1 to 1000", "ground on", "ground navy", "sky on", "contact on"}) {
+  for (const char* line : {"size 320x200", "samples 16", "film flat", "background red to #010203",
+                           "background transparent", "ambient off", "ambient #123456", "exposure -1.25",
+                           "fog gold from 0.1 to 1000", "ground on", "ground navy", "sky on", "contact on"}) {
     const Document d = LoadedFilm(std::string(line) + "\n").loaded.document;
     EXPECT_FALSE(d == nothing) << line;
     const Loaded again = read(write(d));
@@ -145,6 +162,9 @@ TEST(Appearance, MistakesAreSaidWhereTheyAre) {
            {"background red to", "1:18: a colour is missing here"},
            {"background red too blue", "1:16: 'too' is not expected here"},
            {"background none to red", "1:17: 'to' is not expected here"},
+           {"background transparent to red", "1:24: 'to' is not expected here"},
+           {"background transparant", "1:12: there is no colour 'transparant'"},
+           {"background", "1:11: a colour is missing here"},
            {"ambient", "1:8: a colour is missing here"},
            {"ambient of", "1:9: there is no colour 'of'"},
            {"exposure", "1:9: a number is missing here"},

@@ -27,7 +27,9 @@ class Author : Dice {
     if (chance(4)) say("ticks 60");
     if (chance(3)) say(fmt::format("range {} {}s", "1f", 1 + below(5)));
     if (chance(3)) say("background " + color() + (chance(3) ? " to " + color() : ""));
-    if (chance(6)) say(pick({"size 320x180", "samples 9", "film flat", "sky on", "ground on", "ambient off"}));
+    if (chance(6))
+      say(pick(
+          {"size 320x180", "samples 9", "film flat", "sky on", "ground on", "ambient off", "background transparent"}));
     if (chance(6)) say(pick({"ground ", "ambient "}) + color());
     if (chance(6)) say(fmt::format("fog {} from {}m to {}m", color(), below(10), 10 + below(10)));
     if (chance(6)) say(fmt::format("exposure {}", below(100) / 8.0 - 5));

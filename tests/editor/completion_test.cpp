@@ -71,6 +71,7 @@ TEST(Session, CompletesWhatCanFollow) {
            {"at 3f ball.color nav", {"navajowhite", "navy"}},
            {"at 3f set ball.display o", {"off", "on"}},
            {"background tea", {"teal"}},
+           {"background tr", {"transparent"}},
            {"create x sphere color=teal rad", {"radius="}},
            {"create x sphere color=tea", {"teal"}},
            {"create x sphere material=", {"glow", "matte", "metal", "plastic"}},
