@@ -178,7 +178,7 @@ TEST_F(Files, OpenExrOfChanceBytesIsAPictureOrAMessage) {
   std::mt19937 random(3);
   int read = 0;
   for (const std::string& whole : {folder_.get("p.exr"), plain_exr("BGR", 0, 0, 9, 20)})
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 400; ++i) {
       std::string bytes = whole;
       const std::size_t from = i % 2 == 0 ? bytes.size() : 330;  // all, or the head
       for (int k = 0; k <= i % 4; ++k) bytes[4 + random() % (from - 4)] = static_cast<char>(random());
@@ -189,7 +189,7 @@ TEST_F(Files, OpenExrOfChanceBytesIsAPictureOrAMessage) {
       else
         ASSERT_FALSE(p.error().message.empty());
     }
-  EXPECT_GT(read, 100) << "most of what was changed are pixels";
+  EXPECT_GT(read, 30) << "most of what was changed are pixels";
 }
 
 }  // namespace
