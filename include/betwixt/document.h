@@ -73,6 +73,7 @@ class Document {
   // What the script says of its pictures: pixels, and samples a pixel.
   std::optional<std::pair<int, int>> size() const;
   std::optional<int> samples() const;
+  std::optional<int> subframes() const;  // that blurred pictures are added up of
   bool transparent() const;  // nothing is behind its things
   double aspect() const;    // width by height; 16:9 where nobody says a size
   int frame_count() const;  // frames in the range, ends included; at least 1

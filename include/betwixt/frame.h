@@ -53,6 +53,11 @@ struct Camera {
   double fov = 0.9;    // horizontal, radians (perspective)
   double height = 10;  // metres seen from bottom to top (orthographic)
   double aspect = 16.0 / 9;  // width by height of the film's pictures, as its script says; others may be made
+  double shutter = 0;        // seconds that a picture is exposed, from the frame's time on
+  double aperture = 0;       // metres across the lens's opening (perspective); 0: all is sharp
+  double focus = 10;         // metres before the eye, along its axis: what is sharp
+  // By how many halves of the picture all is moved to the right and up: a lens that is shifted.
+  double shift_x = 0, shift_y = 0;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 

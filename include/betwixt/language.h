@@ -48,6 +48,8 @@ std::string tidy(std::string_view text);
 std::string write(const Document&);
 
 // "24f", "2.5s", "00:01:02.5" … at the document's rates.
+// How long a shutter is open, in seconds: 180deg (of 360 a frame), 10ms, 0.5f or off. Errors: syntax, range.
+Result<double> parse_shutter(std::string_view, const Document&);
 Result<Time> parse_time(std::string_view text, const Document&);
 // "24f" where t is on a frame, else seconds: "1.2345s".
 std::string format_time(Time, const Document&);

@@ -31,7 +31,7 @@ Kind kind(const Document&, ObjectId);
 bool derived(const Document&, ObjectId);
 
 // How numbers of a function are written: where nothing is behind them they are metres, or millimetres, or plain.
-enum class Unit : std::uint8_t { none, metres, millimetres, moment, seconds };
+enum class Unit : std::uint8_t { none, metres, millimetres, moment, seconds, opening };
 
 // A display function of an object: what can vary about it.
 struct FunctionView {

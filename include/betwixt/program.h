@@ -49,6 +49,8 @@ class Program {
   // The first time after `t` at which a frame may differ from the one at `t`: `t` itself while something goes on
   // moving, none if nothing ever will. Until then nothing need be evaluated or drawn.
   std::optional<Time> next_change(Time t) const;
+  // Every time behind the first and up to the other at which something that is not code may jump, in order.
+  std::vector<Time> breaks(Time after, Time until) const;
 
   // What touches and what is in view: betwixt::contacts of the frame, without making all of it.
   Contacts contacts(Time, const ContactOptions& = {}) const;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,12 @@ struct RenderOptions {
   // black).
   bool deep = false;
   bool open = false;  // deep: light stays as bright as it is; else it rolls off as in all that is shown
+};
+
+// How a picture is taken that takes time.
+struct Exposure {
+  int subframes = 16;             // of so many at most it is added up, 1 to 4096
+  std::optional<double> shutter;  // seconds; none: as long as the camera says
 };
 
 struct Style {
@@ -48,7 +55,14 @@ class Renderer {
   // The same as light. Errors: range (RenderOptions::deep was not said).
   virtual Status render(const Frame&, DeepPicture& out) = 0;
   virtual Status render(const Evaluation&, DeepPicture& out) = 0;
+  // The picture that is begun at a time, blurred as its camera's shutter and opening have it: the sum of pictures, as
+  // light, at times spread over the shutter's, through points spread over the lens. What jumps meanwhile is seen as it
+  // was before. Where nothing would be blurred it is one picture. Moves the evaluation. Errors: as above.
+  virtual Status expose(Evaluation&, Time, const Exposure&, DeepPicture& out) = 0;
 };
+
+// Whether some camera of it has a shutter or an opening that is said.
+bool has_exposure(const Document&);
 
 // Errors: range (options out of bounds), name (no such style), machine (no graphics to be had).
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions&);

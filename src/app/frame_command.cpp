@@ -15,21 +15,33 @@ namespace {
 struct FrameCall {
   std::string file, at, out;
   PictureCall picture;
+  ExposureCall exposure;
   int bits = 8;
   bool keep_old = false, keep_going = false;
 };
 
+Status write(const FrameCall& call, const DeepPicture& light) {
+  if (ending(call.out) == "exr") return write_exr(call.out, light, !call.keep_old);
+  if (call.bits > 8) return write_png(call.out, light, !call.keep_old);
+  Picture shown;
+  to_shown(light, shown);
+  return write_png(call.out, shown, !call.keep_old);
+}
+
 // Draws it, and writes it as its name says.
-Status draw(const FrameCall& call, const Frame& frame, const RenderOptions& options, Renderer& renderer) {
-  if (!options.open && call.bits == 8) {
-    Picture picture;
-    const Status drawn = renderer.render(frame, picture);
-    return drawn ? write_png(call.out, picture, !call.keep_old) : drawn;
+Status draw(const FrameCall& call, const Program& program, Time t, const RenderOptions& options,
+            const std::optional<Exposure>& exposure, Renderer& renderer) {
+  Evaluation evaluation(program);
+  evaluation.to(t);
+  if (options.deep) {
+    DeepPicture light;
+    const Status drawn =
+        exposure ? renderer.expose(evaluation, t, *exposure, light) : renderer.render(evaluation, light);
+    return drawn ? write(call, light) : drawn;
   }
-  DeepPicture picture;
-  if (Status drawn = renderer.render(frame, picture); !drawn) return drawn;
-  return (options.open ? write_exr : static_cast<Status (*)(const std::string&, const DeepPicture&, bool)>(write_png))(
-      call.out, picture, !call.keep_old);
+  Picture picture;
+  const Status drawn = renderer.render(evaluation, picture);
+  return drawn ? write_png(call.out, picture, !call.keep_old) : drawn;
 }
 
 int frame(const FrameCall& call) {
@@ -45,17 +57,20 @@ int frame(const FrameCall& call) {
   if (!document) return wrong_input;
   const Result<Time> time = read_time(call.at, *document, "--at");
   if (!time) return complain(time.error(), wrong_call);
+  const Result<std::optional<Exposure>> exposure = call.exposure.of(*document);
+  if (!exposure) return complain(exposure.error(), wrong_call);
   RenderOptions options = call.picture.of(*document);
   options.open = kind == "exr";
-  options.deep = options.open || call.bits > 8 || document->transparent();
+  options.deep = options.open || call.bits > 8 || document->transparent() || *exposure;
   Result<std::unique_ptr<Renderer>> renderer = make_renderer(options);
   if (!renderer) return complain(renderer.error(), wrong_call);
-  const Frame made = Program::compile(*document).frame(*time);
+  const Program program = Program::compile(*document);
+  const Frame made = program.frame(*time);
   Findings found;
   add_findings(found, made, call.file);
   if (stopped_by(found, call.keep_going)) return wrong_input;
   Problems().say(found.warnings);
-  const Status drawn = draw(call, made, options, **renderer);
+  const Status drawn = draw(call, program, *time, options, *exposure, **renderer);
   return drawn ? all_done : complain(drawn.error(), wrong_call);
 }
 
@@ -71,6 +86,7 @@ const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
                              .required = true},
                             output_parameter(call.out, "PICTURE", "the picture")},
                            picture_parameters(call.picture),
+                           exposure_parameters(call.exposure),
                            {bits_parameter(call.bits),
                             flag("--no-overwrite", "leave a picture alone that is there already", call.keep_old),
                             keep_going_flag(call.keep_going)}}),

@@ -23,6 +23,7 @@ namespace {
 struct RenderCall {
   std::string file, out, frames;
   PictureCall picture;
+  ExposureCall exposure;
   int jobs = 0, bits = 8;
   bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false;
 };
@@ -68,9 +69,13 @@ int render(const RenderCall& call) {
   const Result<FrameList> frames = read_frames(call.frames, *document);
   if (!frames) return complain(frames.error(), wrong_call);
 
+  const Result<std::optional<Exposure>> exposure = call.exposure.of(*document);
+  if (!exposure) return complain(exposure.error(), wrong_call);
+
   RenderOptions pictures = call.picture.of(*document);
   pictures.open = takes_open_light(call.out);
-  pictures.deep = (document->transparent() && takes_alpha(call.out)) || takes_depth(call.out) || call.bits > 8;
+  pictures.deep =
+      (document->transparent() && takes_alpha(call.out)) || takes_depth(call.out) || call.bits > 8 || *exposure;
   const Program program = Program::compile(*document);
   const Time last = frames->time(frames->count - 1);
   const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
@@ -84,6 +89,12 @@ int render(const RenderCall& call) {
     const auto evaluation = std::make_shared<Evaluation>(program);
     return std::function([&, evaluation, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Out& out) {
       const Spending::Listening listening(call.stats ? &spent : nullptr);
+      if constexpr (std::is_same_v<Out, DeepPicture>)
+        if (*exposure) {
+          Status exposed = renderer->expose(*evaluation, frames->time(k), **exposure, out);
+          problems.say(evaluation->problems());
+          return exposed;
+        }
       evaluation->to(frames->time(k));
       problems.say(evaluation->problems());
       return renderer->render(*evaluation, out);
@@ -124,6 +135,7 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
                              "the film; its ending says what is made, frame-%04d.png: numbered pictures"),
             frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
            picture_parameters(call.picture),
+           exposure_parameters(call.exposure),
            {bits_parameter(call.bits),
             {.name = "--jobs",
              .value = "N",

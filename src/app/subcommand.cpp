@@ -157,6 +157,35 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
                            : fmt::format("samples {}\n", now.samples);
 }
 
+Result<std::optional<Exposure>> ExposureCall::of(const Document& document) const {
+  Exposure made;
+  made.subframes = subframes.value_or(document.subframes().value_or(made.subframes));
+  if (!shutter.empty()) {
+    const Result<double> read = parse_shutter(shutter, document);
+    if (!read) return fail(read.error().code, "--shutter: " + read.error().message, read.error().hint);
+    made.shutter = *read;
+  }
+  const bool blurs = has_exposure(document) || made.shutter.value_or(0) > 0;
+  return blurs && made.subframes > 1 ? std::optional(made) : std::nullopt;
+}
+
+std::vector<Parameter> exposure_parameters(ExposureCall& to) {
+  return {option("--shutter", "LENGTH",
+                 "how long each picture is exposed: 180deg is half a frame, 10ms, off; the camera's if not said",
+                 &to.shutter),
+          {.name = "--subframes",
+           .value = "N",
+           .sentence = "of how many pictures at most a blurred one is added up; the script's if not said, or 16",
+           .into = ReadValue([&to](const std::string& text) -> Status {
+             int n = 0;
+             const auto read = std::from_chars(text.data(), text.data() + text.size(), n);
+             if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !subframes_fit(n))
+               return fail(ErrorCode::range, fmt::format("'{}' is no number of subframes: 1 to 4096", text));
+             to.subframes = n;
+             return Nothing{};
+           })}};
+}
+
 Parameter bits_parameter(int& bits) {
   return {.name = "--bits",
           .value = "N",

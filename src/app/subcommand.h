@@ -101,6 +101,14 @@ struct PictureCall {
   std::optional<int> samples = {};
   RenderOptions of(const Document&) const;
 };
+// How pictures are taken that take time.
+struct ExposureCall {
+  std::string shutter = {};
+  std::optional<int> subframes = {};
+  // None: nothing is blurred. Errors: syntax, range.
+  Result<std::optional<Exposure>> of(const Document&) const;
+};
+std::vector<Parameter> exposure_parameters(ExposureCall&);  // --shutter, --subframes
 Parameter bits_parameter(int& bits);
 std::vector<Parameter> picture_parameters(PictureCall&);  // --size, --style, --samples
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>>);

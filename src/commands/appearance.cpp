@@ -42,6 +42,21 @@ bool samples(Command& k) {
   return true;
 }
 
+bool subframes(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  c.space();
+  const char* const start = c.at;
+  double n = 0;
+  if (!values(k).scalar(n)) return false;
+  const auto whole = static_cast<int>(std::clamp(n, 0.0, 1e6));
+  if (whole != n || !subframes_fit(whole))
+    return c.fail(ErrorCode::range, fmt::format("'{}' is no number of subframes: 1 to 4096", c.since(start)),
+                  c.since(start));
+  if (!finish(c)) return false;
+  s.appearance.subframes = whole;
+  return true;
+}
+
 bool film(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();
@@ -148,6 +163,9 @@ constexpr Verb appearance_rows[] = {
      "size 1920x1080", 0, size},
     {"samples", "samples 1|4|9|16", "How many samples each pixel has: more is smoother; the command line wins.",
      "samples 9", 0, samples},
+    {"subframes", "subframes N",
+     "Of how many pictures at most one is added up that a camera's shutter or f-stop blurs; the command line wins.",
+     "subframes 32", 0, subframes},
     {"film", "film flat|solid",
      "flat: a drawing 9 m high, everything in its own color without light, on a dark background, 1920x1080.",
      "film flat", 0, film},

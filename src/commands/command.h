@@ -103,6 +103,8 @@ bool time_or_segment(Cursor&, Time& from, std::optional<Time>& until);
 bool one_time_only(Cursor&, std::string_view segment);
 // Whether an object can show a shape; an error of a geometry where it cannot.
 bool draws(Command&, const Target&, std::string_view about);
+// A camera focuses on something else than itself; any other function may have any value.
+bool focuses_elsewhere(Command&, const Target&, const Value&, std::string_view about);
 // What stands behind a row's time.
 bool event(Command&, const Selected& to, Time);
 // A value per second: angles of a rotation one by one, or the turning about an axis.

@@ -86,6 +86,14 @@ bool draws(Command& k, const Target& t, std::string_view about) {
                        about, "what is drawn can show another shape: create NAME box");
 }
 
+bool focuses_elsewhere(Command& k, const Target& t, const Value& v, std::string_view about) {
+  const auto* at = std::get_if<ObjectId>(&v);
+  if (t.function != fn::focus || !at || !(*at == t.object)) return true;
+  return k.cursor.fail(ErrorCode::name,
+                       fmt::format("'{}' cannot focus on itself", k.scene.objects[t.object.index].name), about,
+                       "on another object, or so many metres away: set eye.focus 5");
+}
+
 namespace {
 
 // What `keep` does to an event that is there: it goes on otherwise, and stays what else it is.
@@ -127,6 +135,7 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   }
   withhold(k, to, event, about);
   for (const Target& t : to.targets) {
+    if (!focuses_elsewhere(k, t, event.value, about)) return false;
     if (to.spec->type == Type::aim && !event.keep && mixes_aims(s, t, event.value))
       return c.fail(ErrorCode::type,
                     fmt::format("'{}' cannot hold both objects and separate numbers", target_name(s, t)), about,

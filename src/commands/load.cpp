@@ -32,11 +32,32 @@ Loaded load_text(std::string_view text, const std::string& name, const LoadOptio
   return load(options, [&](Scene& s, Script& script) { read_text(s, script, text, name); });
 }
 
-Result<Time> parse_time(std::string_view text, const Document& d) {
+namespace {
+
+Cursor cursor(std::string_view text, const Document& d) {
   Cursor c(text);
   c.rate = d.rate();
   c.ticks = d.scene().ticks;
   c.lets = &*d.scene().lets;
+  return c;
+}
+
+}  // namespace
+
+Result<double> parse_shutter(std::string_view text, const Document& d) {
+  Cursor c = cursor(text, d);
+  double seconds = 0;
+  const bool read = c.opening(seconds) && c.at_line_end() && c.at == c.end;
+  if (c.error && c.error->code == ErrorCode::range) return *c.error;
+  if (!read)
+    return fail(ErrorCode::syntax, fmt::format("'{}' is not how long a shutter is open", text.substr(0, 60)),
+                "such as 180deg, which is half a frame, 10ms, 0.5f or off");
+  if (!(seconds >= 0 && seconds <= 60)) return fail(ErrorCode::range, "a shutter is open for 0 to 60 s");
+  return seconds;
+}
+
+Result<Time> parse_time(std::string_view text, const Document& d) {
+  Cursor c = cursor(text, d);
   Time t;
   if (c.time(t) && c.at_line_end() && c.at == c.end) return t;
   if (c.error) return *c.error;

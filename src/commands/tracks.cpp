@@ -123,7 +123,7 @@ bool set_alike(Command& k, const Selected& to) {
                   "couple A to B, attach A to B, hang A on B, detach A");
   if (!values(k).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
   for (const Target& t : to.targets) {
-    if (!draws(k, t, w) || !has_components(k, t, w)) return false;
+    if (!draws(k, t, w) || !focuses_elsewhere(k, t, v, w) || !has_components(k, t, w)) return false;
   }
   say_unseen(k, to, w);
   for (const Target& t : to.targets) StillWanted::ask(), set_value(s, t, v);

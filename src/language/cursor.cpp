@@ -262,6 +262,22 @@ bool Cursor::from_formula(const Quantity& q, bool length, Time& out, const char*
   return std::abs(out.seconds()) <= longest_seconds || store(out, 1e18L, start);
 }
 
+bool Cursor::opening(double& seconds) {
+  if (accept_word("off")) return seconds = 0, true;
+  const std::string_view w = peek_word();
+  if (w.ends_with("deg") || w.ends_with("rad") || w.ends_with("turn")) {
+    if (!angle(seconds)) return false;
+    return seconds *= rate.span(1).seconds() / (2 * pi), true;
+  }
+  Time t;
+  if (!length(t)) {
+    if (error && !w.empty() && std::isdigit(static_cast<unsigned char>(w.back())))
+      error->hint = fmt::format("write {}deg, of which 360 are a frame, {}f or {}ms", w, w, w);
+    return false;
+  }
+  return seconds = t.seconds(), true;
+}
+
 bool Cursor::time_or_length(Time& out, bool length) {
   space();
   const char* start = at;

@@ -78,9 +78,24 @@ struct TypedReader {
     out = id;
     return c.close();
   }
+  // A distance is held as the point that is so far before the camera, in its own space.
+  bool focus(Value& out) {
+    double far = 0;
+    if (c.peek() == '(') return c.fail_here(ErrorCode::type, "a distance or the name of an object is wanted here");
+    if (!values.looks_like_number()) return false;
+    if (!values.scalar(far, spec.unit)) return false;
+    if (!(far > 0 && far <= 1e12))
+      return c.fail(ErrorCode::range, "what is in focus is more than 0 m away, and at most 1e12 m", c.since(start));
+    return out = Vec3{0, 0, -far}, true;
+  }
   bool aim(Value& out) {
     Vec3 v;
     ObjectId id;
+    if (spec.name == "focus") {
+      if (focus(out)) return true;
+      if (c.error) return false;
+      if (c.at_line_end()) return c.fail_here(ErrorCode::syntax, "a distance or the name of an object is missing here");
+    }
     if (c.peek() == '(') return values.vector(3, v, spec.unit) && (out = v, true);
     if (c.accept_word("none")) return out = id, true;
     if (c.at_line_end())

@@ -31,6 +31,7 @@ int hex(char c) {
 bool ValueReader::scalar(double& out, Unit unit) {
   c.space();
   const char* start = c.at;
+  if (unit == Unit::opening) return c.opening(out);
   if (unit == Unit::moment || unit == Unit::seconds) {
     Time t;
     if (!(unit == Unit::moment ? c.time(t) : c.length(t))) return false;

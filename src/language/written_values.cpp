@@ -187,9 +187,10 @@ std::string write_value(const Value& v, const FunctionSpec& spec, int component,
   const Type type = component < 0 ? spec.type : component_type(spec.type);
   if (const auto* d = std::get_if<double>(&v)) {
     if (row_of(type).angles) return write_angle(*d);
-    const bool time = spec.unit == Unit::moment || spec.unit == Unit::seconds;
+    const bool time = spec.unit == Unit::moment || spec.unit == Unit::seconds || spec.unit == Unit::opening;
     return write_number(*d) + (time ? "s" : spec.unit == Unit::millimetres ? "mm" : "");
   }
+  if (const auto* p = std::get_if<Vec3>(&v); p && spec.name == "focus") return write_number(-p->z);
   if (const auto* p = std::get_if<Vec3>(&v)) return write_vector(*p, component_count(type) == 2 ? 2 : 3);
   if (const auto* c = std::get_if<Color>(&v))
     return *c == no_color && spec.rest == Value(no_color) ? "none" : write_color(*c);

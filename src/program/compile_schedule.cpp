@@ -41,6 +41,9 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
     case fn::lens:
     case fn::fov:
     case fn::camera_height:
+    case fn::shutter:
+    case fn::f_stop:
+    case fn::focus:
       return affects::other;
     default:
       return spec.place ? affects::place : 0;

@@ -57,6 +57,7 @@ class Evaluator {
   void add_items(Frame&) const;
   std::vector<Light> lights(Asking&) const;
   Camera camera() const;
+  double focus(std::uint32_t object, const Camera&) const;
 
   const Program::Compiled& compiled() const { return compiled_; }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "program/evaluator.h"
+#include "scene/camera_functions.h"
 
 namespace betwixt {
 namespace {
@@ -87,7 +88,29 @@ Camera Evaluator::camera() const {
   c.fov = fov > 0 ? std::min(fov, 3.1) : 2 * std::atan(gate / (2 * std::max(number(fn::lens), 0.1)));
   c.height = number(fn::camera_height);
   c.orthographic = c.height > 0;
+  c.shutter = number(fn::shutter);
+  if (const double stop = number(fn::f_stop); stop < sharp && !c.orthographic) {
+    c.aperture = 1e-3 * gate / (2 * std::tan(c.fov / 2)) / stop;
+    c.focus = focus(object, c);
+  }
   return c;
+}
+
+// How far what is sharp is away, along the axis; what is not before the camera is not looked for.
+double Evaluator::focus(std::uint32_t object, const Camera& c) const {
+  Asking asking;
+  const Vec3 eye = translation_of(c.world), back{c.world(0, 2), c.world(1, 2), c.world(2, 2)};
+  const auto away = [&](Vec3 at) { return dot(eye - at, back); };
+  const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
+  const auto before = [&](std::uint32_t i) { return Vec3{0, 0, -away(in_world(i))}; };  // as distances are held
+  double far = 0;
+  if (const auto said = compiled_.aim(object, fn::focus, now_, numbers_.data(), before, asking))
+    far = -said->z;
+  else if (const auto looked = compiled_.aim(object, fn::look_at, now_, numbers_.data(), in_world, asking))
+    far = away(*looked);
+  else
+    far = away({});
+  return far > 1e-6 ? far : Camera().focus;
 }
 
 }  // namespace betwixt

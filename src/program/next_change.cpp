@@ -63,4 +63,57 @@ std::optional<Time> Program::next_change(Time t) const {
   return next.at;
 }
 
+namespace {
+
+// The events of a track that goes on with what it has, to and fro, wherever these come again; and places besides.
+template <class May>
+void again(std::span<const std::int64_t> times, Time after, Time until, May&& may) {
+  const std::int64_t length = times.empty() ? 0 : times.back() - times.front();
+  if (length <= 0 || (after.flicks < times.back() && until.flicks > times.front())) return;
+  for (const std::int64_t t : times)
+    for (const std::int64_t there : {t - times.front(), times.back() - t}) {
+      const std::int64_t past = (after.flicks - times.front() - there) % length;
+      for (std::int64_t at = after.flicks - past; at <= until.flicks; at += length) may(Time{at});
+    }
+}
+
+}  // namespace
+
+std::vector<Time> Program::breaks(Time after, Time until) const {
+  const Compiled& compiled = *code_;
+  const Scene& scene = compiled.document.scene();
+  std::vector<Time> all;
+  const auto may = [&](Time t) {
+    if (after < t && t <= until) all.push_back(t);
+  };
+  // `times`: in order, each with the time that `time_of` says.
+  const auto each_of = [&](const auto& times, auto&& time_of) {
+    auto at =
+        std::upper_bound(times.begin(), times.end(), after, [&](Time t, const auto& one) { return t < time_of(one); });
+    for (; at != times.end() && time_of(*at) <= until; ++at) may(time_of(*at));
+  };
+  for (const Schedule::Source& s : compiled.schedule.sources) {
+    if (s.what != Schedule::Source::curve) continue;
+    const CurveEvents& events =
+        compiled.schedule.events[static_cast<std::size_t>(&s - compiled.schedule.sources.data())];
+    const std::span times(events.times, events.count);
+    each_of(times, [](std::int64_t t) { return Time{t}; });
+    const Curve& curve = compiled.curves[s.index].curve;
+    if (curve.before >= Extrapolation::cycle || curve.after >= Extrapolation::cycle) again(times, after, until, may);
+  }
+  for (const auto* edges : {&compiled.schedule.begins, &compiled.schedule.ends})
+    each_of(*edges, [](const Schedule::Edge& e) { return Time{e.time}; });
+  for (const auto* cameras : {&*scene.cuts, &*scene.views})
+    each_of(*cameras, [](const auto& cut) { return cut.first; });
+  if (!compiled.environments.empty() && !scene.smooth_ticks)
+    for (std::int64_t tick = scene.ticks.whole(after) + 1; all.size() < 4096; ++tick) {
+      const Time t = scene.ticks.span(static_cast<double>(tick));
+      if (t > until) break;
+      may(t);
+    }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 }  // namespace betwixt

@@ -22,6 +22,7 @@ struct Columns {
   const Camera& camera;
   std::optional<Vec3> background;
   Surroundings surroundings;
+  int part = 0;  // which one it is of the pictures that are added up
 };
 
 Columns columns_of(const Evaluation&);

@@ -20,6 +20,7 @@ uniform highp sampler2D depths;
 uniform vec2 lens;         // metres before the eye, or their inverse, are x + y * depth
 uniform float perspective;
 uniform vec2 across;       // metres from the middle to the border, one before the eye (perspective) or anywhere
+uniform vec2 middle_at;    // where the axis meets the picture, in its halves
 uniform vec2 size;         // of `depths`
 uniform float radius;      // in pixels of `depths`
 float away(float depth) {
@@ -54,7 +55,7 @@ vec3 slopes(ivec2 at, float depth) {
 // and moves the steps.
 const char* const measure_fragment = R"(
 out vec4 color;
-vec3 place(vec2 at, float z) { return vec3((2.0 * (at + 0.5) / size - 1.0) * across * mix(1.0, z, perspective), z); }
+vec3 place(vec2 at, float z) { return vec3((2.0 * (at + 0.5) / size - 1.0 - middle_at) * across * mix(1.0, z, perspective), z); }
 // The share in a slice from the line of sight up to an angle c and s are of, where the normal's are x and y; less what is the same.
 float up_to(float angle, float c, float s, vec2 normal) {
   return 0.5 * angle * normal.y - 0.25 * ((2.0 * c * c - 1.0) * normal.x + 2.0 * c * s * normal.y);
@@ -188,6 +189,7 @@ void ContactShading::set(const gl::Program& program, const Canvas& canvas, const
   else
     put("lens", 1 / n, 1 / f - 1 / n);
   put("across", 1 / view.sx, 1 / view.sy);
+  put("middle_at", view.shift_x, -view.shift_y);
   put("size", seen_.width, seen_.height);
   glUniform1f(at("radius"), static_cast<float>(reach * canvas.height() * canvas.side()));
 }

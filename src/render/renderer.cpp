@@ -6,17 +6,22 @@
 
 #include "base/stages.h"
 #include "betwixt/render.h"
+#include "render/exposure.h"
 #include "render/gl.h"
 #include "render/module.h"
+<<<<<<< HEAD
 #include "render/traced.h"
+=======
+#include "scene/document.h"
+>>>>>>> 79fe5ad (Pictures take time and have a lens: shutter, subframes, f-stop and focus)
 
 namespace betwixt {
 namespace {
 
 class SurfacelessRenderer final : public Renderer {
  public:
-  SurfacelessRenderer(gl::Context context, std::unique_ptr<Module> module)
-      : context_(std::move(context)), module_(std::move(module)) {}
+  SurfacelessRenderer(gl::Context context, std::unique_ptr<Module> module, const RenderOptions& options)
+      : context_(std::move(context)), module_(std::move(module)), width_(options.width), height_(options.height) {}
   ~SurfacelessRenderer() override {
     const gl::Current current(context_);
     module_.reset();
@@ -25,6 +30,17 @@ class SurfacelessRenderer final : public Renderer {
   Status render(const Frame& frame, DeepPicture& out) override { return draw(frame, out); }
   Status render(const Evaluation& evaluation, Picture& out) override { return draw(evaluation, out); }
   Status render(const Evaluation& evaluation, DeepPicture& out) override { return draw(evaluation, out); }
+  Status expose(Evaluation& evaluation, Time t, const Exposure& how, DeepPicture& out) override {
+    seen_ = {};
+    return betwixt::expose(
+        evaluation, t, how, width_, height_,
+        [&](const Columns& columns, DeepPicture& picture) {
+          const InStage draw(Stage::draw);
+          const gl::Current current(context_);
+          return module_->draw(columns, picture);
+        },
+        out);
+  }
 
  private:
   template <class Out>
@@ -51,6 +67,7 @@ class SurfacelessRenderer final : public Renderer {
 
   gl::Context context_;
   std::unique_ptr<Module> module_;
+  const int width_, height_;
   Evaluation::Revision seen_;  // of the picture before
 };
 
@@ -120,6 +137,13 @@ const std::vector<Style>& styles() {
   return all;
 }
 
+bool has_exposure(const Document& document) {
+  const Objects& objects = document.scene().objects;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+    if (objects[i].kind == Kind::camera && (objects[i].find(fn::shutter) || objects[i].find(fn::f_stop))) return true;
+  return false;
+}
+
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
   const auto fits = [](int n) { return n >= 1 && n <= 8192; };
   if (!fits(options.width) || !fits(options.height))
@@ -129,10 +153,22 @@ Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
   const auto* entry =
       std::find_if(std::begin(table), std::end(table), [&](const Entry& e) { return e.style.name == options.style; });
   if (entry == std::end(table)) return no_such_style(options.style);
+<<<<<<< HEAD
   if (!entry->style.takes(options.samples))
     return fail(ErrorCode::range, fmt::format("{} samples a pixel cannot be drawn", options.samples),
                 std::string(entry->style.samples));
   return entry->make(options);
+=======
+  auto context = gl::Context::create();
+  if (!context) return context.error();
+  auto module = [&] {
+    const gl::Current current(*context);
+    return entry->make(options);
+  }();
+  if (!module) return module.error();
+  return std::unique_ptr<Renderer>(
+      std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module), options));
+>>>>>>> 79fe5ad (Pictures take time and have a lens: shutter, subframes, f-stop and focus)
 }
 
 }  // namespace betwixt

@@ -191,7 +191,8 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
     glUniform3fv(gl::uniform(ground.program, name), 1, four(value, 0).data());
   };
   // Of an orthographic picture the sky is seen as if from somewhere.
-  put("ray", -v.backward);
+  const Vec3 aside = v.shift_x / v.sx * v.right + v.shift_y / v.sy * v.up;
+  put("ray", v.orthographic ? -v.backward : -v.backward - aside);
   put("ray_x", v.orthographic ? Vec3{} : 1 / v.sx * v.right);
   put("ray_y", v.orthographic ? -0.5 * v.up : -1 / v.sy * v.up);
   put("from_x", v.orthographic ? 1 / v.sx * v.right : Vec3{});

@@ -19,7 +19,7 @@ bool same_bits(const T& a, const T& b) {
 
 bool same_camera(const Camera& a, const Camera& b) {
   return same_bits(a.world, b.world) && a.orthographic == b.orthographic && same_bits(a.fov, b.fov) &&
-         same_bits(a.height, b.height);
+         same_bits(a.height, b.height) && same_bits(a.shift_x, b.shift_x) && same_bits(a.shift_y, b.shift_y);
 }
 
 // But for what the numbers stand for.

@@ -14,6 +14,7 @@
 
 #include "base/stages.h"
 #include "base/still_wanted.h"
+#include "render/exposure.h"
 #include "render/traced_paths.h"
 
 namespace betwixt {
@@ -59,8 +60,9 @@ class Drawn {
                 found_by(c.texture, l.texture)};
       now[i].look.shape = now[i].look.toward = now[i].look.texture = 0;
     }
-    const bool scenery = scenery_.take(c), camera = !camera_ || !(*camera_ == c.camera), things = now != things_;
-    things_ = std::move(now), camera_ = c.camera;
+    const bool scenery = scenery_.take(c), things = now != things_;
+    const bool camera = !camera_ || !(*camera_ == c.camera) || part_ != c.part;
+    things_ = std::move(now), camera_ = c.camera, part_ = c.part;
     return scenery || camera || things;
   }
   const Scenery& scenery() const { return scenery_; }
@@ -75,6 +77,7 @@ class Drawn {
   };
   std::vector<Thing> things_;
   std::optional<Camera> camera_;
+  int part_ = 0;
   Scenery scenery_;
 };
 
@@ -113,6 +116,10 @@ class Traced final : public Renderer {
   Status render(const Evaluation& evaluation, Picture& out) override { return show(evaluation, out); }
   Status render(const Frame& frame, DeepPicture& out) override { return give(frame, out); }
   Status render(const Evaluation& evaluation, DeepPicture& out) override { return give(evaluation, out); }
+  Status expose(Evaluation& evaluation, Time t, const Exposure& how, DeepPicture& out) override {
+    const auto draw_part = [&](const Columns& columns, DeepPicture& one) { return give(columns, one); };
+    return betwixt::expose(evaluation, t, how, width_, height_, draw_part, out);
+  }
 
  private:
   Status draw(const Frame& frame) {
@@ -166,7 +173,7 @@ class Traced final : public Renderer {
       const TinyIsZero now;
       for (std::size_t first; (first = hands.next.fetch_add(run)) < pixels;) {
         StillWanted::ask();
-        for (std::size_t k = first; k < std::min(first + run, pixels); ++k) draw_pixel(paths, k);
+        for (std::size_t k = first; k < std::min(first + run, pixels); ++k) draw_pixel(paths, k, columns);
       }
     };
     for (unsigned k = 1; k < threads_; ++k) hands.lend(work);
@@ -176,14 +183,15 @@ class Traced final : public Renderer {
 
   // The highlights of each cell of a pixel roll off by themselves: so edges are smooth where they are bright, and what
   // single samples are off by hardly counts.
-  void draw_pixel(const Paths& paths, std::size_t k) {
+  void draw_pixel(const Paths& paths, std::size_t k, int part) {
+    const auto seed = static_cast<std::uint32_t>(k) + 0x9e3779b9U * static_cast<std::uint32_t>(part);
     const double x = static_cast<double>(k % static_cast<std::size_t>(width_));
     const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
     const int side = samples_ >= 64 ? 4 : samples_ >= 4 ? 2 : 1;
     std::array<Sight, 16> cells;
     double clear = 0;
     for (std::uint32_t s = 0; s < samples_; ++s) {
-      Scattered dice(static_cast<std::uint32_t>(k), s, samples_);
+      Scattered dice(seed, s, samples_);
       const auto [right, down] = dice.two();
       const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
       const Sight seen = paths.seen((x + right) / width_, (y + down) / height_, dice);

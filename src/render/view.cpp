@@ -16,6 +16,7 @@ View make_view(const Camera& camera, int width, int height, bool& good) {
   View v;
   v.width = width, v.height = height;
   v.orthographic = camera.orthographic;
+  v.shift_x = camera.shift_x, v.shift_y = camera.shift_y;
   v.eye = translation_of(camera.world);
   // A camera that hangs on something scaled is made rigid again.
   v.backward = normalize(transform_vector(camera.world, {0, 0, 1}), {0, 0, 1});
@@ -27,10 +28,12 @@ View make_view(const Camera& camera, int width, int height, bool& good) {
     v.sy = 1 / v.tall, v.sx = 1 / v.wide;
   } else {
     v.sx = 1 / std::tan(std::clamp(camera.fov, 1e-5, pi - 1e-3) / 2), v.sy = v.sx * aspect;
-    v.side = {normalize(v.sx * v.right - v.backward), normalize(-v.sx * v.right - v.backward),
-              normalize(v.sy * v.up - v.backward), normalize(-v.sy * v.up - v.backward)};
+    const double x = v.shift_x, y = v.shift_y;
+    v.side = {normalize(v.sx * v.right - (1 + x) * v.backward), normalize(-v.sx * v.right - (1 - x) * v.backward),
+              normalize(v.sy * v.up - (1 + y) * v.backward), normalize(-v.sy * v.up - (1 - y) * v.backward)};
   }
-  good = finite(camera.world) && std::isfinite(v.sx) && std::isfinite(v.sy) && finite(v.up);
+  good = finite(camera.world) && std::isfinite(v.sx) && std::isfinite(v.sy) && std::isfinite(v.shift_x) &&
+         std::isfinite(v.shift_y) && finite(v.up);
   return v;
 }
 
@@ -42,7 +45,8 @@ bool View::sees(const Bounds& b) const {
   const double radius = b.radius();
   if (depth(b.center) + reach(b) <= 0) return false;
   if (orthographic)
-    return std::abs(dot(b.center, right)) < wide + radius && std::abs(dot(b.center, up)) < tall + radius;
+    return std::abs(dot(b.center, right) + shift_x * wide) < wide + radius &&
+           std::abs(dot(b.center, up) + shift_y * tall) < tall + radius;
   return std::all_of(side.begin(), side.end(), [&](Vec3 n) { return dot(b.center, n) > -radius; });
 }
 
@@ -65,9 +69,11 @@ Mat4 View::clip() const {
   p(0, 0) = sx, p(1, 1) = -sy;
   if (orthographic) {
     p(2, 2) = -2 / (far - near), p(2, 3) = -(far + near) / (far - near);
+    p(0, 3) = shift_x, p(1, 3) = -shift_y;
   } else {
     p(2, 2) = -(far + near) / (far - near), p(2, 3) = -2 * far * near / (far - near);
     p(3, 2) = -1, p(3, 3) = 0;
+    p(0, 2) = -shift_x, p(1, 2) = shift_y;
   }
   return p * turn;
 }

@@ -26,6 +26,7 @@ struct View {
   int width = 1, height = 1;     // pixels of the picture
   std::array<Vec3, 4> side;      // inward normals of the frustum's side planes; of unit length
   double wide = 0, tall = 0;     // half the measures of an orthographic picture
+  double shift_x = 0, shift_y = 0;  // halves of the picture by which all is moved right and up
 
   double depth(Vec3 p) const { return -dot(p, backward); }
   // How far a box reaches to either side of its centre, along the line of sight.

@@ -18,6 +18,7 @@ std::optional<std::pair<int, int>> parse_size(std::string_view text) {
   return at == end ? std::optional(size) : std::nullopt;
 }
 
+bool subframes_fit(long n) { return n >= 1 && n <= 4096; }
 bool samples_fit(long samples) { return samples == 1 || samples == 4 || samples == 9 || samples == 16; }
 
 }  // namespace betwixt

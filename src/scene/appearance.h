@@ -21,6 +21,7 @@ struct Appearance {
 
   std::optional<std::pair<int, int>> size;  // pixels
   std::optional<int> samples;               // a pixel
+  std::optional<int> subframes;             // that a picture is added up of, at most
   bool flat = false;                        // a drawing: its own view, and no light
   bool clear = false;                       // there is no background
   std::optional<Color> below;               // what the background goes over to at the bottom
@@ -37,5 +38,6 @@ struct Appearance {
 // 1920x1080; none where this is no size that can be drawn.
 std::optional<std::pair<int, int>> parse_size(std::string_view);
 bool samples_fit(long samples);
+bool subframes_fit(long subframes);
 
 }  // namespace betwixt

@@ -330,6 +330,7 @@ std::optional<std::pair<int, int>> Document::size() const {
   return !a.size && a.flat ? std::pair(1920, 1080) : a.size;
 }
 std::optional<int> Document::samples() const { return scene_->appearance.samples; }
+std::optional<int> Document::subframes() const { return scene_->appearance.subframes; }
 bool Document::transparent() const { return scene_->appearance.clear; }
 
 double Document::aspect() const {

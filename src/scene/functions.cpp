@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/aiming_functions.h"
+#include "scene/camera_functions.h"
 #include "scene/document.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
@@ -369,6 +370,7 @@ std::vector<FunctionSpec> make_functions() {
   std::vector<FunctionSpec> made(std::begin(function_rows), std::end(function_rows));
   made.insert(made.end(), std::begin(aiming_functions), std::end(aiming_functions));
   made.insert(made.end(), std::begin(sound_functions), std::end(sound_functions));
+  made.insert(made.end(), std::begin(camera_functions), std::end(camera_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
   for (FunctionSpec& f : made) {

@@ -112,6 +112,9 @@ enum : FunctionId {
   gain,
   fade_in,
   fade_out,
+  shutter,
+  f_stop,
+  focus,
   count
 };
 }

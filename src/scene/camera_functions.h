@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How long and through what opening a camera takes its pictures; rows behind those of src/scene/sound_functions.h,
+// which src/scene/functions.cpp alone reads.
+#pragma once
+
+#include "scene/document.h"
+#include "scene/functions.h"
+
+namespace betwixt {
+
+inline constexpr double sharp = 1e6;  // the f-stop at which all is
+
+inline const FunctionSpec camera_functions[] = {
+    {.name = "shutter",
+     .type = Type::scalar,
+     .rest = 0.0,
+     .kinds = bit(Kind::camera),
+     .unit = Unit::opening,
+     .low = 0,
+     .high = 60,
+     .sentence =
+         "How long a picture is exposed, from its time on: what moves is blurred by as much as it goes meanwhile.",
+     .written = "an angle, of which 360deg are a frame; a length of time; or off",
+     .example = "set eye.shutter 180deg"},
+    {.name = "f-stop",
+     .type = Type::scalar,
+     .rest = sharp,
+     .kinds = bit(Kind::camera),
+     .low = 1e-4,
+     .high = sharp,
+     .sentence =
+         "How small a camera's opening is: the smaller the number, the less is sharp before and behind its focus.",
+     .written = "a number; 1e6, as nothing is said: all is sharp",
+     .example = "set eye.f-stop 0.1"},
+    {.name = "focus",
+     .type = Type::aim,
+     .rest = ObjectId{},
+     .kinds = bit(Kind::camera),
+     .unit = Unit::metres,
+     .sentence = "What is sharp: a thing, or all that is so far away; none: what the camera looks at.",
+     .written = "a distance or a name",
+     .example = "set eye.focus ball"},
+};
+
+}  // namespace betwixt

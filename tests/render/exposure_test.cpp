@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Blur, of what moves and of what is out of focus: edges and discs against closed forms, and what jumps.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "render/scenes.h"
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+struct Taken {
+  explicit Taken(std::string_view script, int width = 96, int height = 54, int samples = 4)
+      : film(script), evaluation(film.program), width(width) {
+    RenderOptions options;
+    options.width = width, options.height = height, options.samples = samples, options.deep = true;
+    renderer = *make_renderer(options);
+  }
+  DeepPicture at(std::string_view time, int subframes = 64, std::optional<double> shutter = {}) {
+    DeepPicture out;
+    const Status taken =
+        renderer->expose(evaluation, *parse_time(time, film.loaded.document), {subframes, shutter}, out);
+    EXPECT_TRUE(taken) << (taken ? "" : taken.error().message);
+    return out;
+  }
+  DeepPicture sharp(std::string_view time) {
+    DeepPicture out;
+    evaluation.to(*parse_time(time, film.loaded.document));
+    EXPECT_TRUE(renderer->render(evaluation, out));
+    return out;
+  }
+  LoadedFilm film;
+  Evaluation evaluation;
+  std::unique_ptr<Renderer> renderer;
+  int width;
+};
+
+double light(const DeepPicture& p, int x, int y, int channel = 1) {
+  return static_cast<double>(
+      p.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(x)) +
+             static_cast<std::size_t>(channel)]);
+}
+
+// A drawing 96 by 54 pixels, ten to a metre; white on black.
+std::string drawing(const std::string& rest) {
+  return "rate 24\nrange 1f 24f\nsize 96x54\nfilm flat\nbackground black\n"
+         "create eye camera position=(0 0 10) look-at=(0 0 0) height=5.4\nset eye.shutter 180deg\n" +
+         rest;
+}
+
+// What an edge that goes from `from` to `to` while the shutter is open leaves in the pixel from 0 to 1: the integral
+// over time of how much of it is covered.
+double swept(double from, double to) {
+  const auto so_far = [](double u) { return u < 0 ? 0 : u < 1 ? u * u / 2 : u - 0.5; };
+  return (so_far(to) - so_far(from)) / (to - from);
+}
+
+// Each sample knows when it is covered to half a picture's share of the time; a pixel has four.
+TEST(Exposure, AnEdgeThatMovesIsTheClosedForm) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0, 1);
+  double off = 0;
+  int pixels = 0;
+  for (int k = 0; k < 14; ++k) {
+    // 1 frame is twice the shutter's time. Of round numbers all subframes fall between samples, or upon them.
+    const double gone = k < 4 ? std::array{8.0, 16.0, 32.0, 4.0}[static_cast<std::size_t>(k)] : 3 + 40 * any(random);
+    const double first = k < 4 ? 10 : 5 + 30 * any(random);
+    const bool up = k % 3 == 2;
+    const double far = up ? std::min(gone, 30.0) : gone, start = up ? std::min(first, 15.0) : first;
+    // Its right border (or its lower one) at `start` pixels from the left (the top), at frame 1.
+    const auto place = [&](double at) {
+      return up ? fmt::format("(0 {} 0)", 2.7 - at / 10 + 10) : fmt::format("({} 0 0)", -4.8 + at / 10 - 10);
+    };
+    Taken film(
+        drawing(fmt::format("create wall rectangle size=(20 20) color=white\nwall.position\n  1f {} linear\n  2f {}\n",
+                            place(start), place(start + 2 * far))));
+    for (const int subframes : {64, 256}) {
+      const DeepPicture picture = film.at("1f", subframes);
+      for (int i = 0; i < (up ? 54 : 96); ++i) {
+        const double is = up ? light(picture, 48, i) : light(picture, i, 27),
+                     wanted = swept(start - i, start + far - i);
+        EXPECT_NEAR(is, wanted, subframes == 64 ? 3.0 / 255 : 1.5 / 255)
+            << "pixel " << i << " of an edge that goes " << far << " from " << start << (up ? " down" : "");
+        if (subframes == 64 && wanted > 0 && wanted < 1) off += std::abs(is - wanted), ++pixels;
+      }
+    }
+  }
+  EXPECT_LT(off / pixels, 0.7 / 255);
+}
+
+TEST(Exposure, WhatStandsStillIsOnePicture) {
+  const std::string still =
+      "create ball sphere radius=1 color=gold\ncreate lamp light position=(3 4 5)\n"
+      "create eye camera position=(0 1 8) look-at=(0 0 0)\nset eye.shutter 360deg\n"
+      "ball.position\n  1f (0 0 0) linear\n  5f (0 0 0) linear\n  9f (3 0 0)\n";
+  Taken film(still);
+  EXPECT_EQ(film.at("2f").rgba, film.sharp("2f").rgba);
+  EXPECT_EQ(film.at("12f").rgba, film.sharp("12f").rgba);
+  EXPECT_NE(film.at("6f").rgba, film.sharp("6f").rgba);
+  EXPECT_EQ(film.at("6f", 64, 0.0).rgba, film.sharp("6f").rgba);  // an instant
+  EXPECT_EQ(film.at("6f", 1).rgba, film.sharp("6f").rgba);
+}
+
+TEST(Exposure, HasTheSameBitsWhateverWasTakenBefore) {
+  const std::string script = drawing(
+      "create a circle radius=0.6 color=gold\ncreate b rectangle size=(1 1) color=red\n"
+      "a.position\n  1f (-4 0 0) linear\n  9f (4 2 0)\nb.rotation\n  1f euler(0 0 0) linear\n"
+      "  9f euler(0 0 500deg)\n");
+  Taken one(script), other(script);
+  const DeepPicture third = one.at("3f"), fourth = one.at("4.3f");
+  EXPECT_EQ(other.at("4.3f").rgba, fourth.rgba);
+  other.sharp("8f");
+  EXPECT_EQ(other.at("3f").rgba, third.rgba);
+}
+
+// As they would be added up by hand.
+TEST(Exposure, IsTheSumOfSharpPictures) {
+  Taken film(
+      "create bar box size=(3 0.3 0.3) color=tomato\ncreate lamp light position=(3 4 5) range=40 shadow=off\n"
+      "create eye camera position=(0 1 8) look-at=(0 0 0)\nset eye.shutter 1f\nbackground navy\n"
+      "bar.rotation\n  1f euler(0 0 0) linear\n  5f euler(0 0 400deg)\n",
+      96, 54, 16);
+  const DeepPicture taken = film.at("2f");
+  std::vector<double> sum(taken.rgba.size());
+  constexpr int many = 256;
+  for (int k = 0; k < many; ++k) {
+    const DeepPicture one = film.sharp(fmt::format("{}f", 2 + (k + 0.5) / many));
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(one.rgba[i]) / many;
+  }
+  double most = 0, mean = 0;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    const double off = std::abs(sum[i] - static_cast<double>(taken.rgba[i]));
+    most = std::max(most, off), mean += off / static_cast<double>(sum.size());
+  }
+  EXPECT_LT(most, 0.03);
+  EXPECT_LT(mean, 0.001);
+}
+
+// Between frames, a third of the way through the shutter's time: what jumps then is seen as it was, once, and what
+// moves beside it is blurred all the same.
+TEST(Exposure, NothingBlursAcrossWhatJumps) {
+  const std::string moving =
+      "create m circle radius=0.5 color=white position=(0 2 0)\nm.position\n  1f (-4 2 0) linear\n"
+      "  9f (4 2 0)\n";
+  const std::string jumps[] = {
+      "create j rectangle size=(2 2) color=white\nj.position\n  1f (-3 -1 0) hold\n  3.15f (3 -1 0)\n",
+      "create j rectangle size=(2 2) color=white\nj.display\n  1f on\n  3.15f off\n",
+      "create j rectangle size=(2 2) color=white position=(0 -1 0)\nj.color\n  1f white hold\n  3.15f red\n",
+      "create j text text=\"I\" size=2 position=(0 -1 0)\nj.text\n  1f \"I\"\n  3.15f \"II\"\n",
+      "create j rectangle size=(2 2) position=(0 -1 0)\nj.geometry\n  1f none\n  3.15f shape(m)\n",
+      "create h group position=(3 -1 0)\ncreate j rectangle size=(2 2) color=white\nat 3.15f hang j on h\n",
+      "create j rectangle size=(2 2) color=white\nj.position\n  1f (-3 -1 0) hold\n  2.05f (3 -1 0) hold\n"
+      "  3.1f (-3 -1 0)\nextend j.position cycle\n",
+      "create j rectangle size=(2 2) color=white\nlayer up add\non up j.position\n  1f (-3 -1 0) hold\n  3.15f (3 -1 "
+      "0)\n"};
+  for (const std::string& jump : jumps) {
+    SCOPED_TRACE(jump);
+    Taken film(drawing(moving + jump));
+    const DeepPicture taken = film.at("3f"), sharp = film.sharp("3f"), later = film.sharp("3.4f");
+    bool differs = false;
+    for (int y = 20; y < 54; ++y)  // below what moves
+      for (int x = 0; x < 96; ++x) {
+        EXPECT_NEAR(light(taken, x, y), light(sharp, x, y), 1e-6) << x << " " << y;
+        differs = differs || std::abs(light(sharp, x, y) - light(later, x, y)) > 0.5;
+      }
+    EXPECT_TRUE(differs);
+    double blurred = 0;
+    for (int x = 0; x < 96; ++x) blurred = std::max(blurred, std::abs(light(taken, x, 7) - light(sharp, x, 7)));
+    EXPECT_GT(blurred, 0.3);
+  }
+}
+
+TEST(Exposure, NothingBlursAcrossCamerasAndLights) {
+  const std::string film =
+      "rate 24\ncreate ball sphere radius=1 color=gold\ncreate lamp light position=(3 4 5)\n"
+      "create eye camera position=(0 1 8) look-at=(0 0 0)\ncreate side camera position=(8 1 0) look-at=(0 1 0)\n"
+      "set {eye,side}.shutter 180deg\n";
+  for (const char* jump : {"at 3.15f look through side\n", "lamp.intensity\n  1f 1 hold\n  3.15f 5\n",
+                           "eye.lens\n  1f 35mm hold\n  3.15f 90mm\n"}) {
+    SCOPED_TRACE(jump);
+    Taken taken(film + jump);
+    const DeepPicture was = taken.sharp("3f"), now = taken.at("3f");
+    double most = 0;
+    for (std::size_t i = 0; i < was.rgba.size(); ++i)
+      most = std::max(most, static_cast<double>(std::abs(was.rgba[i] - now.rgba[i])));
+    EXPECT_LT(most, 1e-6);
+    EXPECT_NE(taken.sharp("3.4f").rgba, was.rgba);
+  }
+}
+
+// A small lamp that glows becomes a disc of A·|d − f|/d as seen at the distance f: its light is spread evenly, so that
+// the mean square of how far it is from the middle is half that of the radius.
+TEST(Exposure, WhatIsOutOfFocusIsADisc) {
+  for (const double depth : {4.0, 8.0, 24.0}) {
+    Taken film(
+        fmt::format("create spot sphere radius={} color=white material=glow position=(0.3 0.2 {})\nbackground black\n"
+                    "create eye camera position=(0 0 0) look-at=(0 0 -1)\nset eye.f-stop 0.05\nset eye.focus 8\n",
+                    0.01 * depth, -depth),
+        240, 135, 16);
+    const double aperture = 0.035 / 0.05, scale = 120 / (18.0 / 35);  // metres; pixels a unit of tangent
+    const double radius = 0.5 * aperture * std::abs(1 / depth - 1.0 / 8) * scale, own = 0.01 * scale;
+    const DeepPicture taken = film.at("1f", 256);
+    const DeepPicture sharp = film.sharp("1f");
+    double sum = 0, square = 0, all = 0;
+    const double middle_x = 120 + scale * 0.3 / depth, middle_y = 67.5 - scale * 0.2 / depth;
+    for (int y = 0; y < 135; ++y)
+      for (int x = 0; x < 240; ++x) {
+        const double l = light(taken, x, y), dx = x + 0.5 - middle_x, dy = y + 0.5 - middle_y;
+        sum += l, square += l * (dx * dx + dy * dy), all += light(sharp, x, y);
+      }
+    EXPECT_NEAR(sum, all, 0.03 * all) << depth;  // none is lost
+    EXPECT_NEAR(std::sqrt(square / sum), std::sqrt((radius * radius + own * own) / 2), 0.1 + 0.02 * radius) << depth;
+  }
+}
+
+TEST(Exposure, FocusIsOnThingsDistancesAndWhatIsLookedAt) {
+  const std::string film =
+      "create a sphere position=(0 0 -4)\ncreate b sphere position=(1 0 -20)\n"
+      "create eye camera position=(0 0 6) look-at=a\nset eye.f-stop 1\n";
+  const auto focus = [&](const std::string& more, const char* time = "1f") {
+    return LoadedFilm(film + more).frame(time).camera.focus;
+  };
+  EXPECT_NEAR(focus(""), 10, 1e-12);
+  EXPECT_NEAR(focus("set eye.focus b\n"), 26, 1e-12);  // along the axis, not the way there
+  EXPECT_NEAR(focus("set eye.focus 3.5\n"), 3.5, 1e-12);
+  EXPECT_NEAR(focus("set eye.focus 250cm\n"), 2.5, 1e-12);
+  const std::string pulled = "eye.focus\n  1f a linear\n  25f b\n", by_numbers = "eye.focus\n  1f 2 linear\n  25f 4\n";
+  EXPECT_NEAR(focus(pulled, "13f"), 18, 1e-9);
+  EXPECT_NEAR(focus(by_numbers, "7f"), 2.5, 1e-9);
+  EXPECT_NEAR(focus("eye.focus\n  1f b linear\n  25f 2\n", "13f"), 14, 1e-9);  // of both sorts
+  EXPECT_EQ(LoadedFilm(film + "set eye.f-stop 1e6\n").frame("1f").camera.aperture, 0);
+  EXPECT_NEAR(LoadedFilm(film).frame("1f").camera.aperture, 0.035, 1e-12);
+  EXPECT_EQ(LoadedFilm(film + "set eye.height 5\n").frame("1f").camera.aperture, 0);  // parallel rays have none
+}
+
+TEST(Exposure, TheShutterIsReadAndWritten) {
+  const auto open = [](const std::string& said) {
+    return LoadedFilm("rate 30\ncreate eye camera\nset eye.shutter " + said + "\n").frame("1f").camera.shutter;
+  };
+  EXPECT_NEAR(open("180deg"), 1.0 / 60, 1e-12);
+  EXPECT_NEAR(open("0.25turn"), 1.0 / 120, 1e-12);
+  EXPECT_NEAR(open("720deg"), 2.0 / 30, 1e-12);
+  EXPECT_NEAR(open("0.5f"), 1.0 / 60, 1e-9);
+  EXPECT_NEAR(open("10ms"), 0.01, 1e-12);
+  EXPECT_EQ(open("off"), 0);
+  const LoadedFilm film("create eye camera\nset eye.shutter 180deg\nsubframes 48\n");
+  EXPECT_EQ(film.loaded.document.subframes(), 48);
+}
+
+}  // namespace
+}  // namespace betwixt
