@@ -92,15 +92,15 @@ std::vector<Time> Program::breaks(Time after, Time until) const {
         std::upper_bound(times.begin(), times.end(), after, [&](Time t, const auto& one) { return t < time_of(one); });
     for (; at != times.end() && time_of(*at) <= until; ++at) may(time_of(*at));
   };
-  for (const Schedule::Source& s : compiled.schedule.sources) {
-    if (s.what != Schedule::Source::curve) continue;
-    const CurveEvents& events =
-        compiled.schedule.events[static_cast<std::size_t>(&s - compiled.schedule.sources.data())];
-    const std::span times(events.times, events.count);
+  for (const CurveUse& use : compiled.curves) {  // those of layers too, which are no sources
+    const Curve& curve = use.curve;
+    const std::span times(curve.columns->times.data() + curve.first, curve.count);
     each_of(times, [](std::int64_t t) { return Time{t}; });
-    const Curve& curve = compiled.curves[s.index].curve;
     if (curve.before >= Extrapolation::cycle || curve.after >= Extrapolation::cycle) again(times, after, until, may);
   }
+  std::vector<Activity> activities;
+  for (const auto& steps : compiled.steps) steps->activities(activities);
+  for (const Activity& a : activities) may({a.from}), may({a.until});
   for (const auto* edges : {&compiled.schedule.begins, &compiled.schedule.ends})
     each_of(*edges, [](const Schedule::Edge& e) { return Time{e.time}; });
   for (const auto* cameras : {&*scene.cuts, &*scene.views})

@@ -22,7 +22,7 @@ struct Columns {
   const Camera& camera;
   std::optional<Vec3> background;
   Surroundings surroundings;
-  int part = 0;  // which one it is of the pictures that are added up
+  int part = 0, parts = 1;  // which one it is of how many that are added up
 };
 
 Columns columns_of(const Evaluation&);

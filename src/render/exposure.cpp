@@ -295,7 +295,7 @@ Status expose(Evaluation& e, Time t, const Exposure& how, int width, int height,
     const Columns all = columns_of(e);
     const Mixed mixed(all, held, part_of(held.camera.value_or(e.camera()), k, n, width, height));
     Columns columns = mixed.columns();
-    columns.part = k;
+    columns.part = k, columns.parts = n;
     if (Status s = draw(columns, out); !s) return s;
     add(out, sum);
   }

@@ -9,11 +9,8 @@
 #include "render/exposure.h"
 #include "render/gl.h"
 #include "render/module.h"
-<<<<<<< HEAD
 #include "render/traced.h"
-=======
 #include "scene/document.h"
->>>>>>> 79fe5ad (Pictures take time and have a lens: shutter, subframes, f-stop and focus)
 
 namespace betwixt {
 namespace {
@@ -80,7 +77,8 @@ Result<std::unique_ptr<Renderer>> surfaceless(const RenderOptions& options) {
     return make_module(options);
   }();
   if (!module) return module.error();
-  return std::unique_ptr<Renderer>(std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module)));
+  return std::unique_ptr<Renderer>(
+      std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module), options));
 }
 
 constexpr std::string_view squares = "1, 4, 9 or 16", any = "1 to 4096";
@@ -153,22 +151,10 @@ Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
   const auto* entry =
       std::find_if(std::begin(table), std::end(table), [&](const Entry& e) { return e.style.name == options.style; });
   if (entry == std::end(table)) return no_such_style(options.style);
-<<<<<<< HEAD
   if (!entry->style.takes(options.samples))
     return fail(ErrorCode::range, fmt::format("{} samples a pixel cannot be drawn", options.samples),
                 std::string(entry->style.samples));
   return entry->make(options);
-=======
-  auto context = gl::Context::create();
-  if (!context) return context.error();
-  auto module = [&] {
-    const gl::Current current(*context);
-    return entry->make(options);
-  }();
-  if (!module) return module.error();
-  return std::unique_ptr<Renderer>(
-      std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module), options));
->>>>>>> 79fe5ad (Pictures take time and have a lens: shutter, subframes, f-stop and focus)
 }
 
 }  // namespace betwixt

@@ -183,15 +183,19 @@ class Traced final : public Renderer {
 
   // The highlights of each cell of a pixel roll off by themselves: so edges are smooth where they are bright, and what
   // single samples are off by hardly counts.
-  void draw_pixel(const Paths& paths, std::size_t k, int part) {
-    const auto seed = static_cast<std::uint32_t>(k) + 0x9e3779b9U * static_cast<std::uint32_t>(part);
+  void draw_pixel(const Paths& paths, std::size_t k, const Columns& columns) {
+    // Pictures that are added up share the samples of one; of fewer than these highlights would roll off too soon.
+    constexpr std::uint32_t fewest = 4;
+    const auto share = samples_ / static_cast<std::uint32_t>(columns.parts);
+    const std::uint32_t samples = std::max(share, std::min(samples_, fewest));
+    const auto seed = static_cast<std::uint32_t>(k) + 0x9e3779b9U * static_cast<std::uint32_t>(columns.part);
     const double x = static_cast<double>(k % static_cast<std::size_t>(width_));
     const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
-    const int side = samples_ >= 64 ? 4 : samples_ >= 4 ? 2 : 1;
+    const int side = samples >= 64 ? 4 : samples >= 4 ? 2 : 1;
     std::array<Sight, 16> cells;
     double clear = 0;
-    for (std::uint32_t s = 0; s < samples_; ++s) {
-      Scattered dice(seed, s, samples_);
+    for (std::uint32_t s = 0; s < samples; ++s) {
+      Scattered dice(seed, s, samples);
       const auto [right, down] = dice.two();
       const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
       const Sight seen = paths.seen((x + right) / width_, (y + down) / height_, dice);
@@ -204,8 +208,8 @@ class Traced final : public Renderer {
       if (c.share > 0) sum = sum + (open_ ? c.lit : c.share * traced::rolled(1 / c.share * c.lit));
     }
     float* const out = &light_.rgba[4 * k];
-    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(sum[i] / samples_);
-    out[3] = deep_ ? static_cast<float>(1 - clear / samples_) : 1;
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(sum[i] / samples);
+    out[3] = deep_ ? static_cast<float>(1 - clear / samples) : 1;
   }
 
   const int width_, height_;

@@ -42,7 +42,7 @@ mkdir folder
 touch ball.bx ball.txt
 completes 'betwixt re' render
 completes 'betwixt --v' --version
-completes 'betwixt render --s' --size --style --samples --stats
+completes 'betwixt render --s' --size --style --samples --shutter --subframes --stats
 completes 'betwixt play --o' --overwrite
 completes 'betwixt tidy --l' --load
 completes 'betwixt frame ball.bx --style w' wireframe

@@ -123,7 +123,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::mesh, {"file"}},
       {Kind::sound, {"file", "at", "from", "until", "gain", "fade-in", "fade-out"}},
       {Kind::light, {"range", "intensity", "shines", "shadow"}},
-      {Kind::camera, {"lens", "fov", "height", "roll"}},
+      {Kind::camera, {"lens", "fov", "height", "roll", "shutter", "f-stop", "focus"}},
       {Kind::curve, {"points", "width", "smooth", "closed", "dash", "trim"}},
       {Kind::trace, {"of", "within", "point", "from", "until", "last", "width", "dash", "trim"}}},
       flat{{Kind::disc, {"radius"}},
