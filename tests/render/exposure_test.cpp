@@ -14,10 +14,12 @@ namespace betwixt {
 namespace {
 
 struct Taken {
-  explicit Taken(std::string_view script, int width = 96, int height = 54, int samples = 4)
+  explicit Taken(std::string_view script, int width = 96, int height = 54, int samples = 4,
+                 const std::string& style = "shaded")
       : film(script), evaluation(film.program), width(width) {
     RenderOptions options;
     options.width = width, options.height = height, options.samples = samples, options.deep = true;
+    options.style = style;
     renderer = *make_renderer(options);
   }
   DeepPicture at(std::string_view time, int subframes = 64, std::optional<double> shutter = {}) {
@@ -215,6 +217,24 @@ TEST(Exposure, WhatIsOutOfFocusIsADisc) {
     EXPECT_NEAR(sum, all, 0.03 * all) << depth;  // none is lost
     EXPECT_NEAR(std::sqrt(square / sum), std::sqrt((radius * radius + own * own) / 2), 0.1 + 0.02 * radius) << depth;
   }
+}
+
+// Where light is followed, the pictures that are added up share the samples of one, and no two have the same.
+TEST(Exposure, TracedPicturesAreBlurredAlike) {
+  const std::string script =
+      drawing("create a circle radius=0.6 color=gold\na.position\n  1f (-4 0 0) linear\n  5f (4 2 0)\n");
+  Taken shaded(script), traced(script, 96, 54, 64, "traced"), again(script, 96, 54, 64, "traced");
+  const DeepPicture one = shaded.at("2f", 16), other = traced.at("2f", 16);
+  double mean = 0, most = 0;
+  for (std::size_t i = 0; i < one.rgba.size(); ++i) {
+    const auto off = static_cast<double>(std::abs(one.rgba[i] - other.rgba[i]));
+    mean += off / static_cast<double>(one.rgba.size()), most = std::max(most, off);
+  }
+  EXPECT_LT(mean, 0.003);
+  EXPECT_LT(most, 0.15);
+  again.at("3f", 16);
+  EXPECT_EQ(again.at("2f", 16).rgba, other.rgba);
+  EXPECT_EQ(traced.at("12f", 16).rgba, traced.sharp("12f").rgba);
 }
 
 TEST(Exposure, FocusIsOnThingsDistancesAndWhatIsLookedAt) {
