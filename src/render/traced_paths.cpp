@@ -20,7 +20,8 @@ Vec3 about(Vec3 axis, Vec3 v) {
   return v.x * x + v.y * cross(axis, x) + v.z * axis;
 }
 Vec3 round(double radius, double turn, double z) {
-  return {radius * std::cos(2 * pi * turn), radius * std::sin(2 * pi * turn), z};
+  const auto [sine, cosine] = sine_cosine(2 * pi * turn);
+  return {radius * cosine, radius * sine, z};
 }
 // What would go into the thing goes off it.
 Vec3 off(Vec3 face, Vec3 along) {
