@@ -61,8 +61,8 @@ class Drawn {
       now[i].look.shape = now[i].look.toward = now[i].look.texture = 0;
     }
     const bool scenery = scenery_.take(c), things = now != things_;
-    const bool camera = !camera_ || !(*camera_ == c.camera) || part_ != c.part;
-    things_ = std::move(now), camera_ = c.camera, part_ = c.part;
+    const bool camera = !camera_ || !(*camera_ == c.camera) || part_ != std::pair(c.part, c.parts);
+    things_ = std::move(now), camera_ = c.camera, part_ = {c.part, c.parts};
     return scenery || camera || things;
   }
   const Scenery& scenery() const { return scenery_; }
@@ -77,7 +77,7 @@ class Drawn {
   };
   std::vector<Thing> things_;
   std::optional<Camera> camera_;
-  int part_ = 0;
+  std::pair<int, int> part_;
   Scenery scenery_;
 };
 
@@ -186,16 +186,15 @@ class Traced final : public Renderer {
   void draw_pixel(const Paths& paths, std::size_t k, const Columns& columns) {
     // Pictures that are added up share the samples of one; of fewer than these highlights would roll off too soon.
     constexpr std::uint32_t fewest = 4;
-    const auto share = samples_ / static_cast<std::uint32_t>(columns.parts);
-    const std::uint32_t samples = std::max(share, std::min(samples_, fewest));
-    const auto seed = static_cast<std::uint32_t>(k) + 0x9e3779b9U * static_cast<std::uint32_t>(columns.part);
+    const auto parts = static_cast<std::uint32_t>(columns.parts), part = static_cast<std::uint32_t>(columns.part);
+    const std::uint32_t samples = std::max(samples_ / parts, std::min(samples_, fewest));
     const double x = static_cast<double>(k % static_cast<std::size_t>(width_));
     const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
     const int side = samples >= 64 ? 4 : samples >= 4 ? 2 : 1;
     std::array<Sight, 16> cells;
     double clear = 0;
     for (std::uint32_t s = 0; s < samples; ++s) {
-      Scattered dice(seed, s, samples);
+      Scattered dice(static_cast<std::uint32_t>(k), part * samples + s, parts * samples);
       const auto [right, down] = dice.two();
       const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
       const Sight seen = paths.seen((x + right) / width_, (y + down) / height_, dice);

@@ -237,6 +237,25 @@ TEST(Exposure, TracedPicturesAreBlurredAlike) {
   EXPECT_EQ(traced.at("12f", 16).rgba, traced.sharp("12f").rgba);
 }
 
+// What both can say of things that move, turn and are out of focus: 35 dB.
+TEST(Exposure, TracedBlurIsThatOf64SubframesOfShaded) {
+  const std::string script =
+      "rate 24\nrange 1f 24f\nambient #303030\ncreate sun light shines=sun position=(2 4 6) shadow=off\n"
+      "create a sphere radius=0.8 color=tomato material=matte\ncreate b box color=#60a0e0 material=matte\n"
+      "create c torus position=(2 -1 -6) color=gold material=matte\na.position\n  1f (-3 0 0) linear\n  9f (3 1 0)\n"
+      "b.rotation.y\n  1f 0deg linear\n  9f 180deg\nset b.position (-1 -1.6 -2)\n"
+      "create eye camera position=(0 0 9) look-at=(0 0 0)\nset eye.shutter 180deg\n";
+  for (const std::string lens : {"set eye.f-stop 0.1\n", "set eye.f-stop 1e6\n"}) {
+    Taken shaded(script + lens, 96, 54, 4), traced(script + lens, 96, 54, 256, "traced");
+    Picture one, other;
+    to_shown(shaded.at("4f"), one), to_shown(traced.at("4f"), other);
+    double squares = 0;
+    for (std::size_t i = 0; i < one.rgba.size(); ++i) squares += std::pow(one.rgba[i] - other.rgba[i], 2);
+    const double mean = squares / (0.75 * static_cast<double>(one.rgba.size()));  // of three channels
+    EXPECT_GT(10 * std::log10(255 * 255 / mean), 35) << lens;
+  }
+}
+
 TEST(Exposure, FocusIsOnThingsDistancesAndWhatIsLookedAt) {
   const std::string film =
       "create a sphere position=(0 0 -4)\ncreate b sphere position=(1 0 -20)\n"
