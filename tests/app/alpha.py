@@ -103,6 +103,15 @@ def clear(path):
     return len(opacities)
 
 
+def one_color(path, *wanted):
+    """However much of it is seen, what is there has this colour."""
+    p = pixels(path)
+    seen = [p[i:i + 4] for i in range(0, len(p), 4) if p[i + 3] > 20]
+    assert len({q[3] for q in seen}) > 20, "much of it is half clear"
+    for q in seen:
+        assert all(abs(q[c] - int(wanted[c])) <= 2 for c in range(3)), tuple(q)
+
+
 def on_or_off(reference, path):
     a, b = pixels(reference), pixels(path)
     for i in range(3, len(a), 4):
@@ -141,7 +150,7 @@ def bright(path):
 
 commands = {
     "compare": lambda a, b, *limits: compare(a, b, *map(float, limits)),
-    "clear": clear, "on-or-off": on_or_off, "sixteen": sixteen, "light": light, "bright": bright,
+    "clear": clear, "one-colour": one_color, "on-or-off": on_or_off, "sixteen": sixteen, "light": light, "bright": bright,
 }
 try:
     print(commands[sys.argv[1]](*sys.argv[2:]) or "well")

@@ -69,6 +69,12 @@ check 'frame 16' 0 '' frame clear.bx --at 2f -o f16.png --bits 16
 check 'frame exr' 0 '' frame clear.bx --at 2f -o f.EXR
 verdict 'frames are those of films' "$(cmp f.png c-2.png && cmp f16.png d-2.png && cmp f.EXR c-2.exr && echo yes)" 'they differ'
 
+# What is blurred goes over into nothing, not into black.
+sed -n '/^rate/,/^background/p' clear.bx >blurred.bx
+printf 'create ball sphere color=#ff8000 material=glow\ncreate eye camera position=(0 0 14) shutter=180deg\nball.position\n  1f (-3 0 0)\n  4f (3 0 0) linear\n' >>blurred.bx
+check 'blurred' 0 '' frame blurred.bx --at 2f -o blurred.png
+reads 'blurred' one-colour blurred.png 255 128 0
+
 # Light above white is kept, and what is shown of it ends at white.
 printf 'range 1f 1f\nsize 64x48\ncreate w rectangle size=(9 9) color=white material=matte\ncreate l light position=(0 0 4) range=8 intensity=5\ncreate e camera position=(0 0 9) height=6\nambient off\n' >bright.bx
 check 'bright' 0 '' frame bright.bx --at 1f -o bright.exr
