@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/hearing.h"
 #include "app/live_input.h"
 #include "app/playhead.h"
 #include "app/subcommand.h"
@@ -27,7 +28,7 @@ namespace {
 struct PlayCall {
   std::string file, frames, listen, record;
   PictureCall picture{{960, 540, 1}};  // a character blends its pixels anyway
-  bool terminal = false, loop = false, overwrite = false;
+  bool terminal = false, loop = false, mute = false, overwrite = false;
   std::string said = "--frames";  // how whoever calls says the frames
 };
 
@@ -44,17 +45,20 @@ class Player {
         terminal_(terminal),
         live_(live),
         take_(take),
-        head_(frames, call.loop) {}
+        head_(frames, call.loop),
+        hearing_(Hearing::open(program_, frames, call.loop)) {}
 
   Status run() {
     // Time begins with the first picture, however long that takes.
     if (Status s = show(0); !s) return s;
+    if (hearing_) hearing_->await_beginning();
     head_.jump(0);
     bool closed = false;
     while (!stop_requested() && !closed && !quit_) {
       const int k = head_.now();
-      if (head_.playing() && k == head_.last() && !call_.loop) head_.pause();
+      if (head_.ended()) head_.pause();
       obey(k);
+      if (hearing_) hearing_->follow(program_, head_.place(), call_.mute);
       if (Status s = show(k); !s) return s;
       if (!terminal_.has_keys() && !head_.playing()) break;  // nobody could go on from here
       const double pause = head_.playing() ? std::min(head_.until_next(), 0.25) : live_ ? 0.02 : 0.1;
@@ -126,6 +130,9 @@ class Player {
       case Key::larger:
       case Key::smaller:
         return alter(key);
+      case Key::mute:
+        call_.mute = !call_.mute;
+        return;
       case Key::quit:
         quit_ = true;
     }
@@ -224,6 +231,10 @@ class Player {
     std::string left = fmt::format(" {} {}/{}  {:.2f} s", head_.playing() ? ">" : "=", frames_.number + k,
                                    frames_.number + head_.last(), t.seconds());
     if (dropped_ > 0) left += fmt::format("  {} dropped", dropped_);
+    if (hearing_ && !hearing_->has_device())
+      left += "  no sound device";
+    else if (hearing_ && call_.mute)
+      left += "  muted";
     if (live_) left += "  " + (said_.empty() ? "listening" : legible(said_));
     if (live_ && live_->ignored() > 0) left += fmt::format("  {} ignored", live_->ignored());
     if (!altered_.empty()) left += "  " + altered_;
@@ -259,6 +270,7 @@ class Player {
   int taken_ = 0;        // the frame that controls spoke at last
   bool sought_ = false;  // a key went elsewhere since
   Playhead head_;
+  const std::unique_ptr<Hearing> hearing_;  // null: the film has no sounds
   bool quit_ = false;
   TerminalSize size_;
   std::unique_ptr<Renderer> renderer_;
@@ -364,15 +376,16 @@ const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
       .rank = 30,
       .name = "play",
       .sentence = "plays in the terminal, in real time",
-      .takes = joined({{script_parameter(call.file),
-                        flag("--terminal", "in the terminal; in this version that is always so", call.terminal),
-                        frames_parameter(call.frames)},
-                       picture_parameters(call.picture),
-                       {flag("--loop", "again and again", call.loop)},
-                       live_parameters(call)}),
+      .takes =
+          joined({{script_parameter(call.file),
+                   flag("--terminal", "in the terminal; in this version that is always so", call.terminal),
+                   frames_parameter(call.frames)},
+                  picture_parameters(call.picture),
+                  {flag("--loop", "again and again", call.loop), flag("--mute", "its sounds are not heard", call.mute)},
+                  live_parameters(call)}),
       .note =
           "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, s and a "
-          "change style and samples (anti-aliasing), + and - the size, q quits.",
+          "change style and samples (anti-aliasing), + and - the size, m mutes, q quits.",
       .example = "betwixt play examples/bounce.bx --terminal --loop",
       .manual = "Frames are dropped rather than slowed down."};
 });

@@ -20,6 +20,17 @@ class Playhead {
 
   Playhead(const FrameList& frames, bool loop) : frames_(frames), loop_(loop) {}
   bool playing() const { return playing_; }
+  // At that frame since that moment; while it plays, on from there.
+  struct Place {
+    bool playing;
+    int frame;
+    Clock::time_point since;
+  };
+  Place place() const { return {playing_, at_, started_}; }
+  // A film that is not played again: whether its last frame has been there for its time.
+  bool ended() const {
+    return playing_ && !loop_ && at_ + since(started_) * frames_.rate.per_second() >= frames_.count;
+  }
   int last() const { return frames_.count - 1; }
   int now() const {
     if (!playing_) return at_;

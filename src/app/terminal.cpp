@@ -139,6 +139,7 @@ constexpr std::array sequences{Sequence{"\x1b[1;2D", Key::shift_left},
                                Sequence{"a", Key::samples},
                                Sequence{"+", Key::larger},
                                Sequence{"-", Key::smaller},
+                               Sequence{"m", Key::mute},
                                Sequence{"q", Key::quit},
                                Sequence{"Q", Key::quit},
                                Sequence{"\x03", Key::quit}};

@@ -28,6 +28,7 @@ enum class Key {
   samples,
   larger,
   smaller,
+  mute,
   quit
 };
 

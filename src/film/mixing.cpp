@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The sounds of a film, put together.
+#include "film/mixing.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "betwixt/film.h"
 #include "exchange/sounds.h"
-#include "program/hearing.h"
 #include "scene/document.h"
 
 namespace betwixt {
 namespace {
 
-constexpr std::size_t block = 64;  // samples over which gain is straight: 1.3 ms
+constexpr std::int64_t block = 64;  // samples over which gain is straight: 1.3 ms
+constexpr std::int64_t flicks_of_sample = flicks_per_second / sound_rate;
 
 std::vector<ObjectId> sounds_of(const Scene& scene) {
   std::vector<ObjectId> all;
@@ -23,50 +24,70 @@ std::vector<ObjectId> sounds_of(const Scene& scene) {
   return all;
 }
 
-Status add(const Program& program, ObjectId id, const std::string& path, double length, Time from,
-           std::span<float> stereo) {
-  const auto number = [&](FunctionId f) { return std::get<double>(program.read(Target(id, f), Time{})); };
-  const HeardPart part = heard_part(length, number);
-  // The sample of the sound that is heard with the film's first one.
-  const auto offset = std::llround(part.own_time(from.seconds()) * sound_rate);
-  const auto pairs = static_cast<std::int64_t>(stereo.size() / 2);
-  const auto gain = [&](std::int64_t at) {
-    const Time then = from + Time{at * (flicks_per_second / sound_rate)};
-    return std::get<double>(program.read(Target(id, fn::gain), then));
-  };
-  std::int64_t next = -offset;  // where in the film what comes next from the file is heard
-  std::int64_t first = 0, last = -1;
-  double begins = 0, ends = 0;
-  return decode_sound(path, [&](std::span<const float> samples) {
-    for (std::size_t i = 0; i + 1 < samples.size(); i += 2, ++next) {
-      if (next >= pairs) return false;
-      if (next < 0) continue;
-      if (next > last) {
-        first = next, last = next + static_cast<std::int64_t>(block);
-        begins = gain(first), ends = gain(last);
-      }
-      const double share = part.share(static_cast<double>(next + offset) / sound_rate) *
-                           std::lerp(begins, ends, static_cast<double>(next - first) / block);
-      const auto at = 2 * static_cast<std::size_t>(next);
-      stereo[at] += static_cast<float>(share * samples[i]);
-      stereo[at + 1] += static_cast<float>(share * samples[i + 1]);
-    }
-    return true;
+Status decode(const Program& program, const HeardSound& h, Time from, std::span<float> stereo) {
+  std::int64_t next = 0;  // sample of the file
+  return decode_sound(h.sound->path, [&](std::span<const float> samples) {
+    const std::int64_t begins = next, left_out = std::max<std::int64_t>(h.first - begins, 0);
+    next += static_cast<std::int64_t>(samples.size() / 2);
+    const std::int64_t count = std::min(next, h.last) - begins - left_out;
+    if (count > 0)
+      add_sound(program, h, begins + left_out,
+                samples.subspan(2 * static_cast<std::size_t>(left_out), 2 * static_cast<std::size_t>(count)), from,
+                stereo);
+    return next < h.last;
   });
 }
 
 }  // namespace
 
-bool has_sounds(const Document& document) { return !sounds_of(document.scene()).empty(); }
-
-Status mix_sounds(const Program& program, Time from, std::span<float> stereo) {
+std::vector<HeardSound> sounds_heard(const Program& program, Time from, std::int64_t pairs) {
+  // Whole samples first, so that all places of a film that lie whole samples apart agree.
+  const std::int64_t whole = from.flicks / flicks_of_sample;
+  const double rest = Time{from.flicks % flicks_of_sample}.seconds();
+  std::vector<HeardSound> all;
   const Scene& scene = program.document().scene();
   for (const ObjectId id : sounds_of(scene)) {
     const std::string& name = *std::get<Text>(program.read(Target(id, fn::sound_file), Time{}));
     const auto known = scene.sounds->find(name);
     if (known == scene.sounds->end()) continue;
-    if (Status s = add(program, id, known->second->path, known->second->seconds, from, stereo); !s) return s;
+    const auto number = [&](FunctionId f) { return std::get<double>(program.read(Target(id, f), Time{})); };
+    HeardSound h{id, known->second, heard_part(known->second->seconds, number)};
+    h.offset = whole + std::llround(h.part.own_time(rest) * sound_rate);
+    const double most = h.part.length * sound_rate + 1;
+    h.first = std::max(h.offset, static_cast<std::int64_t>(std::clamp(h.part.from * sound_rate, 0.0, most)));
+    h.last =
+        std::min(h.offset + pairs, static_cast<std::int64_t>(std::clamp(h.part.end() * sound_rate + 1, 0.0, most)));
+    if (h.first < h.last) all.push_back(std::move(h));
   }
+  return all;
+}
+
+void add_sound(const Program& program, const HeardSound& h, std::int64_t own, std::span<const float> samples, Time from,
+               std::span<float> stereo) {
+  const auto gain = [&](std::int64_t of) {
+    return std::get<double>(program.read(Target(h.id, fn::gain), from + Time{(of - h.offset) * flicks_of_sample}));
+  };
+  // Blocks begin where the sound has them, so that it is the same from wherever it is mixed.
+  std::int64_t first = 0, last = 0;
+  double begins = 0, ends = 0;
+  for (std::size_t i = 0; i + 1 < samples.size(); i += 2, ++own) {
+    if (own >= last) {
+      first = own / block * block, last = first + block;
+      begins = gain(first), ends = gain(last);
+    }
+    const double share = h.part.share(static_cast<double>(own) / sound_rate) *
+                         std::lerp(begins, ends, static_cast<double>(own - first) / block);
+    const auto at = 2 * static_cast<std::size_t>(own - h.offset);
+    stereo[at] += static_cast<float>(share * samples[i]);
+    stereo[at + 1] += static_cast<float>(share * samples[i + 1]);
+  }
+}
+
+bool has_sounds(const Document& document) { return !sounds_of(document.scene()).empty(); }
+
+Status mix_sounds(const Program& program, Time from, std::span<float> stereo) {
+  for (const HeardSound& h : sounds_heard(program, from, static_cast<std::int64_t>(stereo.size() / 2)))
+    if (Status s = decode(program, h, from, stereo); !s) return s;
   return Nothing{};
 }
 

@@ -44,6 +44,7 @@ completes 'betwixt re' render
 completes 'betwixt --v' --version
 completes 'betwixt render --s' --size --style --samples --shutter --subframes --stats
 completes 'betwixt play --o' --overwrite
+completes 'betwixt play --m' --mute
 completes 'betwixt tidy --l' --load
 completes 'betwixt frame ball.bx --style w' wireframe
 completes 'betwixt algebra x --method d' differences

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which samples of which sounds are heard in a stretch of a film. Samples are pairs, left and right.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "betwixt/program.h"
+#include "betwixt/sound.h"
+#include "program/hearing.h"
+
+namespace betwixt {
+
+struct HeardSound {
+  ObjectId id;
+  std::shared_ptr<const Sound> sound;
+  HeardPart part;
+  std::int64_t offset = 0;           // the sample of the file that is due with the first one of the stretch
+  std::int64_t first = 0, last = 0;  // what is heard lies in first … last - 1, of the file
+};
+std::vector<HeardSound> sounds_heard(const Program&, Time from, std::int64_t pairs);
+// Adds samples of the file, from its sample `own` on, which are among those that are heard.
+void add_sound(const Program&, const HeardSound&, std::int64_t own, std::span<const float> samples, Time from,
+               std::span<float> stereo);
+
+}  // namespace betwixt
