@@ -164,6 +164,6 @@ int main(int count, char** arguments) {
   const Exposure eight{8, 0.5 / 24};
   blur("funnel, blurred, 8 subframes of 4 samples, beside one", example("funnel"), small, eight, 30);
   blur("menagerie, the same", example("menagerie"), small, eight, 30);
-  blur("10,000 things rest, the same", script(many(10000, 0, false)), smooth, eight, 20);
+  blur("10,000 things rest, one moves, the same", script(many(10000, 1, false)), smooth, eight, 20);
   trace(script(going_round(false)), script(going_round(true)), small, 5);
 }

@@ -262,6 +262,7 @@ int needed(Evaluation& e, Time t, double shutter, int most, int width, int heigh
   if (most <= 1) return 1;
   const auto next = shutter > 0 ? e.program().next_change(t) : std::nullopt;
   const bool still = shutter <= 0 || !next || *next > t + from_seconds(shutter);
+  if (still && !(e.camera().aperture > 0)) return 1;
   Blur blur(width, height);
   for (const double part : {0.0, 0.19, 0.43, 0.71, 1.0}) {  // what turns round is not met as it was before
     if (still && part > 0) break;
