@@ -56,14 +56,17 @@ class Renderer {
   virtual Status render(const Frame&, DeepPicture& out) = 0;
   virtual Status render(const Evaluation&, DeepPicture& out) = 0;
   // The picture that is begun at a time, blurred as its camera's shutter and opening have it: the sum of pictures, as
-  // light, at times spread over the shutter's, through points spread over the lens. What jumps meanwhile is seen as it
-  // was before. Where nothing would be blurred it is one picture. Moves the evaluation. Errors: as above.
+  // light, at times spread over the shutter's, through points spread over the lens. For what jumps meanwhile the
+  // shutter closes before it does. Where nothing would be blurred it is one picture. Moves the evaluation. Errors: as
+  // above.
   virtual Status expose(Evaluation&, Time, const Exposure&, DeepPicture& out) = 0;
 };
 
 // Whether some camera of it has a shutter or an opening that is said.
 bool has_exposure(const Document&);
 
+// Whether it can be drawn so. Errors: range, name, as below.
+Status check_options(const RenderOptions&);
 // Errors: range (options out of bounds), name (no such style), machine (no graphics to be had).
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions&);
 

@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "app/making.h"
 #include "app/subcommand.h"
+#include "base/tell_user.h"
 #include "betwixt/film.h"
 #include "betwixt/picture.h"
 #include "betwixt/program.h"
@@ -20,7 +21,7 @@ namespace {
 struct JoinCall {
   std::string pictures, out, sound;
   std::optional<std::pair<int, int>> numbers;
-  Rate rate{24, 1};
+  std::optional<Rate> rate = {};
   int jobs = 0;
   bool alpha = false, keep_old = false;
 };
@@ -46,7 +47,7 @@ Status read_rate(const std::string& text, JoinCall& to) {
   const auto ratio = two_numbers(text.find('/') == std::string::npos ? text + "/1" : text, "/");
   if (!ratio || ratio->first < 1 || ratio->second < 1 || ratio->first / ratio->second > 1000)
     return fail(ErrorCode::range, fmt::format("'{}' is no rate such as 24 or 30000/1001", text));
-  to.rate = {ratio->first, ratio->second};
+  to.rate = Rate{ratio->first, ratio->second};
   return Nothing{};
 }
 
@@ -76,6 +77,16 @@ Result<std::vector<int>> numbers(const JoinCall& call, const Output& pictures) {
     if (!there->contains(n)) missing.push_back(n);
   if (!missing.empty()) return holes(call, missing, all.size());
   return all;
+}
+
+// Whole ones that are not as large as the first.
+std::vector<int> other_sizes(const Output& pictures, const std::vector<int>& all, const FilmOptions& options) {
+  std::vector<int> others;
+  for (const int n : all)
+    if (const auto p = read_deep_picture(pictures.path(n));
+        p && (p->width != options.width || p->height != options.height))
+      others.push_back(n);
+  return others;
 }
 
 // Only where one was broken: all that are, then.
@@ -108,6 +119,8 @@ int open_sounds(const JoinCall& call, std::optional<Program>& heard) {
 int join(const JoinCall& call) {
   const Result<Output> pictures = read_output(call.pictures);
   if (!pictures) return complain(pictures.error(), wrong_call);
+  if (call.out == call.pictures)
+    return complain(fail(ErrorCode::range, "the film would be written over the pictures it is made of"), wrong_call);
   const Result<std::vector<int>> all = numbers(call, *pictures);
   if (!all) return complain(all.error(), all.error().code == ErrorCode::range ? wrong_call : wrong_input);
   std::optional<Program> heard;
@@ -118,7 +131,9 @@ int join(const JoinCall& call) {
   FilmOptions options;
   options.path = call.out;
   options.frames = static_cast<int>(all->size());
-  options.rate = call.rate;
+  options.rate = call.rate.value_or(heard ? heard->document().rate() : Rate{24, 1});
+  if (heard && !(options.rate == heard->document().rate()))
+    tell_user(fmt::format("betwixt: notice: {} has another rate: its sounds will not be in step\n", call.sound));
   if (first) options.width = first->width, options.height = first->height;
   options.alpha = call.alpha || (first && has_clear(*first));
   if (options.alpha && !takes_alpha(call.out)) say_not_clear(call.out);
@@ -145,42 +160,47 @@ int join(const JoinCall& call) {
                                      ? make_deep_showing(options, [&]() -> Result<DeepPainter> { return deep_painter; })
                                      : make_showing(options, [&]() -> Result<Painter> { return painter; });
   if (made || stop_requested()) return say_made(made, options);
+  if (const std::vector<int> others = other_sizes(*pictures, *all, options); first && !others.empty())
+    return complain(fail(ErrorCode::range, fmt::format("the first picture has {}x{} pixels, and another size: {}",
+                                                       options.width, options.height, runs(others))),
+                    wrong_input);
   const std::vector<int> broken = broken_ones(*pictures, *all, options);
   return broken.empty() ? say_made(made, options) : complain(holes(call, broken, all->size()), wrong_input);
 }
 
 const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
-  return {.rank = 15,
-          .name = "join",
-          .sentence = "makes a film of numbered pictures",
-          .takes = {{.name = "PICTURES",
-                     .sentence = "their name, as in frame-%04d.png",
-                     .into = &call.pictures,
-                     .required = true,
-                     .offer = Offer::files},
-                    output_parameter(call.out, "OUT", "the film; its ending says what is made"),
-                    {.name = "--frames",
-                     .value = "A..B",
-                     .sentence = "the numbers that there must be; if not said, from the first to the last one",
-                     .into = ReadValue([&call](const std::string& text) { return read_numbers(text, call); })},
-                    {.name = "--rate",
-                     .value = "N",
-                     .sentence = "pictures a second, as in 24 or 30000/1001; 24 if not said",
-                     .into = ReadValue([&call](const std::string& text) { return read_rate(text, call); })},
-                    {.name = "--jobs",
-                     .value = "N",
-                     .sentence = "pictures read at once; if not said, what suits this machine",
-                     .into = &call.jobs,
-                     .range = {{1, 256}}},
-                    {.name = "--sound",
-                     .value = "SCRIPT",
-                     .sentence = "its sounds are heard, from the frame of the first picture on",
-                     .into = &call.sound,
-                     .offer = Offer::scripts},
-                    flag("--alpha", "the film has an opacity, even if all of the first picture is opaque", call.alpha),
-                    flag("--no-overwrite", "leave a film alone that is there already", call.keep_old)},
-          .example = "betwixt join frame-%04d.png -o film.mp4 --rate 25",
-          .manual = "Nothing is made where a picture is missing or broken: the list of these is said."};
+  return {
+      .rank = 15,
+      .name = "join",
+      .sentence = "makes a film of numbered pictures",
+      .takes = {{.name = "PICTURES",
+                 .sentence = "their name, as in frame-%04d.png",
+                 .into = &call.pictures,
+                 .required = true,
+                 .offer = Offer::files},
+                output_parameter(call.out, "OUT", "the film; its ending says what is made"),
+                {.name = "--frames",
+                 .value = "A..B",
+                 .sentence = "the numbers that there must be; if not said, from the first to the last one",
+                 .into = ReadValue([&call](const std::string& text) { return read_numbers(text, call); })},
+                {.name = "--rate",
+                 .value = "N",
+                 .sentence = "pictures a second, as in 24 or 30000/1001; if not said the script's of --sound, or 24",
+                 .into = ReadValue([&call](const std::string& text) { return read_rate(text, call); })},
+                {.name = "--jobs",
+                 .value = "N",
+                 .sentence = "pictures read at once; if not said, what suits this machine",
+                 .into = &call.jobs,
+                 .range = {{1, 256}}},
+                {.name = "--sound",
+                 .value = "SCRIPT",
+                 .sentence = "its sounds are heard, from the frame of the first picture on",
+                 .into = &call.sound,
+                 .offer = Offer::scripts},
+                flag("--alpha", "the film has an opacity, even if all of the first picture is opaque", call.alpha),
+                flag("--no-overwrite", "leave a film alone that is there already", call.keep_old)},
+      .example = "betwixt join frame-%04d.png -o film.mp4 --rate 25",
+      .manual = "Nothing is made where a picture is missing or broken: the list of these is said."};
 });
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "app/command.h"
 #include "base/tell_user.h"
+#include "film/output.h"
 
 namespace betwixt {
 namespace {
@@ -86,7 +87,11 @@ void say_not_clear(const std::string& path) {
 
 int say_made(const Result<FilmStats>& made, const FilmOptions& options) {
   if (!made && stop_requested()) {
-    fmt::print(stderr, "betwixt: stopped; {} was not made\n", options.path);
+    fmt::print(
+        stderr, "betwixt: stopped; {}\n",
+        options.missing ? "what is made so far is there, and the same call goes on" : options.path + " was not made");
+    if (const auto place = read_output(options.path); place && !place->format && !options.missing)
+      fmt::print(stderr, "  with --missing each picture is there as soon as it is made\n");
     return interrupted;
   }
   if (!made) return complain(made.error(), wrong_call);

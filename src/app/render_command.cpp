@@ -115,7 +115,10 @@ int render(const RenderCall& call) {
     options.sounds = [&](std::span<float> stereo) { return mix_sounds(program, frames->time(0), stereo); };
   say_what_is_lost(call, *document);
 
-  if (call.plan) return print_plan(options, *frames);
+  if (call.plan) {
+    if (Status s = check_options(pictures); !s) return complain(s.error(), wrong_call);
+    return print_plan(options, *frames);
+  }
   const Result<FilmStats> made =
       pictures.deep ? make_deep_showing(options, [&] { return painter(std::type_identity<DeepPicture>{}); })
                     : make_showing(options, [&] { return painter(std::type_identity<Picture>{}); });

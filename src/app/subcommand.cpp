@@ -128,7 +128,8 @@ Parameter flag(const std::string& name, const std::string& sentence, bool& given
 RenderOptions PictureCall::of(const Document& document) const {
   RenderOptions made = otherwise;
   if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
-  const auto n = samples ? samples : document.samples();
+  // A script's samples are those of pictures that are drawn; of what is traced it takes more.
+  const auto n = samples || usual_samples(otherwise.style) > 1 ? samples : document.samples();
   made.samples = n ? *n : std::max(otherwise.samples, usual_samples(otherwise.style));
   return made;
 }
@@ -160,8 +161,8 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
 Result<std::optional<Exposure>> ExposureCall::of(const Document& document) const {
   Exposure made;
   made.subframes = subframes.value_or(document.subframes().value_or(made.subframes));
-  if (!shutter.empty()) {
-    const Result<double> read = parse_shutter(shutter, document);
+  if (shutter) {
+    const Result<double> read = parse_shutter(*shutter, document);
     if (!read) return fail(read.error().code, "--shutter: " + read.error().message, read.error().hint);
     made.shutter = *read;
   }
@@ -172,7 +173,7 @@ Result<std::optional<Exposure>> ExposureCall::of(const Document& document) const
 std::vector<Parameter> exposure_parameters(ExposureCall& to) {
   return {option("--shutter", "LENGTH",
                  "how long each picture is exposed: 180deg is half a frame, 10ms, off; the camera's if not said",
-                 &to.shutter),
+                 ReadValue([&to](const std::string& text) -> Status { return to.shutter = text, Nothing{}; })),
           {.name = "--subframes",
            .value = "N",
            .sentence = "of how many pictures at most a blurred one is added up; the script's if not said, or 16",

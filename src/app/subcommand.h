@@ -103,7 +103,7 @@ struct PictureCall {
 };
 // How pictures are taken that take time.
 struct ExposureCall {
-  std::string shutter = {};
+  std::optional<std::string> shutter = {};
   std::optional<int> subframes = {};
   // None: nothing is blurred. Errors: syntax, range.
   Result<std::optional<Exposure>> of(const Document&) const;

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 #include "base/files.h"
@@ -48,6 +50,20 @@ bool whole_picture(const std::string& path, int width, int height) {
   if (!bytes || !bytes->ends_with(end)) return false;
   const auto picture = read_picture(path);
   return picture && (*picture)->width == width && (*picture)->height == height;
+}
+
+std::string made_otherwise(const std::string& path, int width, int height, int bits) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<unsigned char, 25> head{};  // signature, length and name of the first chunk, width, height, bits
+  if (!file.read(reinterpret_cast<char*>(head.data()), head.size()) || head[0] != 0x89 || head[1] != 'P') return "";
+  const auto number = [&](std::size_t at) {
+    return head[at] << 24 | head[at + 1] << 16 | head[at + 2] << 8 | head[at + 3];
+  };
+  const int wide = number(16), tall = number(20), deep = head[24];
+  if (wide < 1 || tall < 1) return "";
+  if (wide != width || tall != height)
+    return fmt::format("{} has {}x{} pixels, not {}x{}", path, wide, tall, width, height);
+  return deep == bits ? "" : fmt::format("{} has {} bits a channel, not {}", path, deep, bits);
 }
 
 std::string runs(const std::vector<int>& ascending) {

@@ -17,6 +17,9 @@ namespace betwixt {
 Result<std::set<int>> numbers_there(const Output& pictures);
 // A PNG or OpenEXR of that size, to its last byte.
 bool whole_picture(const std::string& path, int width, int height);
+// What is said of a PNG that is there and was made otherwise: of another size, or with other bits a channel. "" where
+// it was not, or is none.
+std::string made_otherwise(const std::string& path, int width, int height, int bits);
 // "3, 7-9, 12"; of more than 20 runs the first ones.
 std::string runs(const std::vector<int>& ascending);
 

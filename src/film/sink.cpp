@@ -108,6 +108,10 @@ class Pictures final : public Sink {
   Status start() {
     for (int k = 0; k < (options_.missing ? 1 : count_); ++k)
       if (Status s = check_place(place_.path(number(k)), options_.overwrite); !s) return s;
+    for (int k = 0; k < count_ && options_.missing && !place_.exr; ++k)
+      if (std::string what = made_otherwise(place_.path(number(k)), options_.width, options_.height, options_.bits);
+          !what.empty())
+        return fail(ErrorCode::range, std::move(what), "make what is missing as the rest was made, or elsewhere");
     if (Status s = partial_.make(); !s) return s;
     gathering_ = place_;
     gathering_.folder = partial_.path();

@@ -263,7 +263,7 @@ bool Cursor::from_formula(const Quantity& q, bool length, Time& out, const char*
 }
 
 bool Cursor::opening(double& seconds) {
-  if (accept_word("off")) return seconds = 0, true;
+  if (accept_word("off") || accept_word("0")) return seconds = 0, true;
   const std::string_view w = peek_word();
   if (w.ends_with("deg") || w.ends_with("rad") || w.ends_with("turn")) {
     if (!angle(seconds)) return false;

@@ -90,7 +90,12 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
       if (w.a != w.b) {
         Evaluator all(*this);
         all.to(t, asking);
-        const auto place = [&](std::uint32_t node) { return translation_of(all.world(node)); };
+        // What is in focus is told as distances are held: before the camera.
+        const auto own = target.function == fn::focus ? inverse(all.world(node_of[object])) : std::nullopt;
+        const auto place = [&](std::uint32_t node) {
+          const Vec3 there = translation_of(all.world(node));
+          return own ? Vec3{0, 0, transform_point(*own, there).z} : there;
+        };
         if (const auto p = aim(object, target.function, t, all.numbers(), place, asking))
           return part(*p, target.component);
       }

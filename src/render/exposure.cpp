@@ -71,36 +71,54 @@ bool alike(const std::vector<Light>& a, const std::vector<Light>& b) {
                     [](const Light& x, const Light& y) { return !jumps(x, y); });
 }
 
-// What has jumped since the shutter opened, as it was before.
-struct Held {
-  std::vector<std::pair<std::uint32_t, Place>> places;  // in order
-  std::optional<Camera> camera;
-  std::optional<std::vector<Light>> lights;
-
-  bool has(std::uint32_t i) const {
-    const auto at = std::lower_bound(places.begin(), places.end(), i,
-                                     [](const auto& one, std::uint32_t place) { return one.first < place; });
-    return at != places.end() && at->first == i;
-  }
+// When the shutter closes for what jumps while it is open: just before. By place; the times in order.
+struct Closing {
+  std::vector<std::pair<Time, std::vector<std::uint32_t>>> places;
+  std::optional<Time> camera, lights;
 };
 
-// Both sides of a time at which something may jump.
-void hold_what_jumps(Evaluation& e, Time at, Held& held) {
-  e.to(at - Time{1});
-  const Columns before = columns_of(e);
-  std::vector<Place> was;
-  for (std::uint32_t i = 0; i < before.worlds.size(); ++i) was.push_back(place_of(before, i));
-  const Camera camera = e.camera();
-  const std::vector<Light> lights = e.lights();
-  e.to(at);
-  const Columns after = columns_of(e);
-  std::vector<std::pair<std::uint32_t, Place>> more;
-  for (const std::uint32_t i : e.changed())
-    if (!held.has(i) && jumps(was[i], place_of(after, i))) more.emplace_back(i, std::move(was[i]));
-  held.places.insert(held.places.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  std::sort(held.places.begin(), held.places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  if (!held.camera && jumps(camera, e.camera())) held.camera = camera;
-  if (!held.lights && !alike(lights, e.lights())) held.lights = lights;
+Closing closing(Evaluation& e, const std::vector<Time>& breaks) {
+  Closing all;
+  std::vector<bool> closed;
+  for (const Time at : breaks) {
+    e.to(at - Time{1});
+    const Columns before = columns_of(e);
+    std::vector<Place> was;
+    for (std::uint32_t i = 0; i < before.worlds.size(); ++i) was.push_back(place_of(before, i));
+    const Camera camera = e.camera();
+    const std::vector<Light> lights = e.lights();
+    e.to(at);
+    const Columns after = columns_of(e);
+    closed.resize(was.size());
+    std::vector<std::uint32_t> jumped;
+    for (const std::uint32_t i : e.changed())
+      if (!closed[i] && jumps(was[i], place_of(after, i))) jumped.push_back(i), closed[i] = true;
+    if (!jumped.empty()) all.places.emplace_back(at, std::move(jumped));
+    if (!all.camera && jumps(camera, e.camera())) all.camera = at;
+    if (!all.lights && !alike(lights, e.lights())) all.lights = at;
+  }
+  return all;
+}
+
+// How things that jump are in one of the pictures that are added up: all of these lie before they do.
+struct Held {
+  std::vector<std::pair<std::uint32_t, Place>> places;
+  std::optional<Camera> camera;
+  std::optional<std::vector<Light>> lights;
+};
+
+// `part`: of the time that the shutter is open.
+Held held_at(Evaluation& e, Time opened, double part, const Closing& closing) {
+  Held all;
+  const auto before = [&](Time at) { return opened + from_seconds(part * (at - opened).seconds()); };
+  for (const auto& [at, places] : closing.places) {
+    e.to(before(at));
+    const Columns columns = columns_of(e);
+    for (const std::uint32_t i : places) all.places.emplace_back(i, place_of(columns, i));
+  }
+  if (closing.camera) e.to(before(*closing.camera)), all.camera = e.camera();
+  if (closing.lights) e.to(before(*closing.lights)), all.lights = e.lights();
+  return all;
 }
 
 // Columns with what is held in its place.
@@ -285,14 +303,13 @@ Status expose(Evaluation& e, Time t, const Exposure& how, int width, int height,
   const int n = needed(e, t, shutter, how.subframes, width, height);
   e.to(t);
   if (n == 1) return draw(columns_of(e), out);
-  const std::vector<Time> breaks = shutter > 0 ? e.program().breaks(t, t + from_seconds(shutter)) : std::vector<Time>{};
-  auto next_break = breaks.begin();
-  Held held;
+  const Closing closes =
+      closing(e, shutter > 0 ? e.program().breaks(t, t + from_seconds(shutter)) : std::vector<Time>{});
   std::vector<double> sum;
   for (int k = 0; k < n; ++k) {
-    const Time now = t + from_seconds(shutter * (k + 0.5) / n);
-    for (; next_break != breaks.end() && *next_break <= now; ++next_break) hold_what_jumps(e, *next_break, held);
-    e.to(now);
+    const double part = (k + 0.5) / n;
+    const Held held = held_at(e, t, part, closes);
+    e.to(t + from_seconds(shutter * part));
     const Columns all = columns_of(e);
     const Mixed mixed(all, held, part_of(held.camera.value_or(e.camera()), k, n, width, height));
     Columns columns = mixed.columns();

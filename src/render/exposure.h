@@ -4,7 +4,7 @@
 // Pictures that take time, through a lens: many sharp ones are added up, as light, each at a moment of its own while
 // the shutter is open and through a point of its own of the lens.
 //
-// What jumps meanwhile (a cut, a held value, another camera) stays as it was when the shutter opened: nothing is seen
+// For what jumps meanwhile (a cut, a held value, another camera) the shutter closes before it does: nothing is seen
 // twice. Where nothing moves by itself or is out of focus, one picture is all of them.
 #pragma once
 

@@ -142,7 +142,9 @@ bool has_exposure(const Document& document) {
   return false;
 }
 
-Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
+namespace {
+
+Result<const Entry*> find(const RenderOptions& options) {
   const auto fits = [](int n) { return n >= 1 && n <= 8192; };
   if (!fits(options.width) || !fits(options.height))
     return fail(ErrorCode::range,
@@ -154,7 +156,19 @@ Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
   if (!entry->style.takes(options.samples))
     return fail(ErrorCode::range, fmt::format("{} samples a pixel cannot be drawn", options.samples),
                 std::string(entry->style.samples));
-  return entry->make(options);
+  return entry;
+}
+
+}  // namespace
+
+Status check_options(const RenderOptions& options) {
+  const auto found = find(options);
+  return found ? Status(Nothing{}) : found.error();
+}
+
+Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
+  const auto found = find(options);
+  return found ? (*found)->make(options) : found.error();
 }
 
 }  // namespace betwixt

@@ -175,6 +175,8 @@ is 'a plan between two frames' "$(plan between.bx -o plan.gif $small)" '{"first"
 is 'a plan of what is clear' "$(plan clear.bx -o plan.mov $small)" '{"first":1,"frames":12,"rate":"24","width":64,"height":48,"bits":16,"alpha":true,"sound":false}'
 check 'a plan of nothing' 1 "did you mean 'sphere'?" render wrong.bx -o plan.mp4 --plan
 check 'a plan of no film' 2 'a film cannot end in' render bounce.bx -o plan.mp5 --plan
+check 'a plan of no style' 2 'shaded' render bounce.bx -o plan.mp4 --plan --style shadet
+check 'a plan of samples' 2 '7 samples a pixel cannot be drawn' render bounce.bx -o plan.mp4 --plan --samples 7
 check 'a plan for nowhere' 2 'nowhere' render bounce.bx -o nowhere/plan.mp4 --plan
 verdict 'plans make nothing' "$(compgen -G '*plan*' >/dev/null || echo yes)" 'something'
 
@@ -193,10 +195,15 @@ check 'holes' 1 "3 of 12 pictures are not there, or broken: 3-4, 12" join m-%02d
 check 'a hole in the middle' 1 '2 of 11 pictures are not there, or broken: 3-4' join m-%02d.png -o joined.mp4
 mv kept.png m-12.png
 cp m-01.png m-03.png && cp m-01.png m-04.png
-check 'broken ones' 1 '3 of 12 pictures are not there, or broken: 7, 9, 11' join m-%02d.png -o joined.mp4
+check 'other ones' 1 'and another size: 11' join m-%02d.png -o joined.mp4
+check 'other ones are not made anew' 2 'm-11.png has 32x24 pixels, not' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
+check 'nor are those of other bits' 2 'm-01.png has 8 bits a channel, not 16' render bounce.bx -o m-%02d.png $small --frames 1..4 --missing --bits 16
+cp m-01.png m-11.png
+check 'broken ones' 1 '2 of 12 pictures are not there, or broken: 7, 9' join m-%02d.png -o joined.mp4
 has 'how they are made' "$said" 'betwixt render SCRIPT -o m-%02d.png --missing'
+check 'over themselves' 2 'over the pictures it is made of' join m-%02d.png -o m-%02d.png
 verdict 'nothing was made of them' "$([ ! -e joined.mp4 ] && echo yes)" 'a film'
-rm m-03.png m-04.png
+rm m-03.png m-04.png m-11.png
 check 'what is missing' 0 '5 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
 verdict 'as if it had never been missing' "$(sha256sum --quiet -c whole.sums >/dev/null 2>&1 && echo yes)" 'other pictures'
 is 'the others were left alone' "$(find . -name 'm-*.png' ! -newermt 2001-01-02 | wc -l)" 7
@@ -212,6 +219,8 @@ check 'no pictures' 2 'no name of numbered pictures' join film.mp4 -o joined.mp4
 check 'no number' 2 'needs one number in its name' join m.png -o joined.mp4
 check 'no rate' 2 "'0' is no rate" join m-%02d.png -o joined.mp4 --rate 0
 check 'no range' 2 "'4..2' is no range of numbers" join m-%02d.png -o joined.mp4 --frames 4..2
+check 'no shutter' 2 "'' is not how long a shutter is open" frame bounce.bx --at 1f -o m.png $small --shutter ''
+check 'a shutter of nothing' 0 '' frame bounce.bx --at 1f -o m.png $small --shutter 0
 check 'missing of a film' 2 'a film in one file has no pictures that could be missing' render bounce.bx -o film.mp4 $small --missing
 check 'missing, and nothing overwritten' 2 '--missing excludes --no-overwrite' render bounce.bx -o m-%02d.png --missing --no-overwrite
 rm m-*.png whole.sums joined.* direct.mp4
@@ -247,6 +256,10 @@ check 'joined with sound' 0 '48 frames in' join s-%d.png -o joined.mp4 --sound s
 verdict 'as if it had been rendered' "$(cmp -s sound.mp4 joined.mp4 && echo yes)" 'they differ'
 check 'a part joined with sound' 0 '24 frames in' join s-%d.png -o joined.mp4 --frames 16..39 --sound sound.bx
 verdict 'as if it had been rendered in part' "$(cmp -s part.mp4 joined.mp4 && echo yes)" 'they differ'
+sed 's/rate 24/rate 25/' sound.bx >other.bx
+check 'the rate of the sounds' 0 '48 frames in' join s-%d.png -o other.mp4 --sound other.bx
+is 'the rate of the sounds, seen' "$(ffprobe -v error -select_streams v:0 -show_entries stream=r_frame_rate -of csv=p=0 other.mp4 | tr -d ,)" 25/1
+check 'another rate' 0 'its sounds will not be in step' join s-%d.png -o other.mp4 --sound other.bx --rate 24
 check 'no sound in a gif' 2 '--sound: joined.gif can have none' join s-%d.png -o joined.gif --sound sound.bx
 check 'no script of sounds' 1 'nobody.bx' join s-%d.png -o joined.mp4 --sound nobody.bx
 rm s-*.png joined.mp4
@@ -308,7 +321,7 @@ for signal in INT TERM; do
     kill -$signal $pid
     wait $pid
     is "$signal stops $o" "$?" 130
-    is "$signal says so" "$(tail -1 said)" "betwixt: stopped; $o was not made"
+    has "$signal says so" "$(<said)" "betwixt: stopped; $o was not made"
   done
 done
 is 'nothing of them is left' "$(ls -A | grep -c -e stop -e gone)" 0

@@ -48,7 +48,13 @@ TEST_F(Film, OfWhatIsMissingEachPictureIsPutInPlaceAtOnce) {
   EXPECT_FALSE(paint(4));
   EXPECT_EQ(painted, (std::vector{0, 1, 2, 3}));
   EXPECT_EQ(files(), (std::vector<std::string>{"f-1.png", "f-2.png", "f-3.png", "f-4.png"}));
+  // What was made otherwise is not made anew, but said.
   ASSERT_TRUE(write_png((folder_ / "f-2.png").string(), plain(32, 48, {9, 9, 9})));
+  const auto other = paint(-1);
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().code, ErrorCode::range);
+  EXPECT_NE(other.error().message.find("f-2.png has 32x48 pixels, not 64x48"), std::string::npos);
+  std::ofstream(folder_ / "f-2.png") << "x";
   fs::resize_file(folder_ / "f-3.png", fs::file_size(folder_ / "f-3.png") - 1);
   const auto made = paint(-1);
   ASSERT_TRUE(made);

@@ -176,6 +176,16 @@ TEST(Exposure, NothingBlursAcrossWhatJumps) {
   }
 }
 
+// What moves until it jumps is blurred by as much as it has gone until then.
+TEST(Exposure, ForWhatJumpsTheShutterClosesBefore) {
+  // Its right border goes from 10 pixels to 30 while a quarter of a frame passes, then it is elsewhere.
+  Taken film(
+      drawing("create wall rectangle size=(20 20) color=white\nwall.position\n  1f (-13.8 0 0) linear\n"
+              "  1.25f (-11.8 0 0) cut (40 0 0)\n"));
+  const DeepPicture picture = film.at("1f");
+  for (int i = 0; i < 96; ++i) EXPECT_NEAR(light(picture, i, 27), swept(10 - i, 30 - i), 3.0 / 255) << i;
+}
+
 TEST(Exposure, NothingBlursAcrossCamerasAndLights) {
   const std::string film =
       "rate 24\ncreate ball sphere radius=1 color=gold\ncreate lamp light position=(3 4 5)\n"
@@ -271,6 +281,8 @@ TEST(Exposure, FocusIsOnThingsDistancesAndWhatIsLookedAt) {
   EXPECT_NEAR(focus(pulled, "13f"), 18, 1e-9);
   EXPECT_NEAR(focus(by_numbers, "7f"), 2.5, 1e-9);
   EXPECT_NEAR(focus("eye.focus\n  1f b linear\n  25f 2\n", "13f"), 14, 1e-9);  // of both sorts
+  const LoadedFilm mixed(film + "eye.focus\n  1f b linear\n  25f 2\n");        // told as the distance that it is
+  expect_numbers(mixed, "eye.focus", "13f", {0, 0, -14}, 1e-9);
   EXPECT_EQ(LoadedFilm(film + "set eye.f-stop 1e6\n").frame("1f").camera.aperture, 0);
   EXPECT_NEAR(LoadedFilm(film).frame("1f").camera.aperture, 0.035, 1e-12);
   EXPECT_EQ(LoadedFilm(film + "set eye.height 5\n").frame("1f").camera.aperture, 0);  // parallel rays have none
