@@ -53,6 +53,7 @@ verdict "one file sees the library of command lines" \
   "$(grep -rlE '^\s*#\s*include\s*<CLI/' src | grep -vx src/app/command_line.cpp)"
 verdict "two files see the library for JSON" \
   "$(grep -rlE '^\s*#\s*include\s*<nlohmann/' src | grep -vxE 'src/(server/aim_host\.h|app/lesson\.cpp)')"
+verdict "a script that cannot be called" "$(find tests tools clients -name '*.sh' ! -perm -u+x ! -name setup.sh ! -name support.sh)"
 verdict "a file without its licence" "$(
   files | while read -r file; do
     [ "$(head -n 2 "$file")" = "// SPDX-FileCopyrightText: 2026 The Betwixt authors

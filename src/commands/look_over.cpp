@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "commands/command.h"
 #include "exchange/geometry.h"
 #include "program/compiled.h"
 #include "scene/names.h"
@@ -129,6 +130,14 @@ void look_at_letting_go(const Scene& s, const Object& o, Diagnostics& out) {
   }
 }
 
+// Lenses of cameras that have none.
+void look_at_lens(const Object& o, Diagnostics& out) {
+  if (o.kind == Kind::camera && o.find(fn::f_stop) && o.find(fn::camera_height))
+    say(out, ErrorCode::type,
+        fmt::format("{} has a height, so it sees without perspective and its f-stop blurs nothing", o.name),
+        "lens or fov in place of height");
+}
+
 }  // namespace
 
 void look_over(const Scene& s, Diagnostics& out) {
@@ -140,6 +149,7 @@ void look_over(const Scene& s, Diagnostics& out) {
     const Object& o = s.objects[i];
     if (o.removed) continue;
     look_at_letting_go(s, o, out);
+    look_at_lens(o, out);
     for (const Slot& slot : o.slots)
       look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out),
           look_at_code(s, {i}, slot, out);

@@ -37,7 +37,24 @@ constexpr std::string_view to_many = "a pattern names many: wheel*.position, whe
 constexpr std::string_view to_place =
     "position is where a thing is; ball.world, which can be asked for, with all it hangs on";
 
+constexpr std::string_view to_blur =
+    "a camera's shutter blurs what moves: set eye.shutter 180deg; its f-stop what is out of focus: set eye.f-stop 0.2, "
+    "set eye.focus ball";
+constexpr std::string_view to_clear =
+    "background transparent leaves nothing behind the things; .png .webm .mov keep that";
+constexpr std::string_view to_hear = "a sound is heard: create music sound file=\"music.mp3\" at=24f gain=0.8";
+
 constexpr Road all_roads[] = {
+    {"blur", to_blur, "shutter f-stop focus"},
+    {"motion-blur", to_blur, "shutter subframes"},
+    {"dof", to_blur, "f-stop focus"},
+    {"bokeh", to_blur, "f-stop focus"},
+    {"aperture", to_blur, "f-stop focus"},
+    {"focus-distance", to_blur, "focus f-stop"},
+    {"transparent", to_clear, "background transparency"},
+    {"music", to_hear, "sound"},
+    {"audio", to_hear, "sound"},
+    {"volume", "gain says how loud a sound is: set music.gain 0.5", "gain"},
     {"loop", to_repeat, "extend copy"},
     {"repeat", to_repeat, "extend copy"},
     {"cycle", to_repeat, "extend copy"},

@@ -26,6 +26,7 @@ struct TypedReader {
 
   bool number(Value& out) {
     double d = 0;
+    if (spec.name == "f-stop" && c.accept_word("off")) return out = spec.rest, true;
     return values.scalar(d, spec.unit) && in_range(d) && (out = d, true);
   }
   bool angle(Value& out) {

@@ -32,7 +32,7 @@ inline const FunctionSpec camera_functions[] = {
      .high = sharp,
      .sentence =
          "How small a camera's opening is: the smaller the number, the less is sharp before and behind its focus.",
-     .written = "a number; 1e6, as nothing is said: all is sharp",
+     .written = "a number; or off, which is 1e6: all is sharp",
      .example = "set eye.f-stop 0.1"},
     {.name = "focus",
      .type = Type::aim,

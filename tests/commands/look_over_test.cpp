@@ -35,6 +35,12 @@ TEST(LookOver, LettingGoWhatNothingHolds) {
   EXPECT_EQ(notices(two + "couple ball to hand\nat 5f letgo ball\nat 6f attach ball to hand\nat 7f detach ball\n"), "");
 }
 
+TEST(LookOver, LensesOfWhatHasNone) {
+  EXPECT_EQ(notices("create eye camera height=5 f-stop=2\n"),
+            "eye has a height, so it sees without perspective and its f-stop blurs nothing\n");
+  EXPECT_EQ(notices("create eye camera f-stop=2\ncreate side camera height=5\n"), "");
+}
+
 TEST(LookOver, CodeThatDoesNotReachAComponent) {
   const std::string ball = "create ball sphere\nset ball.scale = \"vec(1, 1, 1 + t)\"\n";
   EXPECT_EQ(notices(ball), "");

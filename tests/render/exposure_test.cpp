@@ -283,7 +283,8 @@ TEST(Exposure, FocusIsOnThingsDistancesAndWhatIsLookedAt) {
   EXPECT_NEAR(focus("eye.focus\n  1f b linear\n  25f 2\n", "13f"), 14, 1e-9);  // of both sorts
   const LoadedFilm mixed(film + "eye.focus\n  1f b linear\n  25f 2\n");        // told as the distance that it is
   expect_numbers(mixed, "eye.focus", "13f", {0, 0, -14}, 1e-9);
-  EXPECT_EQ(LoadedFilm(film + "set eye.f-stop 1e6\n").frame("1f").camera.aperture, 0);
+  for (const char* sharp : {"set eye.f-stop 1e6\n", "set eye.f-stop off\n"})
+    EXPECT_EQ(LoadedFilm(film + sharp).frame("1f").camera.aperture, 0);
   EXPECT_NEAR(LoadedFilm(film).frame("1f").camera.aperture, 0.035, 1e-12);
   EXPECT_EQ(LoadedFilm(film + "set eye.height 5\n").frame("1f").camera.aperture, 0);  // parallel rays have none
 }
