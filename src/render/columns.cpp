@@ -34,6 +34,13 @@ Columns columns_of(const Evaluation& e) {
 };  // namespace betwixt
 }
 
+Content content_of(const Columns& c, std::uint32_t i) {
+  const Evaluation::Look& l = c.looks[i];
+  Content p{c.worlds[i], l, found(l.shape, c.shape), found(l.toward, c.shape), found(l.texture, c.texture)};
+  p.look.shape = p.look.toward = p.look.texture = Evaluation::Look::none;
+  return p;
+}
+
 bool Scenery::take(const Columns& c) {
   const bool same = background == c.background && surroundings == c.surroundings &&
                     std::equal(lights.begin(), lights.end(), c.lights.begin(), c.lights.end(), same_light);

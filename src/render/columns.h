@@ -27,6 +27,22 @@ struct Columns {
 
 Columns columns_of(const Evaluation&);
 
+// What `find` has for a number; null for none.
+template <class Find>
+auto found(std::uint32_t number, const Find& find) {
+  return number == Evaluation::Look::none ? std::decay_t<decltype(find(number))>() : find(number);
+}
+
+// What a place of the columns holds, by itself: with what the numbers stand for in place of these.
+struct Content {
+  Mat4 world;
+  Evaluation::Look look;
+  std::shared_ptr<const Shape> shape, toward;
+  std::shared_ptr<const Picture> texture;
+  friend bool operator==(const Content&, const Content&) = default;
+};
+Content content_of(const Columns&, std::uint32_t);
+
 // What a picture has beside things, and the camera.
 struct Scenery {
   std::vector<Light> lights;

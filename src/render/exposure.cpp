@@ -15,20 +15,6 @@ namespace {
 
 constexpr double clear_sight = 0.25;  // pixels: what is blurred by less is sharp
 
-// What a place of the columns holds.
-struct Place {
-  Mat4 world;
-  Evaluation::Look look;
-  std::shared_ptr<const Shape> shape, toward;
-  std::shared_ptr<const Picture> texture;
-};
-Place place_of(const Columns& c, std::uint32_t i) {
-  const Evaluation::Look& l = c.looks[i];
-  constexpr auto none = Evaluation::Look::none;
-  return {c.worlds[i], l, l.shape == none ? nullptr : c.shape(l.shape), l.toward == none ? nullptr : c.shape(l.toward),
-          l.texture == none ? nullptr : c.texture(l.texture)};
-}
-
 // No speed makes such a difference within a flick.
 bool far_apart(double a, double b) { return std::abs(a - b) > 1e-6 * (1 + std::max(std::abs(a), std::abs(b))); }
 bool far_apart(const Mat4& a, const Mat4& b) {
@@ -48,7 +34,7 @@ bool jumps(const std::shared_ptr<const Shape>& a, const std::shared_ptr<const Sh
   return far_apart(a->size, b->size);
 }
 
-bool jumps(const Place& a, const Place& b) {
+bool jumps(const Content& a, const Content& b) {
   const Evaluation::Look &l = a.look, &m = b.look;
   if (!l.visible && !m.visible) return false;
   return l.visible != m.visible || far_apart(a.world, b.world) || far_apart(l.color, m.color) ||
@@ -83,8 +69,8 @@ Closing closing(Evaluation& e, const std::vector<Time>& breaks) {
   for (const Time at : breaks) {
     e.to(at - Time{1});
     const Columns before = columns_of(e);
-    std::vector<Place> was;
-    for (std::uint32_t i = 0; i < before.worlds.size(); ++i) was.push_back(place_of(before, i));
+    std::vector<Content> was;
+    for (std::uint32_t i = 0; i < before.worlds.size(); ++i) was.push_back(content_of(before, i));
     const Camera camera = e.camera();
     const std::vector<Light> lights = e.lights();
     e.to(at);
@@ -92,7 +78,7 @@ Closing closing(Evaluation& e, const std::vector<Time>& breaks) {
     closed.resize(was.size());
     std::vector<std::uint32_t> jumped;
     for (const std::uint32_t i : e.changed())
-      if (!closed[i] && jumps(was[i], place_of(after, i))) jumped.push_back(i), closed[i] = true;
+      if (!closed[i] && jumps(was[i], content_of(after, i))) jumped.push_back(i), closed[i] = true;
     if (!jumped.empty()) all.places.emplace_back(at, std::move(jumped));
     if (!all.camera && jumps(camera, e.camera())) all.camera = at;
     if (!all.lights && !alike(lights, e.lights())) all.lights = at;
@@ -102,7 +88,7 @@ Closing closing(Evaluation& e, const std::vector<Time>& breaks) {
 
 // How things that jump are in one of the pictures that are added up: all of these lie before they do.
 struct Held {
-  std::vector<std::pair<std::uint32_t, Place>> places;
+  std::vector<std::pair<std::uint32_t, Content>> places;
   std::optional<Camera> camera;
   std::optional<std::vector<Light>> lights;
 };
@@ -114,7 +100,7 @@ Held held_at(Evaluation& e, Time opened, double part, const Closing& closing) {
   for (const auto& [at, places] : closing.places) {
     e.to(before(at));
     const Columns columns = columns_of(e);
-    for (const std::uint32_t i : places) all.places.emplace_back(i, place_of(columns, i));
+    for (const std::uint32_t i : places) all.places.emplace_back(i, content_of(columns, i));
   }
   if (closing.camera) e.to(before(*closing.camera)), all.camera = e.camera();
   if (closing.lights) e.to(before(*closing.lights)), all.lights = e.lights();
@@ -131,20 +117,19 @@ class Mixed {
         camera_(through),
         now_(now),
         held_(held) {
-    constexpr auto none = Evaluation::Look::none;
     std::uint32_t number = first;
     for (const auto& [i, place] : held.places) {
       worlds_[i] = place.world, looks_[i] = place.look;
       if (place.shape) looks_[i].shape = number;
-      if (looks_[i].toward != none) looks_[i].toward = number + 1;
-      if (looks_[i].texture != none) looks_[i].texture = number;
+      if (place.toward) looks_[i].toward = number + 1;
+      if (place.texture) looks_[i].texture = number;
       number += 2;
     }
   }
   Columns columns() const {
     const auto shape = [this](std::uint32_t n) -> const std::shared_ptr<const Shape>& {
       if (n < first) return now_.shape(n);
-      const Place& place = held_.places[(n - first) / 2].second;
+      const Content& place = held_.places[(n - first) / 2].second;
       return (n - first) % 2 == 0 ? place.shape : place.toward;
     };
     const auto texture = [this](std::uint32_t n) -> const std::shared_ptr<const Picture>& {
@@ -186,7 +171,7 @@ class Blur {
     double gone = 0;
     for (std::uint32_t i = 0; i < now.size(); ++i) {
       if (!c.looks[i].visible) continue;
-      const Place p = place_of(c, i);
+      const Content p = content_of(c, i);
       if (!p.shape) continue;
       now[i] = corners(p, view, clip);
       if (i < before_.size()) gone = std::max(gone, between(before_[i], now[i]));
@@ -209,7 +194,7 @@ class Blur {
     double transparency = 0, blend = 0;
     bool there = false;
   };
-  Corners corners(const Place& p, const View& view, const Mat4& clip) const {
+  Corners corners(const Content& p, const View& view, const Mat4& clip) const {
     Corners c;
     c.there = true, c.shape = p.shape, c.color = p.look.color, c.transparency = p.look.transparency,
     c.blend = p.look.blend;
@@ -232,7 +217,7 @@ class Blur {
     return std::isfinite(most) ? most : wholly;
   }
   // The circle that a point becomes, of the nearest and farthest of a thing.
-  double unsharp(const Camera& c, const View& view, const Place& p) const {
+  double unsharp(const Camera& c, const View& view, const Content& p) const {
     const Extent box = extent(*p.shape);
     const Vec3 seen = transform_point(p.world, box.middle()) - view.eye;
     double most = 0, r = 0;

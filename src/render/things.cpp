@@ -28,11 +28,6 @@ bool same_look(Evaluation::Look a, const Evaluation::Look& b) {
   return a == b;
 }
 
-template <class Find>
-auto found(std::uint32_t number, const Find& find) {
-  return number == Evaluation::Look::none ? std::decay_t<decltype(find(number))>() : find(number);
-}
-
 bool usable(const Thing& t) {
   const Evaluation::Look& l = t.look;
   return l.visible && t.shape != nullptr && finite(t.world) && finite(l.color) && std::isfinite(l.transparency) &&

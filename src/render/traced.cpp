@@ -42,24 +42,14 @@ class TinyIsZero {
   [[maybe_unused]] unsigned before_ = 0;
 };
 
-template <class Find>
-auto found_by(const Find& find, std::uint32_t number) {
-  return number == Evaluation::Look::none ? std::decay_t<decltype(find(number))>() : find(number);
-}
-
 // What was drawn last.
 class Drawn {
  public:
   // Whether anything differs from it; that is what is drawn then.
   bool differs(const Columns& c) {
-    std::vector<Thing> now(c.looks.size());
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      if (!c.looks[i].visible) continue;
-      const Evaluation::Look& l = c.looks[i];
-      now[i] = {c.worlds[i], l, found_by(c.shape, l.shape), found_by(c.shape, l.toward),
-                found_by(c.texture, l.texture)};
-      now[i].look.shape = now[i].look.toward = now[i].look.texture = 0;
-    }
+    std::vector<Content> now(c.looks.size());
+    for (std::uint32_t i = 0; i < now.size(); ++i)
+      if (c.looks[i].visible) now[i] = content_of(c, i);
     const bool scenery = scenery_.take(c), things = now != things_;
     const bool camera = !camera_ || !(*camera_ == c.camera) || part_ != std::pair(c.part, c.parts);
     things_ = std::move(now), camera_ = c.camera, part_ = {c.part, c.parts};
@@ -68,14 +58,7 @@ class Drawn {
   const Scenery& scenery() const { return scenery_; }
 
  private:
-  struct Thing {
-    Mat4 world;
-    Evaluation::Look look;
-    std::shared_ptr<const Shape> shape, toward;
-    std::shared_ptr<const Picture> texture;
-    friend bool operator==(const Thing&, const Thing&) = default;
-  };
-  std::vector<Thing> things_;
+  std::vector<Content> things_;
   std::optional<Camera> camera_;
   std::pair<int, int> part_;
   Scenery scenery_;
