@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -66,6 +67,8 @@ class Evaluation {
 
   const std::vector<Light>& lights() const;
   const Camera& camera() const;
+  // From now on the camera is this one, wherever the film's is; none: the film's again.
+  void look_from(std::optional<Camera>);
   const std::vector<std::string>& problems() const;  // as Frame's
   const std::vector<Frame::CodeError>& errors() const;
 

@@ -55,6 +55,20 @@ class Session {
   Answer open(const std::string& file, Earlier = Earlier::ask);
   // Carries out one logical line: a command, a row of the sheet that is open, or a word of the shell.
   Answer enter(std::string_view line);
+  // Several lines as one: all of them or none, and one undo takes them back.
+  Answer enter_together(const std::vector<std::string>& lines);
+  // What the film would be after these lines; nothing is done. Errors: of the first line that is wrong.
+  Result<Document> look_ahead(const std::vector<std::string>& lines) const;
+  // What the author's text says where its lines from `first` (the first is 1) up to `last` are others; `last` one less
+  // than `first`: these stand before that line.
+  Loaded look_ahead(int first, int last, std::string_view others) const;
+  // From now on what is done goes to where an author would write it: an event that is changed changes its row, and only
+  // what is new goes to the end. `rewrite FIRST..LAST "…"` then changes the text itself.
+  void keep_in_place();
+  // The line that writes other lines in the place of some, as above.
+  static std::string rewrite_line(int first, int last, std::string_view others);
+  // What there is to say of the text: errors and warnings, each with its place in it.
+  const Diagnostics& diagnostics() const;
   // From now on how many things a pattern named is not said.
   void keep_quiet();
   // A bracket or a """ is open: the line goes on.

@@ -46,8 +46,8 @@ std::vector<std::string_view> verb_words(unsigned flags) {
 }
 
 std::span<const std::string_view> reserved_words() {
-  static constexpr std::string_view shell[] = {"help", "list", "describe", "undo", "redo", "plot", "play", "stop",
-                                               "save", "open", "load",     "quit", "exit", "eval", "style"};
+  static constexpr std::string_view shell[] = {"help",    "list", "describe", "undo", "redo", "plot", "play", "stop",
+                                               "rewrite", "save", "open",     "load", "quit", "exit", "eval", "style"};
   return shell;
 }
 

@@ -15,12 +15,16 @@ Diagnostics Editor::begin(std::string text, const std::string& name) {
   base_ = std::move(text), home_ = Home(name);
   steps_.clear(), before_.clear(), undone_.clear();
   standing_ = bytes_ = 0, heavy_ = false;
-  Scene scene;
   Diagnostics all;
-  Script script(scene, all, options_, {}, home_);
-  read_text(scene, script, base_, name);
-  now_ = {Document(std::make_shared<const Scene>(std::move(scene))), script};
+  now_ = read(base_, all);
   return all;
+}
+
+Point Editor::read(std::string_view text, Diagnostics& said) const {
+  Scene scene;
+  Script script(scene, said, options_, {}, home_);
+  read_text(scene, script, text, home_.name);
+  return {Document(std::make_shared<const Scene>(std::move(scene))), script};
 }
 
 Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<Time> now, bool translated) const {

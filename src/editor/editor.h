@@ -55,6 +55,8 @@ class Editor {
 
   // Begins with the author's text; the sink is told nothing. `name`: the file that it stands in, may be empty.
   Diagnostics begin(std::string text, const std::string& name);
+  // A text as if it were the author's.
+  Point read(std::string_view text, Diagnostics&) const;
   void keep(Sink sink) { sink_ = std::move(sink); }
   void rename(const std::string& name) { home_ = Home(name); }
   void allow(const LoadOptions& options) { options_ = options; }

@@ -35,7 +35,7 @@ std::string_view trimmed(std::string_view s, bool both) {
   return s;
 }
 
-std::string Session::State::text() const { return as_script(editor.base(), editor.steps()); }
+std::string Session::State::text() const { return in_place ? placed.text : as_script(editor.base(), editor.steps()); }
 
 // Which of the choices is answered; none where nobody answers.
 std::optional<std::size_t> Session::State::choose(const std::string& question,
@@ -123,13 +123,48 @@ Session::Answer Session::State::command(std::string_view line) {
     for (std::string& name : names_missed(document().scene(), line)) failed[std::move(name)] = lines;
     return answer;
   }
-  if (Status s = editor.take(std::move(deed.after), {{std::move(deed.line)}, {}}); !s) return refused(s.error());
+  if (Status s = take(std::move(deed.after), {{std::move(deed.line)}, in_place ? deed.sheet : ""}); !s)
+    return refused(s.error());
   tally.command(), sheet_refused = false;
   if (!failed.empty())
     for (const std::string& name : names_made(line)) failed.erase(name);
   if (deed.touched > 1 && !row && !quiet) answer.said += fmt::format("{} objects\n", deed.touched);
   answer.said += tried(said.words, line);
   return answer;
+}
+
+// Lines, one after the other; none of them where one is wrong.
+Session::Answer Session::State::together(const std::vector<std::string>& said) {
+  if (looks_only) return only_looks();
+  if (said.empty()) return {};
+  if (said.size() == 1) return enter(said[0]);
+  lines += 1;
+  Point at = editor.now();
+  at.script.left.reset();
+  Step step;
+  Answer answer;
+  for (const std::string& line : said) {
+    Deed deed = editor.carry_out(at, line);
+    answer.said += told(deed.said, line);
+    if (!deed.done) return {false, false, true, answer.said};
+    at = std::move(deed.after);
+    step.lines.push_back(std::move(deed.line));
+  }
+  if (Status s = take(std::move(at), std::move(step)); !s) return refused(s.error());
+  tally.command(), sheet_refused = false;
+  answer.done = true;
+  return answer;
+}
+
+Result<Document> Session::State::ahead(const std::vector<std::string>& said) const {
+  Point at = editor.now();
+  for (const std::string& line : said) {
+    Deed deed = editor.carry_out(at, line);
+    for (const Diagnostic& d : deed.said)
+      if (d.severity == Severity::error) return d.what;
+    at = std::move(deed.after);
+  }
+  return at.document;
 }
 
 // What code does wrong since a line was said: at the film's ends and at the line's own time. Each thing once.
@@ -161,14 +196,14 @@ Session::Answer Session::State::undo(const Words&) {
   if (looks_only) return only_looks();
   if (editor.steps().empty())
     return refused("there is nothing to undo", editor.base().empty() ? "" : "this is the script as it was opened");
-  if (Status s = editor.undo(); !s) return refused(s.error());
+  if (Status s = go_back(); !s) return refused(s.error());
   tally.undo(), sheet_refused = false;
   return done(fmt::format("undone: {}\n", trimmed(editor.undone().front().lines[0])));
 }
 
 Session::Answer Session::State::redo(const Words&) {
   if (looks_only) return only_looks();
-  if (Status s = editor.redo(); !s) return refused(s.error());
+  if (Status s = go_again(); !s) return refused(s.error());
   tally.redo(), sheet_refused = false;
   return done(fmt::format("done again: {}\n", trimmed(editor.steps().back().lines[0])));
 }
@@ -181,6 +216,7 @@ Session::Answer Session::State::enter(std::string_view line) {
   std::string shifted;  // a person need not indent
   if (sheet_open() && starts_like_time(line[0])) line = shifted = "  " + std::string(line);
   if (indented(line) && (sheet_open() || sheet_refused)) return command(line);
+  if (is_rewriting(trimmed(line))) return rewrite(trimmed(line));
   const Words all = line_words(trimmed(line));
   const Word* word = all.empty() ? nullptr : find_word(all[0]);
   // How play draws here, whatever the script says; where nothing plays these words are the script's.
@@ -198,6 +234,10 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 Session::Answer Session::open(const std::string& file, Earlier earlier) { return state_->open(file, earlier); }
 Session::Answer Session::enter(std::string_view line) { return state_->enter(line); }
+Session::Answer Session::enter_together(const std::vector<std::string>& lines) { return state_->together(lines); }
+Result<Document> Session::look_ahead(const std::vector<std::string>& lines) const { return state_->ahead(lines); }
+void Session::keep_in_place() { state_->go_in_place(); }
+const Diagnostics& Session::diagnostics() const { return state_->of_text; }
 void Session::keep_quiet() { state_->quiet = true; }
 bool Session::needs_more(std::string_view line) { return goes_on(line); }
 const Document& Session::document() const { return state_->document(); }

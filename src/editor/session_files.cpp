@@ -33,8 +33,33 @@ Status Session::State::write_down(Did what, std::string_view text) {
 
 // From now on, what is done is in the journal first.
 void Session::State::keep_journal() {
-  editor.keep(
-      [this](Did what, const Step& step) { return write_down(what, what == Did::command ? packed(step) : ""); });
+  editor.keep([this](Did what, const Step& step) { return write_step(what, step); });
+}
+
+// A file that holds what was put into its text is no longer the text that older steps follow: what is taken back of
+// these, or done again, stands in the journal as the lines that it changes.
+Status Session::State::write_step(Did what, const Step& step) {
+  const auto say = [&](Did did, const std::string& text) { return write_down(did, text); };
+  if (!in_place) return say(what, what == Did::command ? packed(step) : "");
+  std::size_t& from = what == Did::undo ? journal_knows : journal_undid;
+  std::size_t& to = what == Did::undo ? journal_undid : journal_knows;
+  if (what == Did::command) {
+    if (Status s = say(what, packed(step)); !s) return s;
+    ++journal_knows, journal_undid = 0;
+    return Nothing{};
+  }
+  if (from > 0) {
+    if (Status s = say(what, ""); !s) return s;
+    --from, ++to;
+    return Nothing{};
+  }
+  std::string after = placed.text;
+  const std::size_t stand = editor.steps().size();
+  what == Did::undo ? take_back(after, placed.edits[stand - 1]) : put_into(after, placed.edits[stand]);
+  const LineChange c = change_between(placed.text, after);
+  if (Status s = say(Did::command, rewrite_line(c.lines.first, c.lines.last, c.others)); !s) return s;
+  journal_knows = journal_undid = 0;
+  return Nothing{};
 }
 
 // The journal of a file that this session goes over to, and that has none of its own that anybody needs.
@@ -90,6 +115,8 @@ Session::Answer Session::State::save(const std::string& to) {
     said += "no journal can be kept here\n";
   }
   if (!own) close(false), journal = std::move(next), file = name, editor.rename(name);
+  if (own && in_place && journal && !journal->begin(print)) said += "no journal can be kept here\n", close(false);
+  if (in_place) journal_knows = journal_undid = 0, editor.rename(name), read_text_again();
   known = print;
   tally.save();
   if (!(load_text(all, file, options).document == document()))
@@ -101,6 +128,7 @@ Session::Answer Session::State::save(const std::string& to) {
 
 // A journal that holds the whole history.
 bool Session::State::begin(Journal& j, const Fingerprint& saved) const {
+  if (in_place) return static_cast<bool>(j.begin(saved));
   std::vector<Record> all;
   for (const auto steps : {editor.steps(), editor.undone()})
     for (const Step& s : steps) all.push_back({Did::command, packed(s)});

@@ -18,7 +18,9 @@ void Session::State::start(Opening& o, const std::string& base) {
   file = o.name, known = o.print;
   tally = {};
   sheet_refused = false;
-  for (const Diagnostic& d : editor.begin(base, file))
+  of_text = editor.begin(base, file);
+  placed = {base, {}}, journal_knows = journal_undid = 0;
+  for (const Diagnostic& d : of_text)
     if (d.severity != Severity::notice) o.said += to_string(d);
 }
 
@@ -82,7 +84,11 @@ Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
     const std::string before = o.text.substr(0, std::min<std::size_t>(first->size, o.text.size()));
     if (fits && fingerprint(before) == *first) under = before;
   }
-  if (Status s = put_aside(o, under.has_value()); !s) return refused(s.error());
+  // What was put into the text itself is in the file since it was saved.
+  const auto& found = journal->records();
+  const bool all_saved =
+      !under && !found.empty() && found.back().what == Did::save && found.back().text == to_string(present);
+  if (Status s = all_saved ? Status(Nothing{}) : put_aside(o, under.has_value()); !s) return refused(s.error());
   if (under && journal->torn() > 0) o.said += "the last record of the journal was torn and is left out\n";
   if (under && then.unsaved() > 0) {
     const auto recover = wanted(then, earlier);
@@ -132,8 +138,14 @@ Session::Answer Session::State::replay(Opening o, const std::string& base) {
   const std::string now_saved = to_string(fingerprint(o.text));
   for (std::size_t i = 0; i < journal->records().size(); ++i) {
     const Record& r = journal->records()[i];
-    if (r.what == Did::undo) (void)editor.undo();
-    if (r.what == Did::redo) (void)editor.redo();
+    if (r.what == Did::undo) (void)go_back();
+    if (r.what == Did::redo) (void)go_again();
+    if (r.what == Did::command && is_rewriting(r.text)) {
+      go_in_place();
+      const Answer again = rewrite(r.text);
+      o.said += again.done ? "" : again.said;
+      continue;
+    }
     if (r.what == Did::command) {
       Step step = unpacked(r.text);
       Deed deed = editor.carry_out(step);
@@ -150,11 +162,12 @@ Session::Answer Session::State::replay(Opening o, const std::string& base) {
         if (!rewrite(i)) return refused("the journal cannot be written");
         break;
       }
-      (void)editor.take(std::move(deed.after), std::move(step));
+      (void)take(std::move(deed.after), std::move(step));
     }
     if (r.what != Did::save || r.text == now_saved) tally.count(r.what);
   }
   keep_journal();
+  journal_knows = editor.steps().size(), journal_undid = editor.undone().size();
   return done(o.said + fmt::format("recovered; {} not saved yet\n", counted(tally.unsaved(), "command")));
 }
 

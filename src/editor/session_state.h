@@ -20,6 +20,7 @@
 #include "betwixt/session.h"
 #include "editor/editor.h"
 #include "editor/journal.h"
+#include "editor/placing.h"
 #include "language/line_words.h"
 
 namespace betwixt {
@@ -55,6 +56,10 @@ struct Session::State {
   bool looks_only = false;
   bool sheet_refused = false;  // rows below a refused line have nowhere to go
   bool ended = false;
+  bool in_place = false;  // what is done goes into the author's text; else below it
+  Placed placed;
+  Diagnostics of_text;                               // what there is to say of the text
+  std::size_t journal_knows = 0, journal_undid = 0;  // of the last steps that stand, and of those that were undone
   int lines = 0;  // that were entered
   Program program;                                 // of the last document in which code was tried
   bool quiet = false;                              // of how many things a pattern named
@@ -72,6 +77,8 @@ struct Session::State {
   int line_of(std::string_view text) const;
   std::string told(const Diagnostics& all, std::string_view line) const;
   std::string tried(const Words& words, std::string_view line);
+  Answer together(const std::vector<std::string>& said);
+  Result<Document> ahead(const std::vector<std::string>& said) const;
   Answer only_looks() const;
   Answer undo(const Words& = {});
   Answer redo(const Words& = {});
@@ -91,10 +98,21 @@ struct Session::State {
   bool begin(Journal& j, const Fingerprint& saved) const;
   void close(bool keep);
   Status write_down(Did what, std::string_view text);
+  Status write_step(Did what, const Step&);
   void keep_journal();
   Leave leave(std::string& said, bool ends);
   Answer quit(const Words& = {});
   Answer reopen(const Words&);
+
+  // session_text.cpp: what is done goes into the author's text
+  void go_in_place();
+  Answer rewrite(std::string_view line);
+  Answer rewrite_word(const Words&) { return rewrite(std::string_view()); }
+  Result<TextEdit> rewriting(std::string_view line) const;
+  Status take(Point after, Step);
+  Status go_back();
+  Status go_again();
+  void read_text_again();
 
   // session_opening.cpp: a session begins, or an earlier one goes on
   struct Opening {
@@ -123,6 +141,9 @@ struct Session::State {
   Answer stop(const Words&);
   Answer load(const Words&);
 };
+
+// Whether it is a line that changes lines of the text.
+bool is_rewriting(std::string_view line);
 
 // Without blanks and new lines at its end, and at its beginning where `both`.
 std::string_view trimmed(std::string_view s, bool both = true);

@@ -83,6 +83,7 @@ struct Evaluation::State {
   Played now;
   std::optional<Played> before;  // what another program gave last; the next time is compared with it
   mutable std::optional<Camera> camera;
+  std::optional<Camera> eye;  // whose camera it is instead
   Revision revision{next_program(), 0};
 
   static std::uint64_t next_program() {
@@ -153,11 +154,17 @@ Evaluation::Revision Evaluation::revision() const { return state_->revision; }
 const std::vector<Light>& Evaluation::lights() const { return state_->now.whole->lights; }
 const std::vector<std::string>& Evaluation::problems() const { return state_->now.whole->problems; }
 const std::vector<Frame::CodeError>& Evaluation::errors() const { return state_->now.whole->errors; }
+void Evaluation::look_from(std::optional<Camera> eye) { state_->eye = eye; }
 const Camera& Evaluation::camera() const {
+  if (state_->eye) return *state_->eye;
   if (!state_->camera) state_->camera = state_->evaluator().camera();
   return *state_->camera;
 }
 
-Frame Evaluation::frame() const { return state_->now.whole->frame(); }
+Frame Evaluation::frame() const {
+  Frame f = state_->now.whole->frame();
+  f.camera = camera();
+  return f;
+}
 
 }  // namespace betwixt

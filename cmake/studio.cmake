@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The studio: a program of its own, so that nobody waits for it who makes films from the command line.
+find_package(Qt6 REQUIRED COMPONENTS Widgets Test)
+file(GLOB studio_sources CONFIGURE_DEPENDS src/studio/*.cpp src/studio/*.h)
+list(FILTER studio_sources EXCLUDE REGEX "_program.cpp$")
+add_library(betwixt_studio_room STATIC ${studio_sources} src/app/live_input.cpp)
+set_target_properties(betwixt_studio_room PROPERTIES AUTOMOC ON)
+target_precompile_headers(betwixt_studio_room PRIVATE <QtWidgets> <fmt/format.h> <algorithm> <map> <optional> <string> <vector>)
+target_link_libraries(betwixt_studio_room PUBLIC betwixt_server Qt6::Widgets PkgConfig::CONTROLS)
+# Nothing here is done often enough to be worth the building.
+target_compile_options(betwixt_studio_room PRIVATE $<$<CONFIG:Release>:-O1>)
+add_executable(betwixt_studio src/studio/studio_program.cpp)
+set_target_properties(betwixt_studio PROPERTIES OUTPUT_NAME betwixt-studio)
+target_link_libraries(betwixt_studio PRIVATE betwixt_studio_room)
+add_dependencies(betwixt_studio betwixt_parser)
+install(TARGETS betwixt_studio RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/betwixt)
+
+if(BETWIXT_TESTS)
+  file(GLOB studio_tests CONFIGURE_DEPENDS tests/studio/*_test.cpp)
+  foreach(source IN LISTS studio_tests)
+    get_filename_component(name ${source} NAME_WE)
+    add_executable(studio_${name} ${source})
+    set_target_properties(studio_${name} PROPERTIES AUTOMOC ON)
+    target_include_directories(studio_${name} PRIVATE tests)
+    target_compile_definitions(studio_${name} PRIVATE SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    target_link_libraries(studio_${name} PRIVATE betwixt_studio_room Qt6::Test)
+  endforeach()
+endif()

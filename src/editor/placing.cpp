@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/placing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace betwixt {
+namespace {
+
+// Where each line begins; a text without lines has none.
+std::vector<std::size_t> line_starts(std::string_view text) {
+  std::vector<std::size_t> all;
+  for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) all.push_back(at);
+  return all;
+}
+
+}  // namespace
+
+void put_into(std::string& text, const TextEdits& edits) {
+  for (const TextEdit& e : edits) text.replace(e.at, e.removed.size(), e.inserted);
+}
+
+void take_back(std::string& text, const TextEdits& edits) {
+  for (auto e = edits.rbegin(); e != edits.rend(); ++e) text.replace(e->at, e->inserted.size(), e->removed);
+}
+
+Result<TextEdit> replace_lines(std::string_view text, LineRange lines, std::string_view others) {
+  std::vector<std::size_t> starts = line_starts(text);
+  const int count = static_cast<int>(starts.size());
+  if (lines.first < 1 || lines.last < lines.first - 1 || lines.first > count + 1 || lines.last > count)
+    return fail(ErrorCode::range,
+                fmt::format("there are no lines {}..{}: the text has {}", lines.first, lines.last, count));
+  starts.push_back(text.size());
+  const std::size_t from = starts[static_cast<std::size_t>(lines.first) - 1];
+  const std::size_t to = starts[static_cast<std::size_t>(lines.last)];
+  TextEdit e{from, std::string(text.substr(from, std::max(from, to) - from)), std::string(others)};
+  if (to < text.size() && !e.inserted.empty() && e.inserted.back() != '\n') e.inserted += '\n';
+  if (from == text.size() && from > 0 && text.back() != '\n' && !e.inserted.empty()) e.inserted.insert(0, "\n");
+  return e;
+}
+
+LineChange change_between(std::string_view before, std::string_view after) {
+  const auto was = line_starts(before), is = line_starts(after);
+  const auto line = [](std::string_view text, const std::vector<std::size_t>& starts, std::size_t i) {
+    return text.substr(starts[i], (i + 1 < starts.size() ? starts[i + 1] : text.size()) - starts[i]);
+  };
+  const std::size_t most = std::min(was.size(), is.size());
+  std::size_t head = 0, tail = 0;
+  while (head < most && line(before, was, head) == line(after, is, head)) ++head;
+  while (tail < most - head && line(before, was, was.size() - 1 - tail) == line(after, is, is.size() - 1 - tail))
+    ++tail;
+  const std::size_t from = head < is.size() ? is[head] : after.size();
+  const std::size_t to = tail == 0 ? after.size() : is[is.size() - tail];
+  return {{static_cast<int>(head) + 1, static_cast<int>(was.size() - tail)}, after.substr(from, to - from)};
+}
+
+TextEdits place(const std::string& text, const Step& step, const Document&, const Document&,
+                const std::function<bool(const std::string&)>&) {
+  TextEdit end{text.size(), {}, text.empty() || text.back() == '\n' ? "" : "\n"};
+  for (const std::string& line : lines_of(step, nullptr)) end.inserted += line + "\n";
+  return {end};
+}
+
+std::optional<std::string> merge(std::string_view base, std::string_view ours, std::string_view theirs) {
+  if (ours == theirs || theirs == base) return std::string(ours);
+  if (ours == base) return std::string(theirs);
+  const LineChange a = change_between(base, ours), b = change_between(base, theirs);
+  const LineChange &upper = a.lines.first <= b.lines.first ? a : b, &lower = a.lines.first <= b.lines.first ? b : a;
+  // What meets at a line is the same place.
+  if (lower.lines.first <= std::max(upper.lines.last, upper.lines.first)) return std::nullopt;
+  std::string all(base);
+  for (const LineChange& c : {lower, upper}) {
+    const auto e = replace_lines(all, c.lines, c.others);
+    if (!e) return std::nullopt;
+    put_into(all, {*e});
+  }
+  return all;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A session in which the author's text is changed itself.
+#include <algorithm>
+#include <charconv>
+
+#include "editor/session_state.h"
+#include "language/cursor.h"
+#include "language/values.h"
+
+namespace betwixt {
+bool is_rewriting(std::string_view line) { return first_word(line) == "rewrite"; }
+
+std::string Session::rewrite_line(int first, int last, std::string_view others) {
+  return fmt::format("rewrite {}..{} {}", first, last, write_text(std::string(others)));
+}
+
+void Session::State::go_in_place() {
+  if (in_place) return;
+  placed = {text(), std::vector<TextEdits>(editor.steps().size() + editor.undone().size())};
+  in_place = true;
+  read_text_again();
+}
+
+// What there is to say of the text as it stands.
+void Session::State::read_text_again() {
+  of_text.clear();
+  (void)editor.read(placed.text, of_text);
+}
+
+Status Session::State::take(Point after, Step step) {
+  if (!in_place) return editor.take(std::move(after), std::move(step));
+  Diagnostics said;
+  const auto makes = [&](const std::string& text) {
+    said.clear();
+    return editor.read(text, said).document == after.document;
+  };
+  TextEdits edits = place(placed.text, step, document(), after.document, makes);
+  if (Status s = editor.take(std::move(after), std::move(step)); !s) return s;
+  placed.edits.resize(editor.steps().size() - 1);
+  placed.edits.push_back(std::move(edits));
+  put_into(placed.text, placed.edits.back());
+  if (!of_text.empty()) read_text_again();
+  return Nothing{};
+}
+
+Status Session::State::go_back() {
+  if (Status s = editor.undo(); !s || !in_place) return s;
+  take_back(placed.text, placed.edits[editor.steps().size()]);
+  read_text_again();
+  return Nothing{};
+}
+
+Status Session::State::go_again() {
+  if (Status s = editor.redo(); !s || !in_place) return s;
+  put_into(placed.text, placed.edits[editor.steps().size() - 1]);
+  read_text_again();
+  return Nothing{};
+}
+
+// rewrite FIRST..LAST "…"
+Result<TextEdit> Session::State::rewriting(std::string_view line) const {
+  Cursor c(line);
+  (void)c.next_word();
+  const std::string_view range = c.next_word();
+  const std::size_t dots = range.find("..");
+  const auto number = [](std::string_view s) {
+    int n = -1;
+    const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), n);
+    return error == std::errc() && end == s.data() + s.size() ? n : -1;
+  };
+  const LineRange lines = {number(range.substr(0, dots)),
+                           dots == std::string_view::npos ? number(range) : number(range.substr(dots + 2))};
+  std::string others;
+  c.space();
+  if (lines.first < 0 || lines.last < 0 || !c.text(others) || !c.at_line_end())
+    return fail(ErrorCode::syntax, "rewrite takes lines and what stands there then",
+                "usage: rewrite FIRST..LAST \"…\", as in rewrite 2..2 \"create ball sphere\"");
+  return replace_lines(in_place ? placed.text : text(), lines, others);
+}
+
+Session::Answer Session::State::rewrite(std::string_view line) {
+  if (looks_only) return only_looks();
+  const Result<TextEdit> edit = rewriting(line);
+  if (!edit) return refused(edit.error());
+  go_in_place();
+  std::string text = placed.text;
+  put_into(text, {*edit});
+  Diagnostics said;
+  Point after = editor.read(text, said);
+  if (Status s = editor.take(std::move(after), {{std::string(line)}, {}}); !s) return refused(s.error());
+  placed.edits.resize(editor.steps().size() - 1);
+  placed.edits.push_back({*edit});
+  placed.text = std::move(text), of_text = std::move(said);
+  tally.command(), sheet_refused = false;
+  return done(has_errors(of_text) ? "the script has errors\n" : "");
+}
+
+Loaded Session::look_ahead(int first, int last, std::string_view others) const {
+  std::string text = state_->text();
+  if (const auto edit = replace_lines(text, {first, last}, others)) put_into(text, {*edit});
+  Loaded loaded;
+  loaded.document = state_->editor.read(text, loaded.diagnostics).document;
+  return loaded;
+}
+
+}  // namespace betwixt

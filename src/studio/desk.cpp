@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/desk.h"
+
+#include <algorithm>
+
+#include "betwixt/language.h"
+#include "editor/placing.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr int typing_rests_after = 1000;  // ms: what is typed until then is one step
+constexpr int ticks_a_second = 120;       // how often it is looked which frame is due
+
+}  // namespace
+
+Desk::Desk(const LoadOptions& options) : program_(Program::compile(Document())) {
+  session_ = std::make_unique<Session>(Session::Doors{}, options);
+  session_->keep_in_place();
+  typing_rests_.setSingleShot(true), typing_rests_.setInterval(typing_rests_after);
+  clock_.setInterval(1000 / ticks_a_second), clock_.setTimerType(Qt::PreciseTimer);
+  connect(&typing_rests_, &QTimer::timeout, this, &Desk::settle_typing);
+  connect(&clock_, &QTimer::timeout, this, &Desk::tick);
+}
+Desk::~Desk() = default;
+
+bool Desk::open(const QString& file) {
+  settle_typing();
+  const Session::Answer a = session_->open(file.toStdString());
+  const bool done = answer({}, a);
+  if (!done) return false;
+  selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0;
+  take_over();
+  transport_.pause();
+  go_to(document_.range().first);
+  emit opened();
+  emit selection_changed();
+  return true;
+}
+
+// What was said to the session is shown, and everybody told.
+bool Desk::answer(const std::string& line, const Session::Answer& a) {
+  last_said_ = a.said;
+  if (!line.empty() || !a.said.empty())
+    emit said(QString::fromStdString(line), QString::fromStdString(a.said), a.refused);
+  return a.done;
+}
+
+bool Desk::say(const std::string& line) {
+  settle_typing();
+  const Session::Answer a = session_->enter(line);
+  const bool done = answer(line, a);
+  if (a.quit) emit wants_to_quit();
+  take_over();
+  return done;
+}
+
+bool Desk::say(const std::vector<std::string>& lines) {
+  settle_typing();
+  std::string all;
+  for (const std::string& line : lines) all += (all.empty() ? "" : "\n") + line;
+  const bool done = answer(all, session_->enter_together(lines));
+  take_over();
+  return done;
+}
+
+bool Desk::look_ahead(const std::vector<std::string>& lines) {
+  Result<Document> next = session_->look_ahead(lines);
+  if (!next) return false;
+  ahead_ = true;
+  show(*std::move(next));
+  return true;
+}
+
+void Desk::look_back() {
+  if (ahead_) take_over();
+}
+
+void Desk::retype(std::string text) {
+  const std::string before = session_->text();
+  const LineChange c = change_between(before, text);
+  Loaded loaded = session_->look_ahead(c.lines.first, c.lines.last, c.others);
+  typing_ = ahead_ = true;
+  text_ = std::move(text), diagnostics_ = std::move(loaded.diagnostics);
+  typing_rests_.start();
+  show(std::move(loaded.document));
+}
+
+void Desk::settle_typing() {
+  typing_rests_.stop();
+  if (!std::exchange(typing_, false)) return;
+  const std::string before = session_->text();
+  if (before != text_) {
+    const LineChange c = change_between(before, text_);
+    const std::string line = Session::rewrite_line(c.lines.first, c.lines.last, c.others);
+    answer(line, session_->enter(line));
+  }
+  take_over();
+}
+
+void Desk::take_over() {
+  ahead_ = false;
+  text_ = session_->text(), diagnostics_ = session_->diagnostics();
+  show(session_->document());
+  emit text_changed();
+}
+
+void Desk::show(Document next) {
+  document_ = std::move(next);
+  program_ = Program::compile(document_, program_);
+  const auto part = range_.value_or(document_.range());
+  transport_.set(document_.rate(), part.first, part.second);
+  const auto gone = [&](ObjectId id) { return document_.name(id).empty(); };
+  const std::size_t selected = selected_.size(), events = events_.size();
+  std::erase_if(selected_, gone);
+  if (!ahead_)
+    std::erase_if(events_, [&](const EventAt& e) {
+      bool there = false;
+      if (!gone(e.target.object))
+        each_event(document_, e.target, e.time, e.time, [&](const EventView&) { there = true; });
+      return !there;
+    });
+  emit document_changed();
+  if (selected != selected_.size() || events != events_.size()) emit selection_changed();
+}
+
+void Desk::tick() {
+  const Time due = transport_.now();
+  if (transport_.ended()) pause();
+  if (due == time_) return;
+  time_ = due;
+  emit time_changed();
+}
+
+void Desk::go_to(Time t) {
+  transport_.go_to(t);
+  if (t == time_) return;
+  time_ = t;
+  emit time_changed();
+}
+
+void Desk::step(int frames) {
+  pause();
+  const Rate rate = document_.rate();
+  const double frame = rate.frame_number(time_);
+  go_to(rate.frame((frames > 0 ? std::floor(frame) : std::ceil(frame)) + frames));
+}
+
+void Desk::play(int direction) {
+  if (transport_.direction() == direction) return pause();
+  transport_.play(direction);
+  shown_ = 0, shown_rate_ = 0, counted_since_ = Transport::Clock::now();
+  clock_.start();
+  tick();
+  emit playing_changed();
+}
+
+void Desk::pause() {
+  if (!transport_.playing()) return;
+  transport_.pause();
+  clock_.stop();
+  emit playing_changed();
+}
+
+void Desk::set_range(std::optional<std::pair<Time, Time>> range) {
+  range_ = range;
+  const auto part = range_.value_or(document_.range());
+  transport_.set(document_.rate(), part.first, part.second);
+  emit playing_changed();
+}
+
+void Desk::picture_shown() {
+  if (!transport_.playing()) return;
+  ++shown_;
+  const auto now = Transport::Clock::now();
+  const double gone = std::chrono::duration<double>(now - counted_since_).count();
+  if (gone < 0.5) return;
+  shown_rate_ = shown_ / gone, shown_ = 0, counted_since_ = now;
+  emit playing_changed();
+}
+
+void Desk::select(std::vector<ObjectId> ids) {
+  if (ids == selected_) return;
+  selected_ = std::move(ids);
+  emit selection_changed();
+}
+
+void Desk::select_events(std::vector<EventAt> events) {
+  if (events == events_) return;
+  events_ = std::move(events);
+  emit selection_changed();
+}
+
+void Desk::set_script_line(int line) {
+  if (line == script_line_) return;
+  script_line_ = line;
+  emit script_line_changed();
+}
+
+std::string Desk::when(Time t) const { return format_time(t, document_); }
+
+}  // namespace betwixt::studio

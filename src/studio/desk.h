@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What all panels work at: a film and what is done to it, where its time is, what is selected. Everything that a hand
+// does is a line of the language, which stands in the console, in the script and in the journal, and which one undo
+// takes back.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "betwixt/object.h"
+#include "betwixt/program.h"
+#include "betwixt/session.h"
+#include "betwixt/track.h"
+#include "studio/transport.h"
+
+namespace betwixt::studio {
+
+// An event that is selected.
+struct EventAt {
+  Target target;
+  Time time;
+  friend bool operator==(const EventAt&, const EventAt&) = default;
+};
+
+class Desk : public QObject {
+  Q_OBJECT
+ public:
+  explicit Desk(const LoadOptions& = {});
+  ~Desk() override;
+
+  // Goes on with a script; "": a new film. What is said stands in the console; false: nothing has changed.
+  bool open(const QString& file);
+  Session& session() { return *session_; }
+  const Session& session() const { return *session_; }
+
+  // What is shown: the film, or what it would be, while a hand is still moving something.
+  const Document& document() const { return document_; }
+  const Program& program() const { return program_; }
+  bool looks_ahead() const { return ahead_; }
+
+  // Carries lines out, several as one step. True where they were done; what is wrong with them is in the console, and
+  // the last thing said is in `last_said`.
+  bool say(const std::string& line);
+  bool say(const std::vector<std::string>& lines);
+  // Shows what lines would do while a hand moves something. Lines that cannot be carried out leave what is shown.
+  bool look_ahead(const std::vector<std::string>& lines);
+  // Shows what another text would do; when typing rests it becomes one step.
+  void retype(std::string text);
+  void settle_typing();  // now
+  void look_back();      // shows what there is
+  void undo() { say(std::string("undo")); }
+  void redo() { say(std::string("redo")); }
+  const std::string& last_said() const { return last_said_; }
+  // The author's text with all that was done; with what is being typed. Its errors and warnings.
+  const std::string& text() const { return text_; }
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+  // Time. The playhead is where the picture is.
+  Transport& transport() { return transport_; }
+  const Transport& transport() const { return transport_; }
+  Time time() const { return time_; }
+  void go_to(Time);
+  void step(int frames);     // on whole frames; stops
+  void play(int direction);  // the direction it plays in already: stops
+  void pause();
+  // The part that is played; none: the film's own range.
+  void set_range(std::optional<std::pair<Time, Time>>);
+  double frames_shown() const { return shown_rate_; }  // a second, while it plays
+  void picture_shown();                                // is told by whoever shows pictures
+
+  // What is selected: objects, the last one leads; events.
+  const std::vector<ObjectId>& selected() const { return selected_; }
+  void select(std::vector<ObjectId>);
+  const std::vector<EventAt>& events_selected() const { return events_; }
+  void select_events(std::vector<EventAt>);
+  // The line of the script that the cursor is in, 1…; 0: nowhere. Panels light up what it speaks of.
+  int script_line() const { return script_line_; }
+  void set_script_line(int);
+
+  // How names and times stand in lines.
+  std::string name(ObjectId id) const { return document_.name(id); }
+  std::string when(Time t) const;  // "24f", or seconds between frames
+
+ signals:
+  void opened();            // another script
+  void document_changed();  // or what is shown of it
+  void text_changed();      // not while it is only looked ahead
+  void time_changed();
+  void playing_changed();
+  void selection_changed();
+  void script_line_changed();
+  void said(const QString& line, const QString& answer, bool refused);
+  void wants_to_quit();  // "quit" was said and may be done
+
+ private:
+  void tick();
+  void take_over();
+  void show(Document);
+  bool answer(const std::string& line, const Session::Answer&);
+
+  std::unique_ptr<Session> session_;
+  Document document_;
+  Program program_;
+  bool ahead_ = false;
+  std::string text_, last_said_;
+  Diagnostics diagnostics_;
+  bool typing_ = false;  // text_ is not the session's
+  QTimer typing_rests_, clock_;
+  Transport transport_;
+  std::optional<std::pair<Time, Time>> range_;
+  Time time_;
+  std::vector<ObjectId> selected_;
+  std::vector<EventAt> events_;
+  int script_line_ = 0;
+  int shown_ = 0;
+  double shown_rate_ = 0;
+  Transport::Clock::time_point counted_since_;
+};
+
+}  // namespace betwixt::studio

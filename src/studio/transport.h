@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where playing is: forward or back, again and again, in a part of the film. Time comes from the clock, never from
+// counting pictures: a late picture is left out, and nothing slows down.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "betwixt/time.h"
+
+namespace betwixt::studio {
+
+class Transport {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  bool playing() const { return direction_ != 0; }
+  int direction() const { return direction_; }  // 1, -1; 0: it stands
+  bool loops() const { return loops_; }
+  void loop(bool on) { hold(), loops_ = on; }
+  Rate rate() const { return rate_; }
+  Time first() const { return first_; }
+  Time last() const { return last_; }
+  // The part that is played, both frames included; where it stood outside it goes on from the nearest.
+  void set(Rate rate, Time first, Time last) { hold(), rate_ = rate, first_ = first, last_ = std::max(first, last); }
+
+  // The frame's time that is due; while it stands, where it was put, which may be between frames.
+  Time now(Clock::time_point clock = Clock::now()) const {
+    if (direction_ == 0) return at_;
+    const double gone = direction_ * std::chrono::duration<double>(clock - since_).count() * rate_.per_second();
+    const double from = rate_.frame_number(first_), to = rate_.frame_number(last_);
+    double frame = rate_.frame_number(at_) + gone;
+    const double length = std::floor(to) - std::ceil(from) + 1;
+    if (loops_ && length > 0) {
+      frame = std::fmod(frame - from, length);
+      frame = from + (frame < 0 ? frame + length : frame);
+    }
+    frame = std::clamp(direction_ > 0 ? std::floor(frame) : std::ceil(frame), from, to);
+    return rate_.frame(frame);
+  }
+  // It has come to the end that it goes to, and stays there.
+  bool ended(Clock::time_point clock = Clock::now()) const {
+    return direction_ != 0 && !loops_ && now(clock) == (direction_ > 0 ? last_ : first_);
+  }
+  // From where it stands; from the other end where it stands at the one that it would go to.
+  void play(int direction) {
+    hold();
+    direction_ = direction;
+    if (at_ >= last_ && direction > 0) at_ = first_;
+    if (at_ <= first_ && direction < 0) at_ = last_;
+    at_ = std::clamp(at_, first_, last_), since_ = Clock::now();
+  }
+  void pause() { hold(), direction_ = 0; }
+  void go_to(Time t) { at_ = t, since_ = Clock::now(); }
+
+ private:
+  void hold() {
+    const auto clock = Clock::now();
+    at_ = now(clock), since_ = clock;
+  }
+
+  Rate rate_;
+  Time first_, last_, at_;
+  int direction_ = 0;
+  bool loops_ = true;
+  Clock::time_point since_ = Clock::now();
+};
+
+}  // namespace betwixt::studio
