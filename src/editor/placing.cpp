@@ -56,13 +56,6 @@ LineChange change_between(std::string_view before, std::string_view after) {
   return {{static_cast<int>(head) + 1, static_cast<int>(was.size() - tail)}, after.substr(from, to - from)};
 }
 
-TextEdits place(const std::string& text, const Step& step, const Document&, const Document&,
-                const std::function<bool(const std::string&)>&) {
-  TextEdit end{text.size(), {}, text.empty() || text.back() == '\n' ? "" : "\n"};
-  for (const std::string& line : lines_of(step, nullptr)) end.inserted += line + "\n";
-  return {end};
-}
-
 std::optional<std::string> merge(std::string_view base, std::string_view ours, std::string_view theirs) {
   if (ours == theirs || theirs == base) return std::string(ours);
   if (ours == base) return std::string(theirs);

@@ -81,6 +81,8 @@ std::string write_environment(const std::string& name, const Environment&);  // 
 // value, a command or a sheet each: what is set below events, twerper, extend, velocity, filters, layers.
 std::string write_rows(const Document&, const Target&);
 std::string write_besides(const Document&, const Target&);
+// What stands behind the time in the row of one event, of a track that is no motion's; empty: there is no event.
+std::string write_event(const Document&, const Target&, Time);
 std::string write_value(const Value&, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of);
 

@@ -1,0 +1,499 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a step changed of events and of values that are set is looked for in the text: rows of sheets, `at` and `set`
+// lines, what is said where a thing is created. Whatever comes of it is only taken if the text then makes the same
+// film.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/names.h"
+#include "betwixt/language.h"
+#include "betwixt/object.h"
+#include "betwixt/track.h"
+#include "commands/command.h"
+#include "editor/placing.h"
+#include "language/cursor.h"
+#include "language/line_words.h"
+#include "language/lines.h"
+#include "language/values.h"
+
+namespace betwixt {
+namespace {
+
+// An event as its row says it: when, and what stands behind the time.
+struct Said {
+  Time time;
+  std::string rest;
+};
+// Events that a target had and has no more, and those that it has instead.
+struct Changed {
+  Target target;
+  std::vector<Said> gone, come;
+};
+struct Changes {
+  std::vector<Changed> events;
+  std::vector<std::pair<Target, std::string>> set;  // values
+};
+
+// Two documents' events of a target; what both share is passed over.
+Changed compare(const Document& before, const Document& after, const Target& t) {
+  Changed c{t, {}, {}};
+  const std::vector<EventView> was = events(before, t), is = events(after, t);
+  const auto say = [&](const Document& d, const EventView& e, std::vector<Said>& into) {
+    into.push_back({e.time, write_event(d, t, e.time)});
+  };
+  for (std::size_t i = 0, k = 0; i < was.size() || k < is.size();) {
+    if (k == is.size() || (i < was.size() && was[i].time < is[k].time)) {
+      say(before, was[i++], c.gone);
+    } else if (i == was.size() || is[k].time < was[i].time) {
+      say(after, is[k++], c.come);
+    } else {
+      const bool shared = was[i].value && was[i].value == is[k].value;
+      if (!shared && write_event(before, t, was[i].time) != write_event(after, t, is[k].time))
+        say(before, was[i], c.gone), say(after, is[k], c.come);
+      ++i, ++k;
+    }
+  }
+  return c;
+}
+
+// None where things came or went: that is new, and no row says it.
+std::optional<Changes> changes(const Document& before, const Document& after) {
+  const Scene &was = before.scene(), &is = after.scene();
+  if (was.objects.size() != is.objects.size() || !was.names.same(is.names)) return std::nullopt;
+  Changes all;
+  is.objects.each_changed(was.objects, [&](std::size_t i) {
+    const Object &a = was.objects[i], &b = is.objects[i];
+    const ObjectId id{static_cast<std::uint32_t>(i)};
+    const auto tracks = [&](const Strand* x, const Strand& y, Target t) {
+      if (!x || !x->track.same(y.track))
+        if (Changed c = compare(before, after, t); !c.gone.empty() || !c.come.empty())
+          all.events.push_back(std::move(c));
+      for (std::size_t k = 0; k < y.components.size(); ++k) {
+        if (x && k < x->components.size() && x->components[k].same(y.components[k])) continue;
+        t.component = static_cast<int>(k);
+        if (Changed c = compare(before, after, t); !c.gone.empty() || !c.come.empty())
+          all.events.push_back(std::move(c));
+      }
+    };
+    for (const Slot& slot : b.slots) {
+      const Slot* old = a.find(slot.function, slot.layer);
+      Target t{id, slot.function};
+      t.layer = slot.layer;
+      tracks(old, slot, t);
+      if (slot.set && !(old && old->set == slot.set) && !std::holds_alternative<Procedure>(*slot.set)) {
+        const auto name_of = [&](ObjectId o) { return after.name(o); };
+        all.set.emplace_back(t, write_value(*slot.set, spec_of(is, slot.function), -1, name_of));
+      }
+      t.velocity = true;
+      tracks(old ? &old->velocity : nullptr, slot.velocity, t);
+    }
+  });
+  return all;
+}
+
+// A part of the text.
+struct Span {
+  std::size_t at = 0, size = 0;
+  std::size_t end() const { return at + size; }
+};
+// A row, or an `at` line, of which one event each comes.
+struct RowText {
+  Span line;  // with its new line
+  Span time, rest;
+  Time when;
+  bool relative = false;  // +12f
+};
+// A sheet with its rows, or a line that stands alone.
+struct SheetText {
+  std::vector<Target> targets;
+  Span opener;
+  std::vector<RowText> rows;
+  bool alone = false;
+};
+// What is said of a value for the whole film: of its target alone.
+struct ValueText {
+  Target target;
+  Span value;
+};
+struct Found {
+  std::vector<SheetText> sheets;
+  std::vector<ValueText> values;
+};
+
+class Finder {
+ public:
+  Finder(const std::string& text, const Document& d, const Changes& c) : text_(text), document_(d), changes_(c) {
+    for (const Changed& e : c.events) objects_.insert(e.target.object.index);
+    for (const auto& [t, value] : c.set) objects_.insert(t.object.index);
+  }
+
+  Found find() {
+    const char* const end = text_.data() + text_.size();
+    for (const char* at = text_.data(); at < end;) {
+      const LogicalLine one = logical_line({at, end});
+      const Span line{place(at), static_cast<std::size_t>(one.next(end) - at)};
+      read(line, {at, one.end});
+      at = one.next(end);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  std::size_t place(const char* at) const { return static_cast<std::size_t>(at - text_.data()); }
+  Cursor cursor(std::string_view line) const {
+    Cursor c(line);
+    c.rate = document_.rate(), c.ticks = document_.ticks();
+    return c;
+  }
+
+  // From here to a remark or the line's end.
+  Span rest_of(Cursor& c) const {
+    c.space();
+    const char *from = c.at, *to = c.at;
+    bool quoted = false;
+    for (const char* p = from; p < c.end; ++p) {
+      if (*p == '\\' && quoted) {
+        ++p;
+        continue;
+      }
+      if (*p == '"') quoted = !quoted;
+      const bool remark = *p == '#' && !quoted && (p + 1 == c.end || blank(p[1]) || p[1] == '\n');
+      if (remark) break;
+      if (!blank(*p) && *p != '\n') to = p + 1;
+    }
+    return {place(from), static_cast<std::size_t>(to - from)};
+  }
+
+  void read(Span line, std::string_view text) {
+    if (indented(text)) {
+      if (open_) add_row(found_.sheets.back(), line, cursor(text));
+      return;
+    }
+    Cursor c = cursor(text);
+    if (c.at_line_end()) return;
+    open_ = false;
+    command(line, c);
+  }
+
+  void command(Span line, Cursor c) {
+    RowText row;
+    row.line = line;
+    bool timed = false;
+    ObjectId layer;
+    std::string_view word = c.next_word();
+    for (; word == "at" || word == "on"; word = c.next_word()) {
+      if (word == "on") {
+        layer = document_.find(c.next_word());
+        if (!layer) return;
+        continue;
+      }
+      c.space();
+      const char* const from = c.at;
+      if (!c.time(row.when)) return;
+      row.time = {place(from), static_cast<std::size_t>(c.at - from)}, timed = true;
+    }
+    if (word == "set" && !timed) return set_line(c, layer);
+    if (word == "create") return create_line(c);
+    if (first_dot(word) == std::string_view::npos) return;
+    std::vector<Target> targets = targets_of(word, layer);
+    if (targets.empty()) return;
+    row.rest = rest_of(c);
+    if (!timed && row.rest.size > 0) return;
+    open_ = !timed;
+    found_.sheets.push_back({std::move(targets), line, {}, timed});
+    if (timed) found_.sheets.back().rows.push_back(row);
+  }
+
+  void add_row(SheetText& sheet, Span line, Cursor c) {
+    RowText row;
+    row.line = line;
+    if (c.at_line_end()) return;
+    const char* const from = c.at;
+    row.relative = c.peek() == '+';
+    const bool read = row.relative ? (++c.at, c.length(row.when)) : c.time(row.when);
+    if (!read || (row.relative && sheet.rows.empty())) {
+      sheet.targets.clear(), open_ = false;  // it is left alone
+      return;
+    }
+    if (row.relative) row.when = sheet.rows.back().when + row.when;
+    row.time = {place(from), static_cast<std::size_t>(c.at - from)};
+    row.rest = rest_of(c);
+    sheet.rows.push_back(row);
+  }
+
+  void set_line(Cursor& c, ObjectId layer) {
+    const std::vector<Target> targets = targets_of(c.next_word(), layer);
+    const Span value = rest_of(c);
+    if (targets.size() == 1) found_.values.push_back({targets[0], value});
+  }
+
+  // create NAME KIND key=value …
+  void create_line(Cursor& c) {
+    const ObjectId id = document_.find(c.next_word());
+    if (!id || !objects_.contains(id.index)) return;
+    for (const auto& [t, value] : changes_.set) {
+      if (t.object != id || t.layer) continue;
+      Cursor p = c;
+      const std::string key = document_.name(t).substr(document_.name(id).size() + 1);
+      for (p.space(); !p.at_line_end();) {
+        const std::string_view word = p.word();
+        if (p.peek() != '=') {
+          if (word.empty()) ++p.at;
+          p.space();
+          continue;
+        }
+        ++p.at;
+        const char* const from = p.at;
+        pass_value(p);
+        if (word == key) found_.values.push_back({t, {place(from), static_cast<std::size_t>(p.at - from)}});
+        p.space();
+      }
+    }
+  }
+  static void pass_value(Cursor& c) {
+    int depth = 0;
+    bool quoted = false;
+    for (; c.at < c.end; ++c.at) {
+      if (*c.at == '"') quoted = !quoted;
+      if (quoted) continue;
+      if (*c.at == '(') ++depth;
+      if (*c.at == ')') --depth;
+      if (depth <= 0 && (blank(*c.at) || *c.at == '\n')) return;
+    }
+  }
+
+  // Of a word, where it names any object that has changed.
+  std::vector<Target> targets_of(std::string_view word, ObjectId layer) {
+    const std::size_t dot = first_dot(word);
+    if (dot == std::string_view::npos) return {};
+    const std::string_view name = word.substr(0, dot);
+    if (!is_pattern(name) && !document_.aliases().contains(name)) {
+      const ObjectId id = document_.find(name);
+      if (id && !objects_.contains(id.index)) return {};
+    }
+    auto targets = find_targets(word, document_);
+    if (!targets) return {};
+    for (Target& t : *targets) t.layer = layer;
+    const bool any = std::ranges::any_of(*targets, [&](const Target& t) { return objects_.contains(t.object.index); });
+    return any ? *std::move(targets) : std::vector<Target>();
+  }
+
+  const std::string& text_;
+  const Document& document_;
+  const Changes& changes_;
+  std::set<std::uint32_t> objects_;
+  Found found_;
+  bool open_ = false;  // rows that come now belong to the last sheet
+};
+
+// What becomes of a row.
+struct Fate {
+  bool goes = false;
+  std::optional<Time> time;
+  std::optional<std::string> rest;
+  friend bool operator==(const Fate&, const Fate&) = default;
+};
+
+class Placing {
+ public:
+  Placing(const std::string& text, const Document& before, const Document& after)
+      : text_(text), before_(before), after_(after) {}
+
+  std::optional<TextEdits> edits() {
+    const std::optional<Changes> all = changes(before_, after_);
+    if (!all || (all->events.empty() && all->set.empty())) return std::nullopt;
+    found_ = Finder(text_, before_, *all).find();
+    for (const Changed& c : all->events)
+      if (!settle(c)) return std::nullopt;
+    for (const auto& [target, value] : all->set)
+      if (!settle(target, value)) return std::nullopt;
+    for (const SheetText& sheet : found_.sheets)
+      if (!rewrite(sheet)) return std::nullopt;
+    std::ranges::sort(edits_, [](const TextEdit& a, const TextEdit& b) { return a.at > b.at; });
+    return std::move(edits_);
+  }
+
+ private:
+  using Place = std::pair<SheetText*, std::size_t>;  // a row
+
+  // The last row that says an event.
+  std::optional<Place> row_of(const Target& t, Time time) {
+    for (auto s = found_.sheets.rbegin(); s != found_.sheets.rend(); ++s) {
+      if (std::ranges::find(s->targets, t) == s->targets.end()) continue;
+      for (std::size_t i = s->rows.size(); i-- > 0;)
+        if (s->rows[i].when == time) return Place{&*s, i};
+    }
+    return std::nullopt;
+  }
+
+  bool decide(const Place& at, const Fate& fate) {
+    const auto [there, fresh] = fates_.try_emplace(at, fate);
+    return fresh || there->second == fate;  // of a row for many, all want the same
+  }
+
+  // Rows that say what has gone say what has come instead, in the same order.
+  bool settle(const Changed& c) {
+    const std::size_t both = std::min(c.gone.size(), c.come.size());
+    bool same_times = c.gone.size() == c.come.size();
+    for (std::size_t i = 0; same_times && i < both; ++i) same_times = c.gone[i].time == c.come[i].time;
+    std::vector<bool> used(c.come.size());
+    const auto take = [&](const Said& was) -> std::optional<std::size_t> {
+      const auto fits = [&](auto&& how) -> std::optional<std::size_t> {
+        for (std::size_t k = 0; k < c.come.size(); ++k)
+          if (!used[k] && how(c.come[k])) return k;
+        return std::nullopt;
+      };
+      if (const auto k = fits([&](const Said& s) { return s.time == was.time && (same_times || s.rest == was.rest); }))
+        return k;
+      if (const auto k = fits([&](const Said& s) { return s.rest == was.rest; })) return k;
+      return fits([&](const Said& s) { return s.time == was.time; });
+    };
+    for (const Said& was : c.gone) {
+      const auto row = row_of(c.target, was.time);
+      if (!row) return false;
+      Fate fate;
+      if (const auto k = take(was)) {
+        used[*k] = true;
+        if (c.come[*k].time != was.time) fate.time = c.come[*k].time;
+        if (c.come[*k].rest != was.rest) fate.rest = c.come[*k].rest;
+      } else {
+        fate.goes = true;
+      }
+      if (!decide(*row, fate)) return false;
+    }
+    for (std::size_t k = 0; k < c.come.size(); ++k)
+      if (!used[k] && !add(c.target, c.come[k])) return false;
+    return true;
+  }
+
+  // A new row in the last sheet that is of this target alone.
+  bool add(const Target& t, const Said& said) {
+    for (auto s = found_.sheets.rbegin(); s != found_.sheets.rend(); ++s) {
+      if (s->alone || s->targets.size() != 1 || !(s->targets[0] == t)) continue;
+      added_[&*s].push_back(said);
+      return true;
+    }
+    return false;
+  }
+
+  bool settle(const Target& t, const std::string& value) {
+    for (auto v = found_.values.rbegin(); v != found_.values.rend(); ++v) {
+      if (!(v->target == t)) continue;
+      edits_.push_back({v->value.at, text_.substr(v->value.at, v->value.size), value});
+      return true;
+    }
+    return false;
+  }
+
+  std::string written(Time t, std::string_view as) const {
+    return as.ends_with('s') ? write_seconds(t) : format_time(t, after_);
+  }
+  std::string part(Span s) const { return text_.substr(s.at, s.size); }
+
+  // Three angles, where the author left out that they are.
+  static std::string as_before(const std::string& rest, std::string_view before) {
+    return before.starts_with('(') && rest.starts_with("euler(") ? rest.substr(5) : rest;
+  }
+  // A line with another time and another value.
+  std::string line_of(const RowText& row, const Fate& fate) const {
+    std::string line = part(row.line);
+    const auto put = [&](Span s, const std::string& instead) { line.replace(s.at - row.line.at, s.size, instead); };
+    if (fate.rest) put(row.rest, as_before(*fate.rest, part(row.rest)));
+    if (fate.time) put(row.time, written(*fate.time, part(row.time)));
+    return line;
+  }
+
+  bool rewrite(const SheetText& sheet) {
+    struct Line {
+      Time when;
+      std::string text;
+    };
+    SheetText* const key = const_cast<SheetText*>(&sheet);
+    const auto adds = added_.find(key);
+    bool touched = adds != added_.end(), moved = touched;
+    for (std::size_t i = 0; i < sheet.rows.size(); ++i)
+      if (const auto f = fates_.find({key, i}); f != fates_.end())
+        touched = true, moved |= f->second.goes || f->second.time;
+    if (!touched) return true;
+    if (sheet.alone) {
+      const Fate& fate = fates_.at({key, 0});
+      edits_.push_back({sheet.opener.at, part(sheet.opener), fate.goes ? "" : line_of(sheet.rows[0], fate)});
+      return true;
+    }
+    if (moved && std::ranges::any_of(sheet.rows, &RowText::relative)) return false;
+    const auto by_time = [](const Line& a, const Line& b) { return a.when < b.when; };
+    std::vector<Line> lines;
+    std::size_t from = sheet.opener.end();
+    bool sorted = true;
+    for (std::size_t i = 0; i < sheet.rows.size(); ++i) {
+      const RowText& row = sheet.rows[i];
+      const auto f = fates_.find({key, i});
+      const Fate fate = f == fates_.end() ? Fate{} : f->second;
+      // Remarks and empty lines above a row go with it.
+      std::string text = part({from, row.line.at - from});
+      from = row.line.end();
+      if (!fate.goes) text += line_of(row, fate);
+      if (i > 0 && sheet.rows[i - 1].when > row.when) sorted = false;
+      lines.push_back({fate.time.value_or(row.when), std::move(text)});
+    }
+    const std::string margin =
+        sheet.rows.empty() ? "  "
+                           : part({sheet.rows.back().line.at, sheet.rows.back().time.at - sheet.rows.back().line.at});
+    if (adds != added_.end())
+      for (const Said& s : adds->second) {
+        const std::string like = sheet.rows.empty() ? "f" : part(sheet.rows.back().time);
+        Line line{s.time, fmt::format("{}{} {}\n", margin, written(s.time, like), s.rest)};
+        if (!lines.empty() && !lines.back().text.empty() && lines.back().text.back() != '\n') lines.back().text += '\n';
+        lines.insert(sorted ? std::ranges::upper_bound(lines, line, by_time) : lines.end(), std::move(line));
+      }
+    if (sorted && moved) std::ranges::stable_sort(lines, by_time);
+    const std::size_t begin = sheet.opener.end();
+    std::string all = !lines.empty() && sheet.opener.size > 0 && text_[begin - 1] != '\n' ? "\n" : "";
+    for (Line& line : lines) {
+      if (!all.empty() && all.back() != '\n') all += '\n';
+      all += line.text;
+    }
+    edits_.push_back({begin, part({begin, from - begin}), std::move(all)});
+    return true;
+  }
+
+  const std::string& text_;
+  const Document &before_, &after_;
+  Found found_;
+  std::map<Place, Fate> fates_;
+  std::map<SheetText*, std::vector<Said>> added_;
+  TextEdits edits_;
+};
+
+// Only what differs.
+void shorten(TextEdit& e) {
+  std::size_t head = 0, tail = 0;
+  const std::size_t most = std::min(e.removed.size(), e.inserted.size());
+  while (head < most && e.removed[head] == e.inserted[head]) ++head;
+  while (tail < most - head && e.removed[e.removed.size() - 1 - tail] == e.inserted[e.inserted.size() - 1 - tail])
+    ++tail;
+  e = {e.at + head, e.removed.substr(head, e.removed.size() - head - tail),
+       e.inserted.substr(head, e.inserted.size() - head - tail)};
+}
+
+}  // namespace
+
+TextEdits place(const std::string& text, const Step& step, const Document& before, const Document& after,
+                const std::function<bool(const std::string&)>& makes) {
+  if (auto edits = Placing(text, before, after).edits()) {
+    for (TextEdit& e : *edits) shorten(e);
+    std::string placed = text;
+    put_into(placed, *edits);
+    if (makes(placed)) return *std::move(edits);
+  }
+  TextEdit end{text.size(), {}, text.empty() || text.back() == '\n' ? "" : "\n"};
+  for (const std::string& line : lines_of(step, nullptr)) end.inserted += line + "\n";
+  return {end};
+}
+
+}  // namespace betwixt
