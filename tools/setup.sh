@@ -4,6 +4,7 @@
 # What ./betwixt and ./test share: installing what is missing, configuring, building. Sourced, with `root` set to the
 # project's folder. Everything is said on stderr; what cannot be done ends the script with exit code 3.
 
+with=()  # what a build is told besides
 say() { printf 'betwixt: %s\n' "$*" >&2; }
 die() { say "$*"; exit 3; }
 
@@ -64,6 +65,14 @@ build() {
   ) 9>"$root/build/$1.lock" || exit 3
 }
 
+# build_with studio PRESET TARGET…: the same, of a build that knows the studio from then on.
+build_with() {
+  local cache=$root/build/$2/CMakeCache.txt
+  with=(-DBETWIXT_${1^^}=ON)
+  grep -qx "BETWIXT_${1^^}:BOOL=ON" "$cache" 2>/dev/null || rm -f "$root/build/$2/build.ninja"
+  build "${@:2}"
+}
+
 configure() {
   local cache=$root/build/$1/CMakeCache.txt log=$root/build/$1.log options=()
   # A checkout that was moved is configured anew.
@@ -72,8 +81,9 @@ configure() {
     return
   fi
   [ ! -f "$cache" ] || options+=(--fresh)
+  ! grep -qx "BETWIXT_STUDIO:BOOL=ON" "$cache" 2>/dev/null || with=(-DBETWIXT_STUDIO=ON)
   ! command -v ccache >/dev/null || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  (cd "$root" && cmake --preset "$1" "${options[@]}") >"$log" 2>&1 || {
+  (cd "$root" && cmake --preset "$1" "${options[@]}" "${with[@]}") >"$log" 2>&1 || {
     grep -v '^-- ' "$log" | tail -n 30 >&2
     die "the build could not be configured (all of it: build/$1.log)"
   }

@@ -67,6 +67,8 @@ class Session {
   void keep_in_place();
   // The line that writes other lines in the place of some, as above.
   static std::string rewrite_line(int first, int last, std::string_view others);
+  // Somebody else has changed the file, and what he wrote has been seen to: from now on it is what was saved last.
+  Status go_on_from_file();
   // What there is to say of the text: errors and warnings, each with its place in it.
   const Diagnostics& diagnostics() const;
   // From now on how many things a pattern named is not said.

@@ -13,6 +13,7 @@
 #include "app/hearing.h"
 #include "app/live_input.h"
 #include "app/playhead.h"
+#include "app/studio.h"
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "base/files.h"
@@ -340,7 +341,22 @@ Status play(const Document& document, PlayCall& call) {
   return played;
 }
 
+// In a window, where there is a display and what it takes: nothing is asked for then that only a terminal does.
+bool in_a_window(const PlayCall& call) {
+  return !call.terminal && call.listen.empty() && call.frames.empty() && has_display() && has_studio();
+}
+
 int play(PlayCall& call) {
+  if (in_a_window(call)) {
+    std::vector<std::string> arguments{"--bare"};
+    if (call.loop) arguments.emplace_back("--loop");
+    if (call.mute) arguments.emplace_back("--mute");
+    if (call.picture.size)
+      arguments.insert(arguments.end(),
+                       {"--size", fmt::format("{}x{}", call.picture.size->first, call.picture.size->second)});
+    arguments.insert(arguments.end(), {"--style", call.picture.otherwise.style});
+    return complain(become_studio(std::move(arguments), call.file).error(), machine_failed);
+  }
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   if (Status played = play(*document, call); !played) return complain(played.error(), wrong_call);
@@ -375,10 +391,10 @@ const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
   return {
       .rank = 30,
       .name = "play",
-      .sentence = "plays in the terminal, in real time",
+      .sentence = "plays in real time: in a window, or in the terminal",
       .takes =
           joined({{script_parameter(call.file),
-                   flag("--terminal", "in the terminal; in this version that is always so", call.terminal),
+                   flag("--terminal", "in the terminal, where there is a display too", call.terminal),
                    frames_parameter(call.frames)},
                   picture_parameters(call.picture),
                   {flag("--loop", "again and again", call.loop), flag("--mute", "its sounds are not heard", call.mute)},
@@ -387,7 +403,10 @@ const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
           "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, s and a "
           "change style and samples (anti-aliasing), + and - the size, m mutes, q quits.",
       .example = "betwixt play examples/bounce.bx --terminal --loop",
-      .manual = "Frames are dropped rather than slowed down."};
+      .manual =
+          "The window is the studio's, bare: it opens where there is a display and the studio has been built, unless "
+          "something is asked for that the terminal does (--terminal, --listen, --frames). Frames are dropped "
+          "rather than slowed down."};
 });
 
 }  // namespace

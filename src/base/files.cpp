@@ -246,6 +246,11 @@ Status put_in_place(const std::string& from, const std::string& to, bool overwri
   return system_error(reason, "write", to);
 }
 
+bool can_be_run(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
+}
+
 std::string ending(const std::string& path) {
   std::string e = std::filesystem::path(path).extension().string();
   if (!e.empty()) e.erase(0, 1);

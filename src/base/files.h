@@ -37,6 +37,8 @@ Status put_in_place(const std::string& from, const std::string& to, bool overwri
 // "the disk is full" and the like, for what the system answered about a path.
 Error system_error(int number, const std::string& doing, const std::string& path);
 
+// Whether it is a program, for us.
+bool can_be_run(const std::string& path);
 // What follows the last dot of the file's name, in small letters.
 std::string ending(const std::string& path);
 std::span<const std::uint8_t> as_bytes(std::string_view);

@@ -125,14 +125,23 @@ std::string plugin_help(std::string_view word) {
   return {};
 }
 
-std::vector<std::string> plugins_for(std::string_view script) {
+namespace {
+template <class Fits>
+std::vector<std::string> plugins_whose(Fits&& fits) {
   Brought& all = brought();
   const std::lock_guard lock(all.mutex);
   std::vector<std::string> paths;
   for (const Word& w : all.words)
-    if (std::find(paths.begin(), paths.end(), w.path) == paths.end() && stands_in(script, w.name))
-      paths.push_back(w.path);
+    if (std::find(paths.begin(), paths.end(), w.path) == paths.end() && fits(w)) paths.push_back(w.path);
   return paths;
+}
+}  // namespace
+
+std::vector<std::string> plugins_for(std::string_view script) {
+  return plugins_whose([&](const Word& w) { return stands_in(script, w.name); });
+}
+std::vector<std::string> plugins_loaded() {
+  return plugins_whose([](const Word&) { return true; });
 }
 
 }  // namespace betwixt

@@ -18,6 +18,7 @@ void adopt_plugins(Scene&);
 std::string plugin_help(std::string_view word);
 // The plug-ins that a script seems to need: those with a word that stands in it.
 std::vector<std::string> plugins_for(std::string_view script);
+std::vector<std::string> plugins_loaded();  // all that brought any words
 
 // What a procedure's name would be mistaken for: "a command", "a twerper", …; empty: the name is free.
 std::string_view taken_by(std::string_view name, Role);

@@ -97,6 +97,26 @@ Session::Answer Session::State::rewrite(std::string_view line) {
   return done(has_errors(of_text) ? "the script has errors\n" : "");
 }
 
+// The journal begins anew behind the file, with what is not in it.
+Status Session::State::go_on_from_file() {
+  if (looks_only || file.empty()) return Nothing{};
+  const auto there = read_script(file);
+  if (!there) return there.error();
+  if (!*there) return fail(ErrorCode::file, fmt::format("there is no file '{}'", file));
+  go_in_place();
+  known = fingerprint(**there);
+  tally.save();
+  journal_knows = journal_undid = 0;
+  std::vector<Record> rest;
+  if (const LineChange c = change_between(**there, placed.text); placed.text != **there) {
+    rest.push_back({Did::command, rewrite_line(c.lines.first, c.lines.last, c.others)});
+    tally.gone = 1;  // it is one command away
+  }
+  return journal ? journal->begin(*known, rest) : Status(Nothing{});
+}
+
+Status Session::go_on_from_file() { return state_->go_on_from_file(); }
+
 Loaded Session::look_ahead(int first, int last, std::string_view others) const {
   std::string text = state_->text();
   if (const auto edit = replace_lines(text, {first, last}, others)) put_into(text, {*edit});

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files.h"
 #include "exchange/parser_process.h"
 
 namespace betwixt {
@@ -16,11 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* name = "betwixt-parser";
-
-bool can_be_run(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
-}
 
 // In an installed tree, seen from bin, lib or lib/MACHINE.
 std::string near(const fs::path& folder) {

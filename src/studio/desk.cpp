@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/desk.h"
 
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
 #include <algorithm>
 
 #include "betwixt/language.h"
@@ -10,29 +13,47 @@
 namespace betwixt::studio {
 namespace {
 
+// Every line as a remark.
+std::string commented(const std::string& text) {
+  std::string out = "# ";
+  for (const char c : text) (out += c) += c == '\n' ? "# " : "";
+  return out + "\n";
+}
+
 constexpr int typing_rests_after = 1000;  // ms: what is typed until then is one step
+constexpr int file_rests_after = 150;     // ms
 constexpr int ticks_a_second = 120;       // how often it is looked which frame is due
 
 }  // namespace
 
 Desk::Desk(const LoadOptions& options) : program_(Program::compile(Document())) {
-  session_ = std::make_unique<Session>(Session::Doors{}, options);
+  Session::Doors doors;
+  doors.ask = [this](const std::string& question) { return ask ? ask(question) : std::nullopt; };
+  doors.ask_about_line = doors.ask;
+  doors.play = [this](const Document& d, const std::string& frames) { return play_part(d, frames); };
+  doors.load = [](const std::string& file) { return use_plugin(file); };
+  session_ = std::make_unique<Session>(std::move(doors), options);
   session_->keep_in_place();
   typing_rests_.setSingleShot(true), typing_rests_.setInterval(typing_rests_after);
   clock_.setInterval(1000 / ticks_a_second), clock_.setTimerType(Qt::PreciseTimer);
   connect(&typing_rests_, &QTimer::timeout, this, &Desk::settle_typing);
+  file_rests_.setSingleShot(true), file_rests_.setInterval(file_rests_after);
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, &file_rests_, qOverload<>(&QTimer::start));
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, &file_rests_, qOverload<>(&QTimer::start));
+  connect(&file_rests_, &QTimer::timeout, this, &Desk::look_at_file);
   connect(&clock_, &QTimer::timeout, this, &Desk::tick);
 }
 Desk::~Desk() = default;
 
-bool Desk::open(const QString& file) {
+bool Desk::open(const QString& file, Session::Earlier earlier) {
   settle_typing();
-  const Session::Answer a = session_->open(file.toStdString());
+  const Session::Answer a = session_->open(file.toStdString(), earlier);
   const bool done = answer({}, a);
   if (!done) return false;
   selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0;
   take_over();
-  transport_.pause();
+  know_file();
+  pause();
   go_to(document_.range().first);
   emit opened();
   emit selection_changed();
@@ -49,10 +70,13 @@ bool Desk::answer(const std::string& line, const Session::Answer& a) {
 
 bool Desk::say(const std::string& line) {
   settle_typing();
+  const std::string file = session_->file();
   const Session::Answer a = session_->enter(line);
   const bool done = answer(line, a);
-  if (a.quit) emit wants_to_quit();
   take_over();
+  if (done && (line.starts_with("save") || file != session_->file())) know_file();
+  if (file != session_->file()) emit opened();
+  if (a.quit) emit wants_to_quit();
   return done;
 }
 
@@ -75,6 +99,70 @@ bool Desk::look_ahead(const std::vector<std::string>& lines) {
 
 void Desk::look_back() {
   if (ahead_) take_over();
+}
+
+namespace {
+std::optional<std::string> read_file(const std::string& name) {
+  QFile file(QString::fromStdString(name));
+  if (name.empty() || !file.open(QIODevice::ReadOnly)) return std::nullopt;
+  return file.readAll().toStdString();
+}
+}  // namespace
+
+// From now on it is noticed when somebody else changes it. Editors put another file in its place: its folder tells.
+void Desk::know_file() {
+  const std::string& name = session_->file();
+  file_text_ = read_file(name).value_or("");
+  if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
+  if (!watcher_.directories().isEmpty()) watcher_.removePaths(watcher_.directories());
+  if (name.empty()) return;
+  const QFileInfo info(QString::fromStdString(name));
+  if (info.exists()) watcher_.addPath(info.filePath());
+  if (info.dir().exists()) watcher_.addPath(info.dir().path());
+}
+
+void Desk::look_at_file() {
+  const std::optional<std::string> theirs = read_file(session_->file());
+  if (!theirs || *theirs == file_text_) return;
+  settle_typing();
+  const std::string ours = session_->text();
+  std::optional<std::string> both = merge(file_text_, ours, *theirs);
+  if (!both && ask) {
+    const auto chosen = ask("The file was changed by someone else, in the same lines as here: theirs, ours or both? ");
+    // Both: theirs, and ours as remarks below them would be nobody's film; they are for a person to put together.
+    if (chosen && *chosen == "theirs") both = *theirs;
+    if (chosen && *chosen == "both")
+      both = ours + "\n# ---- the file, as someone else has changed it\n" + commented(*theirs);
+  }
+  if (both && *both != ours) {
+    const LineChange c = change_between(ours, *both);
+    say(Session::rewrite_line(c.lines.first, c.lines.last, c.others));
+  }
+  if (const Status s = session_->go_on_from_file(); !s) emit said({}, QString::fromStdString(s.error().message), true);
+  know_file();
+  take_over();
+}
+
+Status Desk::play_part(const Document& document, const std::string& frames) {
+  if (!frames.empty()) {
+    const std::size_t dots = frames.find("..");
+    const auto time = [&](std::string text) {
+      if (text.find_first_not_of("0123456789.-") == std::string::npos) text += "f";
+      return parse_time(text, document);
+    };
+    const auto from = time(frames.substr(0, dots));
+    if (!from) return from.error();
+    Time to = document.range().second;
+    if (dots != std::string::npos && dots + 2 < frames.size()) {
+      const auto end = time(frames.substr(dots + 2));
+      if (!end) return end.error();
+      to = *end;
+    }
+    set_range(std::pair(*from, to));
+    go_to(*from);
+  }
+  if (!transport_.playing()) QTimer::singleShot(0, this, [this] { play(1); });
+  return Nothing{};
 }
 
 void Desk::retype(std::string text) {

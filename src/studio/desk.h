@@ -6,9 +6,11 @@
 // takes back.
 #pragma once
 
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,8 +37,12 @@ class Desk : public QObject {
   explicit Desk(const LoadOptions& = {});
   ~Desk() override;
 
+  // Who answers questions, "save, discard or stay?", with one of their words; none: nobody does, and nothing is lost.
+  std::function<std::optional<std::string>(const std::string& question)> ask;
   // Goes on with a script; "": a new film. What is said stands in the console; false: nothing has changed.
-  bool open(const QString& file);
+  bool open(const QString& file, Session::Earlier = Session::Earlier::ask);
+  // Looks whether somebody else has changed the file: what both changed is put together, or asked about.
+  void look_at_file();
   Session& session() { return *session_; }
   const Session& session() const { return *session_; }
 
@@ -102,6 +108,8 @@ class Desk : public QObject {
  private:
   void tick();
   void take_over();
+  void know_file();
+  Status play_part(const Document&, const std::string& frames);
   void show(Document);
   bool answer(const std::string& line, const Session::Answer&);
 
@@ -111,6 +119,9 @@ class Desk : public QObject {
   bool ahead_ = false;
   std::string text_, last_said_;
   Diagnostics diagnostics_;
+  QFileSystemWatcher watcher_;
+  QTimer file_rests_;      // editors write in several goes
+  std::string file_text_;  // what the file held when we last looked
   bool typing_ = false;  // text_ is not the session's
   QTimer typing_rests_, clock_;
   Transport transport_;

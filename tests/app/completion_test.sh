@@ -18,7 +18,7 @@ command -v groff >/dev/null && is 'the manual page' "$(groff -man -ww -z manual 
 
 # What --help names, all know.
 commands=$("$program" help | sed -nE '/^Commands/,/^$/s/^  ([a-z]+) .*/\1/p')
-is 'commands' "$(wc -w <<<"$commands")" 13
+is 'commands' "$(wc -w <<<"$commands")" 14
 for command in $commands; do
   for option in $("$program" "$command" --help | sed -nE 's/^  (-[a-z],)?(--[a-z-]+).*/\2/p'); do
     for what in bash zsh fish manual; do
@@ -54,7 +54,7 @@ completes 'betwixt render ball.bx -o b' ball.bx ball.txt bash
 completes 'betwixt render f' folder
 completes 'betwixt eval ball.bx --at 2'
 completes 'betwixt help gro' ground group
-completes 'betwixt help re' reach reach-chain reach-pole reach-share record rectangle redo regular release remove rename render replace reverse
+completes 'betwixt help re' reach reach-chain reach-pole reach-share record rectangle redo regular release remove rename render replace reverse rewrite
 completes 'betwixt help -' --help --load --read-anywhere --tex
 for what in zsh fish; do is "$what completes words of the language" "$(grep -cw quantise $what)" 1; done
 summary

@@ -214,6 +214,36 @@ TEST(Placing, IsRecovered) {
     EXPECT_NE(again.text(), text);
   }
 }
+// Somebody else wrote into the file: what is here and not there is not saved, and comes back.
+TEST(Placing, GoesOnFromAFileThatOthersChanged) {
+  const Folder folder;
+  folder.put("film.bx", ball);
+  std::string text;
+  {
+    Session s;
+    s.keep_in_place();
+    s.open(folder / "film.bx");
+    expect_done(s, "at 24f ball.position (1 1 1)");
+    const std::string theirs = with(ball, "# a ball", "# their ball");
+    folder.put("film.bx", theirs);
+    text = *merge(ball, s.text(), theirs);
+    const LineChange c = change_between(s.text(), text);
+    expect_done(s, Session::rewrite_line(c.lines.first, c.lines.last, c.others));
+    EXPECT_EQ(s.text(), text);
+    ASSERT_TRUE(s.go_on_from_file());
+    EXPECT_EQ(s.unsaved(), 1u);
+    folder.put("journal", folder.get(".film.bx.journal"));
+  }
+  folder.put(".film.bx.journal", folder.get("journal"));
+  Session again;
+  again.keep_in_place();
+  ASSERT_TRUE(again.open(folder / "film.bx", Session::Earlier::recover).done);
+  EXPECT_EQ(again.text(), text);
+  expect_done(again, "save");
+  EXPECT_EQ(folder.get("film.bx"), text);
+  EXPECT_EQ(again.unsaved(), 0u);
+}
+
 // A shell that finds such a journal goes on in the same way.
 TEST(Placing, IsRecoveredByAShell) {
   const Folder folder;

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The studio is a program of its own: it is found and becomes this one.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "app/studio.h"
+#include "app/subcommand.h"
+#include "base/files.h"
+#include "commands/plugins.h"
+
+namespace betwixt {
+namespace {
+
+constexpr const char* program = "betwixt-studio";
+
+std::string find_studio() {
+  if (const char* said = ::secure_getenv("BETWIXT_STUDIO")) return can_be_run(said) ? said : "";
+  std::error_code ignored;
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const auto& there : {here / program, here / "../libexec/betwixt" / program})
+    if (can_be_run(there)) return there.string();
+  return {};
+}
+
+struct StudioCall {
+  std::string file, screenshot, at, layout, size, session;
+  bool light = false, recover = false, discard = false;
+};
+
+int studio(StudioCall& call) {
+  std::vector<std::string> arguments;
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) arguments.insert(arguments.end(), {option, value});
+  };
+  add("--screenshot", call.screenshot), add("--at", call.at), add("--layout", call.layout), add("--size", call.size);
+  add("--session", call.session);
+  if (call.light) arguments.emplace_back("--light");
+  if (call.recover) arguments.emplace_back("--recover");
+  if (call.discard) arguments.emplace_back("--discard");
+  return complain(become_studio(std::move(arguments), call.file).error(), machine_failed);
+}
+
+const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
+  return {.rank = 25,
+          .name = "studio",
+          .sentence = "opens the studio: the film as a picture, a sheet, curves and text, to be worked on by hand",
+          .takes = {{.name = "FILE",
+                     .sentence = "the script; a new one if it is not there yet",
+                     .into = &call.file,
+                     .offer = Offer::scripts},
+                    file_option("--screenshot", "OUT.png",
+                                "a picture of its window, which needs no display; then the end", &call.screenshot),
+                    option("--at", "TIME", "where the playhead is: 24f, 1.5s", &call.at),
+                    {.name = "--layout",
+                     .value = "NAME",
+                     .sentence = "how its panels lie: all, animate, script or picture",
+                     .into = &call.layout,
+                     .words = {"all", "animate", "script", "picture"}},
+                    option("--size", "WxH", "how large its window is", &call.size),
+                    flag("--light", "light colours, whatever was chosen before", call.light),
+                    file_option("--session", "SESSION.txt", "carries out these lines first: what a console held before",
+                                &call.session),
+                    flag("--recover", "do again what an earlier session did and did not save", call.recover),
+                    {.name = "--discard",
+                     .sentence = "throw away what an earlier session did not save",
+                     .into = &call.discard,
+                     .excludes = "--recover"}},
+          .note = "It is built when ./betwixt studio is called for the first time.",
+          .example = "betwixt studio examples/bounce.bx",
+          .manual =
+              "What a hand does in it appears in its console as the line that does it, can be undone without limit, "
+              "is in a journal beside the script (.FILE.journal), and stands in the script where an author would "
+              "write it. Without a file it begins with an example."};
+});
+
+}  // namespace
+
+bool has_display() {
+  const auto said = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return said("DISPLAY") || said("WAYLAND_DISPLAY");
+}
+
+bool has_studio() { return !find_studio().empty(); }
+
+Status become_studio(std::vector<std::string> arguments, const std::string& file) {
+  const std::string path = find_studio();
+  if (path.empty())
+    return fail(ErrorCode::machine, "the studio is not here",
+                "./betwixt studio builds it; an installed one has it beside it where it was built with it");
+  arguments.insert(arguments.begin(), path);
+  if (load_options().read_anywhere) arguments.emplace_back("--read-anywhere");
+  if (load_options().tex) arguments.emplace_back("--tex");
+  for (const std::string& plugin : plugins_loaded()) arguments.insert(arguments.end(), {"--load", plugin});
+  if (!file.empty()) arguments.insert(arguments.end(), {"--", file});
+  std::vector<char*> raw;
+  for (std::string& a : arguments) raw.push_back(a.data());
+  raw.push_back(nullptr);
+  ::execv(path.c_str(), raw.data());
+  return fail(ErrorCode::machine, std::string("the studio cannot be started: ") + std::strerror(errno));
+}
+
+}  // namespace betwixt
