@@ -28,12 +28,13 @@ std::string duration(double seconds) {
 // One line on a terminal that says how far the film is; silent where there is none.
 class Bar {
  public:
-  explicit Bar(int frames) : shown_(::isatty(STDERR_FILENO) == 1), frames_(frames) {}
+  Bar(int frames, bool lines) : lines_(lines), shown_(lines || ::isatty(STDERR_FILENO) == 1), frames_(frames) {}
   ~Bar() { wipe(); }
   void show(int done, double seconds) {
     if (!shown_ || seconds < next_) return;
     next_ = seconds + 0.1;
     const double rate = seconds > 0 ? done / seconds : 0;
+    if (lines_) return fmt::print(stderr, "{}/{} frames, {:.1f} a second\n", done, frames_, rate);
     std::string tail = fmt::format(" {}/{}", done, frames_);
     if (done == frames_) tail += "  finishing the file";
     if (done > 0 && done < frames_)
@@ -54,6 +55,7 @@ class Bar {
     winsize size{};
     return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
   }
+  const bool lines_;  // for a program that reads it
   const bool shown_;
   const int frames_;
   double next_ = 0;
@@ -67,16 +69,17 @@ bool go_on(Bar& bar, int done, double seconds) {
 
 }  // namespace
 
-Result<FilmStats> make_showing(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter) {
+Result<FilmStats> make_showing(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter,
+                               bool in_lines) {
   catch_stops();
-  Bar bar(options.frames);
+  Bar bar(options.frames, in_lines);
   return make_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
 }
 
-Result<FilmStats> make_deep_showing(const FilmOptions& options,
-                                    const std::function<Result<DeepPainter>()>& new_painter) {
+Result<FilmStats> make_deep_showing(const FilmOptions& options, const std::function<Result<DeepPainter>()>& new_painter,
+                                    bool in_lines) {
   catch_stops();
-  Bar bar(options.frames);
+  Bar bar(options.frames, in_lines);
   return make_deep_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
 }
 

@@ -8,9 +8,11 @@
 
 namespace betwixt {
 
-// Makes the film, and shows how far it is.
-Result<FilmStats> make_showing(const FilmOptions&, const std::function<Result<Painter>()>& new_painter);
-Result<FilmStats> make_deep_showing(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter);
+// Makes the film, and shows how far it is: on a terminal, or `in_lines`, wherever they go.
+Result<FilmStats> make_showing(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
+                               bool in_lines = false);
+Result<FilmStats> make_deep_showing(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter,
+                                    bool in_lines = false);
 // That the film cannot have what is clear.
 void say_not_clear(const std::string& path);
 // Says what was made, or why not. The exit code.

@@ -25,7 +25,7 @@ struct RenderCall {
   PictureCall picture;
   ExposureCall exposure;
   int jobs = 0, bits = 8;
-  bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false;
+  bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false, progress = false;
 };
 
 // What a film would be, for those who have it made in parts.
@@ -120,8 +120,10 @@ int render(const RenderCall& call) {
     return print_plan(options, *frames);
   }
   const Result<FilmStats> made =
-      pictures.deep ? make_deep_showing(options, [&] { return painter(std::type_identity<DeepPicture>{}); })
-                    : make_showing(options, [&] { return painter(std::type_identity<Picture>{}); });
+      pictures.deep ? make_deep_showing(
+                          options, [&] { return painter(std::type_identity<DeepPicture>{}); }, call.progress)
+                    : make_showing(
+                          options, [&] { return painter(std::type_identity<Picture>{}); }, call.progress);
   const int code = say_made(made, options);
   if (made && call.stats) print_stats(*made, spent, program);
   return code;
@@ -151,6 +153,7 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
              .excludes = "--no-overwrite"},
             flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
             keep_going_flag(call.keep_going),
+            flag("--progress", "say in lines how far it is, where there is no terminal too", call.progress),
             flag("--plan", "make nothing, but say as JSON what would be made: which frames, at which rate and size",
                  call.plan),
             flag("--stats", "say where the time of a frame went, and what document and program take", call.stats)}}),

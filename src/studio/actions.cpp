@@ -8,8 +8,15 @@ namespace betwixt::studio {
 
 const std::vector<ActionRow>& action_rows() {
   static const std::vector<ActionRow> all = {
+      {"File", "New", "Ctrl+N", "Begins a new film; asks first where something is not saved.",
+       [](Window& w) { w.new_film(); }},
       {"File", "Open…", "Ctrl+O", "Goes on with another script: `open FILE`.", [](Window& w) { w.open_asking(); }},
       {"File", "Save", "Ctrl+S", "Writes the script: `save`.", [](Window& w) { w.save(); }},
+      {"File", "Save as…", "Ctrl+Shift+S", "Writes the script under another name: `save FILE`.",
+       [](Window& w) { w.save_as(); }},
+      {"File", "Make a film…", "Ctrl+R; F12", "The film as a file: `betwixt render`.",
+       [](Window& w) { w.make_film(); }},
+      {"File", "Open an example", "", "A ball, a hand, and what they do.", [](Window& w) { w.open_example(); }},
       {"File", "Quit", "Ctrl+Q", "Ends; asks first where something is not saved: `quit`.",
        [](Window& w) { w.close(); }},
       {"Edit", "Undo", "Ctrl+Z", "Takes back the last thing done, without limit: `undo`.",
@@ -29,6 +36,19 @@ const std::vector<ActionRow>& action_rows() {
        [](Window& w) { w.desk().go_to(w.desk().transport().first()); }},
       {"Play", "To the end", "End", "To the last frame of what is played.",
        [](Window& w) { w.desk().go_to(w.desk().transport().last()); }},
+      {"View", "Find a command…", "Ctrl+Shift+P; F3", "Whatever can be done, by a few of its letters.",
+       [](Window& w) { w.find_command(); }},
+      {"View", "Light colours", "", "Light or dark.", [](Window& w) { w.set_light(!w.is_light()); },
+       [](const Window& w) { return w.is_light(); }},
+      {"View", "To the console", "Ctrl+Return; F4", "Where lines of the language are said.",
+       [](Window& w) { w.show_panel("console"); }},
+      {"View", "To the script", "Ctrl+E", "The text of the film.", [](Window& w) { w.show_panel("script_panel"); }},
+      {"View", "To the picture", "Ctrl+1", "Where things are moved.", [](Window& w) { w.show_panel("viewport"); }},
+      {"View", "To the sheet", "Ctrl+2", "Events against time.", [](Window& w) { w.show_panel("sheet"); }},
+      {"View", "To the curves", "Ctrl+3", "Values against time.", [](Window& w) { w.show_panel("curves"); }},
+      {"View", "To the properties", "Ctrl+4", "What is selected, and its values.",
+       [](Window& w) { w.show_panel("properties"); }},
+      {"View", "All keys", "F1", "What each key does.", [](Window& w) { w.show_keys(); }},
   };
   return all;
 }

@@ -26,6 +26,10 @@ constexpr int ticks_a_second = 120;       // how often it is looked which frame 
 
 }  // namespace
 
+std::string quoted_word(const std::string& word) {
+  return word.find_first_of(" \t,#") == std::string::npos ? word : "\"" + word + "\"";
+}
+
 Desk::Desk(const LoadOptions& options) : program_(Program::compile(Document())) {
   Session::Doors doors;
   doors.ask = [this](const std::string& question) { return ask ? ask(question) : std::nullopt; };

@@ -31,6 +31,9 @@ struct EventAt {
   friend bool operator==(const EventAt&, const EventAt&) = default;
 };
 
+// As one word of a line.
+std::string quoted_word(const std::string&);
+
 class Desk : public QObject {
   Q_OBJECT
  public:
@@ -103,6 +106,7 @@ class Desk : public QObject {
   void selection_changed();
   void script_line_changed();
   void said(const QString& line, const QString& answer, bool refused);
+  void colors_changed();
   void wants_to_quit();  // "quit" was said and may be done
 
  private:

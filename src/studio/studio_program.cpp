@@ -4,7 +4,7 @@
 // betwixt-studio: what `betwixt studio` and `betwixt play` start where there is a display.
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSurfaceFormat>
+#include <QFile>
 #include <cstdio>
 
 #include "betwixt/language.h"
@@ -12,12 +12,41 @@
 #include "studio/viewport.h"
 #include "studio/window.h"
 
+namespace {
+
+// What a console held before: a line after the other, as far as they can be carried out.
+bool play_back(betwixt::studio::Desk& desk, const QString& name) {
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly)) {
+    std::fprintf(stderr, "betwixt: '%s' cannot be read\n", qPrintable(name));
+    return false;
+  }
+  std::string line;
+  for (const QString& part : QString::fromUtf8(file.readAll()).split('\n')) {
+    line += (line.empty() ? "" : "\n") + part.toStdString();
+    if (betwixt::Session::needs_more(line)) continue;
+    if (!line.empty() && !desk.say(line) && !desk.last_said().empty()) {
+      std::fputs(desk.last_said().c_str(), stderr);
+      return false;
+    }
+    line.clear();
+  }
+  return true;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace betwixt;
   using namespace betwixt::studio;
   // A screenshot needs no display.
   for (int i = 1; i < argc; ++i)
     if (std::string_view(argv[i]).starts_with("--screenshot")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // What the toolkit notices is for those who work on it.
+  if (!qEnvironmentVariableIsSet("BETWIXT_TOOLKIT_SAYS"))
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& words) {
+      if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "betwixt: %s\n", qPrintable(words));
+    });
   QApplication app(argc, argv);
   QApplication::setApplicationName("betwixt-studio");
   QCommandLineParser line;
@@ -26,41 +55,65 @@ int main(int argc, char** argv) {
                    {"at", "the time that it shows", "TIME"},
                    {"layout", "how the panels lie", "NAME"},
                    {"size", "of the window", "WxH"},
+                   {"session", "lines that are carried out first", "FILE"},
+                   {"style", "of the picture", "NAME"},
                    {"light", "light colours"},
-                   {"bare", "the picture alone, to play"}});
+                   {"bare", "the picture alone, to play"},
+                   {"loop", "again and again"},
+                   {"mute", "sounds are not heard"},
+                   {"recover", "what an earlier session did and did not save is done again"},
+                   {"discard", "it is thrown away"},
+                   {"read-anywhere", "the script may read files outside its own folder"},
+                   {"tex", "formulas are set by latex"},
+                   {"load", "a plug-in", "PLUGIN"}});
   line.addHelpOption();
   line.process(app);
+  const auto refuse = [](const std::string& why) { return std::fprintf(stderr, "betwixt: %s\n", why.c_str()), 2; };
+  for (const QString& plugin : line.values("load"))
+    if (const Status s = use_plugin(plugin.toStdString()); !s) return refuse(s.error().message);
+  LoadOptions options;
+  options.read_anywhere = line.isSet("read-anywhere"), options.tex = line.isSet("tex");
+  const bool shows_only = line.isSet("screenshot");
   set_theme(app, line.isSet("light") ? Theme::light : Theme::dark);
-  Desk desk;
-  Window window(desk, line.isSet("bare"));
-  if (!desk.open(line.positionalArguments().value(0))) {
+  Desk desk(options);
+  Window window(desk, {.bare = line.isSet("bare"), .remembers = !shows_only});
+  if (line.isSet("light")) window.set_light(true);
+  const QString file = line.positionalArguments().value(0);
+  const auto earlier = line.isSet("recover")   ? Session::Earlier::recover
+                       : line.isSet("discard") ? Session::Earlier::discard
+                                               : Session::Earlier::ask;
+  if (!desk.open(file, earlier)) {
     std::fputs(desk.last_said().c_str(), stderr);
     return 1;
   }
+  if (file.isEmpty() && desk.session().unsaved() == 0) window.open_example();
+  if (line.isSet("style")) window.viewport().set_style(line.value("style").toStdString());
   if (line.isSet("size")) {
     const QStringList wh = line.value("size").split('x');
-    window.resize(wh.value(0).toInt(), wh.value(1).toInt());
+    const int w = wh.value(0).toInt(), h = wh.value(1).toInt();
+    if (w < 100 || h < 100 || w > 16384 || h > 16384) return refuse("--size: a window is such as 1280x800");
+    window.resize(w, h);
   }
-  if (line.isSet("layout") && !window.set_layout(line.value("layout"))) {
-    std::fprintf(stderr, "there is no layout '%s': %s\n", qPrintable(line.value("layout")),
-                 qPrintable(Window::layouts().join(", ")));
-    return 2;
-  }
+  if (line.isSet("layout") && !window.set_layout(line.value("layout")))
+    return refuse("there is no layout '" + line.value("layout").toStdString() +
+                  "': " + Window::layouts().join(", ").toStdString());
+  if (line.isSet("session") && !play_back(desk, line.value("session"))) return 1;
   if (line.isSet("at")) {
     const Result<Time> at = parse_time(line.value("at").toStdString(), desk.document());
-    if (!at) {
-      std::fprintf(stderr, "%s\n", at.error().message.c_str());
-      return 2;
-    }
+    if (!at) return refuse("--at: " + at.error().message);
     desk.go_to(*at);
   }
   window.show();
-  if (line.isSet("screenshot")) {
+  if (shows_only) {
+    if (line.isSet("layout")) window.set_layout(line.value("layout"));  // its shares of the size that there is
     QApplication::processEvents();
     window.viewport().await_picture();
     QApplication::processEvents();
-    return window.grab().save(line.value("screenshot")) ? 0 : 3;
+    const QString out = line.value("screenshot");
+    return window.grab().save(out) ? 0
+                                   : (std::fprintf(stderr, "betwixt: '%s' cannot be written\n", qPrintable(out)), 3);
   }
+  desk.transport().loop(line.isSet("loop") || !line.isSet("bare"));
   if (line.isSet("bare")) desk.play(1);
   return QApplication::exec();
 }

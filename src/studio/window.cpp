@@ -3,37 +3,74 @@
 #include "studio/window.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTextBrowser>
 
 #include "studio/actions.h"
+#include "studio/asking.h"
 #include "studio/console.h"
 #include "studio/curves.h"
+#include "studio/example.h"
+#include "studio/export_dialog.h"
 #include "studio/outliner.h"
+#include "studio/palette.h"
 #include "studio/properties.h"
 #include "studio/script_panel.h"
 #include "studio/sheet.h"
+#include "studio/theme.h"
 #include "studio/timeline.h"
 #include "studio/viewport.h"
 
 namespace betwixt::studio {
+namespace {
 
-Window::Window(Desk& desk, bool bare) : desk_(desk), viewport_(new Viewport(desk, this)) {
+constexpr int recent_files = 10;
+
+QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); }
+
+}  // namespace
+
+Window::Window(Desk& desk, Manner manner)
+    : desk_(desk), manner_(manner), viewport_(new Viewport(desk, this)), said_(new QLabel(this)) {
   setObjectName("studio");
   setDockNestingEnabled(true);
+  setAcceptDrops(true);
   resize(1280, 800);
   setCentralWidget(viewport_);
   add_panels();
   add_menus();
+  said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long line makes no wider window
+  statusBar()->addWidget(said_, 1);
+  statusBar()->setVisible(!manner_.bare);
+  menuBar()->setVisible(!manner_.bare);
+  desk.ask = [this](const std::string& question) { return answer(question); };
   connect(&desk, &Desk::document_changed, this, &Window::name_film);
   connect(&desk, &Desk::text_changed, this, &Window::name_film);
-  set_layout(bare ? "picture" : "all");
+  connect(&desk, &Desk::opened, this, &Window::note_file);
+  connect(&desk, &Desk::wants_to_quit, this, [this] { leaving_ = true, close(); });
+  // The last line that a hand has said stands below, also where the console is not shown.
+  connect(&desk, &Desk::said, this, [this](const QString& line, const QString& answer, bool refused) {
+    said_->setText(refused ? answer.section('\n', 0, 0) : line.section('\n', 0, 0));
+    QPalette p;
+    if (refused) p.setColor(QPalette::WindowText, colors().error);
+    said_->setPalette(p);
+  });
+  set_layout(manner_.bare ? "picture" : "all");
+  if (manner_.remembers) recall();
   name_film();
 }
-Window::~Window() = default;
+
+Window::~Window() { desk_.ask = {}; }
 
 void Window::add_panels() {
   const auto add = [&](QWidget* panel, Qt::DockWidgetArea area) {
@@ -47,35 +84,58 @@ void Window::add_panels() {
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   add(new Outliner(desk_), Qt::LeftDockWidgetArea);
-  add(new Timeline(desk_), Qt::BottomDockWidgetArea);
+  auto* timeline = add(new Timeline(desk_), Qt::BottomDockWidgetArea);
   auto* sheet = add(new Sheet(desk_), Qt::BottomDockWidgetArea);
   auto* curves = add(new Curves(desk_), Qt::BottomDockWidgetArea);
   auto* script = add(new ScriptPanel(desk_), Qt::RightDockWidgetArea);
   auto* properties = add(new Properties(desk_), Qt::RightDockWidgetArea);
   add(new Console(desk_), Qt::RightDockWidgetArea);
+  splitDockWidget(timeline, sheet, Qt::Vertical);
   tabifyDockWidget(sheet, curves), sheet->raise();
-  tabifyDockWidget(script, properties), script->raise();
+  tabifyDockWidget(properties, script), script->raise();
+}
+
+QWidget* Window::panel(const QString& name) const {
+  for (QDockWidget* dock : docks_)
+    if (dock->widget()->objectName() == name) return dock->widget();
+  return nullptr;
+}
+
+void Window::show_panel(const QString& name) {
+  for (QDockWidget* dock : docks_) {
+    if (dock->widget()->objectName() != name) continue;
+    dock->show(), dock->raise();
+    dock->widget()->setFocus();
+  }
 }
 
 void Window::add_menus() {
+  const auto menu_of = [&](const QString& name) {
+    QMenu* into = menuBar()->findChild<QMenu*>(name);
+    if (!into) into = menuBar()->addMenu(name), into->setObjectName(name), into->setToolTipsVisible(true);
+    return into;
+  };
   for (const ActionRow& row : action_rows()) {
-    const QString menu = QString::fromUtf8(row.menu.data(), static_cast<int>(row.menu.size()));
-    QMenu* into = menuBar()->findChild<QMenu*>(menu);
-    if (!into) into = menuBar()->addMenu(menu), into->setObjectName(menu);
-    auto* action = into->addAction(QString::fromUtf8(row.name.data(), static_cast<int>(row.name.size())));
+    QMenu* into = menu_of(text(row.menu));
+    auto* action = into->addAction(text(row.name));
     QList<QKeySequence> keys;
-    for (const QString& k :
-         QString::fromUtf8(row.keys.data(), static_cast<int>(row.keys.size())).split("; ", Qt::SkipEmptyParts))
-      keys.push_back(QKeySequence(k));
+    for (const QString& k : text(row.keys).split("; ", Qt::SkipEmptyParts)) keys.push_back(QKeySequence(k));
     action->setShortcuts(keys);
-    action->setToolTip(QString::fromUtf8(row.sentence.data(), static_cast<int>(row.sentence.size())));
+    action->setToolTip(text(row.sentence));
+    action->setStatusTip(text(row.sentence));
     action->setCheckable(row.is_on != nullptr);
+    addAction(action);  // works where the menu bar is hidden too
     connect(action, &QAction::triggered, this, [this, &row] { row.run(*this); });
     if (row.is_on)
       connect(into, &QMenu::aboutToShow, action, [this, action, &row] { action->setChecked(row.is_on(*this)); });
+    if (row.name == "Open…") recent_ = into->addMenu(tr("Open recent"));
   }
-  QMenu* panels = menuBar()->addMenu(tr("Panels"));
-  for (QDockWidget* dock : docks_) panels->addAction(dock->toggleViewAction());
+  QMenu* view = menu_of(tr("View"));
+  view->addSeparator();
+  QMenu* layouts_menu = view->addMenu(tr("Layout"));
+  for (const QString& name : layouts()) layouts_menu->addAction(name, this, [this, name] { set_layout(name); });
+  for (QDockWidget* dock : docks_) view->addAction(dock->toggleViewAction());
+  connect(recent_, &QMenu::aboutToShow, this, &Window::list_recent);
 }
 
 QStringList Window::layouts() { return {"all", "animate", "script", "picture"}; }
@@ -89,34 +149,159 @@ bool Window::set_layout(const QString& name) {
                        (name == "script" && (panel == "script_panel" || panel == "console"));
     dock->setVisible(shown);
   }
+  // In shares of the window.
+  const auto size = [&](const QString& panel, double share, Qt::Orientation way) {
+    for (QDockWidget* dock : docks_)
+      if (dock->widget()->objectName() == panel && dock->isVisibleTo(this))
+        resizeDocks({dock}, {static_cast<int>(share * (way == Qt::Horizontal ? width() : height()))}, way);
+  };
+  size("outliner", 0.16, Qt::Horizontal);
+  size("script_panel", name == "script" ? 0.42 : 0.27, Qt::Horizontal);
+  size("console", name == "script" ? 0.42 : 0.27, Qt::Horizontal);
+  size("sheet", name == "animate" ? 0.42 : 0.26, Qt::Vertical);
+  size("console", 0.3, Qt::Vertical);
   return true;
+}
+
+void Window::set_light(bool light) {
+  light_ = light;
+  set_theme(*qApp, light ? Theme::light : Theme::dark);
+  for (QWidget* w : findChildren<QWidget*>()) w->update();
+  emit desk_.colors_changed();
 }
 
 void Window::name_film() {
   const QString file = QString::fromStdString(desk_.session().file());
-  setWindowTitle((file.isEmpty() ? tr("new film") : file) + "[*] — Betwixt");
-  setWindowModified(desk_.session().unsaved() > 0);
+  setWindowTitle((file.isEmpty() ? tr("new film") : QFileInfo(file).fileName()) + "[*] — Betwixt");
+  setWindowModified(desk_.session().unsaved() > 0 && desk_.text() != example_);
 }
+
+// ---- files
 
 void Window::open_asking() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a film"), {}, tr("Films (*.bx)"));
-  if (!file.isEmpty()) desk_.open(file);
+  if (!file.isEmpty()) desk_.say("open " + quoted_word(file.toStdString()));
+}
+
+void Window::new_film() {
+  if (desk_.session().unsaved() > 0 && desk_.text() != example_) {
+    const auto said = answer("this film is not saved: save, discard or stay? ");
+    if (!said || *said == "stay" || (*said == "save" && !save())) return;
+  }
+  desk_.open("", Session::Earlier::discard);
+}
+
+void Window::open_example() {
+  desk_.open("", Session::Earlier::discard);
+  example_ = example_film;
+  desk_.say(Session::rewrite_line(1, 0, example_));
+  example_ = desk_.text();
+  desk_.go_to(desk_.document().range().first);
+  name_film();
 }
 
 bool Window::save() {
-  QString file = QString::fromStdString(desk_.session().file());
-  if (!file.isEmpty()) return desk_.say(std::string("save"));
-  file = QFileDialog::getSaveFileName(this, tr("Save the film"), "film.bx", tr("Films (*.bx)"));
-  return !file.isEmpty() && desk_.say("save " + file.toStdString());
+  desk_.settle_typing();
+  return desk_.session().file().empty() ? save_as() : desk_.say(std::string("save"));
+}
+
+bool Window::save_as() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the film"), "film.bx", tr("Films (*.bx)"), nullptr,
+                                                    QFileDialog::DontConfirmOverwrite);  // the session asks
+  return !file.isEmpty() && desk_.say("save " + quoted_word(file.toStdString()));
+}
+
+std::optional<std::string> Window::answer(const std::string& question) {
+  // What nobody has touched need not be kept.
+  if (desk_.text() == example_ && !example_.empty() && question.find("not saved: save") != std::string::npos)
+    return "discard";
+  const auto said = ask_in_window(this, question);
+  if (said != "save" || !desk_.session().file().empty()) return said;
+  return save_as() ? "discard" : "stay";  // a film without a name: it has been saved meanwhile
+}
+
+void Window::note_file() {
+  name_film();
+  if (!manner_.remembers || desk_.session().file().empty()) return;
+  QSettings settings("betwixt", "studio");
+  QStringList files = settings.value("recent").toStringList();
+  const QString file = QFileInfo(QString::fromStdString(desk_.session().file())).absoluteFilePath();
+  files.removeAll(file);
+  files.prepend(file);
+  settings.setValue("recent", files.mid(0, recent_files));
+}
+
+void Window::list_recent() {
+  recent_->clear();
+  for (const QString& file : QSettings("betwixt", "studio").value("recent").toStringList())
+    if (QFileInfo::exists(file))
+      recent_->addAction(file, this, [this, file] { desk_.say("open " + quoted_word(file.toStdString())); });
+  if (recent_->isEmpty()) recent_->addAction(tr("none yet"))->setEnabled(false);
+}
+
+void Window::make_film() {
+  auto* dialog = new ExportDialog(desk_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
+}
+
+void Window::dragEnterEvent(QDragEnterEvent* e) {
+  for (const QUrl& url : e->mimeData()->urls())
+    if (url.toLocalFile().endsWith(".bx")) e->acceptProposedAction();
+}
+
+void Window::dropEvent(QDropEvent* e) {
+  for (const QUrl& url : e->mimeData()->urls())
+    if (url.toLocalFile().endsWith(".bx")) desk_.say("open " + quoted_word(url.toLocalFile().toStdString()));
 }
 
 void Window::closeEvent(QCloseEvent* e) {
-  desk_.settle_typing();
-  if (desk_.session().unsaved() == 0) return e->accept();
-  const auto answer = QMessageBox::question(this, tr("Not saved"), tr("This film has changes that are not saved."),
-                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  const bool leave = answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
-  leave ? e->accept() : e->ignore();
+  if (!leaving_) {
+    e->ignore();
+    desk_.say(std::string("quit"));  // asks where something is not saved; comes back here
+    return;
+  }
+  if (manner_.remembers) remember();
+  e->accept();
+}
+
+// ---- what is remembered
+
+void Window::remember() {
+  QSettings settings("betwixt", "studio");
+  if (!manner_.bare) settings.setValue("geometry", saveGeometry()), settings.setValue("panels", saveState());
+  settings.setValue("light", light_);
+}
+
+void Window::recall() {
+  QSettings settings("betwixt", "studio");
+  set_light(settings.value("light").toBool());
+  if (manner_.bare) return;
+  restoreGeometry(settings.value("geometry").toByteArray());
+  restoreState(settings.value("panels").toByteArray());
+}
+
+// ---- looking for what can be done
+
+void Window::find_command() {
+  Palette palette(*this);
+  palette.exec();
+}
+
+void Window::show_keys() {
+  auto* page = new QTextBrowser(nullptr);
+  page->setAttribute(Qt::WA_DeleteOnClose);
+  page->setWindowTitle(tr("Keys"));
+  QString html = "<table cellpadding='4'>";
+  std::string_view menu;
+  for (const ActionRow& row : action_rows()) {
+    if (row.menu != menu) html += "<tr><td colspan='3'><b>" + text(menu = row.menu) + "</b></td></tr>";
+    html += "<tr><td>" + text(row.keys).toHtmlEscaped() + "</td><td>" + text(row.name).toHtmlEscaped() + "</td><td>" +
+            text(row.sentence).toHtmlEscaped() + "</td></tr>";
+  }
+  page->setHtml(html + "</table>");
+  page->resize(60 * fontMetrics().height(), 40 * fontMetrics().height());
+  page->show();
 }
 
 }  // namespace betwixt::studio

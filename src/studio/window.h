@@ -11,6 +11,8 @@
 #include "studio/desk.h"
 
 class QDockWidget;
+class QLabel;
+class QMenu;
 
 namespace betwixt::studio {
 
@@ -19,31 +21,60 @@ class Viewport;
 class Window : public QMainWindow {
   Q_OBJECT
  public:
-  // `bare`: the picture and the ruler alone, to play.
-  explicit Window(Desk&, bool bare = false);
+  struct Manner {
+    bool bare = false;       // the picture and the ruler alone, to play
+    bool remembers = false;  // where its panels were, its colours, files: between one time and the next
+  };
+  Window(Desk&, Manner);
+  explicit Window(Desk& desk) : Window(desk, Manner()) {}
   ~Window() override;
 
   Desk& desk() { return desk_; }
   const Desk& desk() const { return desk_; }
   Viewport& viewport() { return *viewport_; }
-  // How panels lie: "all", "animate", "script", "picture". False: there is no such layout.
+  QWidget* panel(const QString& name) const;  // by its object name; null: there is none
+
+  // How panels lie: one of layouts(). False: there is no such layout.
   bool set_layout(const QString& name);
   static QStringList layouts();
+  void set_light(bool);
+  bool is_light() const { return light_; }
 
+  // What actions do.
   void open_asking();
+  void new_film();
   bool save();  // asks for a name where there is none
+  bool save_as();
+  void make_film();
+  void find_command();  // the palette
+  void show_panel(const QString& name);
+  void show_keys();
+  // A script that is shown where nobody has a film yet.
+  void open_example();
 
  protected:
   void closeEvent(QCloseEvent*) override;
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
 
  private:
   void add_panels();
   void add_menus();
   void name_film();
+  void note_file();
+  void list_recent();
+  void remember();
+  void recall();
+  std::optional<std::string> answer(const std::string& question);
 
   Desk& desk_;
+  const Manner manner_;
   Viewport* viewport_;
   std::vector<QDockWidget*> docks_;
+  QMenu* recent_ = nullptr;
+  QLabel* said_;
+  std::string example_;
+  bool light_ = false, leaving_ = false;
 };
 
 }  // namespace betwixt::studio

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/asking.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace betwixt::studio {
+
+std::vector<std::string> answers_of(const std::string& question) {
+  std::vector<std::string> all;
+  const auto split = [&](std::string_view text, std::string_view between) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find(between), text.size());
+      all.emplace_back(text.substr(0, end));
+      text.remove_prefix(std::min(end + between.size(), text.size()));
+    }
+  };
+  if (const std::size_t open = question.rfind('('); open != std::string::npos) {
+    split(std::string_view(question).substr(open + 1, question.find(')', open) - open - 1), "/");
+    return all;
+  }
+  const std::size_t mark = question.rfind('?');
+  if (mark == std::string::npos) return {};
+  const std::size_t colon = question.rfind(": ", mark);
+  std::string words = question.substr(colon == std::string::npos ? 0 : colon + 2, 0);
+  words =
+      question.substr(colon == std::string::npos ? 0 : colon + 2, mark - (colon == std::string::npos ? 0 : colon + 2));
+  if (const std::size_t last = words.rfind(" or "); last != std::string::npos) words.replace(last, 4, ", ");
+  split(words, ", ");
+  return all;
+}
+
+std::optional<std::string> ask_in_window(QWidget* parent, const std::string& question) {
+  QMessageBox box(parent);
+  box.setWindowTitle(QObject::tr("Betwixt"));
+  box.setIcon(QMessageBox::Question);
+  const std::size_t words = std::min(question.rfind(": "), question.rfind('?'));
+  box.setText(QString::fromStdString(question.substr(0, words)) + "?");
+  std::vector<QAbstractButton*> buttons;
+  const std::vector<std::string> answers = answers_of(question);
+  for (const std::string& a : answers) {
+    QString text = QString::fromStdString(a);
+    text[0] = text[0].toUpper();
+    buttons.push_back(box.addButton(text, QMessageBox::AcceptRole));
+  }
+  box.addButton(QMessageBox::Cancel);
+  box.exec();
+  for (std::size_t i = 0; i < buttons.size(); ++i)
+    if (box.clickedButton() == buttons[i]) return answers[i];
+  return std::nullopt;
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The film as a file: a window for what `betwixt render` takes, which shows the line that it stands for, and how far
+// it is.
+#pragma once
+
+#include <QDialog>
+#include <QProcess>
+#include <QTemporaryFile>
+#include <memory>
+
+#include "studio/desk.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace betwixt::studio {
+
+class ExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit ExportDialog(Desk&, QWidget* parent = nullptr);
+  // Arguments of `betwixt`, of the file that the film is in.
+  QStringList arguments(const QString& script) const;
+  // As one would type it.
+  QString command() const;
+  void start();
+  bool running() const { return process_.state() != QProcess::NotRunning; }
+
+ signals:
+  void ended(bool made);
+
+ protected:
+  void closeEvent(QCloseEvent*) override;
+
+ private:
+  void show_command();
+  void read();
+  void finish(int code);
+  QString script_name() const;
+
+  Desk& desk_;
+  QLineEdit *out_, *frames_;
+  QComboBox *size_, *style_;
+  QSpinBox *samples_, *subframes_;
+  QCheckBox* open_;
+  QLabel *command_, *state_;
+  QProgressBar* progress_;
+  QPushButton *start_, *cancel_;
+  QProcess process_;
+  std::unique_ptr<QTemporaryFile> text_;
+  QString said_;
+};
+
+}  // namespace betwixt::studio
