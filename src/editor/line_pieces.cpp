@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/line_pieces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "betwixt/language.h"
+#include "commands/list_rows.h"
+#include "commands/verbs.h"
+#include "editor/help.h"
+#include "language/colors.h"
+#include "language/line_words.h"
+#include "track/filter.h"
+#include "track/twerpers.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::string_view ends_of_words = " \t\r,()=\"@";
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool begins_comment(std::string_view line, std::size_t i) {
+  return line[i] == '#' && (i + 1 == line.size() || blank(line[i + 1]));
+}
+std::size_t end_of_word(std::string_view line, std::size_t i) {
+  for (int braces = 0; i < line.size(); ++i) {
+    braces += line[i] == '{' ? 1 : line[i] == '}' ? -1 : 0;
+    if (braces <= 0 && ends_of_words.find(line[i]) != std::string_view::npos) break;
+  }
+  return i;
+}
+// Where a text that begins at `i` ends; it may go on below.
+std::size_t end_of_text(std::string_view line, std::size_t i, bool& open) {
+  if (line.substr(i, 3) == "\"\"\"") {
+    const std::size_t close = line.find("\"\"\"", i + 3);
+    open = close == std::string_view::npos;
+    return open ? line.size() : close + 3;
+  }
+  for (++i; i < line.size() && line[i] != '"'; ++i)
+    if (line[i] == '\\') ++i;
+  return std::min(i + 1, line.size());
+}
+
+// f(at, length) for each comment, text, and word of a line; the state is that of its end.
+template <class F>
+void each_part(std::string_view line, LineState& state, F&& f) {
+  std::size_t i = 0;
+  if (state.text) {
+    const std::size_t close = line.find("\"\"\"");
+    state.text = close == std::string_view::npos;
+    i = state.text ? line.size() : close + 3;
+    f(std::size_t{0}, i, Meaning::text);
+  }
+  while (i < line.size()) {
+    const char c = line[i];
+    if (begins_comment(line, i)) return f(i, line.size() - i, Meaning::comment);
+    if (c == '"') {
+      const std::size_t end = end_of_text(line, i, state.text);
+      f(i, end - i, Meaning::text);
+      i = end;
+      continue;
+    }
+    if (c == '(') ++state.brackets;
+    if (c == ')' && state.brackets > 0) --state.brackets;
+    const std::size_t end = end_of_word(line, i);
+    if (end > i) f(i, end - i, Meaning::name);
+    i = std::max(end, i + 1);
+  }
+}
+
+bool is_option(std::string_view w) {
+  static constexpr std::string_view prepositions[] = {"to",      "on",    "by",     "from", "until",
+                                                      "into",    "times", "shift",  "like", "through",
+                                                      "next-to", "in",    "before", "after"};
+  if (std::ranges::find(prepositions, w) != std::end(prepositions)) return true;
+  return std::ranges::any_of(help_entries(),
+                             [&](const HelpEntry& e) { return e.group == HelpGroup::option && e.word == w; });
+}
+bool is_function(std::string_view w, const Scene& s) {
+  const auto called = [&](const FunctionSpec& f) { return f.name == w; };
+  return std::ranges::any_of(built_in_functions(), called) || std::ranges::any_of(*s.defined, called);
+}
+bool is_twerper(std::string_view w, const Scene& s) {
+  const NamedProcedure* own = find_procedure(s, w);
+  return find_twerper(w) || (own && own->role == Role::twerper);
+}
+bool is_time(std::string_view w) {
+  if (w.find(':') != std::string_view::npos) return true;
+  const std::size_t unit = w.find_last_not_of("fstm") + 1;
+  const std::string_view u = w.substr(unit);
+  return unit > 0 && (digit(w[unit - 1]) || w[unit - 1] == '.') && (u == "f" || u == "s" || u == "t" || u == "ms");
+}
+
+// Which word of the line it is, and what the words before it were.
+struct Reading {
+  std::string_view line;
+  const Scene& scene;
+  bool row = false;
+  std::size_t place = 0;  // among the words, `at TIME` and `on LAYER` taken off
+  std::string_view verb, before;
+  bool time_due = false, layer_due = false;
+
+  Meaning number(std::string_view w) const {
+    if (w[0] == '#') return Meaning::color;
+    return is_time(w) ? Meaning::time : Meaning::number;
+  }
+  // Meaning::name: none that is known.
+  Meaning word(std::string_view w, bool key) const {
+    if (key) return is_function(w, scene) ? Meaning::function : Meaning::option;
+    if (place == 0 && !row) {
+      const NamedProcedure* own = find_procedure(scene, w);
+      return find_verb(w) || (own && own->role == Role::command) ? Meaning::verb : Meaning::name;
+    }
+    if (place == 0 && std::ranges::any_of(list_rows(), [&](const ListRow& r) { return r.word == w; }))
+      return Meaning::verb;
+    if (verb == "create" && place == 2 && find_kind(w)) return Meaning::kind;
+    if (verb == "define" && place == 1) return Meaning::function;
+    if (verb == "filter" && place == 2 && find_filter(w)) return Meaning::twerper;
+    if (row && find_verb(w)) return Meaning::verb;  // attach to hand
+    if (is_option(w)) return Meaning::option;
+    if (is_twerper(w, scene)) return Meaning::twerper;
+    if (named_color(w)) return Meaning::color;
+    return Meaning::name;
+  }
+};
+
+}  // namespace
+
+void pass_line(std::string_view line, LineState& state) {
+  each_part(line, state, [](std::size_t, std::size_t, Meaning) {});
+}
+
+std::vector<Piece> line_pieces(std::string_view line, LineState& state, const Document& d) {
+  std::vector<Piece> all;
+  Reading r{line, d.scene(), indented(line) || state.goes_on(), state.goes_on() ? std::size_t{9} : 0, {}, {}};
+  const auto put = [&](std::size_t at, std::size_t length, Meaning m) {
+    if (length > 0) all.push_back({at, length, m});
+  };
+  each_part(line, state, [&](std::size_t at, std::size_t length, Meaning m) {
+    const std::string_view w = line.substr(at, length);
+    if (m != Meaning::name) return put(at, length, m);
+    const bool key = at + length < line.size() && line[at + length] == '=';
+    if (std::exchange(r.time_due, false)) return put(at, length, Meaning::time);
+    if (starts_like_time(w[0]) || w[0] == '#') {
+      if (!(r.row && r.place == 0)) ++r.place;
+      return put(at, length, r.number(w));
+    }
+    if (std::exchange(r.layer_due, false)) return put(at, length, Meaning::name);
+    if (r.place == 0 && !r.row && (w == "at" || w == "on")) {
+      (w == "at" ? r.time_due : r.layer_due) = true;
+      return put(at, length, Meaning::verb);
+    }
+    const std::size_t dot =
+        w.find_last_of("]}") == std::string_view::npos ? w.find('.') : w.find('.', w.find_last_of("]}"));
+    if (dot != std::string_view::npos && dot > 0) {  // a target
+      put(at, dot, Meaning::name), put(at + dot + 1, length - dot - 1, Meaning::function);
+    } else {
+      const Meaning meant = r.word(w, key);
+      if (meant != Meaning::name || letter(w[0]) || w[0] == '*' || w[0] == '{') put(at, length, meant);
+    }
+    if (r.place == 0) r.verb = w;
+    ++r.place;
+  });
+  return all;
+}
+
+std::optional<NumberAt> number_at(std::string_view line, std::size_t place) {
+  const auto part = [&](std::size_t i) { return i < line.size() && (digit(line[i]) || line[i] == '.'); };
+  const auto inside = [&](std::size_t i) {
+    return part(i) && !(line[i] == '.' && (line.substr(i, 2) == ".." || (i > 0 && line[i - 1] == '.')));
+  };
+  if (place > line.size()) return std::nullopt;
+  std::size_t from = place;
+  // Of a number and its unit: the number.
+  while (from > 0 && !inside(from) && from < line.size() && letter(line[from]) && letter(line[from - 1])) --from;
+  if (from < line.size() && line[from] == '-' && inside(from + 1)) ++from;
+  if (from > 0 && !inside(from)) --from;
+  if (!inside(from)) return std::nullopt;
+  std::size_t to = from;
+  while (from > 0 && inside(from - 1)) --from;
+  while (inside(to)) ++to;
+  const char before = from > 0 ? line[from - 1] : ' ';
+  if (letter(before) || before == '_' || before == '/' || before == '#' || before == '{')
+    return std::nullopt;  // a name
+  if (before == '-') {
+    const char further = from > 1 ? line[from - 2] : ' ';
+    if (letter(further) || further == '_') return std::nullopt;
+    if (!digit(further) && further != ')') --from;  // else it is taken away from something
+  }
+  if (line.substr(from, to - from).find_first_of("0123456789") == std::string_view::npos) return std::nullopt;
+  return NumberAt{from, to - from};
+}
+
+std::string stepped(std::string_view number, int steps, bool finer) {
+  double value = 0;
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (read.ec != std::errc()) return std::string(number);
+  const std::size_t point = number.find('.');
+  const std::size_t behind = (point == std::string_view::npos ? 0 : number.size() - point - 1) + (finer ? 1 : 0);
+  const int digits = static_cast<int>(std::min<std::size_t>(behind, 15));
+  std::string text = fmt::format("{:.{}f}", value + steps * std::pow(10.0, -digits), digits);
+  if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::optional<Time> time_at(std::string_view line, std::size_t place, const Document& d) {
+  std::optional<Time> found;
+  LineState state;
+  each_part(line, state, [&](std::size_t at, std::size_t length, Meaning m) {
+    if (m != Meaning::name || place < at || place > at + length) return;
+    std::string_view w = line.substr(at, length);
+    const std::size_t dots = w.find("..");
+    if (dots != std::string_view::npos) w = place - at <= dots ? w.substr(0, dots) : w.substr(dots + 2);
+    if (w.empty() || w[0] == '+' || !is_time(w)) return;
+    if (const Result<Time> t = parse_time(w, d)) found = *t;
+  });
+  return found;
+}
+
+}  // namespace betwixt

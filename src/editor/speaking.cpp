@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/speaking.h"
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "commands/command.h"
+#include "commands/verbs.h"
+#include "editor/line_pieces.h"
+#include "language/line_words.h"
+
+namespace betwixt {
+namespace {
+
+void put(std::vector<ObjectId>& all, ObjectId id) {
+  if (std::ranges::find(all, id) == all.end()) all.push_back(id);
+}
+
+// The words of a line that can be names or patterns of objects, what is behind a dot taken off.
+std::vector<std::string_view> names_in(std::string_view line, const Document& d) {
+  std::vector<std::string_view> all;
+  LineState state;
+  for (const Piece& p : line_pieces(line, state, d))
+    if (p.meaning != Meaning::comment && p.meaning != Meaning::text && p.meaning != Meaning::verb &&
+        p.meaning != Meaning::function && p.meaning != Meaning::number && p.meaning != Meaning::time)
+      all.push_back(line.substr(p.at, p.length));
+  return all;
+}
+
+}  // namespace
+
+bool opens_sheet(std::string_view line) {
+  if (indented(line)) return false;
+  std::vector<std::string> words = line_words(line);
+  if (words.size() > 2 && words[0] == "at") words.erase(words.begin(), words.begin() + 2);
+  if (words.size() == 2 && (words[0] == "make" || words[0] == "edit")) return true;
+  if (words.size() == 3 && words[0] == "on") words.erase(words.begin(), words.begin() + 2);
+  return words.size() == 1 && first_dot(words[0]) != std::string_view::npos && !starts_like_time(words[0][0]);
+}
+
+bool below_opener(std::string_view line) { return indented(line) || line_words(line).empty(); }
+
+std::vector<ObjectId> spoken_of(std::string_view line, std::string_view opener, const Document& d, std::size_t most) {
+  std::vector<ObjectId> all;
+  for (const std::string_view part : {opener, line})
+    for (const std::string_view w : names_in(part, d))
+      for (const ObjectId id : select(d.scene(), w)) {
+        if (all.size() >= most) return all;
+        if (is_pattern(w) && all.size() > 1000)
+          all.push_back(id);  // so many are not looked through for each
+        else
+          put(all, id);
+      }
+  return all;
+}
+
+bool speaks_of(std::string_view line, std::string_view opener, const Document& d, const std::vector<ObjectId>& ids) {
+  if (ids.empty()) return false;
+  const auto wanted = [&](ObjectId id) { return std::ranges::find(ids, id) != ids.end(); };
+  for (const std::string_view part : {opener, line})
+    for (const std::string_view w : names_in(part, d)) {
+      if (const ObjectId id = d.find(w); id && wanted(id)) return true;
+      if (is_pattern(w) || d.aliases().contains(w))
+        if (std::ranges::any_of(select(d.scene(), w), wanted)) return true;
+    }
+  return false;
+}
+
+}  // namespace betwixt
