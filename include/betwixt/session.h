@@ -79,6 +79,8 @@ class Session {
   std::vector<std::string> complete(std::string_view line) const;
 
   const Document& document() const;
+  // The line that opened the sheet whose rows may follow; empty: none is open.
+  std::string sheet() const;
   const std::string& file() const;  // may be empty
   std::size_t unsaved() const;      // commands
   bool may_change() const;          // false: another session has the file

@@ -241,6 +241,10 @@ const Diagnostics& Session::diagnostics() const { return state_->of_text; }
 void Session::keep_quiet() { state_->quiet = true; }
 bool Session::needs_more(std::string_view line) { return goes_on(line); }
 const Document& Session::document() const { return state_->document(); }
+std::string Session::sheet() const {
+  const auto& left = state_->editor.now().script.left;
+  return left ? left->opener : std::string();
+}
 const std::string& Session::file() const { return state_->file; }
 std::size_t Session::unsaved() const { return state_->tally.unsaved(); }
 bool Session::may_change() const { return !state_->looks_only; }

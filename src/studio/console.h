@@ -4,11 +4,35 @@
 // The language: a line, its help, and all that was said.
 #pragma once
 
+#include <QLabel>
+#include <QStringList>
 #include <QWidget>
 
-#include "studio/desk.h"
+#include "studio/word_edit.h"
 
 namespace betwixt::studio {
+
+// Where a line is written; it grows where a bracket is open. Enter says it, up and down are what was said before.
+class ConsoleLine : public WordEdit {
+  Q_OBJECT
+ public:
+  explicit ConsoleLine(Desk&, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
+
+ signals:
+  void entered(const QString& line);
+
+ protected:
+  void keyPressEvent(QKeyEvent*) override;
+  std::string said_so_far() const override;
+
+ private:
+  bool remember(int step);
+  QStringList earlier_;
+  qsizetype at_ = 0;  // in what was said; its size: a new line
+  QString begun_;     // that was left to look at earlier ones
+};
 
 class Console : public QWidget {
   Q_OBJECT
@@ -16,7 +40,14 @@ class Console : public QWidget {
   explicit Console(Desk&, QWidget* parent = nullptr);
 
  private:
+  void write_down(const QString& line, const QString& answer, bool refused);
+  void carry_out(const QString& lines);
+  void show_help();
+
   Desk& desk_;
+  QPlainTextEdit* log_;
+  QLabel *help_, *prompt_;
+  ConsoleLine* line_;
 };
 
 }  // namespace betwixt::studio

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#undef slots  // a word of Qt's that the scene has for itself
+
 #include "betwixt/object.h"
 #include "betwixt/program.h"
 #include "betwixt/session.h"
