@@ -2,11 +2,96 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/script_panel.h"
 
-namespace betwixt::studio {
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
 
-ScriptPanel::ScriptPanel(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+#include "studio/theme.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr std::size_t most_said = 200;
+constexpr int most_rows = 5;
+
+}  // namespace
+
+ScriptPanel::ScriptPanel(Desk& desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      edit_(new ScriptEdit(desk, this)),
+      margin_(new QWidget(this)),
+      strip_(new QListWidget(this)) {
   setObjectName("script_panel");
   setWindowTitle(tr("Script"));
+  margin_->setObjectName("script_margin");
+  margin_->installEventFilter(this);
+  strip_->setObjectName("script_errors");
+  strip_->setFrameShape(QFrame::NoFrame);
+  strip_->setUniformItemSizes(true);
+  strip_->setFocusPolicy(Qt::NoFocus);
+  auto* text = new QHBoxLayout;
+  text->setSpacing(0);
+  text->addWidget(margin_);
+  text->addWidget(edit_, 1);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  all->addLayout(text, 1);
+  all->addWidget(strip_);
+  setFocusProxy(edit_);
+  connect(edit_, &ScriptEdit::margin_changed, margin_, [this] {
+    margin_->setFixedWidth(edit_->margin_width());
+    margin_->update();
+  });
+  connect(&desk, &Desk::document_changed, this, &ScriptPanel::list_diagnostics);
+  connect(strip_, &QListWidget::itemClicked, this, [this](QListWidgetItem* i) {
+    edit_->go_to_line(i->data(Qt::UserRole).toInt(), i->data(Qt::UserRole + 1).toInt());
+  });
+  margin_->setFixedWidth(edit_->margin_width());
+  list_diagnostics();
+}
+
+QSize ScriptPanel::sizeHint() const {
+  const QFontMetrics m = edit_->fontMetrics();
+  return {edit_->margin_width() + 60 * m.horizontalAdvance('m'), 24 * m.lineSpacing()};
+}
+
+bool ScriptPanel::eventFilter(QObject* of, QEvent* e) {
+  if (of != margin_) return false;
+  if (e->type() == QEvent::Paint) {
+    QPainter p(margin_);
+    edit_->paint_margin(p, margin_->rect());
+    return true;
+  }
+  if (e->type() == QEvent::MouseButtonPress) {
+    const auto* press = static_cast<QMouseEvent*>(e);
+    edit_->go_to_line(edit_->cursorForPosition({0, press->pos().y()}).blockNumber() + 1);
+    return true;
+  }
+  return false;
+}
+
+// What is wrong with the text, each with its line; a click goes there.
+void ScriptPanel::list_diagnostics() {
+  strip_->clear();
+  for (const Diagnostic& d : desk_.diagnostics()) {
+    if (d.severity == Severity::notice || static_cast<std::size_t>(strip_->count()) >= most_said) continue;
+    const Place& at = d.what.place;
+    const bool here = at.file.empty() || at.file == desk_.session().file();
+    QString text = here ? tr("line %1: ").arg(at.line) : QString("%1:%2: ").arg(at.file.c_str()).arg(at.line);
+    if (at.line == 0) text.clear();
+    text += QString::fromStdString(d.what.message);
+    if (!d.what.hint.empty()) text += " — " + QString::fromStdString(d.what.hint);
+    auto* item = new QListWidgetItem(text, strip_);
+    item->setForeground(d.severity == Severity::error ? colors().error : colors().warning);
+    item->setToolTip(text);
+    item->setData(Qt::UserRole, here ? at.line : 0);
+    item->setData(Qt::UserRole + 1, at.column);
+  }
+  strip_->setVisible(strip_->count() > 0);
+  if (strip_->count() > 0) strip_->setFixedHeight(std::min(most_rows, strip_->count()) * strip_->sizeHintForRow(0) + 4);
 }
 
 }  // namespace betwixt::studio

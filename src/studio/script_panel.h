@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The file itself, which is edited live.
+// The script: the file itself, its margin, and what there is to say of it.
 #pragma once
 
+#include <QListWidget>
 #include <QWidget>
 
-#include "studio/desk.h"
+#include "studio/script_edit.h"
 
 namespace betwixt::studio {
 
@@ -14,9 +15,18 @@ class ScriptPanel : public QWidget {
   Q_OBJECT
  public:
   explicit ScriptPanel(Desk&, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+ protected:
+  bool eventFilter(QObject*, QEvent*) override;
 
  private:
+  void list_diagnostics();
+
   Desk& desk_;
+  ScriptEdit* edit_;
+  QWidget* margin_;
+  QListWidget* strip_;
 };
 
 }  // namespace betwixt::studio

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The colours of the script, of the lines that are seen, and its margin.
+#include <QPainter>
+#include <QTextLayout>
+
+#include "editor/speaking.h"
+#include "language/colors.h"
+#include "studio/script_edit.h"
+#include "studio/theme.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr int most_above = 200'000;  // lines that are looked through for the one that opened a sheet
+constexpr int states_in_a_row = 20'000;
+
+// A state in the number that a block keeps; -1: none is kept.
+int packed(const LineState& s) { return s.brackets * 2 + (s.text ? 1 : 0); }
+LineState unpacked(int n) { return n < 0 ? LineState{} : LineState{n / 2, n % 2 != 0}; }
+
+QColor color_of(Meaning m) {
+  const Colors& c = colors();
+  switch (m) {
+    case Meaning::comment:
+      return c.dim;
+    case Meaning::text:
+      return c.note;
+    case Meaning::verb:
+      return c.accent;
+    case Meaning::kind:
+      return c.z;
+    case Meaning::function:
+      return c.warning;
+    case Meaning::twerper:
+      return c.cut;
+    case Meaning::option:
+      return c.dim;
+    case Meaning::time:
+      return c.playhead;
+    case Meaning::number:
+      return c.event;
+    case Meaning::color:
+    case Meaning::name:
+      return c.text;
+  }
+  return c.text;
+}
+
+// A colour that a word says.
+std::optional<QColor> said_color(std::string_view word) {
+  if (const auto rgb = named_color(word)) return QColor(static_cast<QRgb>(*rgb));
+  const QColor c(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())));
+  if (word.starts_with('#') && c.isValid()) return c;
+  return std::nullopt;
+}
+
+}  // namespace
+
+// States are known up to and with a block.
+void ScriptEdit::know_states(int last_block) {
+  if (stated_ > last_block) return;
+  QTextBlock b = document()->findBlockByNumber(stated_);
+  LineState s = state_above(b);
+  for (; b.isValid() && stated_ <= last_block; b = b.next(), ++stated_) {
+    pass_line(b.text().toStdString(), s);
+    b.setUserState(packed(s));
+  }
+}
+
+// Below blocks that were changed states stay what they were from where they are the same again.
+void ScriptEdit::states_changed(int first_block, int blocks) {
+  if (first_block >= stated_) return;
+  QTextBlock b = document()->findBlockByNumber(first_block);
+  LineState s = state_above(b);
+  for (int n = 0; b.isValid(); b = b.next(), ++n) {
+    pass_line(b.text().toStdString(), s);
+    const bool same = b.userState() == packed(s);
+    b.setUserState(packed(s));
+    if (n + 1 >= blocks && same) {  // what came in between moved the rest
+      stated_ = std::max(stated_, first_block + n + 1);
+      return;
+    }
+    if (n > blocks + states_in_a_row) break;
+  }
+  stated_ = b.isValid() ? b.blockNumber() : blockCount();
+}
+
+LineState ScriptEdit::state_above(const QTextBlock& b) const {
+  return b.previous().isValid() ? unpacked(b.previous().userState()) : LineState{};
+}
+
+// The line that opened the sheet that a line is a row of; empty: it is none.
+std::string ScriptEdit::opener_above(const QTextBlock& block) const {
+  const QChar first = document()->characterAt(block.position());
+  if (first != ' ' && first != '\t') return {};
+  QTextBlock b = block.previous();
+  for (int n = 0; b.isValid() && n < most_above; b = b.previous(), ++n) {
+    const QChar c = document()->characterAt(b.position());
+    if (c == ' ' || c == '\t' || c == QChar::ParagraphSeparator) continue;
+    const std::string line = b.text().toStdString();
+    if (below_opener(line) || state_above(b).goes_on()) continue;
+    return opens_sheet(line) ? line.substr(0, line.find(" #")) : std::string();
+  }
+  return {};
+}
+
+void ScriptEdit::color_what_is_seen() {
+  QTextBlock b = firstVisibleBlock();
+  const int from = b.blockNumber();
+  const int rows = viewport()->height() / std::max(1, fontMetrics().lineSpacing()) + 1;
+  const int to = std::min(blockCount() - 1, from + rows);
+  if (colored_ && from == colored_from_ && to == colored_to_) return;
+  colored_ = true, colored_from_ = from, colored_to_ = to;
+  if (from > stated_ + states_in_a_row && stated_ < blockCount()) {
+    know_states(stated_ + states_in_a_row);  // the rest when there is time
+    colored_ = false;
+    QTimer::singleShot(0, viewport(), [this] { viewport()->update(); });
+  } else {
+    know_states(to);
+  }
+  speaking_.all.clear();
+  std::string opener = opener_above(b);
+  bool first = true;
+  for (; b.isValid() && b.blockNumber() <= to; b = b.next()) {
+    const std::string line = b.text().toStdString();
+    if (!std::exchange(first, false) && !below_opener(line) && !state_above(b).goes_on())
+      opener = opens_sheet(line) ? line.substr(0, line.find(" #")) : std::string();
+    const bool row = !line.empty() && (line[0] == ' ' || line[0] == '\t');
+    if (speaks_of(line, row ? std::string_view(opener) : std::string_view(), desk_.document(), desk_.selected()))
+      speaking_.all.push_back(b.blockNumber() + 1);
+    color(b, opener);
+  }
+  emit margin_changed();
+}
+
+void ScriptEdit::color(QTextBlock b, const std::string&) {
+  const QString text = b.text();
+  const std::string line = text.toStdString();
+  const bool plain = static_cast<qsizetype>(line.size()) == text.size();
+  const auto place = [&](std::size_t bytes) {
+    return plain ? static_cast<int>(bytes)
+                 : static_cast<int>(QString::fromUtf8(line.data(), static_cast<qsizetype>(bytes)).size());
+  };
+  QList<QTextLayout::FormatRange> all;
+  LineState state = state_above(b);
+  const auto& selected = desk_.selected();
+  for (const Piece& p : line_pieces(line, state, desk_.document())) {
+    QTextCharFormat f;
+    f.setForeground(color_of(p.meaning));
+    const std::string_view word = std::string_view(line).substr(p.at, p.length);
+    if (p.meaning == Meaning::color) {
+      if (const auto c = said_color(word)) f.setFontUnderline(true), f.setUnderlineColor(*c);
+    } else if (p.meaning == Meaning::name && !selected.empty()) {
+      if (speaks_of(word, {}, desk_.document(), selected)) {
+        QColor lit = colors().accent;
+        lit.setAlpha(60);
+        f.setBackground(lit);
+      }
+    }
+    const int from = place(p.at);
+    all.push_back({from, place(p.at + p.length) - from, f});
+  }
+  const auto [from, to] = of_lines_.equal_range(b.blockNumber() + 1);
+  for (auto i = from; i != to; ++i) {
+    const Diagnostic& d = *i->second;
+    QTextCharFormat f;
+    f.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+    f.setUnderlineColor(d.severity == Severity::error     ? colors().error
+                        : d.severity == Severity::warning ? colors().warning
+                                                          : colors().dim);
+    const int at = std::clamp(d.what.place.column - 1, 0, std::max(0, static_cast<int>(text.size()) - 1));
+    const int length = std::max(1, std::min(d.what.place.length, static_cast<int>(text.size()) - at));
+    all.push_back({at, length, f});
+  }
+  if (b.layout()->formats() == all) return;
+  b.layout()->setFormats(all);
+  document()->markContentsDirty(b.position(), b.length());
+}
+
+void ScriptEdit::paintEvent(QPaintEvent* e) {
+  color_what_is_seen();
+  WordEdit::paintEvent(e);
+}
+
+int ScriptEdit::margin_width() const {
+  const int em = fontMetrics().horizontalAdvance('0');
+  return em * (static_cast<int>(QString::number(std::max(99, blockCount())).size()) + 2);
+}
+
+// Numbers of lines, a bar beside those that speak of what is selected, a dot where something is to be said.
+void ScriptEdit::paint_margin(QPainter& p, QRect area) {
+  const Colors& c = colors();
+  p.fillRect(area, c.back);
+  p.setFont(font());
+  const int em = fontMetrics().horizontalAdvance('0'), high = fontMetrics().height();
+  for (QTextBlock b = firstVisibleBlock(); b.isValid(); b = b.next()) {
+    const QRectF at = blockBoundingGeometry(b).translated(contentOffset());
+    if (at.top() > area.bottom()) break;
+    const int line = b.blockNumber() + 1, y = static_cast<int>(at.top());
+    if (speaking_.contains(line)) p.fillRect(area.right() - 3, y, 3, static_cast<int>(at.height()), c.accent);
+    const Diagnostic* d = said_of(line);
+    const bool here = b == textCursor().block();
+    p.setPen(d && d->severity == Severity::error ? c.error : d ? c.warning : here ? c.text : c.dim);
+    p.drawText(QRect(0, y, area.width() - em, high), Qt::AlignRight, QString::number(line));
+    if (!d) continue;
+    p.setBrush(p.pen().color());
+    p.setRenderHint(QPainter::Antialiasing);
+    p.drawEllipse(QRectF(em * 0.2, y + high / 2.0 - em * 0.3, em * 0.6, em * 0.6));
+  }
+}
+
+}  // namespace betwixt::studio
