@@ -73,6 +73,9 @@ const Value* value_set(const Document&, const Target&);
 // f(event) for all with from <= time <= to, in order; finding the first one takes no longer on a long track. The view
 // is f's for the length of the call; what it points to stays.
 void each_event(const Document&, const Target&, Time from, Time to, const std::function<void(const EventView&)>& f);
+// When the first event at or after a time is, and the last one before it: as fast on a long track.
+std::optional<Time> next_event(const Document&, const Target&, Time from);
+std::optional<Time> event_before(const Document&, const Target&, Time);
 // All of them, for tracks that are not long.
 std::vector<EventView> events(const Document&, const Target&);
 

@@ -83,6 +83,7 @@ std::string write_rows(const Document&, const Target&);
 std::string write_besides(const Document&, const Target&);
 // What stands behind the time in the row of one event, of a track that is no motion's; empty: there is no event.
 std::string write_event(const Document&, const Target&, Time);
+std::string write_event(const Document&, const Target&, const Event&);  // of one that need not stand there
 std::string write_value(const Value&, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of);
 

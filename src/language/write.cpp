@@ -379,14 +379,17 @@ std::string write_rows(const Document& document, const Target& target) {
   return std::move(w.out);
 }
 
-std::string write_event(const Document& document, const Target& target, Time time) {
+std::string write_event(const Document& document, const Target& target, const Event& e) {
   Writer w{document.scene(), document, {}};
-  for (const Track* track : tracks_of(document.scene(), target))
-    if (const Event* e = track->events.find(time))
-      w.row(*e, spec_of(document.scene(), target.function), target.component);
-  if (w.out.empty()) return {};
+  w.row(e, spec_of(document.scene(), target.function), target.component);
   w.out.pop_back();
   return w.out.substr(w.out.find(' ', 2) + 1);
+}
+
+std::string write_event(const Document& document, const Target& target, Time time) {
+  for (const Track* track : tracks_of(document.scene(), target))
+    if (const Event* e = track->events.find(time)) return write_event(document, target, *e);
+  return {};
 }
 
 std::string write_besides(const Document& document, const Target& target) {

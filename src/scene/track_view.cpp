@@ -149,6 +149,18 @@ void each_event(const Document& d, const Target& t, Time from, Time to,
     track->events.each_between(from, to, [&](const Event& e) { f(view_of(d.scene(), e)); });
 }
 
+std::optional<Time> next_event(const Document& d, const Target& t, Time from) {
+  const Track* track = track_of(d, t);
+  const Event* e = track ? track->events.first_from(from) : nullptr;
+  return e ? std::optional(e->time) : std::nullopt;
+}
+
+std::optional<Time> event_before(const Document& d, const Target& t, Time time) {
+  const Track* track = track_of(d, t);
+  const Event* e = track ? track->events.last_before(time) : nullptr;
+  return e ? std::optional(e->time) : std::nullopt;
+}
+
 std::vector<EventView> events(const Document& d, const Target& t) {
   std::vector<EventView> out;
   each_event(d, t, from_the_beginning, for_good, [&](const EventView& e) { out.push_back(e); });

@@ -36,6 +36,18 @@ const std::vector<ActionRow>& action_rows() {
        [](Window& w) { w.desk().go_to(w.desk().transport().first()); }},
       {"Play", "To the end", "End", "To the last frame of what is played.",
        [](Window& w) { w.desk().go_to(w.desk().transport().last()); }},
+      {"Play", "A part begins here", "I", "From here on is played, to the end of the part.",
+       [](Window& w) {
+         const Time t = w.desk().time();
+         w.desk().set_range(std::pair(t, std::max(t, w.desk().transport().last())));
+       }},
+      {"Play", "A part ends here", "O", "Up to here is played, from the beginning of the part.",
+       [](Window& w) {
+         const Time t = w.desk().time();
+         w.desk().set_range(std::pair(std::min(t, w.desk().transport().first()), t));
+       }},
+      {"Play", "All of it", "X", "The whole film is played again.",
+       [](Window& w) { w.desk().set_range(std::nullopt); }},
       {"View", "Find a command…", "Ctrl+Shift+P; F3", "Whatever can be done, by a few of its letters.",
        [](Window& w) { w.find_command(); }},
       {"View", "Light colours", "", "Light or dark.", [](Window& w) { w.set_light(!w.is_light()); },

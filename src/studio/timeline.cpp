@@ -2,11 +2,169 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/timeline.h"
 
-namespace betwixt::studio {
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolButton>
+#include <QVBoxLayout>
 
-Timeline::Timeline(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+#include "betwixt/language.h"
+#include "studio/ruler.h"
+#include "studio/theme.h"
+
+namespace betwixt::studio {
+namespace {
+
+// What a key to play looks like, in a square of one.
+QPainterPath sign(const QString& name) {
+  QPainterPath path;
+  const auto triangle = [&](double base, double tip) {
+    path.moveTo(base, 0.15), path.lineTo(tip, 0.5), path.lineTo(base, 0.85), path.closeSubpath();
+  };
+  const auto bar = [&](double x, double w) { path.addRect(x, 0.15, w, 0.7); };
+  if (name == "begin") bar(0.12, 0.12), triangle(0.9, 0.3);
+  if (name == "back") bar(0.68, 0.12), triangle(0.58, 0.1);
+  if (name == "play_back") triangle(0.85, 0.15);
+  if (name == "pause") bar(0.2, 0.22), bar(0.58, 0.22);
+  if (name == "play") triangle(0.15, 0.85);
+  if (name == "on") bar(0.2, 0.12), triangle(0.42, 0.9);
+  if (name == "end") triangle(0.1, 0.7), bar(0.76, 0.12);
+  if (name == "loop") {
+    path.arcMoveTo(0.15, 0.15, 0.7, 0.7, 60), path.arcTo(0.15, 0.15, 0.7, 0.7, 60, 300);
+    QPainterPathStroker stroke;
+    stroke.setWidth(0.12);
+    path = stroke.createStroke(path);
+    path.moveTo(0.55, 0.02), path.lineTo(0.9, 0.2), path.lineTo(0.58, 0.42), path.closeSubpath();
+  }
+  path.setFillRule(Qt::WindingFill);
+  return path;
+}
+
+QIcon icon(const QString& name, int size, double ratio) {
+  QIcon out;
+  for (const bool on : {false, true}) {
+    QPixmap map(QSize(size, size) * ratio);
+    map.setDevicePixelRatio(ratio);
+    map.fill(Qt::transparent);
+    QPainter p(&map);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.scale(size, size);
+    p.fillPath(sign(name), on ? colors().accent : colors().text);
+    p.end();
+    out.addPixmap(map, QIcon::Normal, on ? QIcon::On : QIcon::Off);
+  }
+  return out;
+}
+
+}  // namespace
+
+Timeline::Timeline(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), axis_(TimeAxis::of(desk)) {
   setObjectName("timeline");
   setWindowTitle(tr("Time"));
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0), all->setSpacing(0);
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 2, 4, 2), bar->setSpacing(1);
+  all->addLayout(bar);
+  all->addWidget(new Ruler(desk, this), 1);
+
+  at_ = new QLineEdit(this);
+  at_->setObjectName("at");
+  at_->setAlignment(Qt::AlignRight);
+  at_->setFixedWidth(12 * fontMetrics().averageCharWidth());
+  at_->setToolTip(tr("Where the film is. A frame's number, or a time such as 2.5s, goes there."));
+  of_ = new QLabel(this);
+  rate_ = new QLabel(this);
+  rate_->setObjectName("rate");
+  for (QLabel* l : {of_, rate_}) l->setForegroundRole(QPalette::PlaceholderText);
+  bar->addWidget(at_), bar->addWidget(of_);
+  bar->addStretch();
+  bar->addWidget(button("begin", tr("To the beginning"), [](Desk& d) { d.go_to(d.transport().first()); }));
+  bar->addWidget(button("back", tr("One frame back"), [](Desk& d) { d.step(-1); }));
+  bar->addWidget(button("play_back", tr("Play backwards, or stop"), [](Desk& d) { d.play(-1); }));
+  bar->addWidget(button("play", tr("Play, or stop"), [](Desk& d) { d.play(1); }));
+  bar->addWidget(button("on", tr("One frame on"), [](Desk& d) { d.step(1); }));
+  bar->addWidget(button("end", tr("To the end"), [](Desk& d) { d.go_to(d.transport().last()); }));
+  auto* loop = button("loop", tr("Again and again"), [](Desk& d) { d.transport().loop(!d.transport().loops()); });
+  loop->setCheckable(true);
+  bar->addWidget(loop);
+  bar->addStretch();
+  bar->addWidget(rate_);
+  seconds_ = new QToolButton(this);
+  seconds_->setObjectName("seconds");
+  seconds_->setText(tr("seconds"));
+  seconds_->setCheckable(true), seconds_->setAutoRaise(true), seconds_->setFocusPolicy(Qt::NoFocus);
+  seconds_->setToolTip(tr("Times are counted in seconds, not in frames"));
+  bar->addWidget(seconds_);
+  draw_buttons();
+
+  connect(seconds_, &QToolButton::toggled, this, [this](bool on) { axis_.count_in_seconds(on), show_time(); });
+  connect(at_, &QLineEdit::returnPressed, this, &Timeline::go_where_said);
+  connect(&desk, &Desk::time_changed, this, &Timeline::show_time);
+  connect(&desk, &Desk::document_changed, this, &Timeline::show_time);
+  connect(&desk, &Desk::playing_changed, this, &Timeline::show_playing);
+  show_time(), show_playing();
+}
+
+QToolButton* Timeline::button(const QString& name, const QString& tip, void (*does)(Desk&)) {
+  auto* b = new QToolButton(this);
+  b->setObjectName(name), b->setToolTip(tip);
+  b->setAutoRaise(true), b->setFocusPolicy(Qt::NoFocus);
+  connect(b, &QToolButton::clicked, this, [this, does] { does(desk_), show_playing(); });
+  buttons_.push_back(b);
+  return b;
+}
+
+void Timeline::draw_buttons() {
+  const int size = fontMetrics().height();
+  for (QToolButton* b : buttons_) {
+    const int direction = desk_.transport().direction();
+    const bool plays =
+        (b->objectName() == "play" && direction > 0) || (b->objectName() == "play_back" && direction < 0);
+    b->setIconSize({size, size});
+    b->setIcon(icon(plays ? "pause" : b->objectName(), size, devicePixelRatioF()));
+  }
+}
+
+void Timeline::changeEvent(QEvent* e) {
+  if (e->type() == QEvent::PaletteChange || e->type() == QEvent::StyleChange) draw_buttons();
+  QWidget::changeEvent(e);
+}
+
+void Timeline::show_time() {
+  const Document& d = desk_.document();
+  const auto number = [&](Time t) {
+    return axis_.in_seconds() ? QString::number(t.seconds(), 'f', 3) + " s"
+                              : QString::number(std::round(d.rate().frame_number(t) * 100) / 100);
+  };
+  if (!at_->hasFocus() || !at_->isModified()) at_->setText(number(desk_.time()));
+  of_->setText(tr(" of %1").arg(number(d.range().second)));
+}
+
+void Timeline::show_playing() {
+  const Transport& t = desk_.transport();
+  for (QToolButton* b : buttons_)
+    if (b->objectName() == "loop") b->setChecked(t.loops());
+  draw_buttons();
+  const QString wanted = QString::number(t.rate().per_second(), 'g', 5);
+  const double shown = desk_.frames_shown();
+  rate_->setText(t.playing() && shown > 0 ? tr("%1 of %2 frames a second ").arg(shown, 0, 'f', 1).arg(wanted)
+                                          : tr("%1 frames a second ").arg(wanted));
+}
+
+void Timeline::go_where_said() {
+  const QString said = at_->text().trimmed();
+  bool plain = false;
+  const double n = said.toDouble(&plain);
+  const QString time =
+      plain ? QString::number(n, 'g', 15) + (axis_.in_seconds() ? "s" : "f") : said.simplified().remove(' ');
+  at_->setModified(false);
+  if (const auto t = parse_time(time.toStdString(), desk_.document())) desk_.pause(), desk_.go_to(*t);
+  show_time();
+  at_->selectAll();
 }
 
 }  // namespace betwixt::studio

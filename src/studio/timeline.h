@@ -8,15 +8,35 @@
 
 #include "studio/desk.h"
 
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
 namespace betwixt::studio {
+
+class TimeAxis;
 
 class Timeline : public QWidget {
   Q_OBJECT
  public:
   explicit Timeline(Desk&, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent*) override;
+
  private:
+  QToolButton* button(const QString& name, const QString& tip, void (*does)(Desk&));
+  void draw_buttons();
+  void show_time();
+  void show_playing();
+  void go_where_said();
+
   Desk& desk_;
+  TimeAxis& axis_;
+  std::vector<QToolButton*> buttons_;
+  QLineEdit* at_ = nullptr;
+  QLabel *of_ = nullptr, *rate_ = nullptr;
+  QToolButton* seconds_ = nullptr;
 };
 
 }  // namespace betwixt::studio

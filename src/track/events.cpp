@@ -52,6 +52,24 @@ std::size_t Events::erase(Time from, Time to) {
   return removed;
 }
 
+const Event* Events::first_from(Time t) const {
+  const std::size_t c = chunk_of(t);
+  if (c == chunks_.size()) return nullptr;
+  const Chunk& chunk = *chunks_[c];
+  return &*std::lower_bound(chunk.begin(), chunk.end(), t, [](const Event& e, Time time) { return e.time < time; });
+}
+
+const Event* Events::last_before(Time t) const {
+  const std::size_t c = chunk_of(t);
+  if (c < chunks_.size() && chunks_[c]->front().time < t) {
+    const Chunk& chunk = *chunks_[c];
+    const auto at =
+        std::lower_bound(chunk.begin(), chunk.end(), t, [](const Event& e, Time time) { return e.time < time; });
+    return &*(at - 1);
+  }
+  return c == 0 ? nullptr : &chunks_[c - 1]->back();
+}
+
 const Event* Events::find(Time t) const {
   const std::size_t c = chunk_of(t);
   if (c == chunks_.size()) return nullptr;

@@ -25,6 +25,9 @@ class Events {
   std::size_t erase(Time from, Time to);
   // The event exactly at t, or null.
   const Event* find(Time t) const;
+  // The first at or after t, the last before t; or null.
+  const Event* first_from(Time t) const;
+  const Event* last_before(Time t) const;
   std::size_t count(Time from, Time to) const;  // with from <= time <= to
   // Copies of them.
   std::vector<Event> between(Time from, Time to) const;

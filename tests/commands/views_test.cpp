@@ -12,6 +12,7 @@
 #include "betwixt/object.h"
 #include "betwixt/pose.h"
 #include "betwixt/track.h"
+#include "language/values.h"
 
 namespace betwixt {
 namespace {
@@ -339,6 +340,31 @@ TEST(Views, OfATrackAnyPartIsLookedAt) {
   EXPECT_EQ(behind({scale.object, scale.function, 0}), "");
   EXPECT_EQ(*value_set(d, find_targets("sway.weight", d)->front()), Value(0.5));
   EXPECT_FALSE(value_set(d, position));
+}
+
+TEST(Views, TheNextEventOfALongTrackIsFound) {
+  std::string text = "create a box\na.position.x\n";
+  for (int i = 0; i < 1000; ++i) text += " " + std::to_string(10 + 3 * i) + "f 1\n";
+  const Document d = load_text(text, "a.bx").document;
+  const Target x = find_targets("a.position.x", d)->front();
+  for (int n = 0; n < 3020; ++n) {
+    const int next = n <= 10 ? 10 : 10 + (n - 10 + 2) / 3 * 3, before = 10 + (n - 11) / 3 * 3;
+    EXPECT_EQ(next_event(d, x, d.rate().frame(n)), next > 3007 ? std::nullopt : std::optional(d.rate().frame(next)));
+    EXPECT_EQ(event_before(d, x, d.rate().frame(n)),
+              n <= 10 ? std::nullopt : std::optional(d.rate().frame(std::min(before, 3007))));
+  }
+  EXPECT_FALSE(next_event(d, {x.object, x.function, 1}, Time{}));
+}
+
+TEST(Views, WhatStandsBehindAnEventsTimeIsWritten) {
+  for (const std::string said :
+       {"(1 2 3) cut (2 2 2) bezier(0.1 0 1 1) ease-in=4f ease-out=2f", "keep linear", "(1 2 3)",
+        "(1 2 3) hermite tangent-in=(1 0 0) tangent-out=(0 0.5 0)", "(0 0 0) linear(0 0.25 25% 0.25 75% 1)"}) {
+    const Document d = load_text("create a box\na.position\n 1f (0 1 0)\n 9f " + said + "\n", "a.bx").document;
+    const Target position = find_targets("a.position", d)->front();
+    const Event* e = tracks_of(d.scene(), position).front()->events.find(d.rate().frame(9));
+    EXPECT_EQ(write_event(d, position, *e), said);
+  }
 }
 
 TEST(Views, ViewsStayWhileACopyOfTheirDocumentLives) {

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The ruler: the playhead, the part that is played, cuts and notes.
+#pragma once
+
+#include <vector>
+
+#include "studio/time_pane.h"
+
+class QLineEdit;
+
+namespace betwixt::studio {
+
+class Ruler : public TimePane {
+  Q_OBJECT
+ public:
+  explicit Ruler(Desk&, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+  // Where things are painted, and taken hold of.
+  QRectF note_box(Time) const;
+  QRect part_box() const;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void press(QMouseEvent*) override;
+  void drag(QMouseEvent*) override;
+  void release(QMouseEvent*) override;
+  void hover(QMouseEvent*) override;
+  void call_off() override;
+  bool key(int, Qt::KeyboardModifiers, bool act) override;
+
+ private:
+  void paint_part(QPainter&) const;
+  void paint_cuts(QPainter&) const;
+  void paint_notes(QPainter&) const;
+  std::optional<Time> note_at(const QPointF&) const;
+  // Writes notes at a time: the texts that stand there, and one more at the end where nobody says which.
+  void write_note(Time, std::optional<std::size_t> which);
+  std::string moving(const QMouseEvent&) const;  // the line that moves the note in the hand; empty: nowhere
+
+  std::optional<Time> note_;  // that is selected
+  QPointF from_;
+  QLineEdit* words_ = nullptr;
+};
+
+}  // namespace betwixt::studio

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/time_axis.h"
+
+#include <QApplication>
+#include <QFontMetrics>
+#include <algorithm>
+#include <cmath>
+
+namespace betwixt::studio {
+namespace {
+
+constexpr double narrowest = 1e-3, widest = 1e6;  // pixels a second
+
+// The first step of 1, 2, 5, 10, 20 … that is at least so long.
+double round_step(double least) {
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double k : {1., 2., 5.})
+    if (k * power >= least * (1 - 1e-9)) return k * power;
+  return 10 * power;
+}
+
+}  // namespace
+
+TimeAxis::TimeAxis(Desk& desk) : QObject(&desk), desk_(desk) {
+  gutter_ = 22 * QFontMetrics(QApplication::font()).averageCharWidth();
+  connect(&desk, &Desk::opened, this, [this] { touched_ = false, emit changed(); });
+}
+
+TimeAxis& TimeAxis::of(Desk& desk) {
+  if (auto* axis = desk.findChild<TimeAxis*>(QString(), Qt::FindDirectChildrenOnly)) return *axis;
+  return *new TimeAxis(desk);
+}
+
+Time TimeAxis::time_at(double x) const {
+  return from_seconds(std::clamp(first_ + x / scale_, -longest_seconds, longest_seconds));
+}
+
+void TimeAxis::zoom(double factor, double x) {
+  const double at = first_ + x / scale_;
+  scale_ = std::clamp(scale_ * factor, narrowest, widest);
+  first_ = at - x / scale_;
+  touched_ = true;
+  emit changed();
+}
+
+void TimeAxis::scroll(double pixels) {
+  first_ = std::clamp(first_ + pixels / scale_, -longest_seconds, longest_seconds);
+  touched_ = true;
+  emit changed();
+}
+
+void TimeAxis::show(Time from, Time to, double width) {
+  constexpr double margin = 0.03;
+  const double length = std::max((to - from).seconds(), desk_.document().rate().span(1).seconds());
+  scale_ = std::clamp(width / (length * (1 + 2 * margin)), narrowest, widest);
+  first_ = from.seconds() - margin * length;
+  touched_ = true;
+  emit changed();
+}
+
+void TimeAxis::fit(double width) {
+  if (touched_ || width < 1) return;
+  const auto [from, to] = desk_.document().range();
+  show(from, to, width);
+  touched_ = false;
+}
+
+void TimeAxis::count_in_seconds(bool seconds) {
+  in_seconds_ = seconds;
+  emit changed();
+}
+
+void TimeAxis::set_gutter(int pixels) {
+  gutter_ = std::max(0, pixels);
+  emit changed();
+}
+
+std::vector<TimeAxis::Tick> TimeAxis::ticks(double width, double label_width) const {
+  const Rate rate = desk_.document().rate();
+  const double unit = in_seconds_ ? 1 : 1 / rate.per_second(), offset = in_seconds_ ? 0 : 1;  // frame 1 is time 0
+  const double least = 1.4 * label_width / (scale_ * unit);
+  const double labelled = in_seconds_ ? round_step(least) : std::max(1.0, round_step(least));
+  double between = labelled / 5;
+  if (!in_seconds_ && between < 1) between = frame_width() >= 3 ? 1 : labelled;
+  std::vector<Tick> all;
+  const double from = std::floor((first_ / unit + offset) / between), to = (first_ + width / scale_) / unit + offset;
+  for (double i = from; i * between <= to && all.size() < 10'000; ++i) {
+    const double n = i * between, turns = n / labelled;
+    const bool main = std::abs(turns - std::round(turns)) < 1e-6;
+    const QString label = main ? QString::number(n, 'g', 9) + (in_seconds_ ? " s" : "") : QString();
+    all.push_back({((n - offset) * unit - first_) * scale_, label});
+  }
+  return all;
+}
+
+}  // namespace betwixt::studio

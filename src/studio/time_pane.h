@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What panels have in common in which time goes from left to right: a ruler on top, the playhead, names at the left,
+// and the gestures that have to do with time alone.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "studio/time_axis.h"
+
+class QPainter;
+
+namespace betwixt::studio {
+
+class TimePane : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TimePane(Desk&, QWidget* parent = nullptr);
+
+  double x_of(Time t) const { return axis_.gutter() + axis_.x_of(t); }
+  Time time_at(double x) const { return axis_.time_at(x - axis_.gutter()); }
+  // On the nearest frame; with Ctrl where it is.
+  Time time_at(const QPointF&, Qt::KeyboardModifiers) const;
+  int ruler_height() const;
+
+ protected:
+  // A press that has nothing to do with time alone; moves and a release follow.
+  virtual void press(QMouseEvent*) {}
+  virtual void drag(QMouseEvent*) {}
+  virtual void release(QMouseEvent*) {}
+  virtual void hover(QMouseEvent*) {}
+  virtual void pan(double) {}                                           // up and down, in pixels
+  virtual void call_off() {}                                            // Escape while dragging
+  virtual bool key(int, Qt::KeyboardModifiers, bool) { return false; }  // false: not mine. `act`: else only asked
+  virtual void wheel(QWheelEvent* e) { zoom_time(e); }
+  virtual bool in_ruler(const QPointF& at) const;
+
+  void zoom_time(QWheelEvent*);
+  bool dragging() const { return hand_ == Hand::own; }
+  Time nearest_frame(Time) const;
+  QRect time_box() const;  // all that is right of the names
+  int line_height() const;
+  void paint_ruler(QPainter&) const;
+  void paint_lines(QPainter&, int from, int to) const;  // light ones below the ruler's labels; outside the range darker
+  void paint_playhead(QPainter&) const;
+
+  Desk& desk_;
+  TimeAxis& axis_;
+
+  bool event(QEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  enum class Hand { none, scrub, pan, gutter, part, own };
+  bool at_gutter(const QPointF&) const;
+
+  Hand hand_ = Hand::none;
+  QPointF from_;
+};
+
+}  // namespace betwixt::studio

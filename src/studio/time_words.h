@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Times as they stand in lines.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "language/values.h"
+#include "studio/desk.h"
+
+namespace betwixt::studio {
+
+// "6f..12f"
+inline std::string segment_words(const Desk& desk, Time from, Time to) {
+  return desk.when(from) + ".." + desk.when(to);
+}
+
+// How long: "3f" where it is whole frames, else seconds.
+inline std::string length_words(const Document& d, Time length) {
+  const double frames = std::round(d.rate().frame_number(length) - 1);
+  return d.rate().span(frames) == length ? write_number(frames) + "f" : write_seconds(length);
+}
+inline std::string length_words(const Desk& desk, Time length) { return length_words(desk.document(), length); }
+
+}  // namespace betwixt::studio
