@@ -2,19 +2,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/viewport.h"
 
+#include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <algorithm>
 
-namespace betwixt::studio {
+#include "studio/theme.h"
 
-Viewport::Viewport(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+namespace betwixt::studio {
+namespace {
+
+constexpr double steady = 4;  // pixels that a click may wander
+
+}  // namespace
+
+Viewport::Viewport(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), trails_(desk), ghosts_(desk) {
   setObjectName("viewport");
   setWindowTitle(tr("Picture"));
   setFocusPolicy(Qt::StrongFocus);
-  connect(&desk, &Desk::document_changed, this, &Viewport::ask);
-  connect(&desk, &Desk::time_changed, this, &Viewport::ask);
-  connect(&maker_, &PictureMaker::made, this, &Viewport::take, Qt::QueuedConnection);
+  setMouseTracking(true);
+  setAcceptDrops(true);
+  make_corner();
+  connect(&desk, &Desk::document_changed, this, [this] {
+    forget();
+    trails_.forget(), ghosts_.forget();
+    ask();
+  });
+  connect(&desk, &Desk::time_changed, this, [this] {
+    if (pull_) end_pull(false);
+    forget();
+    ask();
+  });
+  connect(&desk, &Desk::selection_changed, this, [this] {
+    if (pull_) end_pull(false);
+    grip_.reset(), outline_.reset(), refusal_.clear();
+    trails_.forget(), ghosts_.forget();
+    update();
+  });
+  connect(&desk, &Desk::opened, this, [this] { set_free(false); });
+  connect(&maker_, &PictureMaker::made, this, &Viewport::take_picture, Qt::QueuedConnection);
 }
+Viewport::~Viewport() = default;
 
 // The largest box of the film's own shape.
 QRect Viewport::frame_box() const {
@@ -24,39 +52,213 @@ QRect Viewport::frame_box() const {
   return {(width() - w) / 2, (height() - h) / 2, w, h};
 }
 
+QRect Viewport::picture_box() const { return free_ ? rect() : frame_box(); }
+
 PictureWanted Viewport::wanted() const {
-  const QSize size = frame_box().size() * devicePixelRatioF();
+  const QSize size = picture_box().size() * devicePixelRatioF();
   RenderOptions o;
   o.width = std::clamp(size.width(), 1, 8192), o.height = std::clamp(size.height(), 1, 8192);
   o.style = style_;
-  return {desk_.program(), desk_.time(), o, std::nullopt};
+  return {desk_.program(), desk_.time(), o, free_};
 }
 
 void Viewport::ask() {
   if (isVisible()) maker_.want(wanted());
 }
 
-void Viewport::take(const PictureMade& made) {
+void Viewport::take_picture(const PictureMade& made) {
   shown_ = made;
+  if (desk_.transport().playing()) forget();
   desk_.picture_shown();
   update();
 }
 
-void Viewport::await_picture() { take(PictureMaker::make(wanted())); }
+void Viewport::await_picture() { take_picture(PictureMaker::make(wanted())); }
 
 void Viewport::set_style(const std::string& style) {
+  if (style == style_) return;
   style_ = style;
   ask();
+  show_corner();
   emit style_changed();
 }
 
-void Viewport::resizeEvent(QResizeEvent*) { ask(); }
+void Viewport::set_switches(const ViewportSwitches& s) {
+  switches_ = s;
+  grip_.reset();
+  show_corner();
+  update();
+  emit switches_changed();
+}
 
-void Viewport::paintEvent(QPaintEvent*) {
-  QPainter p(this);
-  p.fillRect(rect(), palette().color(QPalette::Window));
-  p.setRenderHint(QPainter::SmoothPixmapTransform);
-  if (!shown_.image.isNull()) p.drawImage(frame_box(), shown_.image);
+void Viewport::forget() {
+  frame_.reset(), grip_.reset(), icons_.reset(), outline_.reset();
+  update();
+}
+
+// What lies over the picture belongs to it: while it plays, pictures come later than their times.
+Time Viewport::shown_time() const {
+  return desk_.transport().playing() && !shown_.image.isNull() ? shown_.time : desk_.time();
+}
+
+const Frame& Viewport::frame() const {
+  if (frame_) return *frame_;
+  if (!evaluation_)
+    evaluation_.emplace(desk_.program());
+  else if (&evaluation_->program().compiled() != &desk_.program().compiled())
+    evaluation_->use(desk_.program());
+  evaluation_->to(shown_time());
+  frame_ = evaluation_->frame();
+  return *frame_;
+}
+
+Scope Viewport::scope() const {
+  const QRectF box = picture_box();
+  return {Projection(free_ ? *free_ : frame().camera, box.width() / box.height()), box};
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+  outline_.reset();
+  place_corner();
+  ask();
+}
+
+// ---- The mouse
+
+void Viewport::mousePressEvent(QMouseEvent* e) {
+  setFocus();
+  from_ = at_ = e->position();
+  if (gesture_ == Gesture::pull && pull_by_keys_) return end_pull(e->button() == Qt::LeftButton);
+  if (gesture_ != Gesture::none) return;
+  const bool shift = e->modifiers() & Qt::ShiftModifier, alt = e->modifiers() & Qt::AltModifier;
+  const bool flat = frame().surroundings.flat;
+  if (e->button() == Qt::MiddleButton || (alt && e->button() == Qt::LeftButton)) {
+    gesture_ = shift || flat ? Gesture::pan : e->modifiers() & Qt::ControlModifier ? Gesture::zoom : Gesture::orbit;
+    pivot_ = pivot();
+    setCursor(gesture_ == Gesture::pan ? Qt::ClosedHandCursor : Qt::SizeAllCursor);
+  } else if (e->button() == Qt::LeftButton) {
+    press_on(from_, e->modifiers());
+  }
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* e) {
+  const QPointF by = e->position() - at_;
+  at_ = e->position();
+  switch (gesture_) {
+    case Gesture::none: {
+      const auto h = handles();
+      const Part hot = h ? h->part_at(at_) : Part::none;
+      if (std::exchange(hot_, hot) != hot) update();
+      break;
+    }
+    case Gesture::orbit:
+    case Gesture::pan:
+    case Gesture::zoom:
+      drag_eye(by);
+      break;
+    case Gesture::press:
+      if (QLineF(from_, at_).length() < steady) break;
+      if (pressed_)
+        begin_pull(Tool::move, Part::all, from_), go_on_pulling(at_, e->modifiers());
+      else
+        gesture_ = Gesture::box;
+      update();
+      break;
+    case Gesture::box:
+      update();
+      break;
+    case Gesture::pull:
+      go_on_pulling(at_, e->modifiers());
+      break;
+  }
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* e) {
+  at_ = e->position();
+  switch (gesture_) {
+    case Gesture::orbit:
+    case Gesture::pan:
+    case Gesture::zoom:
+      unsetCursor();
+      gesture_ = Gesture::none;
+      break;
+    case Gesture::press:  // a click: of several that are selected only this one stays
+      gesture_ = Gesture::none;
+      if (!(e->modifiers() & Qt::ShiftModifier))
+        desk_.select(pressed_ ? std::vector{*pressed_} : std::vector<ObjectId>{});
+      break;
+    case Gesture::box:
+      gesture_ = Gesture::none;
+      select_in_box(e->modifiers());
+      break;
+    case Gesture::pull:
+      if (!pull_by_keys_) end_pull(true);
+      break;
+    case Gesture::none:
+      break;
+  }
+  update();
+}
+
+void Viewport::leaveEvent(QEvent*) {
+  hot_ = Part::none;
+  update();
+}
+
+bool Viewport::event(QEvent* e) {
+  if (e->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(e);
+    const auto found = gesture_ == Gesture::none ? hit(help->pos()) : std::nullopt;
+    found ? QToolTip::showText(help->globalPos(), QString::fromStdString(desk_.name(found->id)), this)
+          : QToolTip::hideText();
+    return true;
+  }
+  // Keys that mean something here are no menu's.
+  if (e->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(e);
+    const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+    if ((pull_ && key->key() != Qt::Key_Space) || (plain && QString("0135779FWETGRSA").contains(QChar(key->key()))) ||
+        (key->key() == Qt::Key_Escape && gesture_ != Gesture::none)) {
+      e->accept();
+      return true;
+    }
+  }
+  return QWidget::event(e);
+}
+
+void Viewport::keyPressEvent(QKeyEvent* e) {
+  if (pull_) {
+    if (!pulling_key(e)) e->ignore();
+    return;
+  }
+  const bool plain = !(e->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+  ViewportSwitches s = switches_;
+  const auto use = [&](Tool t) { s.tool = t, s.handles = true, set_switches(s); };
+  if (looking_key(e->key(), e->modifiers())) return;
+  if (e->key() == Qt::Key_Escape && gesture_ != Gesture::none) {
+    gesture_ = Gesture::none;
+    unsetCursor(), update();
+    return;
+  }
+  if (!plain) return QWidget::keyPressEvent(e);
+  switch (e->key()) {
+    case Qt::Key_W:
+      return use(Tool::move);
+    case Qt::Key_E:
+      return use(Tool::turn);
+    case Qt::Key_T:
+      return use(Tool::scale);
+    case Qt::Key_G:
+      return take(Tool::move);
+    case Qt::Key_R:
+      return take(Tool::turn);
+    case Qt::Key_S:
+      return take(Tool::scale);
+    case Qt::Key_A:
+      return e->modifiers() & Qt::ShiftModifier ? desk_.select({}) : select_all();
+    default:
+      QWidget::keyPressEvent(e);
+  }
 }
 
 }  // namespace betwixt::studio

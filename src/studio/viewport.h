@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The picture, in which things are selected and moved.
+// The picture, in which things are selected and moved. What a hand does in it are lines of the language; where one
+// looks from, and what is drawn over the picture, is nobody's but the viewer's.
 #pragma once
 
 #include <QWidget>
@@ -9,14 +10,29 @@
 #include <string>
 
 #include "studio/desk.h"
+#include "studio/ghosts.h"
+#include "studio/handles.h"
 #include "studio/picture_maker.h"
+#include "studio/trails.h"
+
+class QToolButton;
+class QComboBox;
 
 namespace betwixt::studio {
+
+// What is drawn over the picture, and how hands work.
+struct ViewportSwitches {
+  Tool tool = Tool::move;
+  bool own_axes = false;  // of handles; else the world's
+  bool auto_key = false;  // all that a hand does becomes an event
+  bool trails = true, ghosts = false, grid = false, handles = true;
+};
 
 class Viewport : public QWidget {
   Q_OBJECT
  public:
   explicit Viewport(Desk&, QWidget* parent = nullptr);
+  ~Viewport() override;
 
   // The picture that belongs to the time and the film by now: waits for it. For screenshots and tests.
   void await_picture();
@@ -24,23 +40,126 @@ class Viewport : public QWidget {
   const std::string& style() const { return style_; }
   QSize sizeHint() const override { return {640, 360}; }
 
+  const ViewportSwitches& switches() const { return switches_; }
+  void set_switches(const ViewportSwitches&);
+  // Through the film's camera, or from where one likes; that begins where the film's is.
+  bool is_free() const { return free_.has_value(); }
+  void set_free(bool);
+  void look_along(Vec3 direction);  // "front" is (0 0 -1)
+  void frame_selected();            // all, where nothing is
+  void toggle_perspective();
+  void select_all();
+  // Takes what is selected into the hand, as long as nothing else is done: G, R and S.
+  void take(Tool);
+  bool pulls() const { return pull_.has_value(); }
+
+  // Where something is seen, in the widget; what is there. For tests too.
+  Scope scope() const;
+  std::optional<Hit> hit(QPointF) const;
+  const Frame& frame() const;
+
  signals:
   void style_changed();
+  void switches_changed();
 
  protected:
+  bool event(QEvent*) override;
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void leaveEvent(QEvent*) override;
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
 
  private:
+  enum class Gesture { none, orbit, pan, zoom, press, box, pull };
+  struct Icon {  // of what has no shape
+    ObjectId id;
+    Kind kind;
+    Vec3 place;
+  };
+
   PictureWanted wanted() const;
-  QRect frame_box() const;  // where the film's picture is, in the widget
+  QRect frame_box() const;    // where the film's picture would be, in the widget
+  QRect picture_box() const;  // where the picture is
   void ask();
-  void take(const PictureMade&);
+  void take_picture(const PictureMade&);
+  void forget();  // what was worked out of the film and the time
+  Time shown_time() const;
+
+  // Looking (viewport_navigation.cpp)
+  void move_eye(const Camera&);
+  Vec3 pivot() const;
+  Box box_of(const std::vector<ObjectId>&) const;
+  std::vector<ObjectId> with_what_hangs_on(const std::vector<ObjectId>&) const;
+  void drag_eye(QPointF by);
+  bool looking_key(int key, Qt::KeyboardModifiers);
+
+  // Hands (viewport_hands.cpp)
+  const Hand& grip() const;
+  std::optional<Handles> handles() const;
+  void begin_pull(Tool, Part, QPointF from);
+  void go_on_pulling(QPointF, Qt::KeyboardModifiers);
+  void show_pull();
+  void end_pull(bool carry_out);
+  bool pulling_key(QKeyEvent*);
+  void press_on(QPointF, Qt::KeyboardModifiers);
+  void select_in_box(Qt::KeyboardModifiers);
+  const std::vector<Icon>& icons() const;
+
+  // Painting (viewport_painting.cpp)
+  void paint_grid(QPainter&, const Scope&);
+  void paint_outlines(QPainter&, const Scope&);
+  void paint_brackets(QPainter&, const Scope&, ObjectId);
+  void paint_icons(QPainter&, const Scope&);
+  void paint_words(QPainter&);
+  void paint_camera(QPainter&, const Scope&);
+
+  void make_corner();  // viewport_corner.cpp
+  void show_corner();
+  void place_corner();
 
   Desk& desk_;
   PictureMaker maker_;
   PictureMade shown_;
   std::string style_ = "shaded";
+  ViewportSwitches switches_;
+  std::optional<Camera> free_;
+  double last_depth_ = 10;  // of what was looked at
+
+  // Of the film at the time; made when somebody asks.
+  mutable std::optional<Evaluation> evaluation_;
+  mutable std::optional<Frame> frame_;
+  mutable std::optional<Hand> grip_;
+  mutable std::optional<std::vector<Icon>> icons_;
+  Trails trails_;
+  Ghosts ghosts_;
+  struct Outline {
+    QImage image;
+    QPoint at;
+    std::vector<ObjectId> of;
+    Camera eye;
+    QRect box;
+  };
+  std::optional<Outline> outline_;
+  std::vector<ObjectId> bracketed_;  // by corners: their outline would take too long
+
+  Gesture gesture_ = Gesture::none;
+  QPointF from_, at_;
+  Vec3 pivot_;
+  std::optional<ObjectId> pressed_;
+  std::optional<Pull> pull_;
+  bool pull_by_keys_ = false;
+  Part hot_ = Part::none;
+  QString refusal_;
+
+  QWidget *corner_ = nullptr, *eye_corner_ = nullptr;
+  QToolButton *eye_button_ = nullptr, *tools_[3] = {}, *toggles_[5] = {};
+  QComboBox* styles_ = nullptr;
 };
 
 }  // namespace betwixt::studio

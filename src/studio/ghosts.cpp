@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/ghosts.h"
+
+#include <algorithm>
+
+#include "studio/theme.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr int offsets[] = {-6, 6, -4, 4, -2, 2};  // frames; the nearest is drawn last
+constexpr std::size_t most = 200;                 // things in each
+constexpr std::size_t most_corners = 60'000;      // of meshes, in each
+
+}  // namespace
+
+void paint_silhouette(QPainter& p, const Scope& s, const Item& item, const QColor& color) {
+  const Drawn d = drawn(item);
+  std::vector<std::optional<QPointF>> spots;
+  spots.reserve(d.corners.size());
+  for (const Vec3& corner : d.corners) spots.push_back(s.spot(corner));
+  p.setPen(Qt::NoPen), p.setBrush(color);
+  const auto& t = d.mesh->triangles;
+  for (std::size_t k = 0; k + 2 < t.size(); k += 3) {
+    const auto &a = spots[t[k]], &b = spots[t[k + 1]], &c = spots[t[k + 2]];
+    if (!a || !b || !c) continue;
+    const QPointF corners[] = {*a, *b, *c};
+    p.drawConvexPolygon(corners, 3);
+  }
+  // Edges too: what is seen from its side is still there.
+  p.setPen(QPen(color, 1)), p.setBrush(Qt::NoBrush);
+  const auto& e = d.mesh->edges;
+  for (std::size_t k = 0; k + 1 < e.size(); k += 2)
+    if (spots[e[k]] && spots[e[k + 1]]) p.drawLine(*spots[e[k]], *spots[e[k + 1]]);
+}
+
+void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& now, const std::vector<ObjectId>& ids) {
+  if (!image_ || image_->time != now.time || !(image_->eye == eye) || image_->box != s.box) {
+    const Rate rate = desk_.document().rate();
+    const auto range = desk_.document().range();
+    QImage all(s.box.size().toSize(), QImage::Format_ARGB32_Premultiplied);
+    all.fill(Qt::transparent);
+    QPainter over(&all);
+    const Scope own{s.projection, QRectF(QPointF(0, 0), s.box.size())};
+    for (const int offset : offsets) {
+      const Time t = now.time + rate.span(offset);
+      if (t < range.first || t > range.second) continue;
+      QImage one(all.size(), QImage::Format_ARGB32_Premultiplied);
+      one.fill(Qt::transparent);
+      QPainter ghost(&one);
+      const Frame then = desk_.program().frame(t);
+      std::size_t count = 0, corners = 0;
+      for (const Item& item : then.items) {
+        const auto here =
+            std::find_if(now.items.begin(), now.items.end(), [&](const Item& i) { return i.id == item.id; });
+        const bool stays = here != now.items.end() && here->world == item.world && here->shape == item.shape &&
+                           here->blend == item.blend;
+        if (stays || (!ids.empty() && std::find(ids.begin(), ids.end(), item.id) == ids.end())) continue;
+        corners += item.shape->mesh ? item.shape->mesh->positions.size() : 100;
+        if (++count > most || corners > most_corners) break;
+        paint_silhouette(ghost, own, item, offset < 0 ? colors().playhead : colors().note);
+      }
+      ghost.end();
+      over.setOpacity(0.42 - 0.05 * std::abs(offset));
+      over.drawImage(0, 0, one);
+    }
+    image_ = Kept{all, now.time, eye, s.box};
+  }
+  p.drawImage(s.box.topLeft(), image_->image);
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "betwixt/language.h"
+#include "betwixt/object.h"
+#include "betwixt/track.h"
+#include "language/values.h"
+#include "scene/functions.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr std::size_t looked_through = 1000;  // events, for code among them
+
+// What an object hangs on then.
+ObjectId holder(const Document& d, ObjectId id, Time t) {
+  for (const AttachmentSpan& s : attachments(d, id))
+    if (s.from <= t && t < s.until) return s.to.kind >= AttachmentKind::hang ? s.to.parent : ObjectId{};
+  return {};
+}
+
+bool hangs_on(const Document& d, ObjectId id, Time t, const std::vector<ObjectId>& others) {
+  for (ObjectId up = holder(d, id, t); up; up = holder(d, up, t))
+    if (std::find(others.begin(), others.end(), up) != others.end()) return true;
+  return false;
+}
+
+// Its own tracks that have events: the whole one, or those of components.
+std::vector<TrackView> own_tracks(const Document& d, ObjectId id, std::uint16_t function) {
+  std::vector<TrackView> out;
+  for (const TrackView& t : tracks(d, Target{id, function}))
+    if (t.events > 0 && !t.target.velocity && !t.target.layer) out.push_back(t);
+  return out;
+}
+
+bool is_code(const Value* v) { return v && std::holds_alternative<Procedure>(*v); }
+
+bool from_code(const Document& d, ObjectId id, std::uint16_t function) {
+  if (is_code(value_set(d, {id, function}))) return true;
+  bool code = false;
+  for (const TrackView& t : own_tracks(d, id, function))
+    if (t.events <= looked_through)
+      each_event(d, t.target, t.first, t.last, [&](const EventView& e) { code = code || is_code(e.value); });
+  return code;
+}
+
+Quat quaternion(const Value& v) {
+  if (const auto* a = std::get_if<Angles>(&v)) return from_angles(a->xyz);
+  const auto* q = std::get_if<Quat>(&v);
+  return q ? normalize(*q) : Quat{};
+}
+
+Mat4 without_length(const Mat4& m) {
+  Mat4 out;
+  for (int c = 0; c < 3; ++c) {
+    Vec3 unit{};
+    unit[c] = 1;
+    const Vec3 v = normalize(column(m, c), unit);
+    for (int r = 0; r < 3; ++r) out(r, c) = v[r];
+  }
+  return out;
+}
+
+Value component(const Value& v, int c) {
+  if (const auto* a = std::get_if<Angles>(&v)) return a->xyz[c];
+  if (const auto* w = std::get_if<Vec3>(&v)) return (*w)[c];
+  return v;
+}
+
+std::string written(const Document& d, const Value& v, const Target& t) {
+  return write_value(v, spec_of(d.scene(), t.function), t.component, [&](ObjectId id) { return d.name(id); });
+}
+
+}  // namespace
+
+double tidy_step(double at_most) {
+  const double power = std::pow(10, std::floor(std::log10(std::clamp(at_most, 1e-12, 1e12))));
+  const double times = at_most / power * (1 + 1e-9);
+  return power * (times >= 5 ? 5 : times >= 2 ? 2 : 1);
+}
+
+double tidy(double v, double step) {
+  const int decimals = -static_cast<int>(std::floor(std::log10(std::clamp(step, 1e-12, 1e12)) + 1e-9));
+  const double power = std::pow(10, std::abs(decimals));
+  const double out = decimals >= 0 ? std::round(v * power) / power : std::round(v / power) * power;
+  return out == 0 ? 0 : out;
+}
+
+Vec3 angles_near(Quat q, Vec3 angles) {
+  const Mat4 m = rotation(q);
+  const double y = std::asin(std::clamp(m(0, 2), -1.0, 1.0));
+  Vec3 a{std::atan2(-m(1, 2), m(2, 2)), y, std::atan2(-m(0, 1), m(0, 0))};
+  if (std::abs(m(0, 2)) > 1 - 1e-12) {  // x and z turn about one axis: x stays
+    const double both = std::atan2(m(1, 0), m(1, 1));
+    a = {angles.x, y, y > 0 ? both - angles.x : both + angles.x};
+  }
+  const auto nearest = [&](Vec3 v) {
+    for (int i = 0; i < 3; ++i) v[i] += 2 * pi * std::round((angles[i] - v[i]) / (2 * pi));
+    return v;
+  };
+  const Vec3 one = nearest(a), other = nearest({a.x + pi, pi - a.y, a.z + pi});
+  return length(one - angles) <= length(other - angles) ? one : other;
+}
+
+std::string line_for(const Document& d, const Target& t, const Value& v, Time time, bool make_event) {
+  const std::string value = written(d, v, t);
+  if (!make_event) return "set " + d.name(t) + " " + value;
+  std::string before, behind;
+  each_event(d, t, time, time, [&](const EventView& e) {
+    if (e.what != EventView::What::value || !e.value) return;
+    const std::string row = write_event(d, t, time);
+    before = e.before ? written(d, *e.before, t) + " cut " : "";
+    const std::string start = before + written(d, *e.value, t);
+    if (row.starts_with(start)) behind = row.substr(start.size());
+  });
+  return "at " + format_time(time, d) + " " + d.name(t) + " " + before + value + behind;
+}
+
+Hand::Hand(const Program& program, Time time, const std::vector<ObjectId>& ids, bool always)
+    : program_(program), time_(time), always_(always) {
+  const Document& d = program.document();
+  for (const ObjectId id : ids)
+    if (!d.name(id).empty() && !hangs_on(d, id, time, ids)) take(id);
+  if (held_.empty()) return;
+  place_ = held_.back().place;
+  const Quat q = held_.back().parent * quaternion(held_.back().rotation);
+  const Mat4 m = rotation(q);
+  for (int i = 0; i < 3; ++i) axes_[i] = column(m, i);
+}
+
+void Hand::take(ObjectId id) {
+  const Document& d = program_.document();
+  bool placed = false;
+  for (const FunctionView& f : functions(d, id)) placed = placed || f.id == fn::position;
+  if (!placed) return;  // a layer, an environment
+  Held h;
+  h.id = id;
+  const auto values =
+      program_.read({{id, fn::position}, {id, fn::rotation}, {id, fn::scale}, Target{id, Query::world}}, time_);
+  if (const auto* p = std::get_if<Vec3>(&values[0])) h.position = *p;
+  if (const auto* s = std::get_if<Vec3>(&values[2])) h.scale = *s;
+  h.rotation = values[1];
+  const auto* world = std::get_if<Matrix>(&values[3]);
+  if (!world) return;
+  h.place = translation_of(**world);
+  h.back = inverse(program_.kinematics(id, time_).to_world).value_or(Mat4{});
+  if (const auto own = inverse(rotation(quaternion(h.rotation)) * scaling(h.scale)))
+    h.parent = from_matrix(without_length(linear_product(**world, *own)));
+  const std::uint16_t all[] = {fn::position, fn::rotation, fn::scale};
+  for (int i = 0; i < 3; ++i) {
+    h.still[i] = from_code(d, id, all[i]);
+    if (h.still[i] && refusal_.empty()) refusal_ = "code says what " + d.name(Target{id, all[i]}) + " is";
+  }
+  held_.push_back(std::move(h));
+}
+
+// Whole, or those components that have tracks or differ.
+void Hand::put(const Held& h, std::uint16_t function, const Vec3& before, const Vec3& after, double least,
+               std::vector<std::string>& lines) const {
+  const Document& d = program_.document();
+  if (length(after - before) < least) return;
+  const bool angles = function == fn::rotation;
+  const Value whole = angles ? Value(Angles{after}) : Value(after);
+  const auto own = own_tracks(d, h.id, function);
+  if (own.empty() || own.front().target.component < 0) {
+    lines.push_back(line_for(d, {h.id, function}, whole, time_, always_ || !own.empty()));
+    return;
+  }
+  for (int c = 0; c < 3; ++c) {
+    if (after[c] == before[c]) continue;
+    const bool keyed = std::any_of(own.begin(), own.end(), [&](const TrackView& t) { return t.target.component == c; });
+    lines.push_back(line_for(d, {h.id, function, c}, component(whole, c), time_, always_ || keyed));
+  }
+}
+
+void Hand::put_position(const Held& h, Vec3 by, double step, std::vector<std::string>& lines) const {
+  if (h.still[0]) return;
+  const Vec3 own = transform_vector(h.back, by);
+  Vec3 to = h.position;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(own[i]) > 1e-9 * (1 + length(own))) to[i] = tidy(h.position[i] + own[i], step);
+  put(h, fn::position, h.position, to, 1e-12, lines);
+}
+
+std::vector<std::string> Hand::move(Vec3 by, double step) const {
+  std::vector<std::string> lines;
+  for (const Held& h : held_) put_position(h, by, step, lines);
+  return lines;
+}
+
+std::vector<std::string> Hand::turn(Vec3 axis, double angle, double step) const {
+  constexpr double degree = pi / 180;
+  std::vector<std::string> lines;
+  for (const Held& h : held_) {
+    const Quat turned = axis_angle(axis, angle);
+    const Vec3 way = h.place - place_;
+    put_position(h, transform_vector(rotation(turned), way) - way, step, lines);
+    if (h.still[1]) continue;
+    const Vec3 own = transform_vector(rotation(conjugate(h.parent)), axis);
+    if (const auto* a = std::get_if<Angles>(&h.rotation)) {
+      // In small steps, so that whole turns count.
+      Vec3 to = a->xyz;
+      const int steps = 1 + static_cast<int>(std::abs(angle) / 0.5);
+      for (int i = 1; i <= steps; ++i) to = angles_near(axis_angle(own, angle * i / steps) * from_angles(a->xyz), to);
+      for (int i = 0; i < 3; ++i)
+        to[i] = std::abs(to[i] - a->xyz[i]) < 1e-9 ? a->xyz[i] : tidy(to[i] / degree, 0.1) * degree;
+      put(h, fn::rotation, a->xyz, to, 1e-9, lines);
+    } else {
+      Quat q = normalize(axis_angle(own, angle) * quaternion(h.rotation));
+      q = {tidy(q.w, 1e-4), tidy(q.x, 1e-4), tidy(q.y, 1e-4), tidy(q.z, 1e-4)};
+      const auto events = own_tracks(program_.document(), h.id, fn::rotation);
+      lines.push_back(line_for(program_.document(), {h.id, fn::rotation}, q, time_, always_ || !events.empty()));
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> Hand::scale(Vec3 factors, double step) const {
+  std::vector<std::string> lines;
+  const bool even = factors.x == factors.y && factors.y == factors.z;
+  for (const Held& h : held_) {
+    if (even) put_position(h, (factors.x - 1) * (h.place - place_), step, lines);
+    if (h.still[2]) continue;
+    Vec3 to = h.scale;
+    for (int i = 0; i < 3; ++i)
+      if (factors[i] != 1) to[i] = tidy(h.scale[i] * factors[i], 0.01 * std::clamp(std::abs(h.scale[i]), 1e-6, 1.0));
+    put(h, fn::scale, h.scale, to, 1e-12, lines);
+  }
+  return lines;
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/trails.h"
+
+#include <QElapsedTimer>
+#include <cmath>
+
+#include "scene/functions.h"
+#include "studio/theme.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr int most_frames = 240;  // a longer film shows so many around the playhead
+constexpr std::size_t most_ways = 20;
+constexpr int most_milliseconds = 6;  // of looking, in a picture
+
+}  // namespace
+
+std::pair<int, int> Trails::frames(const Desk& desk, Time now) {
+  const Rate rate = desk.document().rate();
+  const auto range = desk.document().range();
+  int first = static_cast<int>(std::ceil(rate.frame_number(range.first)));
+  int last = static_cast<int>(std::floor(rate.frame_number(range.second)));
+  if (last - first > most_frames) {
+    const int middle = static_cast<int>(rate.frame_number(now));
+    first = std::max(first, middle - most_frames / 2), last = std::min(last, middle + most_frames / 2);
+  }
+  return {first, last};
+}
+
+bool Trails::find(Way& way, ObjectId id, int first, int last) {
+  const Rate rate = desk_.document().rate();
+  const Target world(id, Query::world);
+  QElapsedTimer clock;
+  clock.start();
+  for (int f = first; f <= last; ++f) {
+    if (way.places.contains(f)) continue;
+    if (clock.elapsed() > most_milliseconds) return false;
+    const Value v = desk_.program().read(world, rate.frame(f));
+    if (const auto* m = std::get_if<Matrix>(&v)) way.places[f] = translation_of(**m);
+  }
+  way.events.clear();
+  for (const TrackView& t : tracks(desk_.document(), Target{id, fn::position}))
+    each_event(desk_.document(), t.target, rate.frame(first), rate.frame(last), [&](const EventView& e) {
+      way.events.insert(static_cast<int>(std::lround(rate.frame_number(e.time))));
+    });
+  return true;
+}
+
+bool Trails::paint(QPainter& p, const Scope& s, Time now) {
+  const auto [first, last] = frames(desk_, now);
+  const std::vector<ObjectId>& ids = desk_.selected();
+  bool all = true;
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setClipRect(s.box);
+  for (std::size_t i = ids.size() - std::min(ids.size(), most_ways); i < ids.size(); ++i) {
+    Way& way = ways_[ids[i].index];
+    if (all) all = find(way, ids[i], first, last);
+    paint(p, s, way, first, last, desk_.document().rate().frame_number(now));
+  }
+  p.restore();
+  return all;
+}
+
+void Trails::paint(QPainter& p, const Scope& s, const Way& way, int first, int last, double now) const {
+  Box all;
+  for (const auto& [frame, place] : way.places) all.add(place);
+  if (all.empty() || length(all.half()) < 1e-9) return;  // it stands still
+  const Colors& c = colors();
+  const auto tint = [&](int frame, int alpha) {
+    QColor color = frame < now ? c.playhead : c.note;
+    color.setAlpha(alpha);
+    return color;
+  };
+  std::optional<QPointF> before;
+  for (auto i = way.places.lower_bound(first); i != way.places.end() && i->first <= last; ++i) {
+    const auto spot = s.spot(i->second);
+    if (spot && before) {
+      p.setPen(QPen(tint(i->first - 1, 190), 1.5));
+      p.drawLine(*before, *spot);
+    }
+    before = spot;
+  }
+  p.setPen(Qt::NoPen);
+  for (auto i = way.places.lower_bound(first); i != way.places.end() && i->first <= last; ++i) {
+    const auto spot = s.spot(i->second);
+    if (!spot) continue;
+    const bool event = way.events.contains(i->first);
+    p.setBrush(event ? c.event : tint(i->first, 230));
+    const double radius = event ? 4 : 1.9;
+    if (event) p.setPen(QPen(QColor(0, 0, 0, 120), 1));
+    p.drawEllipse(*spot, radius, radius);
+    p.setPen(Qt::NoPen);
+  }
+}
+
+}  // namespace betwixt::studio

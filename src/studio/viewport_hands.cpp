@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Selecting, and pulling what is selected.
+#include <QKeyEvent>
+#include <QMimeData>
+#include <algorithm>
+
+#include "betwixt/object.h"
+#include "studio/viewport.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr double slack = 5;          // pixels beside a line
+constexpr double icon_reach = 10;    // pixels
+constexpr double handle_reach = 80;  // pixels
+
+}  // namespace
+
+// ---- Selecting
+
+// Lights and cameras: they have no shape.
+const std::vector<Viewport::Icon>& Viewport::icons() const {
+  if (icons_) return *icons_;
+  icons_.emplace();
+  std::vector<Target> places;
+  for (const ObjectId id : objects(desk_.document())) {
+    const Kind k = kind(desk_.document(), id);
+    const bool selected =
+        k == Kind::group && std::find(desk_.selected().begin(), desk_.selected().end(), id) != desk_.selected().end();
+    if (k != Kind::light && k != Kind::camera && !selected) continue;
+    icons_->push_back({id, k, {}});
+    places.emplace_back(id, Query::world);
+  }
+  const std::vector<Value> worlds = desk_.program().read(places, shown_time());
+  for (std::size_t i = 0; i < worlds.size(); ++i)
+    if (const auto* m = std::get_if<Matrix>(&worlds[i])) (*icons_)[i].place = translation_of(**m);
+  return *icons_;
+}
+
+std::optional<Hit> Viewport::hit(QPointF p) const {
+  const Scope s = scope();
+  if (is_free())
+    for (const Icon& i : icons())
+      if (const auto spot = s.spot(i.place); spot && QLineF(*spot, p).length() < icon_reach)
+        return Hit{i.id, i.place, s.depth(i.place)};
+  const QPointF at = s.in_picture(p);
+  if (!QRectF(0, 0, 1, 1).contains(at)) return std::nullopt;
+  return pick(frame(), s.projection, at.x(), at.y(), slack / s.box.height());
+}
+
+void Viewport::press_on(QPointF p, Qt::KeyboardModifiers modifiers) {
+  if (const auto h = handles())
+    if (const Part part = h->part_at(p); part != Part::none) return begin_pull(switches_.tool, part, p);
+  gesture_ = Gesture::press;
+  const auto found = hit(p);
+  pressed_ = found ? std::optional(found->id) : std::nullopt;
+  if (!pressed_) return;
+  std::vector<ObjectId> ids = desk_.selected();
+  const auto known = std::find(ids.begin(), ids.end(), *pressed_);
+  if (modifiers & Qt::ShiftModifier) {
+    if (known != ids.end())
+      ids.erase(known), pressed_.reset();
+    else
+      ids.push_back(*pressed_);
+    desk_.select(ids);
+  } else if (known == ids.end()) {
+    desk_.select({*pressed_});
+  }
+}
+
+void Viewport::select_in_box(Qt::KeyboardModifiers modifiers) {
+  const Scope s = scope();
+  const QPointF a = s.in_picture(from_), b = s.in_picture(at_);
+  std::vector<ObjectId> found =
+      pick_within(frame(), s.projection,
+                  {std::min(a.x(), b.x()), std::min(a.y(), b.y()), std::max(a.x(), b.x()), std::max(a.y(), b.y())});
+  if (is_free())
+    for (const Icon& i : icons())
+      if (const auto spot = s.spot(i.place); spot && QRectF(from_, at_).normalized().contains(*spot))
+        found.push_back(i.id);
+  std::vector<ObjectId> ids;
+  if (modifiers & Qt::ShiftModifier) ids = desk_.selected();
+  for (const ObjectId id : found)
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  desk_.select(ids);
+}
+
+void Viewport::select_all() {
+  std::vector<ObjectId> ids;
+  for (const Item& i : frame().items) ids.push_back(i.id);
+  desk_.select(ids);
+}
+
+// ---- Pulling
+
+const Hand& Viewport::grip() const {
+  if (!grip_) grip_.emplace(desk_.program(), shown_time(), desk_.selected(), switches_.auto_key);
+  return *grip_;
+}
+
+std::optional<Handles> Viewport::handles() const {
+  if (!switches_.handles || desk_.selected().empty() || desk_.transport().playing() || grip().empty())
+    return std::nullopt;
+  Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (switches_.own_axes || switches_.tool == Tool::scale) std::copy_n(grip().axes(), 3, axes);
+  return Handles(scope(), switches_.tool, grip().place(), axes, handle_reach);
+}
+
+void Viewport::begin_pull(Tool tool, Part part, QPointF from) {
+  desk_.pause();
+  refusal_.clear();
+  Hand hand(desk_.program(), desk_.time(), desk_.selected(), switches_.auto_key);
+  if (hand.empty()) {
+    gesture_ = Gesture::none;
+    return;
+  }
+  pull_.emplace(scope(), tool, part, std::move(hand), from, switches_.own_axes);
+  gesture_ = Gesture::pull, pull_by_keys_ = false;
+  refusal_ = QString::fromStdString(pull_->hand().refusal());
+  update();
+}
+
+void Viewport::take(Tool tool) {
+  if (desk_.selected().empty()) return;
+  QPointF from = at_;
+  if (!rect().contains(from.toPoint())) from = rect().center();
+  begin_pull(tool, Part::all, from);
+  pull_by_keys_ = true;
+}
+
+void Viewport::go_on_pulling(QPointF p, Qt::KeyboardModifiers modifiers) {
+  if (!pull_) return;
+  pull_->move_to(p, modifiers & Qt::ShiftModifier, modifiers & Qt::ControlModifier);
+  show_pull();
+}
+
+void Viewport::show_pull() {
+  const std::vector<std::string> lines = pull_->lines();
+  lines.empty() ? desk_.look_back() : (void)desk_.look_ahead(lines);
+  update();
+}
+
+void Viewport::end_pull(bool carry_out) {
+  if (!pull_) return;
+  const std::vector<std::string> lines = pull_->lines();
+  pull_.reset();
+  gesture_ = Gesture::none;
+  if (!carry_out || lines.empty())
+    desk_.look_back();
+  else
+    lines.size() == 1 ? desk_.say(lines[0]) : desk_.say(lines);
+  grip_.reset();
+  update();
+}
+
+bool Viewport::pulling_key(QKeyEvent* e) {
+  const bool plane = e->modifiers() & Qt::ShiftModifier;
+  switch (e->key()) {
+    case Qt::Key_Escape:
+      end_pull(false);
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      end_pull(true);
+      return true;
+    case Qt::Key_X:
+      pull_->constrain(plane ? Part::yz : Part::x);
+      break;
+    case Qt::Key_Y:
+      pull_->constrain(plane ? Part::zx : Part::y);
+      break;
+    case Qt::Key_Z:
+      pull_->constrain(plane ? Part::xy : Part::z);
+      break;
+    case Qt::Key_G:
+      pull_->use(Tool::move);
+      break;
+    case Qt::Key_R:
+      pull_->use(Tool::turn);
+      break;
+    case Qt::Key_S:
+      pull_->use(Tool::scale);
+      break;
+    case Qt::Key_Backspace:
+      pull_->erase();
+      break;
+    default:
+      if (!pull_->type(e->text())) return false;
+  }
+  show_pull();
+  return true;
+}
+
+}  // namespace betwixt::studio

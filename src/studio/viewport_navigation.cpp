@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where one looks from.
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "betwixt/object.h"
+#include "studio/navigation.h"
+#include "studio/viewport.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr double turn_per_pixel = 0.008;  // radians
+constexpr double zoom_per_notch = 0.85;
+constexpr double zoom_per_pixel = 0.993;
+constexpr std::size_t many = 500;  // things whose boxes are looked at closely
+
+}  // namespace
+
+void Viewport::set_free(bool free) {
+  if (free == is_free()) return;
+  if (pull_) end_pull(false);
+  const QRectF part = frame_box();
+  if (free)
+    free_ = widened(frame().camera, part.width() / std::max(1, width()), part.height() / std::max(1, height()));
+  else
+    free_.reset();
+  outline_.reset();
+  ask();
+  show_corner();
+  update();
+}
+
+void Viewport::move_eye(const Camera& c) {
+  free_ = c;
+  outline_.reset();
+  ask();
+  update();
+}
+
+// What hangs on them, too: a group is its members.
+std::vector<ObjectId> Viewport::with_what_hangs_on(const std::vector<ObjectId>& ids) const {
+  const Document& d = desk_.document();
+  std::vector<char> in;
+  const auto mark = [&](ObjectId id) {
+    if (id.index >= in.size()) in.resize(id.index + 1);
+    return &in[id.index];
+  };
+  for (const ObjectId id : ids) *mark(id) = 1;
+  std::vector<ObjectId> out = ids;
+  const std::vector<ObjectId> all = objects(d);
+  for (bool more = true; more;) {
+    more = false;
+    for (const ObjectId id : all) {
+      if (*mark(id)) continue;
+      for (const AttachmentSpan& s : attachments(d, id))
+        if (s.from <= desk_.time() && desk_.time() < s.until && s.to.kind >= AttachmentKind::hang && s.to.parent &&
+            *mark(s.to.parent))
+          *mark(id) = 1, out.push_back(id), more = true;
+    }
+  }
+  return out;
+}
+
+// Of these, or of all that is seen.
+Box Viewport::box_of(const std::vector<ObjectId>& ids) const {
+  Box box;
+  const std::vector<ObjectId> wanted = ids.empty() ? ids : with_what_hangs_on(ids);
+  const auto is_wanted = [&](ObjectId id) {
+    return ids.empty() || std::find(wanted.begin(), wanted.end(), id) != wanted.end();
+  };
+  const bool closely = frame().items.size() <= many || (!ids.empty() && ids.size() <= many);
+  for (const Item& i : frame().items) {
+    if (!is_wanted(i.id)) continue;
+    if (closely)
+      for (const Vec3& corner : drawn(i).corners) box.add(corner);
+    else
+      box.add(translation_of(i.world));
+  }
+  for (const Icon& i : icons())
+    if (!ids.empty() && is_wanted(i.id)) box.add(i.place);
+  if (box.empty() && !ids.empty()) box.add(grip().place());
+  return box;
+}
+
+// What one turns about: what is selected, else what is in the middle of the picture.
+Vec3 Viewport::pivot() const {
+  const Scope s = scope();
+  if (!desk_.selected().empty() && !grip().empty()) return grip().place();
+  if (const auto h = pick(frame(), s.projection, 0.5, 0.5)) return h->place;
+  Box all;
+  for (const Item& i : frame().items) all.add(translation_of(i.world));
+  const double depth = all.empty() ? last_depth_ : s.depth(all.middle());
+  return s.projection.place(0.5, 0.5, depth > 0 ? depth : last_depth_);
+}
+
+void Viewport::drag_eye(QPointF by) {
+  set_free(true);
+  const double aspect = double(width()) / std::max(1, height());
+  const double depth = std::max(1e-3, scope().depth(pivot_));
+  last_depth_ = depth;
+  if (gesture_ == Gesture::orbit)
+    move_eye(orbited(*free_, pivot_, -turn_per_pixel * by.x(), -turn_per_pixel * by.y()));
+  else if (gesture_ == Gesture::pan)
+    move_eye(panned(*free_, aspect, by.x() / width(), by.y() / height(), depth));
+  else
+    move_eye(zoomed(*free_, pivot_, std::pow(zoom_per_pixel, by.x() - by.y())));
+}
+
+// Towards what is under the pointer, which stays there.
+void Viewport::wheelEvent(QWheelEvent* e) {
+  const double notches = e->angleDelta().y() / 120.0;
+  if (notches == 0) return e->ignore();
+  set_free(true);
+  const Scope s = scope();
+  const QPointF at = s.in_picture(e->position());
+  const auto h = pick(frame(), s.projection, at.x(), at.y());
+  const double depth = h ? h->depth : std::max(1e-3, s.depth(pivot()));
+  last_depth_ = depth;
+  move_eye(zoomed(*free_, s.projection.place(at.x(), at.y(), depth), std::pow(zoom_per_notch, notches)));
+  e->accept();
+}
+
+void Viewport::look_along(Vec3 direction) {
+  const Vec3 about = pivot();
+  const double distance = std::max(1e-3, length(about - scope().projection.eye()));
+  set_free(true);
+  move_eye(looking_along(*free_, direction, about, distance));
+}
+
+void Viewport::toggle_perspective() {
+  const double depth = std::max(1e-3, scope().depth(pivot()));
+  set_free(true);
+  move_eye(with_perspective(*free_, free_->orthographic, double(width()) / std::max(1, height()), depth));
+}
+
+void Viewport::frame_selected() {
+  const Box box = box_of(desk_.selected());
+  if (box.empty()) return;
+  set_free(true);
+  move_eye(framed(*free_, box, double(width()) / std::max(1, height())));
+}
+
+bool Viewport::looking_key(int key, Qt::KeyboardModifiers modifiers) {
+  if (modifiers & ~(Qt::ControlModifier | Qt::KeypadModifier)) return false;
+  const double way = modifiers & Qt::ControlModifier ? -1 : 1;  // from the other side
+  switch (key) {
+    case Qt::Key_0:
+      set_free(!is_free());
+      return true;
+    case Qt::Key_1:
+      look_along({0, 0, -way});
+      return true;
+    case Qt::Key_3:
+      look_along({-way, 0, 0});
+      return true;
+    case Qt::Key_7:
+      look_along({0, -way, 0});
+      return true;
+    case Qt::Key_5:
+      toggle_perspective();
+      return true;
+    case Qt::Key_F:
+      if (way < 0) return false;
+      frame_selected();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace betwixt::studio

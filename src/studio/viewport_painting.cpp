@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What lies over the picture.
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "studio/theme.h"
+#include "studio/viewport.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr std::size_t most_outlined = 60;     // things
+constexpr std::size_t most_corners = 40'000;  // of their meshes
+constexpr std::size_t most_bracketed = 300;
+constexpr double grid_pixels = 40;  // from line to line, at least
+
+}  // namespace
+
+void Viewport::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.fillRect(rect(), palette().color(QPalette::Window).darker(120));
+  p.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (!shown_.image.isNull()) p.drawImage(picture_box(), shown_.image);
+  if (!free_) {
+    p.setPen(QPen(colors().line, 1));
+    p.drawRect(picture_box().adjusted(0, 0, -1, -1));
+  }
+  const Scope s = scope();
+  const bool stands = !desk_.transport().playing();
+  if (switches_.grid) paint_grid(p, s);
+  if (switches_.ghosts && stands)
+    ghosts_.paint(p, s, free_ ? *free_ : frame().camera, frame(), with_what_hangs_on(desk_.selected()));
+  if (switches_.trails && !desk_.selected().empty() && !desk_.looks_ahead() && !trails_.paint(p, s, shown_time()))
+    QMetaObject::invokeMethod(this, qOverload<>(&QWidget::update), Qt::QueuedConnection);
+  if (!desk_.selected().empty()) paint_outlines(p, s);
+  if (is_free() || !desk_.selected().empty()) paint_icons(p, s);
+  if (is_free()) paint_camera(p, s);
+  if (!pull_)
+    if (const auto h = handles()) h->paint(p, hot_);
+  paint_words(p);
+}
+
+// Lines on the floor, or on a drawing's paper.
+void Viewport::paint_grid(QPainter& p, const Scope& s) {
+  const bool flat = frame().surroundings.flat;
+  const Vec3 up = flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0}, u{1, 0, 0}, v = flat ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Ray middle = s.projection.ray(0.5, flat ? 0.5 : 0.65);
+  const double slope = dot(middle.along, up);
+  Vec3 centre{};
+  if (slope < -1e-3 && dot(middle.from, up) > 0) centre = middle.from - dot(middle.from, up) / slope * middle.along;
+  const double depth = std::max(s.depth(centre), 1e-3);
+  const double step = 2 * tidy_step(s.metres(depth) * grid_pixels);
+  constexpr int lines = 24;
+  const double cu = std::round(dot(centre, u) / step), cv = std::round(dot(centre, v) / step);
+  p.save();
+  p.setClipRect(s.box);
+  p.setRenderHint(QPainter::Antialiasing);
+  const auto draw = [&](Vec3 along, Vec3 across, double c_along, double c_across, const QColor& axis) {
+    for (int i = -lines; i <= lines; ++i) {
+      const double k = c_across + i;
+      const bool is_axis = k == 0, major = std::fmod(k, 5) == 0;
+      QColor color = is_axis ? axis : colors().dim;
+      std::optional<QPointF> before;
+      for (int j = -lines; j <= lines; ++j) {
+        const auto spot = s.spot(step * (k * across + (c_along + j) * along));
+        if (before && spot) {
+          const double far = std::hypot(i, j - 0.5) / lines;
+          color.setAlphaF(std::clamp(1 - far, 0.0, 1.0) * (is_axis ? 0.9 : major ? 0.6 : 0.3));
+          p.setPen(QPen(color, is_axis ? 1.5 : 1));
+          p.drawLine(*before, *spot);
+        }
+        before = spot;
+      }
+    }
+  };
+  draw(u, v, cu, cv, colors().x);
+  draw(v, u, cv, cu, flat ? colors().y : colors().z);
+  p.restore();
+}
+
+// Around what is seen of them: a line; of much at once only the corners of a box.
+void Viewport::paint_outlines(QPainter& p, const Scope& s) {
+  const Camera eye = free_ ? *free_ : frame().camera;
+  if (!outline_ || outline_->of != desk_.selected() || !(outline_->eye == eye) || outline_->box != picture_box()) {
+    outline_ = Outline{{}, {}, desk_.selected(), eye, picture_box()};
+    bracketed_.clear();
+    QImage mask(size(), QImage::Format_ARGB32_Premultiplied);
+    mask.fill(Qt::transparent);
+    QPainter on(&mask);
+    on.setClipRect(s.box);
+    std::size_t things = 0, corners = 0;
+    const std::vector<ObjectId>& ids = desk_.selected();
+    for (const Item& i : frame().items) {
+      if (std::find(ids.begin(), ids.end(), i.id) == ids.end()) continue;
+      corners += i.shape->mesh ? i.shape->mesh->positions.size() : 300;
+      if (++things > most_outlined || corners > most_corners) {
+        if (bracketed_.size() < most_bracketed) bracketed_.push_back(i.id);
+        continue;
+      }
+      paint_silhouette(on, s, i, i.id == ids.back() ? colors().event : colors().accent);
+    }
+    on.end();
+    QImage line(mask.size(), QImage::Format_ARGB32_Premultiplied);
+    line.fill(Qt::transparent);
+    QPainter over(&line);
+    for (const auto& [x, y] : {std::pair(-2, 0), {2, 0}, {0, -2}, {0, 2}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}})
+      over.drawImage(x, y, mask);
+    over.setCompositionMode(QPainter::CompositionMode_DestinationOut);
+    over.drawImage(0, 0, mask);
+    over.end();
+    outline_->image = std::move(line);
+  }
+  p.drawImage(0, 0, outline_->image);
+  for (const ObjectId id : bracketed_) paint_brackets(p, s, id);
+}
+
+void Viewport::paint_brackets(QPainter& p, const Scope& s, ObjectId id) {
+  const auto item = std::find_if(frame().items.begin(), frame().items.end(), [&](const Item& i) { return i.id == id; });
+  if (item == frame().items.end()) return;
+  const auto r = rectangle_around(drawn(*item), s.projection);
+  if (!r) return;
+  const auto x = [&](double v) { return s.box.left() + std::clamp(v, 0.0, 1.0) * s.box.width(); };
+  const auto y = [&](double v) { return s.box.top() + std::clamp(v, 0.0, 1.0) * s.box.height(); };
+  const QRectF box = QRectF(QPointF(x(r->left), y(r->top)), QPointF(x(r->right), y(r->bottom))).adjusted(-3, -3, 3, 3);
+  const double l = std::min({12.0, box.width() / 3, box.height() / 3});
+  p.setPen(QPen(id == desk_.selected().back() ? colors().event : colors().accent, 1.5));
+  for (const auto& [corner, dx, dy] : {std::tuple(box.topLeft(), 1, 1),
+                                       {box.topRight(), -1, 1},
+                                       {box.bottomLeft(), 1, -1},
+                                       {box.bottomRight(), -1, -1}}) {
+    p.drawLine(corner, corner + QPointF(dx * l, 0));
+    p.drawLine(corner, corner + QPointF(0, dy * l));
+  }
+}
+
+void Viewport::paint_icons(QPainter& p, const Scope& s) {
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setClipRect(s.box);
+  for (const Icon& i : icons()) {
+    const auto& ids = desk_.selected();
+    const bool selected = std::find(ids.begin(), ids.end(), i.id) != ids.end();
+    if (!is_free() && !selected) continue;
+    const auto spot = s.spot(i.place);
+    if (!spot) continue;
+    const QColor color = selected ? (i.id == ids.back() ? colors().event : colors().accent) : QColor(0xe8, 0xe8, 0xe8);
+    for (const bool shade : {true, false}) {
+      p.setPen(QPen(shade ? QColor(0, 0, 0, 130) : color, shade ? 3.5 : 1.5));
+      if (i.kind == Kind::light) {
+        p.drawEllipse(*spot, 4, 4);
+        for (int k = 0; k < 8; ++k) {
+          const QPointF out(std::cos(k * pi / 4), std::sin(k * pi / 4));
+          p.drawLine(*spot + 6.5 * out, *spot + 9 * out);
+        }
+      } else if (i.kind == Kind::camera) {
+        p.drawRect(QRectF(*spot - QPointF(8, 5), QSizeF(11, 10)));
+        p.drawPolygon(QPolygonF() << *spot + QPointF(3, 0) << *spot + QPointF(9, -5) << *spot + QPointF(9, 5));
+      } else {
+        p.drawLine(*spot - QPointF(7, 0), *spot + QPointF(7, 0));
+        p.drawLine(*spot - QPointF(0, 7), *spot + QPointF(0, 7));
+      }
+    }
+  }
+  p.restore();
+}
+
+// What the film's camera sees, from aside.
+void Viewport::paint_camera(QPainter& p, const Scope& s) {
+  const Camera& c = frame().camera;
+  const Projection film(c, desk_.document().aspect());
+  const double away = length(film.eye() - s.projection.eye());
+  if (away < 1e-6) return;
+  const double depth = c.orthographic ? 0 : 0.12 * away;
+  QPolygonF window;
+  for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    if (const auto spot = s.spot(film.place(x, y, depth))) window << *spot;
+  const auto eye = s.spot(film.eye());
+  if (window.size() != 4 || !eye) return;
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  QColor color = colors().accent;
+  color.setAlpha(150);
+  p.setPen(QPen(color, 1.25));
+  p.setBrush(Qt::NoBrush);
+  p.drawPolygon(window);
+  if (!c.orthographic)
+    for (const QPointF& corner : window) p.drawLine(*eye, corner);
+  p.restore();
+}
+
+void Viewport::paint_words(QPainter& p) {
+  if (gesture_ == Gesture::box) {
+    QColor inside = colors().accent;
+    p.setPen(QPen(inside, 1));
+    inside.setAlpha(40);
+    p.setBrush(inside);
+    p.drawRect(QRectF(from_, at_).normalized());
+  }
+  QString words = pull_ ? QString::fromStdString(pull_->in_words()) : QString();
+  if (!refusal_.isEmpty()) words += (words.isEmpty() ? "" : " — ") + refusal_;
+  if (words.isEmpty()) return;
+  const QFontMetricsF metrics(font());
+  const double pad = metrics.height() / 3;
+  QRectF box = metrics.boundingRect(words).adjusted(-2 * pad, -pad, 2 * pad, pad);
+  box.moveBottomLeft(QPointF(pad * 2, height() - pad * 2));
+  QColor back = colors().raised;
+  back.setAlpha(225);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(Qt::NoPen), p.setBrush(back);
+  p.drawRoundedRect(box, pad, pad);
+  p.setPen(refusal_.isEmpty() ? colors().text : colors().warning);
+  p.drawText(box, Qt::AlignCenter, words);
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/viewport.h"
+
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "betwixt/language.h"
+#include "studio/navigation.h"
+#include "studio/theme.h"
+
+namespace betwixt::studio {
+namespace {
+
+// A drawing is 16 m by 9 m: here a metre is 50 pixels, and (0 0) is in the middle.
+constexpr int width = 800, height = 450;
+QPoint at(double x, double y) { return {int(std::lround(400 + 50 * x)), int(std::lround(225 - 50 * y))}; }
+
+struct Film {
+  QTemporaryDir folder;  // journals lie where one works
+  bool there = QDir::setCurrent(folder.path());
+  Desk desk;
+  Viewport view{desk};
+  explicit Film(const std::vector<std::string>& lines) {
+    desk.open("");
+    view.resize(width, height);
+    view.show();
+    const bool said = desk.say(lines);
+    if (!said) qFatal("%s", desk.last_said().c_str());
+    view.await_picture();
+    view.setFocus();
+  }
+  ObjectId find(const char* name) const { return desk.document().find(name); }
+  QStringList selected() const {
+    QStringList names;
+    for (const ObjectId id : desk.selected()) names << QString::fromStdString(desk.name(id));
+    return names;
+  }
+  void select(const char* name) { desk.select({find(name)}); }
+  void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(&view, Qt::LeftButton, keys, from);
+    for (int i = 1; i <= 4; ++i) move(from + (to - from) * i / 4, keys);
+    QTest::mouseRelease(&view, Qt::LeftButton, keys, to);
+  }
+  void move(QPoint p, Qt::KeyboardModifiers keys = {}) {
+    QMouseEvent e(QEvent::MouseMove, p, view.mapToGlobal(p), Qt::NoButton, Qt::LeftButton, keys);
+    QApplication::sendEvent(&view, &e);
+  }
+  void keys(const char* all) { QTest::keyClicks(&view, all); }
+  QString value(const char* target, const char* time = "1f") {
+    const auto found = find_targets(target, desk.document());
+    const Value v = desk.program().read((*found)[0], *parse_time(time, desk.document()));
+    QStringList out;
+    for (const double n : numbers(v)) out << QString::number(n, 'g', 6);
+    return out.join(' ');
+  }
+  QString text() const { return QString::fromStdString(desk.text()); }
+};
+
+const std::vector<std::string> two = {"film flat", "create ball disc radius=1",
+                                      "create card rectangle size=(2 2) position=(4 0 0)"};
+
+}  // namespace
+
+class ViewportTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+
+  void a_click_selects() {
+    Film f(two);
+    QTest::mouseClick(&f.view, Qt::LeftButton, {}, at(0.5, 0));
+    QCOMPARE(f.selected(), QStringList{"ball"});
+    QTest::mouseClick(&f.view, Qt::LeftButton, Qt::ShiftModifier, at(4.9, 0.9));
+    QCOMPARE(f.selected(), (QStringList{"ball", "card"}));
+    QTest::mouseClick(&f.view, Qt::LeftButton, Qt::ShiftModifier, at(-0.5, 0.3));
+    QCOMPARE(f.selected(), QStringList{"card"});
+    QTest::mouseClick(&f.view, Qt::LeftButton, {}, at(-0.5, 0.3));
+    QCOMPARE(f.selected(), QStringList{"ball"});
+    QTest::mouseClick(&f.view, Qt::LeftButton, {}, at(0, 3));
+    QCOMPARE(f.selected(), QStringList{});
+  }
+
+  void a_box_selects_what_is_inside() {
+    Film f(two);
+    f.drag(at(-2, 2), at(2, -2));
+    QCOMPARE(f.selected(), QStringList{"ball"});
+    f.drag(at(2, 2), at(6, -2), Qt::ShiftModifier);
+    QCOMPARE(f.selected(), (QStringList{"ball", "card"}));
+    f.drag(at(-2, 2), at(0.5, -2));  // half of it
+    QCOMPARE(f.selected(), QStringList{});
+  }
+
+  void an_arrow_moves_along_an_axis() {
+    Film f(two);
+    const QString before = f.text();
+    f.select("ball");
+    f.drag(at(1.2, 0), at(3.2, 0.7));
+    QCOMPARE(f.value("ball.position"), QString("2 0 0"));
+    QCOMPARE(f.text(), before + "set ball.position (2 0 0)\n");
+    f.desk.undo();
+    QCOMPARE(f.text(), before);
+    QCOMPARE(f.value("ball.position"), QString("0 0 0"));
+    f.drag(at(0, 1.2), at(1, 0.2));
+    QCOMPARE(f.value("ball.position"), QString("0 -1 0"));
+  }
+
+  void where_there_are_events_one_more_is_made() {
+    Film f({"film flat", "create ball disc", "at 1f ball.position (0 0 0)", "at 25f ball.position (4 0 0) linear"});
+    f.select("ball");
+    f.desk.go_to(f.desk.document().rate().frame(25));
+    f.drag(at(4, 1.2), at(4, 2.2));
+    QCOMPARE(f.value("ball.position", "25f"), QString("4 1 0"));
+    QVERIFY(f.text().contains("at 25f ball.position (4 1 0) linear"));  // its twerper stays
+    f.desk.go_to(f.desk.document().rate().frame(13));
+    f.view.take(Tool::move);
+    f.keys("y2\r");
+    const auto all = events(f.desk.document(), {f.find("ball"), 0});
+    QCOMPARE(all.size(), std::size_t(3));
+    QCOMPARE(std::get<Vec3>(*all[1].value).y, 2 + f.value("ball.position", "13f").split(' ')[1].toDouble() - 2);
+  }
+
+  void of_components_those_with_tracks_get_rows() {
+    Film f({"film flat", "create ball disc", "at 1f ball.position.x 0", "at 25f ball.position.x 0"});
+    f.select("ball");
+    f.drag(at(0, 0), at(2, 1));
+    QVERIFY(f.text().contains("at 1f ball.position.x 2\n"));
+    QVERIFY(f.text().contains("set ball.position.y 1\n"));
+    QCOMPARE(f.value("ball.position", "1f"), QString("2 1 0"));
+    QCOMPARE(f.value("ball.position", "25f"), QString("0 1 0"));
+  }
+
+  void auto_key_makes_an_event_of_all() {
+    Film f(two);
+    ViewportSwitches s = f.view.switches();
+    s.auto_key = true;
+    f.view.set_switches(s);
+    f.select("ball");
+    f.desk.go_to(f.desk.document().rate().frame(12));
+    f.drag(at(1.2, 0), at(2.2, 0));
+    QVERIFY(f.text().endsWith("at 12f ball.position (1 0 0)\n"));
+  }
+
+  void keys_take_and_numbers_say_how_much() {
+    Film f(two);
+    f.select("ball");
+    f.keys("gx1.5\r");
+    QCOMPARE(f.value("ball.position"), QString("1.5 0 0"));
+    f.keys("gy-2\r");
+    QCOMPARE(f.value("ball.position"), QString("1.5 -2 0"));
+    f.keys("r90\r");
+    QVERIFY(f.text().contains("set ball.rotation euler(0 0 90deg)"));
+    f.keys("r360\r");
+    QVERIFY(f.text().contains("set ball.rotation euler(0 0 450deg)"));
+    f.keys("s2\r");
+    QCOMPARE(f.value("ball.scale"), QString("2 2 2"));
+    f.keys("sx0.5\r");
+    QCOMPARE(f.value("ball.scale"), QString("1 2 2"));
+  }
+
+  void escape_calls_off() {
+    Film f(two);
+    const QString before = f.text();
+    f.select("ball");
+    f.keys("g");
+    f.move(at(1, 1)), f.move(at(2, 1));
+    QVERIFY(f.desk.looks_ahead());
+    QTest::keyClick(&f.view, Qt::Key_Escape);
+    QVERIFY(!f.desk.looks_ahead());
+    QCOMPARE(f.text(), before);
+    QCOMPARE(f.value("ball.position"), QString("0 0 0"));
+  }
+
+  void while_it_is_pulled_the_film_is_shown_ahead() {
+    Film f(two);
+    f.select("ball");
+    QTest::mousePress(&f.view, Qt::LeftButton, {}, at(0, 0));
+    f.move(at(1, 0)), f.move(at(1, 1));
+    QCOMPARE(f.value("ball.position"), QString("1 1 0"));
+    QVERIFY(!f.text().contains("position (1 1 0)"));
+    QTest::mouseRelease(&f.view, Qt::LeftButton, {}, at(1, 1));
+    QVERIFY(f.text().endsWith("set ball.position (1 1 0)\n"));
+  }
+
+  void shift_is_finer_and_control_snaps() {
+    Film f(two);
+    f.select("ball");
+    f.drag(at(1.2, 0), at(2.2, 0), Qt::ShiftModifier);
+    QCOMPARE(f.value("ball.position"), QString("0.1 0 0"));
+    f.desk.undo();
+    f.drag(at(1.2, 0), at(2.34, 0), Qt::ControlModifier);  // a grid of 1 m: 20 pixels are 0.4 m, and more
+    QCOMPARE(f.value("ball.position"), QString("1 0 0"));
+  }
+
+  void several_go_together_in_one_step() {
+    Film f(two);
+    const QString before = f.text();
+    f.desk.select({f.find("ball"), f.find("card")});
+    f.drag(at(4, 1.2), at(4, 2.2));  // the handles are at the one that leads
+    QCOMPARE(f.value("ball.position"), QString("0 1 0"));
+    QCOMPARE(f.value("card.position"), QString("4 1 0"));
+    f.keys("r90\r");  // about it
+    QCOMPARE(f.value("ball.position"), QString("4 -3 0"));
+    QCOMPARE(f.value("card.position"), QString("4 1 0"));
+    f.desk.undo(), f.desk.undo();
+    QCOMPARE(f.text(), before);
+  }
+
+  void what_hangs_on_another_moves_in_its_space() {
+    Film f({"film flat", "create arm rectangle size=(4 1) rotation=euler(0 0 90deg) scale=(2 2 2)",
+            "create hand disc radius=0.4 position=(1 0 0)", "couple hand to arm"});
+    f.select("hand");  // at (0 2)
+    f.drag(at(1.2, 2), at(2.2, 2));
+    QCOMPARE(f.value("hand.position"), QString("1 -0.5 0"));  // to the right is its -y, and twice as large
+    f.desk.select({f.find("hand"), f.find("arm")});           // it goes along by itself
+    f.keys("gx1\r");
+    QCOMPARE(f.value("hand.position"), QString("1 -0.5 0"));
+    QCOMPARE(f.value("arm.position"), QString("1 0 0"));
+  }
+
+  void what_code_says_is_left_alone() {
+    Film f({"film flat", "create ball disc", "set ball.position = \"vec(1, 0, 0)\""});
+    const QString before = f.text();
+    f.select("ball");
+    f.keys("gx1\r");
+    QCOMPARE(f.text(), before);
+  }
+
+  void the_wheel_keeps_what_is_under_it() {
+    Film f(two);
+    const Vec3 there = f.view.hit(at(4.5, 0.5))->place;
+    QWheelEvent e(at(4.5, 0.5), f.view.mapToGlobal(at(4.5, 0.5)), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase,
+                  false);
+    QApplication::sendEvent(&f.view, &e);
+    QVERIFY(f.view.is_free());
+    const Scope s = f.view.scope();
+    QVERIFY(s.projection.orthographic());
+    QVERIFY(QLineF(*s.spot(there), at(4.5, 0.5)).length() < 1e-6);
+    QCOMPARE(s.projection.height(1), 9 * 0.85 * 0.85);
+    f.keys("0");
+    QVERIFY(!f.view.is_free());
+    QCOMPARE(f.view.scope().projection.height(1), 9.0);
+  }
+
+  void a_key_frames_what_is_selected() {
+    Film f(two);
+    f.select("card");
+    f.keys("f");
+    const Scope s = f.view.scope();
+    QVERIFY(QLineF(*s.spot({4, 0, 0}), QPointF(width / 2.0, height / 2.0)).length() < 1e-6);
+    QVERIFY(s.projection.height(1) < 4);
+  }
+
+  void one_turns_around_what_is_selected() {
+    Film f({"create ball sphere", "create eye camera position=(0 2 10) look-at=(0 2 0)"});
+    f.select("ball");
+    const QPointF before = *f.view.scope().spot({0, 0, 0});
+    QTest::mousePress(&f.view, Qt::MiddleButton, {}, at(0, 0));
+    f.move(at(2, 1));
+    QTest::mouseRelease(&f.view, Qt::MiddleButton, {}, at(2, 1));
+    QVERIFY(f.view.is_free());
+    const Scope s = f.view.scope();
+    QVERIFY(QLineF(*s.spot({0, 0, 0}), before).length() < 1e-6);
+    QVERIFY(std::abs(length(s.projection.eye()) - std::hypot(2, 10)) < 1e-9);
+    QVERIFY(std::abs(s.projection.right().y) < 1e-9);  // upright
+    f.keys("7");
+    QVERIFY(length(f.view.scope().projection.forward() - Vec3{0, -1, 0}) < 1e-9);
+  }
+};
+
+}  // namespace betwixt::studio
+
+QTEST_MAIN(betwixt::studio::ViewportTest)
+#include "viewport_test.moc"
