@@ -155,7 +155,7 @@ create c star radius=2
 create d points points=((0 0) (1 1)) size=0.5
 create e line to=(3 2 0) width=0.2
 create f ring radius=2 inner=1.4
-create g torus radius=1.5 tube=0.4
+create g torus radius=1.5 tube=0.5
 create h cone radius=1 height=2
 create i disc radius=1.5
 create k gear
