@@ -60,6 +60,10 @@ const std::vector<ActionRow>& action_rows() {
       {"View", "To the curves", "Ctrl+3", "Values against time.", [](Window& w) { w.show_panel("curves"); }},
       {"View", "To the properties", "Ctrl+4", "What is selected, and its values.",
        [](Window& w) { w.show_panel("properties"); }},
+      {"View", "To the controls", "Ctrl+5", "OSC and MIDI: what comes in, and what it turns.",
+       [](Window& w) { w.show_panel("live"); }},
+      {"View", "To a server", "Ctrl+6", "A running imaging server, watched and steered.",
+       [](Window& w) { w.show_panel("server"); }},
       {"View", "All keys", "F1", "What each key does.", [](Window& w) { w.show_keys(); }},
   };
   return all;

@@ -20,7 +20,7 @@ class ConsoleLine : public WordEdit {
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
 
- signals:
+ Q_SIGNALS:
   void entered(const QString& line);
 
  protected:

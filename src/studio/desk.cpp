@@ -101,6 +101,11 @@ bool Desk::look_ahead(const std::vector<std::string>& lines) {
   return true;
 }
 
+void Desk::show_ahead(Document next) {
+  ahead_ = true;
+  show(std::move(next));
+}
+
 void Desk::look_back() {
   if (ahead_) take_over();
 }

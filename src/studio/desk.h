@@ -62,6 +62,7 @@ class Desk : public QObject {
   bool say(const std::vector<std::string>& lines);
   // Shows what lines would do while a hand moves something. Lines that cannot be carried out leave what is shown.
   bool look_ahead(const std::vector<std::string>& lines);
+  void show_ahead(Document);  // the same, of what somebody else has worked out
   // Shows what another text would do; when typing rests it becomes one step.
   void retype(std::string text);
   void settle_typing();  // now
@@ -99,7 +100,7 @@ class Desk : public QObject {
   std::string name(ObjectId id) const { return document_.name(id); }
   std::string when(Time t) const;  // "24f", or seconds between frames
 
- signals:
+ Q_SIGNALS:
   void opened();            // another script
   void document_changed();  // or what is shown of it
   void text_changed();      // not while it is only looked ahead

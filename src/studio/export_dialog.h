@@ -33,7 +33,7 @@ class ExportDialog : public QDialog {
   void start();
   bool running() const { return process_.state() != QProcess::NotRunning; }
 
- signals:
+ Q_SIGNALS:
   void ended(bool made);
 
  protected:

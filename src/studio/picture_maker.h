@@ -42,7 +42,7 @@ class PictureMaker : public QObject {
   // The same at once, for who waits.
   static PictureMade make(const PictureWanted&);
 
- signals:
+ Q_SIGNALS:
   void made(const betwixt::studio::PictureMade&);
 
  private:

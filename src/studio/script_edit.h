@@ -25,7 +25,7 @@ class ScriptEdit : public WordEdit {
   void paint_margin(QPainter&, QRect);
   int margin_width() const;
 
- signals:
+ Q_SIGNALS:
   void margin_changed();
 
  protected:

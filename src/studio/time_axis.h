@@ -43,7 +43,7 @@ class TimeAxis : public QObject {
   };
   std::vector<Tick> ticks(double width, double label_width) const;
 
- signals:
+ Q_SIGNALS:
   void changed();
 
  private:

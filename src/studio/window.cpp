@@ -22,10 +22,12 @@
 #include "studio/curves.h"
 #include "studio/example.h"
 #include "studio/export_dialog.h"
+#include "studio/live_panel.h"
 #include "studio/outliner.h"
 #include "studio/palette.h"
 #include "studio/properties.h"
 #include "studio/script_panel.h"
+#include "studio/server_panel.h"
 #include "studio/sheet.h"
 #include "studio/theme.h"
 #include "studio/timeline.h"
@@ -90,6 +92,9 @@ void Window::add_panels() {
   auto* script = add(new ScriptPanel(desk_), Qt::RightDockWidgetArea);
   auto* properties = add(new Properties(desk_), Qt::RightDockWidgetArea);
   add(new Console(desk_), Qt::RightDockWidgetArea);
+  auto* live = add(new LivePanel(desk_), Qt::LeftDockWidgetArea);
+  auto* server = add(new ServerPanel, Qt::LeftDockWidgetArea);
+  tabifyDockWidget(live, server), live->raise();
   splitDockWidget(timeline, sheet, Qt::Vertical);
   tabifyDockWidget(sheet, curves), sheet->raise();
   tabifyDockWidget(properties, script), script->raise();
@@ -138,13 +143,14 @@ void Window::add_menus() {
   connect(recent_, &QMenu::aboutToShow, this, &Window::list_recent);
 }
 
-QStringList Window::layouts() { return {"all", "animate", "script", "picture"}; }
+QStringList Window::layouts() { return {"all", "animate", "script", "live", "picture"}; }
 
 bool Window::set_layout(const QString& name) {
   if (!layouts().contains(name)) return false;
   for (QDockWidget* dock : docks_) {
     const QString panel = dock->widget()->objectName();
-    const bool shown = name == "all" || panel == "timeline" ||
+    const bool shown = (name == "all" && panel != "live" && panel != "server") || panel == "timeline" ||
+                       (name == "live" && (panel == "live" || panel == "server")) ||
                        (name == "animate" && (panel == "sheet" || panel == "curves" || panel == "outliner")) ||
                        (name == "script" && (panel == "script_panel" || panel == "console"));
     dock->setVisible(shown);
@@ -156,6 +162,7 @@ bool Window::set_layout(const QString& name) {
         resizeDocks({dock}, {static_cast<int>(share * (way == Qt::Horizontal ? width() : height()))}, way);
   };
   size("outliner", 0.16, Qt::Horizontal);
+  size("live", 0.24, Qt::Horizontal);
   size("script_panel", name == "script" ? 0.42 : 0.27, Qt::Horizontal);
   size("console", name == "script" ? 0.42 : 0.27, Qt::Horizontal);
   size("sheet", name == "animate" ? 0.42 : 0.26, Qt::Vertical);

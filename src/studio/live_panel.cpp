@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/live_panel.h"
+
+#include <fmt/format.h>
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "betwixt/language.h"
+#include "editor/placing.h"
+#include "scene/document.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr int polls_a_second = 60;
+
+std::string in_words(const LiveMessage& m) {
+  std::string out = m.address;
+  for (const double d : m.numbers) out += fmt::format(" {:.4g}", d);
+  return m.text ? out + " " + *m.text : out;
+}
+
+}  // namespace
+
+LivePanel::LivePanel(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+  setObjectName("live");
+  setWindowTitle(tr("Controls"));
+  where_ = new QLineEdit("9000");
+  where_->setObjectName("where");
+  where_->setToolTip(
+      tr("a port of this machine for OSC; HOST:PORT listens where it says. MIDI is heard where there is some"));
+  listen_ = new QPushButton(tr("Listen"));
+  listen_->setObjectName("listen"), listen_->setCheckable(true);
+  target_ = new QLineEdit;
+  target_->setObjectName("target");
+  target_->setPlaceholderText(tr("ball.position.y"));
+  learn_ = new QPushButton(tr("Learn"));
+  learn_->setObjectName("learn"), learn_->setCheckable(true);
+  learn_->setToolTip(tr("the control that moves next turns the target: `dial ADDRESS to TARGET`"));
+  record_ = new QCheckBox(tr("Record while it plays"));
+  record_->setObjectName("record");
+  record_->setToolTip(
+      tr("what controls say while it plays becomes events, and takes the place of those that were there"));
+  state_ = new QLabel, last_ = new QLabel;
+  last_->setObjectName("last"), last_->setWordWrap(true);
+  dials_ = new QListWidget;
+  dials_->setObjectName("dials");
+  auto* form = new QFormLayout;
+  const auto row = [&](const QString& words, QWidget* field, QWidget* button) {
+    auto* both = new QHBoxLayout;
+    both->addWidget(field, 1), both->addWidget(button);
+    form->addRow(words, both);
+  };
+  row(tr("Port"), where_, listen_);
+  row(tr("Target"), target_, learn_);
+  form->addRow(record_);
+  auto* all = new QVBoxLayout(this);
+  all->addLayout(form), all->addWidget(last_), all->addWidget(dials_, 1), all->addWidget(state_);
+  poll_.setInterval(1000 / polls_a_second);
+  connect(&poll_, &QTimer::timeout, this, &LivePanel::poll);
+  connect(listen_, &QPushButton::toggled, this, &LivePanel::listen);
+  connect(&desk, &Desk::playing_changed, this, [this] {
+    if (!desk_.transport().playing()) end_take();
+  });
+  connect(&desk, &Desk::text_changed, this, &LivePanel::list_dials);
+  connect(&desk, &Desk::selection_changed, this, [this] {
+    if (!desk_.selected().empty() && !learn_->isChecked())
+      target_->setText(QString::fromStdString(desk_.name(desk_.selected().back()) + ".position"));
+  });
+  list_dials();
+}
+
+void LivePanel::listen(bool on) {
+  poll_.stop(), input_.reset(), state_->clear();
+  if (!on) return;
+  auto opened = LiveInput::open(where_->text().toStdString());
+  if (!opened) {
+    state_->setText(QString::fromStdString(opened.error().message));
+    listen_->setChecked(false);
+    return;
+  }
+  input_ = *std::move(opened);
+  state_->setText(tr("listening"));
+  poll_.start();
+}
+
+void LivePanel::poll() {
+  for (const LiveMessage& m : input_->poll()) obey(m);
+  if (const auto n = input_->ignored(); n > 0) state_->setText(tr("listening; %1 packets were no OSC").arg(n));
+}
+
+void LivePanel::obey(const LiveMessage& m) {
+  last_->setText(QString::fromStdString(in_words(m)).left(200));
+  if (learn_->isChecked()) return learn(m);
+  const std::string* text = m.text ? &*m.text : nullptr;
+  const bool records = record_->isChecked() && desk_.transport().playing();
+  const auto complain = [&](const Error& e) {
+    last_->setText(last_->text() + "\n" + QString::fromStdString(e.message));
+  };
+  if (!records) {
+    const Result<Document> next = turn(desk_.document(), m.address, m.numbers, text);
+    next ? desk_.show_ahead(*next) : complain(next.error());
+    return;
+  }
+  if (!take_) take_.emplace(desk_.session().document()), taken_ = desk_.time(), messages_ = 0;
+  const Time now = desk_.time(), frame = desk_.document().rate().span(1);
+  const bool back = desk_.transport().direction() > 0 ? now < taken_ : now > taken_;
+  if (back) take_->end(taken_ + frame);
+  if (const Status s = take_->turn(m.address, m.numbers, text, now, m.within); !s) return complain(s.error());
+  taken_ = now, ++messages_;
+  desk_.show_ahead(take_->document());
+}
+
+void LivePanel::learn(const LiveMessage& m) {
+  learn_->setChecked(false);
+  desk_.say(fmt::format("dial {} to {}", m.address, target_->text().toStdString()));
+}
+
+// What was recorded becomes lines of the script: one step.
+void LivePanel::end_take() {
+  if (!take_) return;
+  take_->end(taken_ + desk_.document().rate().span(1));
+  const std::string before = desk_.session().text(), after = take_->text(before);
+  take_.reset();
+  if (after == before) return desk_.look_back();
+  const LineChange c = change_between(before, after);
+  desk_.say(Session::rewrite_line(c.lines.first, c.lines.last, c.others));
+  state_->setText(tr("%1 messages recorded").arg(messages_));
+}
+
+void LivePanel::list_dials() {
+  dials_->clear();
+  for (const Dial& d : *desk_.document().scene().dials)
+    dials_->addItem(QString::fromStdString(d.address + "  →  " + desk_.document().name(d.target)));
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Controls: what comes in over OSC and MIDI, what it turns, and takes of it that are recorded while the film plays.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "app/live_input.h"
+#include "editor/controls.h"
+#include "studio/desk.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace betwixt::studio {
+
+class LivePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LivePanel(Desk&, QWidget* parent = nullptr);
+
+  // As if controls had said it.
+  void obey(const LiveMessage&);
+
+ private:
+  void listen(bool on);
+  void poll();
+  void learn(const LiveMessage&);
+  void end_take();
+  void list_dials();
+
+  Desk& desk_;
+  std::unique_ptr<LiveInput> input_;
+  QTimer poll_;
+  QLineEdit *where_, *target_;
+  QPushButton *listen_, *learn_;
+  QCheckBox* record_;
+  QLabel *state_, *last_;
+  QListWidget* dials_;
+  std::optional<Take> take_;
+  Time taken_;
+  std::size_t messages_ = 0;
+};
+
+}  // namespace betwixt::studio
