@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "editor/said_line.h"
+#include "language/line_words.h"
 #include "studio/actions.h"
 #include "studio/window.h"
 
@@ -16,6 +18,12 @@ namespace {
 
 constexpr int what = Qt::UserRole, which = Qt::UserRole + 1;
 enum What { action, object, line };
+
+// Whether it begins as a line of the language does.
+bool is_line(const QString& letters) {
+  const std::string words = letters.trimmed().toStdString();
+  return words.find(' ') != std::string::npos && is_verb(first_word(words));
+}
 
 QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); }
 
@@ -75,12 +83,12 @@ void Palette::list(const QString& letters) {
   if (!letters.isEmpty()) {
     int listed = 0;
     for (const std::string& name : window_.desk().document().names()) {
-      const int good = fit(letters, QString::fromStdString(name));
+      const QString words = tr("Select %1").arg(QString::fromStdString(name));
+      const int good = fit(letters, words);
       if (good <= 0 || ++listed > 200) continue;
-      add(good - 50, tr("Select %1").arg(QString::fromStdString(name)), {}, object,
-          static_cast<int>(window_.desk().document().find(name).index));
+      add(good - 50, words, {}, object, static_cast<int>(window_.desk().document().find(name).index));
     }
-    add(letters.contains(' ') ? 10'000'000 : 1, tr("Say: %1").arg(letters), {}, line, 0);
+    add(is_line(letters) ? 10'000'000 : 1, tr("Say: %1").arg(letters), {}, line, 0);
   }
   std::ranges::stable_sort(all, [](const Found& a, const Found& b) { return a.good > b.good; });
   for (const Found& f : all) found_->addItem(f.item);

@@ -40,6 +40,24 @@ class Viewport : public QWidget {
   const std::string& style() const { return style_; }
   QSize sizeHint() const override { return {640, 360}; }
 
+  const ViewportSwitches& switches() const { return switches_; }
+  void set_switches(const ViewportSwitches&);
+  // Through the film's camera, or from where one likes; that begins where the film's is.
+  bool is_free() const { return free_.has_value(); }
+  void set_free(bool);
+  void look_along(Vec3 direction);  // "front" is (0 0 -1)
+  void frame_selected();            // all, where nothing is
+  void toggle_perspective();
+  void select_all();
+  // Takes what is selected into the hand, as long as nothing else is done: G, R and S.
+  void take(Tool);
+  bool pulls() const { return pull_.has_value(); }
+
+  // Where something is seen, in the widget; what is there. For tests too.
+  Scope scope() const;
+  std::optional<Hit> hit(QPointF) const;
+  const Frame& frame() const;
+
  Q_SIGNALS:
   void style_changed();
   void switches_changed();

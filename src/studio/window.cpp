@@ -59,7 +59,10 @@ Window::Window(Desk& desk, Manner manner)
   connect(&desk, &Desk::document_changed, this, &Window::name_film);
   connect(&desk, &Desk::text_changed, this, &Window::name_film);
   connect(&desk, &Desk::opened, this, &Window::note_file);
-  connect(&desk, &Desk::wants_to_quit, this, [this] { leaving_ = true, close(); });
+  connect(&desk, &Desk::wants_to_quit, this, [this] {
+    leaving_ = true;
+    QTimer::singleShot(0, this, &QWidget::close);
+  });
   // The last line that a hand has said stands below, also where the console is not shown.
   connect(&desk, &Desk::said, this, [this](const QString& line, const QString& answer, bool refused) {
     said_->setText(refused ? answer.section('\n', 0, 0) : line.section('\n', 0, 0));
@@ -263,11 +266,8 @@ void Window::dropEvent(QDropEvent* e) {
 }
 
 void Window::closeEvent(QCloseEvent* e) {
-  if (!leaving_) {
-    e->ignore();
-    desk_.say(std::string("quit"));  // asks where something is not saved; comes back here
-    return;
-  }
+  if (!leaving_) desk_.say(std::string("quit"));  // asks where something is not saved
+  if (!leaving_) return e->ignore();
   if (manner_.remembers) remember();
   e->accept();
 }

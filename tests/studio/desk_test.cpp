@@ -58,7 +58,7 @@ class DeskTest : public QObject {
     QVERIFY(desk.open(film_));
     QVERIFY(desk.say(std::string("at 24f ball.position (5 0 0)")));
     QCOMPARE(QByteArray::fromStdString(desk.text()), QByteArray(ball).replace("(9 0 0)", "(5 0 0)"));
-    QVERIFY(desk.say({"set ball.color red", "create b box"}));
+    QVERIFY(desk.say(std::vector<std::string>{"set ball.color red", "create b box"}));
     QCOMPARE(QByteArray::fromStdString(desk.text()),
              QByteArray(ball).replace("(9 0 0)", "(5 0 0)") + "set ball.color red\ncreate b box\n");
     desk.undo();
