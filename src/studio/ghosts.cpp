@@ -65,6 +65,14 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
       over.setOpacity(0.42 - 0.05 * std::abs(offset));
       over.drawImage(0, 0, one);
     }
+    // What is there now stands before them.
+    over.setOpacity(1);
+    over.setCompositionMode(QPainter::CompositionMode_DestinationOut);
+    std::size_t count = 0;
+    for (const Item& item : now.items)
+      if ((ids.empty() || std::find(ids.begin(), ids.end(), item.id) != ids.end()) && ++count <= most)
+        paint_silhouette(over, own, item, Qt::black);
+    over.end();
     image_ = Kept{all, now.time, eye, s.box};
   }
   p.drawImage(s.box.topLeft(), image_->image);

@@ -57,6 +57,8 @@ class Viewport : public QWidget {
   Scope scope() const;
   std::optional<Hit> hit(QPointF) const;
   const Frame& frame() const;
+  // The line that makes a thing of a file, at a place of the widget.
+  std::string line_for_file(const QString& file, QPointF) const;
 
  Q_SIGNALS:
   void style_changed();
@@ -108,6 +110,7 @@ class Viewport : public QWidget {
   void end_pull(bool carry_out);
   bool pulling_key(QKeyEvent*);
   void press_on(QPointF, Qt::KeyboardModifiers);
+  Vec3 place_under(QPointF) const;
   void select_in_box(Qt::KeyboardModifiers);
   const std::vector<Icon>& icons() const;
 
