@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/actions.h"
 
+#include "studio/viewport.h"
 #include "studio/window.h"
 
 namespace betwixt::studio {
@@ -48,6 +49,36 @@ const std::vector<ActionRow>& action_rows() {
        }},
       {"Play", "All of it", "X", "The whole film is played again.",
        [](Window& w) { w.desk().set_range(std::nullopt); }},
+      {"Picture", "Free view", "", "From where one likes, or through the film's camera; in the picture, 0.",
+       [](Window& w) { w.viewport().set_free(!w.viewport().is_free()); },
+       [](const Window& w) { return w.viewport().is_free(); }},
+      {"Picture", "See what is selected", "", "All of it, or all there is; in the picture, F.",
+       [](Window& w) { w.viewport().frame_selected(); }},
+      {"Picture", "From the front", "", "Along -z; in the picture, 1, and 9 for the other side.",
+       [](Window& w) { w.viewport().look_along({0, 0, -1}); }},
+      {"Picture", "From the right", "", "Along -x; in the picture, 3, and 9 for the other side.",
+       [](Window& w) { w.viewport().look_along({-1, 0, 0}); }},
+      {"Picture", "From above", "", "Along -y; in the picture, 7, and 9 for the other side.",
+       [](Window& w) { w.viewport().look_along({0, -1, 0}); }},
+      {"Picture", "With perspective or without", "", "In the picture, 5.",
+       [](Window& w) { w.viewport().toggle_perspective(); }},
+      {"Picture", "Move what is selected", "", "As the pointer goes; in the picture, G: `set ball.position (1 2 3)`.",
+       [](Window& w) { w.viewport().take(Tool::move); }},
+      {"Picture", "Turn what is selected", "", "In the picture, R: `set ball.rotation euler(0 90deg 0)`.",
+       [](Window& w) { w.viewport().take(Tool::turn); }},
+      {"Picture", "Scale what is selected", "", "In the picture, S: `set ball.scale (2 2 2)`.",
+       [](Window& w) { w.viewport().take(Tool::scale); }},
+      {"Picture", "Every change an event", "", "At the playhead: `at 24f ball.position (1 2 3)`.",
+       [](Window& w) { w.viewport().flip(&ViewportSwitches::auto_key); },
+       [](const Window& w) { return w.viewport().switches().auto_key; }},
+      {"Picture", "Ways", "", "Where what is selected goes.",
+       [](Window& w) { w.viewport().flip(&ViewportSwitches::trails); },
+       [](const Window& w) { return w.viewport().switches().trails; }},
+      {"Picture", "Onion skin", "", "Where things were and will be some frames away.",
+       [](Window& w) { w.viewport().flip(&ViewportSwitches::ghosts); },
+       [](const Window& w) { return w.viewport().switches().ghosts; }},
+      {"Picture", "Grid", "", "On the ground.", [](Window& w) { w.viewport().flip(&ViewportSwitches::grid); },
+       [](const Window& w) { return w.viewport().switches().grid; }},
       {"View", "Find a command…", "Ctrl+Shift+P; F3", "Whatever can be done, by a few of its letters.",
        [](Window& w) { w.find_command(); }},
       {"View", "Light colours", "", "Light or dark.", [](Window& w) { w.set_light(!w.is_light()); },

@@ -59,7 +59,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
         if (stays || (!ids.empty() && std::find(ids.begin(), ids.end(), item.id) == ids.end())) continue;
         corners += item.shape->mesh ? item.shape->mesh->positions.size() : 100;
         if (++count > most || corners > most_corners) break;
-        paint_silhouette(ghost, own, item, offset < 0 ? colors().playhead : colors().note);
+        paint_silhouette(ghost, own, item, offset < 0 ? picture_colors().playhead : picture_colors().note);
       }
       ghost.end();
       over.setOpacity(0.42 - 0.05 * std::abs(offset));

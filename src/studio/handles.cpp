@@ -23,7 +23,7 @@ bool is_axis(Part p) { return p == Part::x || p == Part::y || p == Part::z; }
 bool is_plane(Part p) { return p == Part::yz || p == Part::zx || p == Part::xy; }
 
 QColor color_of(Part p) {
-  const Colors& c = colors();
+  const Colors& c = picture_colors();
   if (p == Part::all) return c.text;
   return axis_of(p) == 0 ? c.x : axis_of(p) == 1 ? c.y : c.z;
 }
@@ -144,7 +144,7 @@ void Handles::paint(QPainter& p, Part hot) const {
   p.setRenderHint(QPainter::Antialiasing);
   for (const Shape& s : shapes_) {
     QColor color = color_of(s.part);
-    if (s.part == hot) color = colors().event;
+    if (s.part == hot) color = picture_colors().event;
     // Dark below bright: to be seen on any picture.
     p.setPen(QPen(QColor(0, 0, 0, 90), s.part == hot ? 6 : 4.5, Qt::SolidLine, Qt::RoundCap));
     p.setBrush(Qt::NoBrush);

@@ -45,6 +45,7 @@ const Colors* now = &dark;
 }  // namespace
 
 const Colors& colors() { return *now; }
+const Colors& picture_colors() { return dark; }
 
 void set_theme(QApplication& app, Theme theme) {
   now = theme == Theme::dark ? &dark : &light;

@@ -18,5 +18,7 @@ struct Colors {
   QColor x, y, z;  // of axes and components, red green blue of colours too
 };
 const Colors& colors();
+// The same in any theme: of what lies over pictures.
+const Colors& picture_colors();
 
 }  // namespace betwixt::studio

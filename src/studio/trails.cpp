@@ -68,7 +68,7 @@ void Trails::paint(QPainter& p, const Scope& s, const Way& way, int first, int l
   Box all;
   for (const auto& [frame, place] : way.places) all.add(place);
   if (all.empty() || length(all.half()) < 1e-9) return;  // it stands still
-  const Colors& c = colors();
+  const Colors& c = picture_colors();
   const auto tint = [&](int frame, int alpha) {
     QColor color = frame < now ? c.playhead : c.note;
     color.setAlpha(alpha);

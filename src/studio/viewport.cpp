@@ -91,6 +91,12 @@ void Viewport::set_switches(const ViewportSwitches& s) {
   emit switches_changed();
 }
 
+void Viewport::flip(bool ViewportSwitches::* which) {
+  ViewportSwitches s = switches_;
+  s.*which = !(s.*which);
+  set_switches(s);
+}
+
 void Viewport::forget() {
   frame_.reset(), grip_.reset(), icons_.reset(), outline_.reset();
   update();
@@ -217,7 +223,7 @@ bool Viewport::event(QEvent* e) {
   if (e->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(e);
     const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    if ((pull_ && key->key() != Qt::Key_Space) || (plain && QString("0135779FWETGRSA").contains(QChar(key->key()))) ||
+    if ((pull_ && key->key() != Qt::Key_Space) || (plain && QString("013579FWETGRSA").contains(QChar(key->key()))) ||
         (key->key() == Qt::Key_Escape && gesture_ != Gesture::none)) {
       e->accept();
       return true;

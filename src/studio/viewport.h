@@ -42,10 +42,12 @@ class Viewport : public QWidget {
 
   const ViewportSwitches& switches() const { return switches_; }
   void set_switches(const ViewportSwitches&);
+  void flip(bool ViewportSwitches::* which);
   // Through the film's camera, or from where one likes; that begins where the film's is.
   bool is_free() const { return free_.has_value(); }
   void set_free(bool);
   void look_along(Vec3 direction);  // "front" is (0 0 -1)
+  void look_from_behind();          // from the other side
   void frame_selected();            // all, where nothing is
   void toggle_perspective();
   void select_all();

@@ -8,8 +8,9 @@
 #include <QImageReader>
 #include <QMimeData>
 
-#include "language/values.h"
 #include "studio/viewport.h"
+// behind those of Qt
+#include "language/values.h"
 
 namespace betwixt::studio {
 namespace {

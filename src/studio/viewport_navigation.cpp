@@ -130,6 +130,12 @@ void Viewport::look_along(Vec3 direction) {
   move_eye(looking_along(*free_, direction, about, distance));
 }
 
+void Viewport::look_from_behind() {
+  const Vec3 about = pivot();
+  set_free(true);
+  move_eye(orbited(*free_, about, pi, 0));
+}
+
 void Viewport::toggle_perspective() {
   const double depth = std::max(1e-3, scope().depth(pivot()));
   set_free(true);
@@ -144,30 +150,16 @@ void Viewport::frame_selected() {
 }
 
 bool Viewport::looking_key(int key, Qt::KeyboardModifiers modifiers) {
-  if (modifiers & ~(Qt::ControlModifier | Qt::KeypadModifier)) return false;
-  const double way = modifiers & Qt::ControlModifier ? -1 : 1;  // from the other side
+  if (modifiers & ~Qt::KeyboardModifiers(Qt::KeypadModifier)) return false;
   switch (key) {
-    case Qt::Key_0:
-      set_free(!is_free());
-      return true;
-    case Qt::Key_1:
-      look_along({0, 0, -way});
-      return true;
-    case Qt::Key_3:
-      look_along({-way, 0, 0});
-      return true;
-    case Qt::Key_7:
-      look_along({0, -way, 0});
-      return true;
-    case Qt::Key_5:
-      toggle_perspective();
-      return true;
-    case Qt::Key_F:
-      if (way < 0) return false;
-      frame_selected();
-      return true;
-    default:
-      return false;
+    case Qt::Key_0: set_free(!is_free()); return true;
+    case Qt::Key_1: look_along({0, 0, -1}); return true;
+    case Qt::Key_3: look_along({-1, 0, 0}); return true;
+    case Qt::Key_7: look_along({0, -1, 0}); return true;
+    case Qt::Key_9: look_from_behind(); return true;
+    case Qt::Key_5: toggle_perspective(); return true;
+    case Qt::Key_F: frame_selected(); return true;
+    default: return false;
   }
 }
 

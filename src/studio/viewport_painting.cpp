@@ -62,13 +62,13 @@ void Viewport::paint_grid(QPainter& p, const Scope& s) {
     for (int i = -lines; i <= lines; ++i) {
       const double k = c_across + i;
       const bool is_axis = k == 0, major = std::fmod(k, 5) == 0;
-      QColor color = is_axis ? axis : colors().dim;
+      QColor color = is_axis ? axis : picture_colors().text;
       std::optional<QPointF> before;
       for (int j = -lines; j <= lines; ++j) {
         const auto spot = s.spot(step * (k * across + (c_along + j) * along));
         if (before && spot) {
           const double far = std::hypot(i, j - 0.5) / lines;
-          color.setAlphaF(std::clamp(1 - far, 0.0, 1.0) * (is_axis ? 0.9 : major ? 0.6 : 0.3));
+          color.setAlphaF(std::clamp(1 - far, 0.0, 1.0) * (is_axis ? 0.9 : major ? 0.5 : 0.22));
           p.setPen(QPen(color, is_axis ? 1.5 : 1));
           p.drawLine(*before, *spot);
         }
@@ -76,8 +76,8 @@ void Viewport::paint_grid(QPainter& p, const Scope& s) {
       }
     }
   };
-  draw(u, v, cu, cv, colors().x);
-  draw(v, u, cv, cu, flat ? colors().y : colors().z);
+  draw(u, v, cu, cv, picture_colors().x);
+  draw(v, u, cv, cu, flat ? picture_colors().y : picture_colors().z);
   p.restore();
 }
 
@@ -100,7 +100,7 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
         if (bracketed_.size() < most_bracketed) bracketed_.push_back(i.id);
         continue;
       }
-      paint_silhouette(on, s, i, i.id == ids.back() ? colors().event : colors().accent);
+      paint_silhouette(on, s, i, i.id == ids.back() ? picture_colors().event : picture_colors().accent);
     }
     on.end();
     QImage line(mask.size(), QImage::Format_ARGB32_Premultiplied);
@@ -126,7 +126,7 @@ void Viewport::paint_brackets(QPainter& p, const Scope& s, ObjectId id) {
   const auto y = [&](double v) { return s.box.top() + std::clamp(v, 0.0, 1.0) * s.box.height(); };
   const QRectF box = QRectF(QPointF(x(r->left), y(r->top)), QPointF(x(r->right), y(r->bottom))).adjusted(-3, -3, 3, 3);
   const double l = std::min({12.0, box.width() / 3, box.height() / 3});
-  p.setPen(QPen(id == desk_.selected().back() ? colors().event : colors().accent, 1.5));
+  p.setPen(QPen(id == desk_.selected().back() ? picture_colors().event : picture_colors().accent, 1.5));
   for (const auto& [corner, dx, dy] : {std::tuple(box.topLeft(), 1, 1),
                                        {box.topRight(), -1, 1},
                                        {box.bottomLeft(), 1, -1},
@@ -145,8 +145,11 @@ void Viewport::paint_icons(QPainter& p, const Scope& s) {
     const bool selected = std::find(ids.begin(), ids.end(), i.id) != ids.end();
     if (!is_free() && !selected) continue;
     const auto spot = s.spot(i.place);
-    if (!spot) continue;
-    const QColor color = selected ? (i.id == ids.back() ? colors().event : colors().accent) : QColor(0xe8, 0xe8, 0xe8);
+    // Who looks out of it does not see it, nor a drawing's, which lies over all of it.
+    const bool here = i.kind == Kind::camera && !selected &&
+                      (frame().surroundings.flat || length(i.place - s.projection.eye()) < 1e-3);
+    if (!spot || here) continue;
+    const QColor color = selected ? (i.id == ids.back() ? picture_colors().event : picture_colors().accent) : QColor(0xe8, 0xe8, 0xe8);
     for (const bool shade : {true, false}) {
       p.setPen(QPen(shade ? QColor(0, 0, 0, 130) : color, shade ? 3.5 : 1.5));
       if (i.kind == Kind::light) {
@@ -181,7 +184,7 @@ void Viewport::paint_camera(QPainter& p, const Scope& s) {
   if (window.size() != 4 || !eye) return;
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
-  QColor color = colors().accent;
+  QColor color = picture_colors().accent;
   color.setAlpha(150);
   p.setPen(QPen(color, 1.25));
   p.setBrush(Qt::NoBrush);
@@ -193,7 +196,7 @@ void Viewport::paint_camera(QPainter& p, const Scope& s) {
 
 void Viewport::paint_words(QPainter& p) {
   if (gesture_ == Gesture::box) {
-    QColor inside = colors().accent;
+    QColor inside = picture_colors().accent;
     p.setPen(QPen(inside, 1));
     inside.setAlpha(40);
     p.setBrush(inside);

@@ -32,6 +32,7 @@ class Window : public QMainWindow {
   Desk& desk() { return desk_; }
   const Desk& desk() const { return desk_; }
   Viewport& viewport() { return *viewport_; }
+  const Viewport& viewport() const { return *viewport_; }
   QWidget* panel(const QString& name) const;  // by its object name; null: there is none
 
   // How panels lie: one of layouts(). False: there is no such layout.

@@ -254,6 +254,38 @@ class ViewportTest : public QObject {
     QVERIFY(s.projection.height(1) < 4);
   }
 
+  void files_that_are_dropped_become_things() {
+    Film f({"film flat"});
+    QFile mesh("Old cow.obj");
+    QVERIFY(mesh.open(QIODevice::WriteOnly));
+    mesh.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    mesh.close();
+    QImage(200, 100, QImage::Format_RGB32).save("sky.png");
+    const auto drop = [&](const char* file, QPoint p) {
+      QMimeData data;
+      data.setUrls({QUrl::fromLocalFile(f.folder.filePath(file))});
+      QDragEnterEvent in(p, Qt::CopyAction, &data, Qt::LeftButton, {});
+      QApplication::sendEvent(&f.view, &in);
+      QVERIFY(in.isAccepted());
+      QDropEvent e(p, Qt::CopyAction, &data, Qt::LeftButton, {});
+      QApplication::sendEvent(&f.view, &e);
+    };
+    drop("Old cow.obj", at(2, 1));
+    QVERIFY(f.text().endsWith("create old-cow mesh file=\"Old cow.obj\" position=(2 1 0)\n"));
+    QCOMPARE(f.selected(), QStringList{"old-cow"});
+    drop("sky.png", at(-3, 0));  // a third of 9 m high, twice as wide
+    QVERIFY(f.text().endsWith("create sky plane size=(6 3) texture=\"sky.png\" position=(-3 0 0)\n"));
+    drop("sky.png", at(-3, 3));
+    QCOMPARE(f.selected(), QStringList{"sky2"});
+  }
+
+  void a_thing_that_is_dropped_on_lies_below() {
+    Film f({"create floor plane size=(20 20) rotation=euler(-90deg 0 0) position=(0 1 0)",
+            "create eye camera position=(0 11 10) look-at=(0 1 0)"});
+    const std::string line = f.view.line_for_file("cow.ply", at(0, 0));
+    QCOMPARE(QString::fromStdString(line), QString("create cow mesh file=\"cow.ply\" position=(0 1 0)"));
+  }
+
   void one_turns_around_what_is_selected() {
     Film f({"create ball sphere", "create eye camera position=(0 2 10) look-at=(0 2 0)"});
     f.select("ball");
