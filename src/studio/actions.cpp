@@ -55,13 +55,22 @@ const std::vector<ActionRow>& action_rows() {
       {"Picture", "See what is selected", "", "All of it, or all there is; in the picture, F.",
        [](Window& w) { w.viewport().frame_selected(); }},
       {"Picture", "From the front", "", "Along -z; in the picture, 1, and 9 for the other side.",
-       [](Window& w) { w.viewport().look_along({0, 0, -1}); }},
+       [](Window& w) {
+         w.viewport().look_along({0, 0, -1});
+       }},
       {"Picture", "From the right", "", "Along -x; in the picture, 3, and 9 for the other side.",
-       [](Window& w) { w.viewport().look_along({-1, 0, 0}); }},
+       [](Window& w) {
+         w.viewport().look_along({-1, 0, 0});
+       }},
       {"Picture", "From above", "", "Along -y; in the picture, 7, and 9 for the other side.",
-       [](Window& w) { w.viewport().look_along({0, -1, 0}); }},
+       [](Window& w) {
+         w.viewport().look_along({0, -1, 0});
+       }},
       {"Picture", "With perspective or without", "", "In the picture, 5.",
        [](Window& w) { w.viewport().toggle_perspective(); }},
+      {"Picture", "The camera comes here", "",
+       "The film's camera, to the free eye's place: `set eye.position (1 2 3)`.",
+       [](Window& w) { w.viewport().bring_camera(); }},
       {"Picture", "Move what is selected", "", "As the pointer goes; in the picture, G: `set ball.position (1 2 3)`.",
        [](Window& w) { w.viewport().take(Tool::move); }},
       {"Picture", "Turn what is selected", "", "In the picture, R: `set ball.rotation euler(0 90deg 0)`.",

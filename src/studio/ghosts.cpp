@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "studio/marks.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -42,6 +43,12 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
     QImage all(s.box.size().toSize(), QImage::Format_ARGB32_Premultiplied);
     all.fill(Qt::transparent);
     QPainter over(&all);
+    const Marks wanted(ids);
+    const auto here = [&](ObjectId id) {  // frames are in the order of objects
+      const auto at = std::lower_bound(now.items.begin(), now.items.end(), id.index,
+                                       [](const Item& i, std::uint32_t n) { return i.id.index < n; });
+      return at != now.items.end() && at->id == id ? &*at : nullptr;
+    };
     const Scope own{s.projection, QRectF(QPointF(0, 0), s.box.size())};
     for (const int offset : offsets) {
       const Time t = now.time + rate.span(offset);
@@ -52,11 +59,9 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
       const Frame then = desk_.program().frame(t);
       std::size_t count = 0, corners = 0;
       for (const Item& item : then.items) {
-        const auto here =
-            std::find_if(now.items.begin(), now.items.end(), [&](const Item& i) { return i.id == item.id; });
-        const bool stays = here != now.items.end() && here->world == item.world && here->shape == item.shape &&
-                           here->blend == item.blend;
-        if (stays || (!ids.empty() && std::find(ids.begin(), ids.end(), item.id) == ids.end())) continue;
+        if (!ids.empty() && !wanted(item.id)) continue;
+        const Item* i = here(item.id);
+        if (i && i->world == item.world && i->shape == item.shape && i->blend == item.blend) continue;
         corners += item.shape->mesh ? item.shape->mesh->positions.size() : 100;
         if (++count > most || corners > most_corners) break;
         paint_silhouette(ghost, own, item, offset < 0 ? picture_colors().playhead : picture_colors().note);
@@ -70,8 +75,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
     over.setCompositionMode(QPainter::CompositionMode_DestinationOut);
     std::size_t count = 0;
     for (const Item& item : now.items)
-      if ((ids.empty() || std::find(ids.begin(), ids.end(), item.id) != ids.end()) && ++count <= most)
-        paint_silhouette(over, own, item, Qt::black);
+      if ((ids.empty() || wanted(item.id)) && ++count <= most) paint_silhouette(over, own, item, Qt::black);
     over.end();
     image_ = Kept{all, now.time, eye, s.box};
   }

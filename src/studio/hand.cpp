@@ -71,6 +71,12 @@ Value component(const Value& v, int c) {
   return v;
 }
 
+bool looks_at_something(const Program& p, ObjectId id, Time t) {
+  const Value aim = p.read({id, fn::look_at}, t);
+  const auto* at = std::get_if<ObjectId>(&aim);
+  return !at || *at;
+}
+
 std::string written(const Document& d, const Value& v, const Target& t) {
   return write_value(v, spec_of(d.scene(), t.function), t.component, [&](ObjectId id) { return d.name(id); });
 }
@@ -120,6 +126,23 @@ std::string line_for(const Document& d, const Target& t, const Value& v, Time ti
   return "at " + format_time(time, d) + " " + d.name(t) + " " + before + value + behind;
 }
 
+std::vector<std::string> lines_to_bring(const Program& program, ObjectId id, const Mat4& world, Time time, double step,
+                                        bool always) {
+  const Document& d = program.document();
+  std::vector<std::string> lines;
+  if (looks_at_something(program, id, time)) {
+    const auto own = own_tracks(d, id, fn::look_at);
+    lines.push_back(line_for(d, {id, fn::look_at}, ObjectId{}, time, always || !own.empty()));
+  }
+  const Hand hand(program, time, {id}, always);
+  if (hand.empty()) return {};
+  const auto moved = hand.move(translation_of(world) - hand.place(), step);
+  const auto turned = hand.turn_to(from_matrix(world));
+  lines.insert(lines.end(), moved.begin(), moved.end());
+  lines.insert(lines.end(), turned.begin(), turned.end());
+  return lines;
+}
+
 Hand::Hand(const Program& program, Time time, const std::vector<ObjectId>& ids, bool always)
     : program_(program), time_(time), always_(always) {
   const Document& d = program.document();
@@ -147,8 +170,11 @@ void Hand::take(ObjectId id) {
   const auto* world = std::get_if<Matrix>(&values[3]);
   if (!world) return;
   h.place = translation_of(**world);
-  h.back = inverse(program_.kinematics(id, time_).to_world).value_or(Mat4{});
-  if (const auto own = inverse(rotation(quaternion(h.rotation)) * scaling(h.scale)))
+  const Mat4 to_world = program_.kinematics(id, time_).to_world;
+  h.back = inverse(to_world).value_or(Mat4{});
+  if (looks_at_something(program_, id, time_))  // its rotation does not count now
+    h.parent = from_matrix(without_length(to_world));
+  else if (const auto own = inverse(rotation(quaternion(h.rotation)) * scaling(h.scale)))
     h.parent = from_matrix(without_length(linear_product(**world, *own)));
   const std::uint16_t all[] = {fn::position, fn::rotation, fn::scale};
   for (int i = 0; i < 3; ++i) {
@@ -192,8 +218,29 @@ std::vector<std::string> Hand::move(Vec3 by, double step) const {
   return lines;
 }
 
-std::vector<std::string> Hand::turn(Vec3 axis, double angle, double step) const {
+// `way`: about which axis of its own space and how far it went there, so that whole turns count.
+void Hand::put_rotation(const Held& h, Quat to, std::optional<std::pair<Vec3, double>> way,
+                        std::vector<std::string>& lines) const {
   constexpr double degree = pi / 180;
+  const auto* before = std::get_if<Angles>(&h.rotation);
+  if (!before) {
+    to = normalize(to);
+    const Quat q{tidy(to.w, 1e-4), tidy(to.x, 1e-4), tidy(to.y, 1e-4), tidy(to.z, 1e-4)};
+    const auto own = own_tracks(program_.document(), h.id, fn::rotation);
+    lines.push_back(line_for(program_.document(), {h.id, fn::rotation}, q, time_, always_ || !own.empty()));
+    return;
+  }
+  Vec3 angles = before->xyz;
+  const int steps = way ? 1 + static_cast<int>(std::abs(way->second) / 0.5) : 1;
+  for (int i = 1; i < steps; ++i)
+    angles = angles_near(axis_angle(way->first, way->second * i / steps) * from_angles(before->xyz), angles);
+  angles = angles_near(to, angles);
+  for (int i = 0; i < 3; ++i)
+    angles[i] = std::abs(angles[i] - before->xyz[i]) < 1e-9 ? before->xyz[i] : tidy(angles[i] / degree, 0.1) * degree;
+  put(h, fn::rotation, before->xyz, angles, 1e-9, lines);
+}
+
+std::vector<std::string> Hand::turn(Vec3 axis, double angle, double step) const {
   std::vector<std::string> lines;
   for (const Held& h : held_) {
     const Quat turned = axis_angle(axis, angle);
@@ -201,21 +248,15 @@ std::vector<std::string> Hand::turn(Vec3 axis, double angle, double step) const 
     put_position(h, transform_vector(rotation(turned), way) - way, step, lines);
     if (h.still[1]) continue;
     const Vec3 own = transform_vector(rotation(conjugate(h.parent)), axis);
-    if (const auto* a = std::get_if<Angles>(&h.rotation)) {
-      // In small steps, so that whole turns count.
-      Vec3 to = a->xyz;
-      const int steps = 1 + static_cast<int>(std::abs(angle) / 0.5);
-      for (int i = 1; i <= steps; ++i) to = angles_near(axis_angle(own, angle * i / steps) * from_angles(a->xyz), to);
-      for (int i = 0; i < 3; ++i)
-        to[i] = std::abs(to[i] - a->xyz[i]) < 1e-9 ? a->xyz[i] : tidy(to[i] / degree, 0.1) * degree;
-      put(h, fn::rotation, a->xyz, to, 1e-9, lines);
-    } else {
-      Quat q = normalize(axis_angle(own, angle) * quaternion(h.rotation));
-      q = {tidy(q.w, 1e-4), tidy(q.x, 1e-4), tidy(q.y, 1e-4), tidy(q.z, 1e-4)};
-      const auto events = own_tracks(program_.document(), h.id, fn::rotation);
-      lines.push_back(line_for(program_.document(), {h.id, fn::rotation}, q, time_, always_ || !events.empty()));
-    }
+    put_rotation(h, axis_angle(own, angle) * quaternion(h.rotation), std::pair(own, angle), lines);
   }
+  return lines;
+}
+
+std::vector<std::string> Hand::turn_to(Quat world) const {
+  std::vector<std::string> lines;
+  for (const Held& h : held_)
+    if (!h.still[1]) put_rotation(h, conjugate(h.parent) * world, std::nullopt, lines);
   return lines;
 }
 

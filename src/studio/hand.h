@@ -23,6 +23,10 @@ Vec3 angles_near(Quat, Vec3 angles);
 // is there says beside its value stays.
 std::string line_for(const Document&, const Target&, const Value&, Time, bool make_event);
 
+// The lines that bring an object to a place of the world, turned so: its position and its rotation, and that it looks
+// at nothing.
+std::vector<std::string> lines_to_bring(const Program&, ObjectId, const Mat4& world, Time, double step, bool always);
+
 class Hand {
  public:
   // Takes hold at a time. What hangs on others that are held goes along by itself, and is not moved twice. `always`:
@@ -39,6 +43,8 @@ class Hand {
   std::vector<std::string> move(Vec3 by, double step) const;
   // About the place.
   std::vector<std::string> turn(Vec3 axis, double angle, double step) const;
+  // Each to an orientation in the world.
+  std::vector<std::string> turn_to(Quat world) const;
   // Along their own axes; where all three are the same they go away from the place, too.
   std::vector<std::string> scale(Vec3 factors, double step) const;
 
@@ -54,6 +60,8 @@ class Hand {
   };
   void take(ObjectId);
   void put_position(const Held&, Vec3 by, double step, std::vector<std::string>& lines) const;
+  void put_rotation(const Held&, Quat to, std::optional<std::pair<Vec3, double>> way,
+                    std::vector<std::string>& lines) const;
   void put(const Held&, std::uint16_t function, const Vec3& before, const Vec3& after, double least,
            std::vector<std::string>& lines) const;
 

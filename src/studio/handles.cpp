@@ -101,6 +101,8 @@ void Handles::add_arrows(const Scope& s, Vec3 place, const Vec3 axes[3], double 
 void Handles::add_rings(const Scope& s, Vec3 place, const Vec3 axes[3], double reach) {
   constexpr int corners = 64;
   for (int i = 0; i < 3; ++i) {
+    // Of a drawing the others are lines.
+    if (s.projection.orthographic() && std::abs(dot(axes[i], s.projection.forward())) < 1e-6) continue;
     const auto [u, v] = across(axes[i]);
     const bool whole = std::abs(dot(axes[i], s.projection.forward())) > 0.98;
     QPolygonF arc;

@@ -29,13 +29,15 @@ std::pair<int, int> Trails::frames(const Desk& desk, Time now) {
   return {first, last};
 }
 
-bool Trails::find(Way& way, ObjectId id, int first, int last) {
+// Those nearest to the playhead first.
+bool Trails::find(Way& way, ObjectId id, int first, int last, int now) {
   const Rate rate = desk_.document().rate();
   const Target world(id, Query::world);
   QElapsedTimer clock;
   clock.start();
-  for (int f = first; f <= last; ++f) {
-    if (way.places.contains(f)) continue;
+  for (int k = 0; k <= 2 * (last - first); ++k) {
+    const int f = std::clamp(now, first, last) + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
+    if (f < first || f > last || way.places.contains(f)) continue;
     if (clock.elapsed() > most_milliseconds) return false;
     const Value v = desk_.program().read(world, rate.frame(f));
     if (const auto* m = std::get_if<Matrix>(&v)) way.places[f] = translation_of(**m);
@@ -57,7 +59,7 @@ bool Trails::paint(QPainter& p, const Scope& s, Time now) {
   p.setClipRect(s.box);
   for (std::size_t i = ids.size() - std::min(ids.size(), most_ways); i < ids.size(); ++i) {
     Way& way = ways_[ids[i].index];
-    if (all) all = find(way, ids[i], first, last);
+    if (all) all = find(way, ids[i], first, last, static_cast<int>(desk_.document().rate().frame_number(now)));
     paint(p, s, way, first, last, desk_.document().rate().frame_number(now));
   }
   p.restore();

@@ -27,7 +27,7 @@ class Trails {
     std::map<int, Vec3> places;  // by frames
     std::set<int> events;
   };
-  bool find(Way&, ObjectId, int first, int last);
+  bool find(Way&, ObjectId, int first, int last, int now);
   void paint(QPainter&, const Scope&, const Way&, int first, int last, double now) const;
 
   const Desk& desk_;

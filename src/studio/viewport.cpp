@@ -91,14 +91,14 @@ void Viewport::set_switches(const ViewportSwitches& s) {
   emit switches_changed();
 }
 
-void Viewport::flip(bool ViewportSwitches::* which) {
+void Viewport::flip(bool ViewportSwitches::*which) {
   ViewportSwitches s = switches_;
   s.*which = !(s.*which);
   set_switches(s);
 }
 
 void Viewport::forget() {
-  frame_.reset(), grip_.reset(), icons_.reset(), outline_.reset();
+  frame_.reset(), grip_.reset(), icons_.reset(), outline_.reset(), grid_.reset();
   update();
 }
 

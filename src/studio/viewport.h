@@ -42,7 +42,7 @@ class Viewport : public QWidget {
 
   const ViewportSwitches& switches() const { return switches_; }
   void set_switches(const ViewportSwitches&);
-  void flip(bool ViewportSwitches::* which);
+  void flip(bool ViewportSwitches::*which);
   // Through the film's camera, or from where one likes; that begins where the film's is.
   bool is_free() const { return free_.has_value(); }
   void set_free(bool);
@@ -50,6 +50,8 @@ class Viewport : public QWidget {
   void look_from_behind();          // from the other side
   void frame_selected();            // all, where nothing is
   void toggle_perspective();
+  // The film's camera is put where the free eye is; where there is none, one is made.
+  void bring_camera();
   void select_all();
   // Takes what is selected into the hand, as long as nothing else is done: G, R and S.
   void take(Tool);
@@ -117,7 +119,10 @@ class Viewport : public QWidget {
   const std::vector<Icon>& icons() const;
 
   // Painting (viewport_painting.cpp)
+  bool is_bright() const;
   void paint_grid(QPainter&, const Scope&);
+  void draw_grid(QPainter&, const Scope&) const;
+  void clear_things(QPainter&, const Scope&) const;
   void paint_outlines(QPainter&, const Scope&);
   void paint_brackets(QPainter&, const Scope&, ObjectId);
   void paint_icons(QPainter&, const Scope&);
@@ -143,14 +148,13 @@ class Viewport : public QWidget {
   mutable std::optional<std::vector<Icon>> icons_;
   Trails trails_;
   Ghosts ghosts_;
-  struct Outline {
+  struct Layer {  // is painted anew where one of these is another
     QImage image;
-    QPoint at;
     std::vector<ObjectId> of;
     Camera eye;
     QRect box;
   };
-  std::optional<Outline> outline_;
+  std::optional<Layer> outline_, grid_;
   std::vector<ObjectId> bracketed_;  // by corners: their outline would take too long
 
   Gesture gesture_ = Gesture::none;

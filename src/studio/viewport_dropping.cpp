@@ -111,7 +111,8 @@ void Viewport::dropEvent(QDropEvent* e) {
       return;
     }
     const std::size_t from = std::string("create ").size();
-    if (const ObjectId made = desk_.document().find(line.substr(from, line.find(' ', from) - from))) desk_.select({made});
+    if (const ObjectId made = desk_.document().find(line.substr(from, line.find(' ', from) - from)))
+      desk_.select({made});
   }
   e->acceptProposedAction();
 }

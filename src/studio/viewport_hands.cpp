@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "betwixt/object.h"
+#include "studio/marks.h"
 #include "studio/viewport.h"
 
 namespace betwixt::studio {
@@ -25,10 +26,10 @@ const std::vector<Viewport::Icon>& Viewport::icons() const {
   if (icons_) return *icons_;
   icons_.emplace();
   std::vector<Target> places;
+  const Marks marked(desk_.selected());
   for (const ObjectId id : objects(desk_.document())) {
     const Kind k = kind(desk_.document(), id);
-    const bool selected =
-        k == Kind::group && std::find(desk_.selected().begin(), desk_.selected().end(), id) != desk_.selected().end();
+    const bool selected = k == Kind::group && marked(id);
     if (k != Kind::light && k != Kind::camera && !selected) continue;
     icons_->push_back({id, k, {}});
     places.emplace_back(id, Query::world);
@@ -82,8 +83,9 @@ void Viewport::select_in_box(Qt::KeyboardModifiers modifiers) {
         found.push_back(i.id);
   std::vector<ObjectId> ids;
   if (modifiers & Qt::ShiftModifier) ids = desk_.selected();
+  const Marks known(ids);
   for (const ObjectId id : found)
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    if (!known(id)) ids.push_back(id);
   desk_.select(ids);
 }
 

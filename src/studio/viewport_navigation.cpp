@@ -6,8 +6,11 @@
 #include <algorithm>
 
 #include "betwixt/object.h"
+#include "studio/marks.h"
 #include "studio/navigation.h"
 #include "studio/viewport.h"
+// behind those of Qt
+#include "language/values.h"
 
 namespace betwixt::studio {
 namespace {
@@ -43,22 +46,19 @@ void Viewport::move_eye(const Camera& c) {
 // What hangs on them, too: a group is its members.
 std::vector<ObjectId> Viewport::with_what_hangs_on(const std::vector<ObjectId>& ids) const {
   const Document& d = desk_.document();
-  std::vector<char> in;
-  const auto mark = [&](ObjectId id) {
-    if (id.index >= in.size()) in.resize(id.index + 1);
-    return &in[id.index];
-  };
-  for (const ObjectId id : ids) *mark(id) = 1;
+  Marks in(ids);
   std::vector<ObjectId> out = ids;
   const std::vector<ObjectId> all = objects(d);
   for (bool more = true; more;) {
     more = false;
     for (const ObjectId id : all) {
-      if (*mark(id)) continue;
+      if (in(id)) continue;
       for (const AttachmentSpan& s : attachments(d, id))
         if (s.from <= desk_.time() && desk_.time() < s.until && s.to.kind >= AttachmentKind::hang && s.to.parent &&
-            *mark(s.to.parent))
-          *mark(id) = 1, out.push_back(id), more = true;
+            in(s.to.parent)) {
+          in.add(id), out.push_back(id), more = true;
+          break;
+        }
     }
   }
   return out;
@@ -67,10 +67,8 @@ std::vector<ObjectId> Viewport::with_what_hangs_on(const std::vector<ObjectId>& 
 // Of these, or of all that is seen.
 Box Viewport::box_of(const std::vector<ObjectId>& ids) const {
   Box box;
-  const std::vector<ObjectId> wanted = ids.empty() ? ids : with_what_hangs_on(ids);
-  const auto is_wanted = [&](ObjectId id) {
-    return ids.empty() || std::find(wanted.begin(), wanted.end(), id) != wanted.end();
-  };
+  const Marks wanted(ids.empty() ? ids : with_what_hangs_on(ids));
+  const auto is_wanted = [&](ObjectId id) { return ids.empty() || wanted(id); };
   const bool closely = frame().items.size() <= many || (!ids.empty() && ids.size() <= many);
   for (const Item& i : frame().items) {
     if (!is_wanted(i.id)) continue;
@@ -136,6 +134,32 @@ void Viewport::look_from_behind() {
   move_eye(orbited(*free_, about, pi, 0));
 }
 
+void Viewport::bring_camera() {
+  if (!is_free()) return;
+  const Scope s = scope();
+  const Vec3 eye = s.projection.eye();
+  const double step = s.metres(std::max(1e-3, s.depth(pivot())));
+  // The one that is looked through is where it is seen from.
+  ObjectId camera;
+  for (const Icon& i : icons())
+    if (i.kind == Kind::camera && length(i.place - translation_of(frame().camera.world)) < 1e-9) camera = i.id;
+  if (camera) {
+    const auto lines = lines_to_bring(desk_.program(), camera, free_->world, desk_.time(), step, switches_.auto_key);
+    if (lines.empty() || !desk_.say(lines)) return;
+  } else {
+    std::string name = "eye";
+    for (int i = 2; desk_.document().find(name); ++i) name = "eye" + std::to_string(i);
+    constexpr double degree = pi / 180;
+    Vec3 place = eye, angles = (1 / degree) * angles_near(from_matrix(free_->world), {});
+    for (int i = 0; i < 3; ++i) place[i] = tidy(place[i], step), angles[i] = tidy(angles[i], 0.1);
+    if (!desk_.say("create " + name + " camera position=" + write_vector(place) +
+                   " rotation=" + write_angles(degree * angles) +
+                   (free_->orthographic ? " height=" + write_number(tidy(free_->height, step)) : "")))
+      return;
+  }
+  set_free(false);
+}
+
 void Viewport::toggle_perspective() {
   const double depth = std::max(1e-3, scope().depth(pivot()));
   set_free(true);
@@ -152,14 +176,29 @@ void Viewport::frame_selected() {
 bool Viewport::looking_key(int key, Qt::KeyboardModifiers modifiers) {
   if (modifiers & ~Qt::KeyboardModifiers(Qt::KeypadModifier)) return false;
   switch (key) {
-    case Qt::Key_0: set_free(!is_free()); return true;
-    case Qt::Key_1: look_along({0, 0, -1}); return true;
-    case Qt::Key_3: look_along({-1, 0, 0}); return true;
-    case Qt::Key_7: look_along({0, -1, 0}); return true;
-    case Qt::Key_9: look_from_behind(); return true;
-    case Qt::Key_5: toggle_perspective(); return true;
-    case Qt::Key_F: frame_selected(); return true;
-    default: return false;
+    case Qt::Key_0:
+      set_free(!is_free());
+      return true;
+    case Qt::Key_1:
+      look_along({0, 0, -1});
+      return true;
+    case Qt::Key_3:
+      look_along({-1, 0, 0});
+      return true;
+    case Qt::Key_7:
+      look_along({0, -1, 0});
+      return true;
+    case Qt::Key_9:
+      look_from_behind();
+      return true;
+    case Qt::Key_5:
+      toggle_perspective();
+      return true;
+    case Qt::Key_F:
+      frame_selected();
+      return true;
+    default:
+      return false;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/marks.h"
 #include "studio/theme.h"
 #include "studio/viewport.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t most_outlined = 60;     // things
 constexpr std::size_t most_corners = 40'000;  // of their meshes
+constexpr std::size_t most_cleared = 60;      // that the grid is behind
 constexpr std::size_t most_bracketed = 300;
 constexpr double grid_pixels = 40;  // from line to line, at least
 
@@ -31,9 +33,9 @@ void Viewport::paintEvent(QPaintEvent*) {
   const Scope s = scope();
   const bool stands = !desk_.transport().playing();
   if (switches_.grid) paint_grid(p, s);
-  if (switches_.ghosts && stands)
+  if (switches_.ghosts && stands && !desk_.looks_ahead())
     ghosts_.paint(p, s, free_ ? *free_ : frame().camera, frame(), with_what_hangs_on(desk_.selected()));
-  if (switches_.trails && !desk_.selected().empty() && !desk_.looks_ahead() && !trails_.paint(p, s, shown_time()))
+  if (switches_.trails && !desk_.selected().empty() && !trails_.paint(p, s, shown_time()))
     QMetaObject::invokeMethod(this, qOverload<>(&QWidget::update), Qt::QueuedConnection);
   if (!desk_.selected().empty()) paint_outlines(p, s);
   if (is_free() || !desk_.selected().empty()) paint_icons(p, s);
@@ -43,8 +45,33 @@ void Viewport::paintEvent(QPaintEvent*) {
   paint_words(p);
 }
 
+// Whether lines over a picture are better dark.
+bool Viewport::is_bright() const {
+  const QImage& image = shown_.image;
+  if (image.isNull()) return false;
+  int sum = 0;
+  constexpr int side = 8;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      sum += qGray(image.pixel(image.width() * (2 * x + 1) / (2 * side), image.height() * (2 * y + 1) / (2 * side)));
+  return sum > 170 * side * side;
+}
+
 // Lines on the floor, or on a drawing's paper.
 void Viewport::paint_grid(QPainter& p, const Scope& s) {
+  const Camera eye = free_ ? *free_ : frame().camera;
+  if (!grid_ || !(grid_->eye == eye) || grid_->box != picture_box()) {
+    grid_ = Layer{QImage(size(), QImage::Format_ARGB32_Premultiplied), {}, eye, picture_box()};
+    grid_->image.fill(Qt::transparent);
+    QPainter on(&grid_->image);
+    on.setClipRect(s.box);
+    draw_grid(on, s);
+    if (!frame().surroundings.flat) clear_things(on, s);
+  }
+  p.drawImage(0, 0, grid_->image);
+}
+
+void Viewport::draw_grid(QPainter& p, const Scope& s) const {
   const bool flat = frame().surroundings.flat;
   const Vec3 up = flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0}, u{1, 0, 0}, v = flat ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   const Ray middle = s.projection.ray(0.5, flat ? 0.5 : 0.65);
@@ -55,14 +82,13 @@ void Viewport::paint_grid(QPainter& p, const Scope& s) {
   const double step = 2 * tidy_step(s.metres(depth) * grid_pixels);
   constexpr int lines = 24;
   const double cu = std::round(dot(centre, u) / step), cv = std::round(dot(centre, v) / step);
-  p.save();
-  p.setClipRect(s.box);
+  const QColor plain = is_bright() ? QColor(Qt::black) : QColor(Qt::white);
   p.setRenderHint(QPainter::Antialiasing);
   const auto draw = [&](Vec3 along, Vec3 across, double c_along, double c_across, const QColor& axis) {
     for (int i = -lines; i <= lines; ++i) {
       const double k = c_across + i;
       const bool is_axis = k == 0, major = std::fmod(k, 5) == 0;
-      QColor color = is_axis ? axis : picture_colors().text;
+      QColor color = is_axis ? axis : plain;
       std::optional<QPointF> before;
       for (int j = -lines; j <= lines; ++j) {
         const auto spot = s.spot(step * (k * across + (c_along + j) * along));
@@ -78,14 +104,28 @@ void Viewport::paint_grid(QPainter& p, const Scope& s) {
   };
   draw(u, v, cu, cv, picture_colors().x);
   draw(v, u, cv, cu, flat ? picture_colors().y : picture_colors().z);
-  p.restore();
+}
+
+// Takes away what lies below things that stand on the ground; what is the ground itself has its lines on it.
+void Viewport::clear_things(QPainter& p, const Scope& s) const {
+  p.setCompositionMode(QPainter::CompositionMode_DestinationOut);
+  p.setRenderHint(QPainter::Antialiasing, false);
+  std::size_t things = 0, corners = 0;
+  for (const Item& i : frame().items) {
+    corners += i.shape->mesh ? i.shape->mesh->positions.size() : 300;
+    if (i.transparency > 0.5 || ++things > most_cleared || corners > most_corners) continue;
+    Box box;
+    for (const Vec3& corner : drawn(i).corners) box.add(corner);
+    const Vec3 half = box.half();
+    if (half.y > 0.02 * std::max(half.x, half.z)) paint_silhouette(p, s, i, Qt::black);
+  }
 }
 
 // Around what is seen of them: a line; of much at once only the corners of a box.
 void Viewport::paint_outlines(QPainter& p, const Scope& s) {
   const Camera eye = free_ ? *free_ : frame().camera;
   if (!outline_ || outline_->of != desk_.selected() || !(outline_->eye == eye) || outline_->box != picture_box()) {
-    outline_ = Outline{{}, {}, desk_.selected(), eye, picture_box()};
+    outline_ = Layer{{}, desk_.selected(), eye, picture_box()};
     bracketed_.clear();
     QImage mask(size(), QImage::Format_ARGB32_Premultiplied);
     mask.fill(Qt::transparent);
@@ -93,8 +133,9 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
     on.setClipRect(s.box);
     std::size_t things = 0, corners = 0;
     const std::vector<ObjectId>& ids = desk_.selected();
+    const Marks marked(ids);
     for (const Item& i : frame().items) {
-      if (std::find(ids.begin(), ids.end(), i.id) == ids.end()) continue;
+      if (!marked(i.id)) continue;
       corners += i.shape->mesh ? i.shape->mesh->positions.size() : 300;
       if (++things > most_outlined || corners > most_corners) {
         if (bracketed_.size() < most_bracketed) bracketed_.push_back(i.id);
@@ -140,16 +181,18 @@ void Viewport::paint_icons(QPainter& p, const Scope& s) {
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
   p.setClipRect(s.box);
+  const std::vector<ObjectId>& ids = desk_.selected();
+  const Marks marked(ids);
   for (const Icon& i : icons()) {
-    const auto& ids = desk_.selected();
-    const bool selected = std::find(ids.begin(), ids.end(), i.id) != ids.end();
+    const bool selected = marked(i.id);
     if (!is_free() && !selected) continue;
     const auto spot = s.spot(i.place);
     // Who looks out of it does not see it, nor a drawing's, which lies over all of it.
     const bool here = i.kind == Kind::camera && !selected &&
                       (frame().surroundings.flat || length(i.place - s.projection.eye()) < 1e-3);
     if (!spot || here) continue;
-    const QColor color = selected ? (i.id == ids.back() ? picture_colors().event : picture_colors().accent) : QColor(0xe8, 0xe8, 0xe8);
+    const QColor color =
+        selected ? (i.id == ids.back() ? picture_colors().event : picture_colors().accent) : QColor(0xe8, 0xe8, 0xe8);
     for (const bool shade : {true, false}) {
       p.setPen(QPen(shade ? QColor(0, 0, 0, 130) : color, shade ? 3.5 : 1.5));
       if (i.kind == Kind::light) {

@@ -254,6 +254,19 @@ class ViewportTest : public QObject {
     QVERIFY(s.projection.height(1) < 4);
   }
 
+  void the_camera_comes_to_the_free_eye() {
+    Film f({"create ball sphere", "create eye camera position=(6 0 8) look-at=ball"});
+    const QString before = f.text();
+    f.keys("3");  // from +x, as far away
+    f.view.bring_camera();
+    QVERIFY(!f.view.is_free());
+    QCOMPARE(f.value("eye.position"), QString("9.6 0 0.8"));  // about the ball's nearest place, (0.6 0 0.8)
+    QCOMPARE(f.text(),
+             before + "set eye.look-at none\nset eye.position (9.6 0 0.8)\nset eye.rotation euler(0 90deg 0)\n");
+    f.desk.undo();
+    QCOMPARE(f.text(), before);
+  }
+
   void files_that_are_dropped_become_things() {
     Film f({"film flat"});
     QFile mesh("Old cow.obj");
