@@ -48,6 +48,13 @@ verdict "a room includes by a path that goes up" "$(grep -rnE '^\s*#\s*include\s
 verdict "a public header includes a third party" \
   "$(grep -rnE '^\s*#\s*include' include | grep -vE 'include\s*(<[a-z0-9_]+>|<stddef\.h>|"betwixt/[a-z_]+\.h")')"
 verdict "using namespace in a header" "$(grep -rnE '^\s*using namespace' --include='*.h' src include)"
+# Two of one name are one to whoever links them, and what is made for the one is done to the other.
+verdict "two types of one name in one namespace" "$(
+  find src include -name '*.h' | while read -r file; do
+    space=$(sed -n 's/^namespace \([a-z_:]*\) {$/\1/p' "$file" | head -n 1)
+    sed -nE "s/^(struct|class) ([A-Za-z0-9]+)( final)?( : .*)? \{.*/$space \2/p" "$file"
+  done | sort | uniq -d
+)"
 # What is dear to include is included once.
 verdict "one file sees the library of command lines" \
   "$(grep -rlE '^\s*#\s*include\s*<CLI/' src | grep -vx src/app/command_line.cpp)"

@@ -88,7 +88,7 @@ Stroke events(const Number& n, const Document& document, const Target& target, c
 }
 
 // The curves of a target; none where it is not made of numbers.
-std::vector<Curve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
+std::vector<DrawnCurve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
   const bool asked = target.query().has_value();
   if (asked && target.component < 0) return {};  // a matrix
   const Document& document = program.document();
@@ -97,7 +97,7 @@ std::vector<Curve> curves(const Program& program, const Target& target, const Fr
   if (count > 4) return {};
   const bool angles = row_of(type).angles && count < 4;
   const double unit = angles ? degrees : 1;
-  std::vector<Curve> all;
+  std::vector<DrawnCurve> all;
   for (std::size_t i = 0; i < count; ++i) {
     const Number n{&program, target, i, unit};
     const std::string_view part = count == 4  ? std::string_view("wxyz").substr(i, 1)
@@ -145,7 +145,7 @@ Status plot_document(const Document& document, const std::vector<std::string>& w
     if (targets->empty()) fmt::print(stderr, "betwixt: nothing matches \"{}\"\n", word);
     const std::size_t before = drawing.curves.size();
     for (const Target& t : *targets)
-      for (Curve& c : curves(program, t, *frames, last)) drawing.curves.push_back(std::move(c));
+      for (DrawnCurve& c : curves(program, t, *frames, last)) drawing.curves.push_back(std::move(c));
     if (drawing.curves.size() == before && !targets->empty())
       return fail(ErrorCode::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word));
   }

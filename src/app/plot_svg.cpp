@@ -37,7 +37,7 @@ double round_step(double least) {
 
 std::pair<double, double> extent(const Plot& plot) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Curve& c : plot.curves)
+  for (const DrawnCurve& c : plot.curves)
     for (const Stroke& s : c.strokes)
       for (const auto& [frame, v] : s) low = std::min(low, v), high = std::max(high, v);
   if (!(low <= high)) return {0, 1};
@@ -98,7 +98,7 @@ std::string axes(const Plot& plot, const Paper& paper) {
   return s + "</g>\n";
 }
 
-std::string drawn(const Curve& c, const char* color, const Paper& paper) {
+std::string drawn(const DrawnCurve& c, const char* color, const Paper& paper) {
   std::string s = fmt::format(
       "<g stroke=\"{}\" fill=\"none\" stroke-width=\"2.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n",
       color);
@@ -133,7 +133,7 @@ std::string legend(const Plot& plot, double bottom, std::size_t columns) {
 
 std::size_t legend_columns(const Plot& plot) {
   std::size_t longest = 1;
-  for (const Curve& c : plot.curves) longest = std::max(longest, c.name.size());
+  for (const DrawnCurve& c : plot.curves) longest = std::max(longest, c.name.size());
   return std::clamp<std::size_t>(
       static_cast<std::size_t>((width - left - right) / (44 + 7.4 * static_cast<double>(longest))), 1, 4);
 }

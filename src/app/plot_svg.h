@@ -16,7 +16,7 @@ namespace betwixt {
 using Stroke = std::vector<std::pair<double, double>>;
 
 // One number of a target. A cut ends one stroke and begins the next.
-struct Curve {
+struct DrawnCurve {
   std::string name;
   std::vector<Stroke> strokes;
   Stroke events;
@@ -26,7 +26,7 @@ struct Plot {
   std::string title;
   double first = 1, last = 2;  // frames
   Rate rate;
-  std::vector<Curve> curves;
+  std::vector<DrawnCurve> curves;
 };
 
 std::string to_svg(const Plot&);

@@ -135,8 +135,8 @@ void pass_line(std::string_view line, LineState& state) {
   each_part(line, state, [](std::size_t, std::size_t, Meaning) {});
 }
 
-std::vector<Piece> line_pieces(std::string_view line, LineState& state, const Document& d) {
-  std::vector<Piece> all;
+std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document& d) {
+  std::vector<LinePiece> all;
   Reading r{line, d.scene(), indented(line) || state.goes_on(), state.goes_on() ? std::size_t{9} : 0, {}, {}};
   const auto put = [&](std::size_t at, std::size_t length, Meaning m) {
     if (length > 0) all.push_back({at, length, m});

@@ -25,14 +25,14 @@ struct LineState {
 
 enum class Meaning : std::uint8_t { comment, text, verb, kind, function, twerper, option, time, number, color, name };
 
-struct Piece {
+struct LinePiece {
   std::size_t at = 0, length = 0;  // bytes
   Meaning meaning = Meaning::comment;
-  friend bool operator==(const Piece&, const Piece&) = default;
+  friend bool operator==(const LinePiece&, const LinePiece&) = default;
 };
 
 // The pieces of one line that mean something, in order. `state`: of the line above, and then of this one.
-std::vector<Piece> line_pieces(std::string_view line, LineState& state, const Document&);
+std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document&);
 // The state alone.
 void pass_line(std::string_view line, LineState& state);
 

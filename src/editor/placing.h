@@ -39,7 +39,7 @@ struct LineChange {
 LineChange change_between(std::string_view before, std::string_view after);
 
 // The author's text as it is by now, and what each step did to it; those that were undone are behind.
-struct Placed {
+struct PlacedText {
   std::string text;
   std::vector<TextEdits> edits;
 };

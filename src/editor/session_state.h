@@ -57,7 +57,7 @@ struct Session::State {
   bool sheet_refused = false;  // rows below a refused line have nowhere to go
   bool ended = false;
   bool in_place = false;  // what is done goes into the author's text; else below it
-  Placed placed;
+  PlacedText placed;
   Diagnostics of_text;                               // what there is to say of the text
   std::size_t journal_knows = 0, journal_undid = 0;  // of the last steps that stand, and of those that were undone
   int lines = 0;  // that were entered

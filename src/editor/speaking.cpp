@@ -21,7 +21,7 @@ void put(std::vector<ObjectId>& all, ObjectId id) {
 std::vector<std::string_view> names_in(std::string_view line, const Document& d) {
   std::vector<std::string_view> all;
   LineState state;
-  for (const Piece& p : line_pieces(line, state, d))
+  for (const LinePiece& p : line_pieces(line, state, d))
     if (p.meaning != Meaning::comment && p.meaning != Meaning::text && p.meaning != Meaning::verb &&
         p.meaning != Meaning::function && p.meaning != Meaning::number && p.meaning != Meaning::time)
       all.push_back(line.substr(p.at, p.length));

@@ -146,7 +146,7 @@ void ScriptEdit::color(QTextBlock b, const std::string&) {
   QList<QTextLayout::FormatRange> all;
   LineState state = state_above(b);
   const auto& selected = desk_.selected();
-  for (const Piece& p : line_pieces(line, state, desk_.document())) {
+  for (const LinePiece& p : line_pieces(line, state, desk_.document())) {
     QTextCharFormat f;
     f.setForeground(color_of(p.meaning));
     const std::string_view word = std::string_view(line).substr(p.at, p.length);

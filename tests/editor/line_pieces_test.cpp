@@ -25,7 +25,7 @@ std::string told(std::string_view line, LineState state = {}) {
   static constexpr const char* words[] = {"comment", "text", "verb",   "kind",  "function", "twerper",
                                           "option",  "time", "number", "color", "name"};
   std::string out;
-  for (const Piece& p : line_pieces(line, state, film()))
+  for (const LinePiece& p : line_pieces(line, state, film()))
     out += (out.empty() ? "" : " ") + std::string(words[static_cast<int>(p.meaning)]) + ":" +
            std::string(line.substr(p.at, p.length));
   return out;
