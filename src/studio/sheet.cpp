@@ -2,11 +2,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/sheet.h"
 
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QStackedLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "studio/sheet_pane.h"
+
 namespace betwixt::studio {
 
 Sheet::Sheet(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   setObjectName("sheet");
   setWindowTitle(tr("Sheet"));
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0), all->setSpacing(0);
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 2, 4, 2), bar->setSpacing(4);
+  auto* pane = new SheetPane(desk, this);
+  all->addLayout(bar), all->addWidget(pane, 1);
+
+  auto* search = new QLineEdit(this);
+  search->setObjectName("search");
+  search->setPlaceholderText(tr("search: ball*.position"));
+  search->setToolTip(tr("Part of a name, or a pattern as in lines: wheel*.rotation"));
+  search->setClearButtonEnabled(true);
+  search->setMaximumWidth(30 * fontMetrics().averageCharWidth());
+  connect(search, &QLineEdit::textChanged, pane, [pane](const QString& s) { pane->search(s.toStdString()); });
+  const auto toggle = [&](const char* name, const QString& text, const QString& tip) {
+    auto* b = new QToolButton(this);
+    b->setObjectName(name), b->setText(text), b->setToolTip(tip);
+    b->setCheckable(true), b->setAutoRaise(true), b->setFocusPolicy(Qt::NoFocus);
+    return b;
+  };
+  auto* only = toggle("only_selected", tr("selected"), tr("Only what is selected is shown; where nothing is, all"));
+  only->setChecked(true);
+  connect(only, &QToolButton::toggled, pane, &SheetPane::show_only_selected);
+  bar->addWidget(search), bar->addWidget(only), bar->addStretch();
+  setFocusProxy(pane);
 }
 
 }  // namespace betwixt::studio

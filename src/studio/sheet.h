@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tracks against time: an exposure sheet that events are dragged about in.
+// The exposure sheet: tracks and time, with all events.
 #pragma once
 
 #include <QWidget>
@@ -9,6 +9,9 @@
 #include "studio/desk.h"
 
 namespace betwixt::studio {
+
+class SheetPane;
+class Exposures;
 
 class Sheet : public QWidget {
   Q_OBJECT

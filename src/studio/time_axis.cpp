@@ -23,7 +23,7 @@ double round_step(double least) {
 }  // namespace
 
 TimeAxis::TimeAxis(Desk& desk) : QObject(&desk), desk_(desk) {
-  gutter_ = 22 * QFontMetrics(QApplication::font()).averageCharWidth();
+  gutter_ = 26 * QFontMetrics(QApplication::font()).averageCharWidth();
   connect(&desk, &Desk::opened, this, [this] { touched_ = false, emit changed(); });
 }
 

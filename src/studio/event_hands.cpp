@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/event_hands.h"
+
+#include <fmt/format.h>
+
+#include <QMenu>
+#include <algorithm>
+
+#include "betwixt/object.h"
+#include "scene/document.h"
+#include "track/twerpers.h"
+
+namespace betwixt::studio {
+namespace {
+
+// Tracks that get an event where one is inserted: those that have events, else the position's.
+std::vector<Target> animated(const Document& d, const std::vector<ObjectId>& objects) {
+  std::vector<Target> all;
+  for (const ObjectId id : objects) {
+    const std::size_t before = all.size();
+    for (const TrackView& t : tracks(d, id))
+      if (!t.target.velocity && t.events > 0) all.push_back(t.target);
+    if (all.size() > before) continue;
+    for (const FunctionView& f : functions(d, id))
+      if (f.name == "position") all.emplace_back(id, f.id);
+  }
+  std::erase_if(all, [&](const Target& t) {
+    const Type type = spec_of(d.scene(), t.function).type;
+    return type == Type::motion || type == Type::attachment;
+  });
+  return all;
+}
+
+}  // namespace
+
+EventHands::EventHands(Desk& desk) : QObject(&desk), desk_(desk) {}
+
+EventHands& EventHands::of(Desk& desk) {
+  if (auto* hands = desk.findChild<EventHands*>(QString(), Qt::FindDirectChildrenOnly)) return *hands;
+  return *new EventHands(desk);
+}
+
+bool EventHands::retime(const Lines& lines, const std::function<Time(Time)>& when) {
+  if (lines.empty()) return false;
+  std::vector<EventAt> events = desk_.events_selected();
+  if (!desk_.say(lines)) return false;
+  for (EventAt& e : events) e.time = when(e.time);
+  desk_.select_events(std::move(events));
+  return true;
+}
+
+void EventHands::move(Time by) {
+  retime(move_lines(desk_.document(), desk_.events_selected(), by), [by](Time t) { return t + by; });
+}
+
+void EventHands::clear() {
+  if (const Lines lines = clear_lines(desk_.document(), desk_.events_selected()); !lines.empty()) desk_.say(lines);
+}
+
+void EventHands::reverse() {
+  const auto [first, last] = span(desk_.events_selected());
+  retime(reverse_lines(desk_.document(), desk_.events_selected()),
+         [from = first, to = last](Time t) { return from + (to - t); });
+}
+
+void EventHands::copy() { kept_ = desk_.document(), copied_ = desk_.events_selected(); }
+
+void EventHands::select_copies(const std::vector<EventAt>& events, Time to, ObjectId onto) {
+  std::vector<EventAt> copies = events;
+  const Time first = span(events).first;
+  for (EventAt& e : copies) {
+    e.time = to + (e.time - first);
+    if (onto) e.target.object = onto;
+  }
+  desk_.select_events(std::move(copies));
+}
+
+void EventHands::paste() {
+  if (copied_.empty()) return;
+  // On another object, where just one was copied from and one is selected.
+  const ObjectId of = copied_.front().target.object;
+  const bool one = std::ranges::all_of(copied_, [&](const EventAt& e) { return e.target.object == of; });
+  ObjectId onto;
+  if (one && desk_.selected().size() == 1 && desk_.selected().back() != of) onto = desk_.selected().back();
+  const Time to = desk_.time();
+  if (desk_.say(copy_lines(desk_.document(), kept_, copied_, to, onto))) select_copies(copied_, to, onto);
+}
+
+void EventHands::duplicate() {
+  const std::vector<EventAt> events = desk_.events_selected();
+  if (events.empty()) return;
+  const auto [first, last] = span(events);
+  const Time to = first == last ? last + desk_.document().rate().span(1) : last;
+  if (desk_.say(copy_lines(desk_.document(), desk_.document(), events, to))) select_copies(events, to, {});
+}
+
+void EventHands::insert() {
+  const std::vector<Target> where = animated(desk_.document(), desk_.selected());
+  if (where.empty()) return;
+  if (!desk_.say(insert_lines(desk_.document(), desk_.program(), where, desk_.time()))) return;
+  std::vector<EventAt> come;
+  for (const Target& t : where) come.push_back({t, desk_.time()});
+  desk_.select_events(std::move(come));
+}
+
+void EventHands::twerper(const std::string& name) {
+  if (const Lines lines = twerper_lines(desk_.document(), desk_.events_selected(), name); !lines.empty())
+    desk_.say(lines);
+}
+
+void EventHands::extend(const std::string& how, const std::string& side) {
+  Lines lines;
+  for (const Picked& p : by_track(desk_.events_selected()))
+    lines.push_back(fmt::format("{}extend {} {}{}", layer_words(desk_.document(), p.target),
+                                desk_.document().name(p.target), how, side.empty() ? "" : " " + side));
+  if (!lines.empty()) desk_.say(lines);
+}
+
+bool EventHands::key(int key, Qt::KeyboardModifiers with, bool act) {
+  const bool any = !desk_.events_selected().empty(), ctrl = with == Qt::ControlModifier, plain = with == Qt::NoModifier;
+  const Time frame = desk_.document().rate().span(1);
+  const auto mine = [&](bool is, auto&& does) { return is && (act ? does() : void(), true); };
+  switch (key) {
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+    case Qt::Key_X:
+      return mine(plain && any, [&] { clear(); });
+    case Qt::Key_R:
+      return mine(plain && any, [&] { reverse(); });
+    case Qt::Key_C:
+      return mine(ctrl && any, [&] { copy(); });
+    case Qt::Key_V:
+      return mine(ctrl && !copied_.empty(), [&] { paste(); });
+    case Qt::Key_D:
+      return mine(ctrl && any, [&] { duplicate(); });
+    case Qt::Key_K:
+      return mine(plain && !desk_.selected().empty(), [&] { insert(); });
+    case Qt::Key_Left:
+      return mine(ctrl && any, [&] { move(-frame); });
+    case Qt::Key_Right:
+      return mine(ctrl && any, [&] { move(frame); });
+    default:
+      return false;
+  }
+}
+
+void EventHands::fill(QMenu& menu) {
+  const bool any = !desk_.events_selected().empty();
+  menu.setToolTipsVisible(true);
+  const auto row = [&](QMenu& in, const QString& what, const QString& keys, const QString& says, auto&& does) {
+    QAction* a = in.addAction(what + (keys.isEmpty() ? "" : "\t" + keys));
+    a->setToolTip(says);
+    connect(a, &QAction::triggered, this, does);
+    return a;
+  };
+  QMenu* goes_on = menu.addMenu(tr("Go on by"));
+  row(*goes_on, tr("what goes without saying"), {}, tr("no twerper is said"), [this] { twerper(""); });
+  goes_on->addSeparator();
+  const auto choose = [&](QMenu& in, std::string_view name, std::string_view sentence) {
+    row(in, QString::fromUtf8(name.data(), static_cast<int>(name.size())), {},
+        QString::fromUtf8(sentence.data(), static_cast<int>(sentence.size())),
+        [this, said = std::string(name)] { twerper(said); });
+  };
+  QMenu* easings = nullptr;
+  for (const TwerperRow& t : twerpers().subspan(1)) {
+    const bool easing = t.name.find('-') != std::string_view::npos && t.name.substr(0, 4) != "ease";
+    if (easing && !easings) easings = new QMenu(tr("easings"), goes_on), easings->setToolTipsVisible(true);
+    choose(easing ? *easings : *goes_on, t.name, t.sentence);
+  }
+  goes_on->setToolTipsVisible(true);
+  if (easings) goes_on->addMenu(easings);
+  bool first = true;
+  for (const ProcedureView& p : procedures(desk_.document())) {
+    if (p.role != "twerper") continue;
+    if (std::exchange(first, false)) goes_on->addSeparator();
+    choose(*goes_on, p.name, p.source);
+  }
+  QMenu* outside = menu.addMenu(tr("Outside its events a track"));
+  for (const std::string how : {"hold", "linear", "cycle", "bounce"})
+    for (const std::string side : {"", "before", "after"})
+      row(*outside, QString::fromStdString(side.empty() ? how : how + " " + side), {},
+          QString::fromStdString("extend TARGET " + how + (side.empty() ? "" : " " + side)),
+          [this, how, side] { extend(how, side); });
+  goes_on->setEnabled(any), outside->setEnabled(any);
+  menu.addSeparator();
+  row(menu, tr("Reverse"), "R", "reverse TARGET A..B", [this] { reverse(); })->setEnabled(any);
+  row(menu, tr("Copy"), "Ctrl+C", tr("to be put in elsewhere"), [this] { copy(); })->setEnabled(any);
+  row(menu, tr("Put in at the playhead"), "Ctrl+V", "copy TARGET A..B to T", [this] {
+    paste();
+  })->setEnabled(!copied_.empty());
+  row(menu, tr("Once more behind it"), "Ctrl+D", "copy TARGET A..B to B", [this] { duplicate(); })->setEnabled(any);
+  row(menu, tr("Take out"), "Delete", "clear TARGET A..B", [this] { clear(); })->setEnabled(any);
+  menu.addSeparator();
+  row(menu, tr("An event at the playhead"), "K", "at T TARGET VALUE", [this] {
+    insert();
+  })->setEnabled(!desk_.selected().empty());
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The dope sheet: a row for each object and each of its tracks, events where their times are.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "studio/event_lines.h"
+#include "studio/sheet_rows.h"
+#include "studio/time_pane.h"
+
+class QLineEdit;
+class QScrollBar;
+
+namespace betwixt::studio {
+
+class SheetPane : public TimePane {
+  Q_OBJECT
+ public:
+  explicit SheetPane(Desk&, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {40 * line_height(), 8 * line_height()}; }
+
+  const std::vector<SheetRow>& rows() const { return rows_; }
+  void show_only_selected(bool);
+  void search(const std::string&);
+  // Where an event of a row is.
+  QPointF place(std::size_t row, Time) const;
+  // Around what is selected, as far as it is shown; its sides can be drawn.
+  std::optional<QRectF> box() const;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void press(QMouseEvent*) override;
+  void drag(QMouseEvent*) override;
+  void release(QMouseEvent*) override;
+  void hover(QMouseEvent*) override;
+  void call_off() override;
+  bool key(int, Qt::KeyboardModifiers, bool act) override;
+  void wheel(QWheelEvent*) override;
+  void pan(double) override;
+
+ private:
+  enum class Hand { none, box, move, stretch_left, stretch_right };
+  void lay_out();
+  double row_top(std::size_t row) const;
+  std::optional<std::size_t> row_at(double y) const;
+  double half() const { return line_height() * 0.26; }  // of a diamond
+  std::vector<EventAt> events_at(const QPointF&) const;
+  std::vector<EventAt> events_in(const QRectF&) const;
+  void press_name(QMouseEvent*, std::size_t row);
+  // What the hand that drags does to times, and says; none: nothing.
+  std::optional<Time> retimed(Time) const;
+  Lines lines() const;
+  void keep_selection();  // for painting
+  bool picked(const Target&, Time from, Time to) const;
+  void edit(const EventAt&);
+  void go_to_row(int by);
+  void paint_names(QPainter&) const;
+  void paint_row(QPainter&, std::size_t row) const;
+  void paint_track(QPainter&, const Target&, double y, bool whole) const;
+
+  SheetChoice choice_;
+  bool only_selected_ = true;
+  std::vector<SheetRow> rows_;
+  std::map<Target, std::vector<Time>, TargetOrder> picked_;  // as it is shown
+  std::size_t current_ = 0;
+  QScrollBar* scroll_;
+  QLineEdit* words_ = nullptr;
+
+  Hand hand_ = Hand::none;
+  QPointF from_, to_;
+  Time held_;                       // the event in the hand
+  std::pair<Time, Time> was_, is_;  // the span of what is selected, and what it becomes
+  std::vector<EventAt> before_;     // that a box adds to
+};
+
+}  // namespace betwixt::studio
