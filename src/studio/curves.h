@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values against time, with their events.
+// Values against time, as they come out, with the events that make them.
 #pragma once
 
 #include <QWidget>
@@ -14,9 +14,6 @@ class Curves : public QWidget {
   Q_OBJECT
  public:
   explicit Curves(Desk&, QWidget* parent = nullptr);
-
- private:
-  Desk& desk_;
 };
 
 }  // namespace betwixt::studio

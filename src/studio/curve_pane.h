@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The curves of what is selected; points, handles and eases that can be drawn.
+#pragma once
+
+#include <QTimer>
+#include <optional>
+#include <set>
+
+#include "studio/curve_lines.h"
+#include "studio/curve_samples.h"
+#include "studio/time_pane.h"
+
+namespace betwixt::studio {
+
+class CurvePane : public TimePane {
+  Q_OBJECT
+ public:
+  explicit CurvePane(Desk&, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {40 * line_height(), 8 * line_height()}; }
+
+  const std::vector<CurveLine>& lines() const { return lines_; }
+  const CurveSamples& samples() const { return samples_; }
+  void finish();  // all columns, for tests and screenshots
+  void fit();     // all values of what is seen
+  QPointF place(Time t, double value) const { return {x_of(t), y_of(value)}; }
+  QPointF place(const Handle& h) const;
+  // Of the events that are selected, on lines that are seen.
+  std::vector<std::pair<std::size_t, Handle>> handles() const;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void showEvent(QShowEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void press(QMouseEvent*) override;
+  void drag(QMouseEvent*) override;
+  void release(QMouseEvent*) override;
+  void hover(QMouseEvent*) override;
+  void call_off() override;
+  bool key(int, Qt::KeyboardModifiers, bool act) override;
+  void wheel(QWheelEvent*) override;
+  void pan(double) override;
+
+ private:
+  enum class Hand { none, box, points, handle };
+  double y_of(double value) const { return middle_ - (value - center_) * scale_; }
+  double value_at(double y) const { return center_ + (middle_ - y) / scale_; }
+  double reach() const { return line_height() * 0.3; }
+  bool seen(std::size_t line) const { return !hidden_.contains(lines_[line].name); }
+  QColor color(const CurveLine&) const;
+  void lay_out();
+  void sample();  // begins anew
+  void go_on();
+  std::vector<std::pair<std::size_t, Handle>> points() const;  // of the events that are in view
+  std::optional<std::pair<std::size_t, Handle>> point_at(const QPointF&) const;
+  std::optional<std::pair<std::size_t, Handle>> handle_at(const QPointF&) const;
+  bool is_selected(const EventAt&) const;
+  Lines said_by(QMouseEvent*);  // what the hand says
+  void press_name(QMouseEvent*);
+  void paint_values(QPainter&) const;
+  void paint_names(QPainter&) const;
+  void paint_curves(QPainter&) const;
+  void paint_events(QPainter&) const;
+  void paint_twerpers(QPainter&) const;
+
+  std::vector<CurveLine> lines_;
+  std::set<std::string> hidden_;  // by name, whichever object it is
+  CurveSamples samples_;
+  QTimer more_;
+  double center_ = 0, scale_ = 50, middle_ = 0;  // the value in the middle; pixels for 1; where the middle is
+  bool fitted_ = false;
+
+  Hand hand_ = Hand::none;
+  QPointF from_, to_;
+  std::size_t line_ = 0;  // that the hand is on
+  Handle held_;
+  Time by_;
+  std::vector<EventAt> before_;
+};
+
+}  // namespace betwixt::studio
