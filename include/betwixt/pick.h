@@ -74,6 +74,8 @@ struct Hit {
 // The nearest thing at a place of the picture. Where there is none, one with an edge within `slack`, in heights of the
 // picture: lines and small things want no steady hand.
 std::optional<Hit> pick(const Frame&, const Projection&, double x, double y, double slack = 0);
+// All things at a place of the picture, the nearest first.
+std::vector<Hit> pick_through(const Frame&, const Projection&, double x, double y);
 // All that lie in a rectangle wholly, in the order of the frame.
 std::vector<ObjectId> pick_within(const Frame&, const Projection&, const Projection::Rectangle&);
 

@@ -176,6 +176,22 @@ std::optional<Hit> pick(const Frame& f, const Projection& p, double x, double y,
   return hit || slack <= 0 ? hit : pick_edge(f, p, x, y, slack);
 }
 
+std::vector<Hit> pick_through(const Frame& f, const Projection& p, double x, double y) {
+  const Ray ray = p.ray(x, y);
+  std::vector<Hit> hits;
+  for (auto i = f.items.rbegin(); i != f.items.rend(); ++i) {
+    if (!seen(*i)) continue;
+    const auto box = roughly_around(*i, p);
+    if (!box || !near(*box, x, y, 0, p.aspect())) continue;
+    const auto far = meet(ray, *i);
+    if (!far) continue;
+    const Vec3 place = ray.from + *far * ray.along;
+    hits.push_back({i->id, place, dot(place - p.eye(), p.forward())});
+  }
+  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.depth < b.depth; });
+  return hits;
+}
+
 std::vector<ObjectId> pick_within(const Frame& f, const Projection& p, const Rectangle& r) {
   std::vector<ObjectId> ids;
   for (const Item& i : f.items) {

@@ -172,16 +172,24 @@ void Hand::take(ObjectId id) {
   h.place = translation_of(**world);
   const Mat4 to_world = program_.kinematics(id, time_).to_world;
   h.back = inverse(to_world).value_or(Mat4{});
-  if (looks_at_something(program_, id, time_))  // its rotation does not count now
+  h.aims = looks_at_something(program_, id, time_);
+  if (h.aims)  // its rotation does not count now
     h.parent = from_matrix(without_length(to_world));
   else if (const auto own = inverse(rotation(quaternion(h.rotation)) * scaling(h.scale)))
     h.parent = from_matrix(without_length(linear_product(**world, *own)));
   const std::uint16_t all[] = {fn::position, fn::rotation, fn::scale};
-  for (int i = 0; i < 3; ++i) {
-    h.still[i] = from_code(d, id, all[i]);
-    if (h.still[i] && refusal_.empty()) refusal_ = "code says what " + d.name(Target{id, all[i]}) + " is";
-  }
+  for (int i = 0; i < 3; ++i) h.still[i] = from_code(d, id, all[i]);
   held_.push_back(std::move(h));
+}
+
+std::string Hand::refusal(std::uint16_t function) const {
+  const Document& d = program_.document();
+  for (const Held& h : held_) {
+    const int which = function == fn::position ? 0 : function == fn::rotation ? 1 : 2;
+    if (h.still[which]) return "code says what " + d.name(Target{h.id, function}) + " is";
+    if (which == 1 && h.aims) return d.name(h.id) + " looks at something: its rotation does not count";
+  }
+  return {};
 }
 
 // Whole, or those components that have tracks or differ.

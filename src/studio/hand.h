@@ -36,8 +36,8 @@ class Hand {
   bool empty() const { return held_.empty(); }
   Vec3 place() const { return place_; }       // of the one that leads, in the world
   const Vec3* axes() const { return axes_; }  // its own, of unit length
-  // What cannot be moved so, and why; empty: nothing.
-  const std::string& refusal() const { return refusal_; }
+  // Why some of it cannot be moved (position), turned (rotation), scaled (scale); empty: all of it can.
+  std::string refusal(std::uint16_t function) const;
 
   // `step`: what a pixel means, in metres; numbers are as tidy.
   std::vector<std::string> move(Vec3 by, double step) const;
@@ -57,6 +57,7 @@ class Hand {
     Mat4 back;      // the linear part of what takes the world to its position's space
     Quat parent;    // what turns it from outside
     bool still[3];  // position, rotation, scale: code says what they are
+    bool aims = false;  // it looks at something
   };
   void take(ObjectId);
   void put_position(const Held&, Vec3 by, double step, std::vector<std::string>& lines) const;
@@ -70,7 +71,6 @@ class Hand {
   bool always_;
   std::vector<Held> held_;
   Vec3 place_, axes_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  std::string refusal_;
 };
 
 }  // namespace betwixt::studio

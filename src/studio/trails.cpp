@@ -3,6 +3,7 @@
 #include "studio/trails.h"
 
 #include <QElapsedTimer>
+#include <QLineF>
 #include <cmath>
 
 #include "scene/functions.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int most_frames = 240;  // a longer film shows so many around the playhead
 constexpr std::size_t most_ways = 20;
+constexpr double dot_reach = 6;       // pixels
 constexpr int most_milliseconds = 6;  // of looking, in a picture
 
 }  // namespace
@@ -45,9 +47,29 @@ bool Trails::find(Way& way, ObjectId id, int first, int last, int now) {
   way.events.clear();
   for (const TrackView& t : tracks(desk_.document(), Target{id, fn::position}))
     each_event(desk_.document(), t.target, rate.frame(first), rate.frame(last), [&](const EventView& e) {
-      way.events.insert(static_cast<int>(std::lround(rate.frame_number(e.time))));
+      way.events.try_emplace(static_cast<int>(std::lround(rate.frame_number(e.time))), EventAt{t.target, e.time});
     });
   return true;
+}
+
+std::optional<EventAt> Trails::event_at(const Scope& s, QPointF p, Time now) const {
+  const auto [first, last] = frames(desk_, now);
+  for (auto id = desk_.selected().rbegin(); id != desk_.selected().rend(); ++id) {
+    const auto way = ways_.find(id->index);
+    if (way == ways_.end() || !way->second.moves()) continue;
+    for (auto e = way->second.events.lower_bound(first); e != way->second.events.end() && e->first <= last; ++e) {
+      const auto place = way->second.places.find(e->first);
+      if (place == way->second.places.end()) continue;
+      if (const auto spot = s.spot(place->second); spot && QLineF(*spot, p).length() <= dot_reach) return e->second;
+    }
+  }
+  return std::nullopt;
+}
+
+bool Trails::Way::moves() const {
+  Box all;
+  for (const auto& [frame, place] : places) all.add(place);
+  return !all.empty() && length(all.half()) > 1e-9;
 }
 
 bool Trails::paint(QPainter& p, const Scope& s, Time now) {
@@ -67,9 +89,7 @@ bool Trails::paint(QPainter& p, const Scope& s, Time now) {
 }
 
 void Trails::paint(QPainter& p, const Scope& s, const Way& way, int first, int last, double now) const {
-  Box all;
-  for (const auto& [frame, place] : way.places) all.add(place);
-  if (all.empty() || length(all.half()) < 1e-9) return;  // it stands still
+  if (!way.moves()) return;
   const Colors& c = picture_colors();
   const auto tint = [&](int frame, int alpha) {
     QColor color = frame < now ? c.playhead : c.note;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <map>
-#include <set>
+#include <optional>
 #include <vector>
 
 #include "studio/desk.h"
@@ -19,13 +19,16 @@ class Trails {
   void forget() { ways_.clear(); }
   // False: not all of it was found in the time that one picture may take; it goes on with the next.
   bool paint(QPainter&, const Scope&, Time now);
+  // The event whose dot is there.
+  std::optional<EventAt> event_at(const Scope&, QPointF, Time now) const;
   // The frames that a trail shows, both included.
   static std::pair<int, int> frames(const Desk&, Time now);
 
  private:
   struct Way {
     std::map<int, Vec3> places;  // by frames
-    std::set<int> events;
+    std::map<int, EventAt> events;
+    bool moves() const;
   };
   bool find(Way&, ObjectId, int first, int last, int now);
   void paint(QPainter&, const Scope&, const Way&, int first, int last, double now) const;

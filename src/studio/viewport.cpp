@@ -7,6 +7,7 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "scene/kinds.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -134,7 +135,11 @@ void Viewport::resizeEvent(QResizeEvent*) {
 void Viewport::mousePressEvent(QMouseEvent* e) {
   setFocus();
   from_ = at_ = e->position();
-  if (gesture_ == Gesture::pull && pull_by_keys_) return end_pull(e->button() == Qt::LeftButton);
+  called_off_ = false;
+  if (gesture_ == Gesture::pull && pull_by_keys_) {
+    called_off_ = e->button() == Qt::RightButton;
+    return end_pull(e->button() == Qt::LeftButton);
+  }
   if (gesture_ != Gesture::none) return;
   const bool shift = e->modifiers() & Qt::ShiftModifier, alt = e->modifiers() & Qt::AltModifier;
   const bool flat = frame().surroundings.flat;
@@ -211,12 +216,16 @@ void Viewport::leaveEvent(QEvent*) {
   update();
 }
 
+// "ball, a sphere"
+QString Viewport::in_words(ObjectId id) const {
+  return QString::fromStdString(desk_.name(id) + ", " + a_kind(kind(desk_.document(), id)));
+}
+
 bool Viewport::event(QEvent* e) {
   if (e->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(e);
     const auto found = gesture_ == Gesture::none ? hit(help->pos()) : std::nullopt;
-    found ? QToolTip::showText(help->globalPos(), QString::fromStdString(desk_.name(found->id)), this)
-          : QToolTip::hideText();
+    found ? QToolTip::showText(help->globalPos(), in_words(found->id), this) : QToolTip::hideText();
     return true;
   }
   // Keys that mean something here are no menu's.

@@ -56,6 +56,7 @@ class Viewport : public QWidget {
   // Takes what is selected into the hand, as long as nothing else is done: G, R and S.
   void take(Tool);
   bool pulls() const { return pull_.has_value(); }
+  const QString& refusal() const { return refusal_; }  // why some of it cannot be done; may be empty
 
   // Where something is seen, in the widget; what is there. For tests too.
   Scope scope() const;
@@ -78,6 +79,7 @@ class Viewport : public QWidget {
   void wheelEvent(QWheelEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void leaveEvent(QEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
   void dropEvent(QDropEvent*) override;
 
@@ -108,7 +110,9 @@ class Viewport : public QWidget {
   // Hands (viewport_hands.cpp)
   const Hand& grip() const;
   std::optional<Handles> handles() const;
-  void begin_pull(Tool, Part, QPointF from);
+  // Of what is selected now, or of one event of it.
+  void begin_pull(Tool, Part, QPointF from, std::optional<EventAt> = {});
+  void say_refusal();
   void go_on_pulling(QPointF, Qt::KeyboardModifiers);
   void show_pull();
   void end_pull(bool carry_out);
@@ -118,7 +122,10 @@ class Viewport : public QWidget {
   void select_in_box(Qt::KeyboardModifiers);
   const std::vector<Icon>& icons() const;
 
+  QString in_words(ObjectId) const;
+
   // Painting (viewport_painting.cpp)
+  QImage layer() const;  // as large as the widget, clear
   bool is_bright() const;
   void paint_grid(QPainter&, const Scope&);
   void draw_grid(QPainter&, const Scope&) const;
@@ -162,7 +169,7 @@ class Viewport : public QWidget {
   Vec3 pivot_;
   std::optional<ObjectId> pressed_;
   std::optional<Pull> pull_;
-  bool pull_by_keys_ = false;
+  bool pull_by_keys_ = false, called_off_ = false;  // the latter: by the button that else opens a menu
   Part hot_ = Part::none;
   QString refusal_;
 

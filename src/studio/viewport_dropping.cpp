@@ -8,9 +8,8 @@
 #include <QImageReader>
 #include <QMimeData>
 
-#include "studio/viewport.h"
-// behind those of Qt
 #include "language/values.h"
+#include "studio/viewport.h"
 
 namespace betwixt::studio {
 namespace {

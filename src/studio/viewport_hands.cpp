@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Selecting, and pulling what is selected.
-#include <QKeyEvent>
-#include <QMimeData>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <algorithm>
 
 #include "betwixt/object.h"
+#include "scene/functions.h"
 #include "studio/marks.h"
 #include "studio/viewport.h"
 
@@ -54,6 +55,11 @@ std::optional<Hit> Viewport::hit(QPointF p) const {
 void Viewport::press_on(QPointF p, Qt::KeyboardModifiers modifiers) {
   if (const auto h = handles())
     if (const Part part = h->part_at(p); part != Part::none) return begin_pull(switches_.tool, part, p);
+  if (switches_.trails && !desk_.transport().playing())
+    if (const auto event = trails_.event_at(scope(), p, shown_time())) {
+      desk_.select_events({*event});
+      return begin_pull(Tool::move, Part::all, p, *event);
+    }
   gesture_ = Gesture::press;
   const auto found = hit(p);
   pressed_ = found ? std::optional(found->id) : std::nullopt;
@@ -89,6 +95,31 @@ void Viewport::select_in_box(Qt::KeyboardModifiers modifiers) {
   desk_.select(ids);
 }
 
+// What lies there, one behind the other; and what can be done with it.
+void Viewport::contextMenuEvent(QContextMenuEvent* e) {
+  if (gesture_ != Gesture::none || std::exchange(called_off_, false)) return;
+  QMenu menu(this);
+  const Scope s = scope();
+  const QPointF at = s.in_picture(e->pos());
+  const std::vector<Hit> all = pick_through(frame(), s.projection, at.x(), at.y());
+  for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 12); ++i)
+    menu.addAction(in_words(all[i].id), this, [this, id = all[i].id] { desk_.select({id}); });
+  if (!desk_.selected().empty()) {
+    menu.addSeparator();
+    const auto add = [&](const QString& words, const std::string& verb) {
+      std::vector<std::string> lines;
+      for (const ObjectId id : desk_.selected()) lines.push_back(verb + " " + desk_.name(id));
+      menu.addAction(words, this, [this, lines] { desk_.say(lines); })->setToolTip(QString::fromStdString(lines[0]));
+    };
+    menu.setToolTipsVisible(true);
+    menu.addAction(tr("See it"), this, [this] { frame_selected(); });
+    add(tr("Hide"), "hide");
+    add(tr("Hide from now on"), "at " + desk_.when(desk_.time()) + " hide");
+    add(tr("Remove"), "remove");
+  }
+  if (!menu.isEmpty()) menu.exec(e->globalPos());
+}
+
 void Viewport::select_all() {
   std::vector<ObjectId> ids;
   for (const Item& i : frame().items) ids.push_back(i.id);
@@ -110,18 +141,24 @@ std::optional<Handles> Viewport::handles() const {
   return Handles(scope(), switches_.tool, grip().place(), axes, handle_reach);
 }
 
-void Viewport::begin_pull(Tool tool, Part part, QPointF from) {
+void Viewport::begin_pull(Tool tool, Part part, QPointF from, std::optional<EventAt> event) {
   desk_.pause();
   refusal_.clear();
-  Hand hand(desk_.program(), desk_.time(), desk_.selected(), switches_.auto_key);
+  Hand hand = event ? Hand(desk_.program(), event->time, {event->target.object}, false)
+                    : Hand(desk_.program(), desk_.time(), desk_.selected(), switches_.auto_key);
   if (hand.empty()) {
     gesture_ = Gesture::none;
     return;
   }
   pull_.emplace(scope(), tool, part, std::move(hand), from, switches_.own_axes);
   gesture_ = Gesture::pull, pull_by_keys_ = false;
-  refusal_ = QString::fromStdString(pull_->hand().refusal());
+  say_refusal();
   update();
+}
+
+void Viewport::say_refusal() {
+  const std::uint16_t all[] = {fn::position, fn::rotation, fn::scale};
+  refusal_ = QString::fromStdString(pull_->hand().refusal(all[static_cast<int>(pull_->tool())]));
 }
 
 void Viewport::take(Tool tool) {
@@ -191,6 +228,7 @@ bool Viewport::pulling_key(QKeyEvent* e) {
     default:
       if (!pull_->type(e->text())) return false;
   }
+  say_refusal();
   show_pull();
   return true;
 }

@@ -6,11 +6,10 @@
 #include <algorithm>
 
 #include "betwixt/object.h"
+#include "language/values.h"
 #include "studio/marks.h"
 #include "studio/navigation.h"
 #include "studio/viewport.h"
-// behind those of Qt
-#include "language/values.h"
 
 namespace betwixt::studio {
 namespace {

@@ -45,6 +45,13 @@ void Viewport::paintEvent(QPaintEvent*) {
   paint_words(p);
 }
 
+QImage Viewport::layer() const {
+  QImage image(size() * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  image.fill(Qt::transparent);
+  return image;
+}
+
 // Whether lines over a picture are better dark.
 bool Viewport::is_bright() const {
   const QImage& image = shown_.image;
@@ -61,8 +68,7 @@ bool Viewport::is_bright() const {
 void Viewport::paint_grid(QPainter& p, const Scope& s) {
   const Camera eye = free_ ? *free_ : frame().camera;
   if (!grid_ || !(grid_->eye == eye) || grid_->box != picture_box()) {
-    grid_ = Layer{QImage(size(), QImage::Format_ARGB32_Premultiplied), {}, eye, picture_box()};
-    grid_->image.fill(Qt::transparent);
+    grid_ = Layer{layer(), {}, eye, picture_box()};
     QPainter on(&grid_->image);
     on.setClipRect(s.box);
     draw_grid(on, s);
@@ -127,8 +133,7 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
   if (!outline_ || outline_->of != desk_.selected() || !(outline_->eye == eye) || outline_->box != picture_box()) {
     outline_ = Layer{{}, desk_.selected(), eye, picture_box()};
     bracketed_.clear();
-    QImage mask(size(), QImage::Format_ARGB32_Premultiplied);
-    mask.fill(Qt::transparent);
+    QImage mask = layer();
     QPainter on(&mask);
     on.setClipRect(s.box);
     std::size_t things = 0, corners = 0;
@@ -144,8 +149,7 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
       paint_silhouette(on, s, i, i.id == ids.back() ? picture_colors().event : picture_colors().accent);
     }
     on.end();
-    QImage line(mask.size(), QImage::Format_ARGB32_Premultiplied);
-    line.fill(Qt::transparent);
+    QImage line = layer();
     QPainter over(&line);
     for (const auto& [x, y] : {std::pair(-2, 0), {2, 0}, {0, -2}, {0, 2}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}})
       over.drawImage(x, y, mask);

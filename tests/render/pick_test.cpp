@@ -95,6 +95,9 @@ TEST(Pick, TheNearestWinsAndTheLaterOneOfTwoAtOnePlace) {
   EXPECT_EQ(pick(f, p, 0.52, 0.49)->id.index, 1u);
   f.items.push_back(named(3, square(), translation({0, 0, 1})));
   EXPECT_EQ(pick(f, p, 0.52, 0.49)->id.index, 3u);
+  std::vector<std::uint32_t> through;
+  for (const Hit& h : pick_through(f, p, 0.52, 0.49)) through.push_back(h.id.index);
+  EXPECT_EQ(through, (std::vector<std::uint32_t>{3, 1, 0, 2}));
   f.items.back().transparency = 1;  // nothing is seen of it
   EXPECT_EQ(pick(f, p, 0.52, 0.49)->id.index, 1u);
 }

@@ -254,6 +254,26 @@ class ViewportTest : public QObject {
     QVERIFY(s.projection.height(1) < 4);
   }
 
+  void an_event_is_pulled_by_its_place_on_the_way() {
+    Film f({"film flat", "create ball disc", "at 1f ball.position (0 0 0)", "at 25f ball.position (4 0 0) linear"});
+    f.select("ball");
+    f.view.grab();
+    f.drag(at(4, 0), at(4, 1));
+    QCOMPARE(f.value("ball.position", "25f"), QString("4 1 0"));
+    QCOMPARE(f.value("ball.position", "1f"), QString("0 0 0"));
+    QVERIFY(f.text().contains("at 25f ball.position (4 1 0) linear\n"));
+  }
+
+  void what_looks_at_something_says_so() {
+    Film f({"film flat", "create ball disc", "create sign box position=(4 0 0) look-at=ball"});
+    f.select("sign");
+    f.view.take(Tool::turn);
+    QVERIFY(f.view.refusal().contains("looks at something"));
+    f.keys("g");
+    QVERIFY(f.view.refusal().isEmpty());
+    QTest::keyClick(&f.view, Qt::Key_Escape);
+  }
+
   void the_camera_comes_to_the_free_eye() {
     Film f({"create ball sphere", "create eye camera position=(6 0 8) look-at=ball"});
     const QString before = f.text();

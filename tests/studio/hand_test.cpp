@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/hand.h"
+
+#include <QTest>
+#include <random>
+
+#include "betwixt/language.h"
+#include "studio/navigation.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr double degree = pi / 180;
+
+Program compiled(const char* text) { return Program::compile(load_text(text, "test").document); }
+QString said(const std::vector<std::string>& lines) {
+  QStringList out;
+  for (const std::string& line : lines) out << QString::fromStdString(line);
+  return out.join("; ");
+}
+
+}  // namespace
+
+class HandTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void numbers_are_as_tidy_as_a_pixel() {
+    QCOMPARE(tidy(1.23456, 0.02), 1.23);
+    QCOMPARE(tidy(1.23456, 0.01), 1.23);
+    QCOMPARE(tidy(1.23456, 0.9), 1.2);
+    QCOMPARE(tidy(1.23456, 1), 1.0);
+    QCOMPARE(tidy(1234.56, 30), 1230.0);
+    QCOMPARE(std::signbit(tidy(-0.001, 0.1)), false);
+    QCOMPARE(tidy_step(1), 1.0);
+    QCOMPARE(tidy_step(0.3), 0.2);
+    QCOMPARE(tidy_step(7), 5.0);
+  }
+
+  // Whatever the turn, the angles are those of the same orientation; near ones stay near, whole turns too.
+  void angles_come_back_from_orientations() {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> any(-9, 9);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 angles{any(random), any(random), any(random)}, near = angles + Vec3{0.01, -0.02, 0.01};
+      const Vec3 back = angles_near(from_angles(angles), near);
+      QVERIFY(std::abs(std::abs(dot(from_angles(back), from_angles(angles))) - 1) < 1e-12);
+      QVERIFY(length(back - near) <= length(angles - near) + 1e-9);
+    }
+    const Vec3 pole = angles_near(from_angles({0.3, pi / 2, 0.2}), {0.3, 1.5, 0});
+    QVERIFY(std::abs(dot(from_angles(pole), from_angles({0.3, pi / 2, 0.2}))) > 1 - 1e-12);
+    QCOMPARE(pole.x, 0.3);
+  }
+
+  void things_turn_about_the_worlds_axes_whatever_holds_them() {
+    const Program p = compiled(
+        "create arm group rotation=euler(90deg 0 0)\ncreate hand box rotation=euler(0 0 20deg)\ncouple hand to arm\n");
+    const ObjectId hand = p.document().find("hand");
+    // The world's y is the arm's -z.
+    QCOMPARE(said(Hand(p, {}, {hand}, false).turn({0, 1, 0}, 30 * degree, 0.01)),
+             QString("set hand.rotation euler(0 0 -10deg)"));
+    QCOMPARE(said(Hand(p, {}, {hand}, true).turn({0, 1, 0}, 380 * degree, 0.01)),
+             QString("at 1f hand.rotation euler(0 0 -360deg)"));
+  }
+
+  void what_hangs_keeps_its_own_directions() {
+    const Program p = compiled(
+        "create pin group rotation=euler(0 0 90deg) position=(5 0 0)\ncreate rod box position=(1 0 0)\nhang rod on "
+        "pin\n");
+    const ObjectId rod = p.document().find("rod");
+    const Hand hand(p, {}, {rod}, false);
+    const Frame f = p.frame({});
+    QVERIFY(length(hand.place() - translation_of(f.items[0].world)) < 1e-12);
+    // Where its position is said anew, it must come to be there.
+    const auto lines = hand.move({1, 2, 0}, 1e-6);
+    const Document d = load_text("create pin group rotation=euler(0 0 90deg) position=(5 0 0)\ncreate rod box\n" +
+                                     lines.at(0) + "\nhang rod on pin\n",
+                                 "test")
+                           .document;
+    const Vec3 there = translation_of(Program::compile(d).frame({}).items[0].world);
+    QVERIFY(length(there - hand.place() - Vec3{1, 2, 0}) < 1e-9);
+    QCOMPARE(said(hand.turn({0, 0, 1}, 10 * degree, 0.01)), QString("set rod.rotation euler(0 0 10deg)"));
+  }
+
+  void the_eye_turns_about_a_place_and_stays_upright() {
+    Camera c;
+    c.world = look_at({3, 4, 5}, {1, 1, 1});
+    const Vec3 about{1, 1, 1};
+    const Camera turned = orbited(c, about, 0.7, 0.2);
+    QVERIFY(std::abs(length(translation_of(turned.world) - about) - length(Vec3{2, 3, 4})) < 1e-12);
+    const auto spot = Projection(turned, 1.5).spot(about);
+    QVERIFY(std::abs(spot->x - 0.5) < 1e-12 && std::abs(spot->y - 0.5) < 1e-12);
+    QVERIFY(std::abs(column(turned.world, 0).y) < 1e-12);
+    // It never tips over.
+    QVERIFY(column(orbited(c, about, 0, -9).world, 1).y > 0);
+    QVERIFY(column(orbited(c, about, 0, 9).world, 1).y > 0);
+  }
+
+  void the_place_one_zooms_to_stays_and_what_is_panned_goes_along() {
+    for (const bool flat : {false, true}) {
+      Camera c;
+      c.orthographic = flat;
+      c.world = look_at({3, 4, 5}, {1, 1, 1});
+      const Vec3 place = Projection(c, 1.5).place(0.8, 0.3, 4);
+      const auto near = Projection(zoomed(c, place, 0.5), 1.5).spot(place);
+      QVERIFY(std::abs(near->x - 0.8) < 1e-12 && std::abs(near->y - 0.3) < 1e-12);
+      const auto panned_to = Projection(panned(c, 1.5, 0.1, -0.2, 4), 1.5).spot(place);
+      QVERIFY(std::abs(panned_to->x - 0.9) < 1e-12 && std::abs(panned_to->y - 0.1) < 1e-12);
+    }
+  }
+
+  void all_of_a_box_is_framed() {
+    Box box;
+    box.add(Vec3{-3, 0, 2});
+    box.add(Vec3{1, 5, 4});
+    for (const bool flat : {false, true})
+      for (const double aspect : {0.5, 1.0, 2.5}) {
+        Camera c;
+        c.orthographic = flat;
+        c.world = look_at({3, 4, 50}, {1, 1, 1});
+        const Projection p(framed(c, box, aspect), aspect);
+        for (int k = 0; k < 8; ++k) {
+          const auto s = p.spot({k & 1 ? -3.0 : 1.0, k & 2 ? 0.0 : 5.0, k & 4 ? 2.0 : 4.0});
+          QVERIFY(s && s->x > 0 && s->x < 1 && s->y > 0 && s->y < 1);
+        }
+      }
+  }
+
+  void with_perspective_or_without_it_is_as_large() {
+    Camera c;
+    c.world = translation({0, 0, 10});
+    const Camera flat = with_perspective(c, false, 1.5, 10);
+    QVERIFY(flat.orthographic);
+    QVERIFY(std::abs(Projection(flat, 1.5).height(1) - Projection(c, 1.5).height(10)) < 1e-12);
+    const Camera back = with_perspective(flat, true, 1.5, 10);
+    QVERIFY(!back.orthographic);
+    QVERIFY(length(translation_of(back.world) - Vec3{0, 0, 10}) < 1e-9);
+  }
+};
+
+}  // namespace betwixt::studio
+
+QTEST_MAIN(betwixt::studio::HandTest)
+#include "hand_test.moc"
