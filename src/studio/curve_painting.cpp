@@ -32,12 +32,13 @@ QColor CurvePane::color(const CurveLine& line) const {
 
 // Lines at round values, with their numbers.
 void CurvePane::paint_values(QPainter& p) const {
+  if (each_fills_) return;
   const Colors& c = colors();
   const double least = 2.5 * line_height() / scale_, power = std::pow(10, std::floor(std::log10(least)));
   double step = 10 * power;
   for (const double k : {5., 2., 1.})
     if (k * power >= least) step = k * power;
-  const double low = value_at(height()), high = value_at(ruler_height());
+  const double low = level_at(height()), high = level_at(ruler_height());
   if (!((high - low) / step < 1000)) return;
   for (double i = std::ceil(low / step); i * step <= high; ++i) {
     const double y = y_of(i * step);
@@ -77,7 +78,7 @@ void CurvePane::paint_curves(QPainter& p) const {
     for (std::size_t x = 0; x < samples_.columns(); ++x) {
       const std::optional<double> v = value(line, x);
       if (!v) continue;  // not known yet
-      const QPointF at(left + static_cast<double>(x), std::clamp(y_of(*v), -1e5, 1e5));
+      const QPointF at(left + static_cast<double>(x), std::clamp(y_of(line, *v), -1e5, 1e5));
       if (on && lines_[line].steps && way.currentPosition().y() != at.y())
         way.lineTo(at.x(), way.currentPosition().y());
       on ? way.lineTo(at) : way.moveTo(at);
@@ -113,7 +114,7 @@ void CurvePane::paint_events(QPainter& p) const {
   const Colors& c = colors();
   for (const auto& [line, h] : handles()) {
     const QColor ink = color(lines_[line]);
-    const QPointF at = place(h), base = place(h.from, h.base);
+    const QPointF at = place(line, h), base = place(line, h.from, h.base);
     const double r = reach() * 0.55;
     if (h.what == What::ease_in || h.what == What::ease_out) {
       const bool none = h.time == h.from;
@@ -131,7 +132,7 @@ void CurvePane::paint_events(QPainter& p) const {
   for (const auto& [line, h] : points()) {
     const bool on = is_selected(h.event);
     const double r = reach() * (on ? 0.75 : 0.6);
-    QPointF at = place(h);
+    QPointF at = place(line, h);
     if (lines_[line].swatch) continue;
     p.setPen(QPen(on ? c.accent : c.back, on ? 2 : 1)), p.setBrush(on ? c.selected : color(lines_[line]));
     p.drawEllipse(at, r, r);
@@ -143,6 +144,7 @@ void CurvePane::paint_twerpers(QPainter& p) const {
   const Colors& c = colors();
   const Document& d = desk_.document();
   int said = 0;
+  words_.clear();
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     if (!seen(i) || (lines_[i].part > 0 && lines_[i - 1].target == lines_[i].target)) continue;
     for (const EventAt& e : desk_.events_selected()) {
@@ -160,11 +162,13 @@ void CurvePane::paint_twerpers(QPainter& p) const {
         const QString words = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
         const double w = fontMetrics().horizontalAdvance(words) + 8;
         if (w > x_of(*next) - x_of(e.time)) return;
-        const double y = v ? y_of(*v) - line_height() * 0.9 : height() - line_height() * 2;
-        p.setPen(Qt::NoPen), p.setBrush(faint(c.raised, 0.85F));
-        p.drawRoundedRect(QRectF(x - w / 2, y - line_height() / 2.0, w, line_height() * 0.9), 3, 3);
+        const double y = v ? y_of(i, *v) - line_height() * 0.9 : height() - line_height() * 2;
+        const QRectF box(x - w / 2, y - line_height() / 2.0, w, line_height() * 0.9);
+        p.setPen(QPen(c.line, 1)), p.setBrush(faint(c.raised, 0.85F));
+        p.drawRoundedRect(box, 3, 3);
         p.setPen(view.twerper.empty() || !track->twerper.empty() ? c.dim : c.text);
-        p.drawText(QRectF(x - w / 2, y - line_height() / 2.0, w, line_height() * 0.9), Qt::AlignCenter, words);
+        p.drawText(box, Qt::AlignCenter, words);
+        words_.push_back(box);
         ++said;
       });
     }

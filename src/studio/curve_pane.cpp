@@ -23,7 +23,10 @@ CurvePane::CurvePane(Desk& desk, QWidget* parent) : TimePane(desk, parent) {
   more_.setInterval(0);
   connect(&more_, &QTimer::timeout, this, &CurvePane::go_on);
   connect(&desk, &Desk::document_changed, this, &CurvePane::lay_out);
-  connect(&desk, &Desk::selection_changed, this, &CurvePane::lay_out);
+  connect(&desk, &Desk::selection_changed, this, [this] {
+    picked_ = PickedTimes(desk_.events_selected());
+    shown_ == desk_.selected() ? update() : lay_out();
+  });
   connect(&axis_, &TimeAxis::changed, this, &CurvePane::sample);
 }
 
@@ -37,14 +40,17 @@ void CurvePane::resizeEvent(QResizeEvent* e) {
 
 void CurvePane::lay_out() {
   if (!isVisible()) return;
-  const auto lines = curve_lines(desk_.document(), desk_.selected());
+  shown_ = desk_.selected();
+  const auto lines = curve_lines(desk_.document(), shown_);
   const auto names = [](const std::vector<CurveLine>& all) {
     std::vector<std::pair<Target, int>> out;
     for (const CurveLine& l : all) out.emplace_back(l.target, l.part);
     return out;
   };
   if (names(lines) != names(lines_) && !desk_.looks_ahead()) fitted_ = false;
-  lines_ = lines;
+  if (lines.size() != lines_.size()) fitted_ = false;
+  lines_ = lines, base_.resize(lines_.size()), unit_.resize(lines_.size(), 1),
+  picked_ = PickedTimes(desk_.events_selected());
   sample();
 }
 
@@ -69,32 +75,51 @@ void CurvePane::finish() {
 }
 
 void CurvePane::fit() {
-  double low = 1e300, high = -1e300;
-  const auto take = [&](std::optional<double> v) {
-    if (v && std::isfinite(*v)) low = std::min(low, *v), high = std::max(high, *v);
+  std::vector<std::pair<double, double>> spans(lines_.size(), {1e300, -1e300});
+  const auto take = [&](std::size_t line, std::optional<double> v) {
+    if (!v || !std::isfinite(*v)) return;
+    spans[line] = {std::min(spans[line].first, *v), std::max(spans[line].second, *v)};
   };
   for (std::size_t i = 0; i < lines_.size(); ++i)
     for (std::size_t c = 0; seen(i) && !lines_[i].swatch && c < samples_.columns(); ++c)
-      take(samples_.final(i, c)), take(samples_.has_bare(i) ? samples_.bare(i, c) : std::nullopt);
-  for (const auto& [line, h] : points()) take(h.value);
-  if (low > high) low = -1, high = 1;
+      take(i, samples_.final(i, c)), take(i, samples_.has_bare(i) ? samples_.bare(i, c) : std::nullopt);
+  for (const auto& [line, h] : points()) take(line, h.value);
+  // Lines of one function, or all.
+  const auto alike = [&](std::size_t a, std::size_t b) {
+    const Target &s = lines_[a].target, &t = lines_[b].target;
+    return !each_fills_ || (s.object == t.object && s.function == t.function && s.velocity == t.velocity);
+  };
+  const auto together = [&](std::size_t line) {
+    std::pair<double, double> all{1e300, -1e300};
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (alike(line, i)) all = {std::min(all.first, spans[i].first), std::max(all.second, spans[i].second)};
+    if (all.first > all.second) all = {-1, 1};
+    const double least = std::max(1e-9, std::abs(all.first) * 1e-6);
+    if (all.second - all.first < least) all = {all.first - 1, all.second + 1};
+    return all;
+  };
   const double room = std::max(10.0, (height() - ruler_height()) * 0.8);
-  center_ = (low + high) / 2, scale_ = room / std::max(high - low, std::max(1e-9, std::abs(center_) * 1e-6));
-  if (high - low < 1e-9) scale_ = room / 2;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const auto [low, high] = together(i);
+    base_[i] = each_fills_ ? low : 0, unit_[i] = each_fills_ ? high - low : 1;
+    center_ = each_fills_ ? 0.5 : (low + high) / 2, scale_ = each_fills_ ? room : room / (high - low);
+  }
   update();
 }
 
-QPointF CurvePane::place(const Handle& h) const {
-  QPointF at = place(h.time, h.value);
+void CurvePane::let_each_fill(bool on) {
+  each_fills_ = on;
+  finish(), fit();
+  emit fill_changed(on);
+}
+
+QPointF CurvePane::place(std::size_t line, const Handle& h) const {
+  QPointF at = place(line, h.time, h.value);
   // Eases lie below the point, and can be taken hold of where there are none.
   const double stub = reach() * 1.5;
   if (h.what == Handle::What::ease_out) at = {std::max(at.x(), x_of(h.from) + stub), at.y() + 2.2 * reach()};
   if (h.what == Handle::What::ease_in) at = {std::min(at.x(), x_of(h.from) - stub), at.y() + 2.2 * reach()};
   return at;
-}
-
-bool CurvePane::is_selected(const EventAt& e) const {
-  return std::ranges::find(desk_.events_selected(), e) != desk_.events_selected().end();
 }
 
 std::vector<std::pair<std::size_t, Handle>> CurvePane::points() const {
@@ -120,8 +145,13 @@ std::vector<std::pair<std::size_t, Handle>> CurvePane::handles() const {
   for (const EventAt& e : desk_.events_selected())
     for (std::size_t i = 0; i < lines_.size() && all.size() < most; ++i)
       if (seen(i) && lines_[i].target == e.target && !lines_[i].swatch)
-        for (const Handle& h : studio::handles(desk_.document(), lines_[i], e.time))
-          if (h.what != Handle::What::point) all.push_back({i, h});
+        for (const Handle& h : studio::handles(desk_.document(), lines_[i], e.time)) {
+          // An ease is of all numbers, and has one bar.
+          const bool ease = h.what == Handle::What::ease_in || h.what == Handle::What::ease_out;
+          const bool first = std::ranges::none_of(
+              all, [&](const auto& known) { return known.second.what == h.what && known.second.event == h.event; });
+          if (h.what != Handle::What::point && (first || !ease)) all.push_back({i, h});
+        }
   return all;
 }
 
@@ -131,7 +161,7 @@ static auto nearest(const CurvePane& pane, const All& all, const QPointF& at, do
   std::optional<typename All::value_type> best;
   double away = reach;
   for (const auto& one : all)
-    if (const double d = QLineF(pane.place(one.second), at).length(); d <= away) best = one, away = d;
+    if (const double d = QLineF(pane.place(one.first, one.second), at).length(); d <= away) best = one, away = d;
   return best;
 }
 
@@ -179,9 +209,20 @@ void CurvePane::press(QMouseEvent* e) {
     }
     return desk_.select_events(std::move(all));
   }
+  if (press_twerper(from_)) return;
   hand_ = Hand::box;
   before_ = adds ? desk_.events_selected() : std::vector<EventAt>();
   desk_.select_events(before_);
+}
+
+bool CurvePane::press_twerper(const QPointF& at) {
+  if (std::ranges::none_of(words_, [&](const QRectF& box) { return box.contains(at); })) return false;
+  auto* menu = new QMenu(this);
+  menu->setObjectName("twerpers");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  EventHands::of(desk_).fill_twerpers(*menu);
+  menu->popup(mapToGlobal(at.toPoint()));
+  return true;
 }
 
 Lines CurvePane::said_by(QMouseEvent* e) {
@@ -193,7 +234,7 @@ Lines CurvePane::said_by(QMouseEvent* e) {
   const bool still_x = at.x() == from_.x(), still_y = at.y() == from_.y();
   Time t = still_x ? held_.time : time_at(x_of(held_.time) + at.x() - from_.x());
   if (!(e->modifiers() & Qt::ControlModifier) && !still_x) t = nearest_frame(t);
-  const double step = 1 / scale_;
+  const double step = unit_[line_] / scale_;
   const double value = still_y ? held_.value : rounded(held_.value - (at.y() - from_.y()) * step, step);
   const Document& d = desk_.session().document();
   if (hand_ == Hand::points) {
@@ -210,7 +251,7 @@ void CurvePane::drag(QMouseEvent* e) {
     std::vector<EventAt> all = before_;
     const QRectF box = QRectF(from_, to_).normalized();
     for (const auto& [line, h] : points())
-      if (box.contains(place(h)) && std::ranges::find(all, h.event) == all.end()) all.push_back(h.event);
+      if (box.contains(place(line, h)) && std::ranges::find(all, h.event) == all.end()) all.push_back(h.event);
     return desk_.select_events(std::move(all));
   }
   const Lines lines = said_by(e);
@@ -259,6 +300,10 @@ bool CurvePane::key(int key, Qt::KeyboardModifiers with, bool act) {
     if (act) finish(), fit();
     return true;
   }
+  if (key == Qt::Key_N && with == Qt::NoModifier) {
+    if (act) let_each_fill(!each_fills_);
+    return true;
+  }
   if (key == Qt::Key_A && with == Qt::ControlModifier) {
     if (!act) return true;
     std::vector<EventAt> all;
@@ -275,7 +320,8 @@ bool CurvePane::key(int key, Qt::KeyboardModifiers with, bool act) {
   if ((up || down) && with == Qt::ControlModifier && !desk_.events_selected().empty()) {
     const auto line = std::ranges::find(lines_, desk_.events_selected().back().target, &CurveLine::target);
     if (line == lines_.end()) return false;
-    const double step = rounded(10 / scale_, 10 / scale_);
+    const double pixels = 10 * unit_[static_cast<std::size_t>(line - lines_.begin())] / scale_;
+    const double step = rounded(pixels, pixels);
     if (act) desk_.say(point_lines(desk_.document(), *line, desk_.events_selected(), {}, up ? step : -step));
     return true;
   }
@@ -284,7 +330,7 @@ bool CurvePane::key(int key, Qt::KeyboardModifiers with, bool act) {
 
 void CurvePane::wheel(QWheelEvent* e) {
   if (!(e->modifiers() & Qt::ControlModifier)) return zoom_time(e);
-  const double at = value_at(e->position().y());
+  const double at = level_at(e->position().y());
   scale_ = std::clamp(scale_ * std::pow(1.0015, e->angleDelta().y()), 1e-9, 1e9);
   center_ = at - (middle_ - e->position().y()) / scale_;
   update();
@@ -301,8 +347,8 @@ void CurvePane::mouseDoubleClickEvent(QMouseEvent* e) {
   double away = 4 * reach();
   for (std::size_t i = 0; i < lines_.size() && column < samples_.columns(); ++i) {
     const auto v = samples_.has_bare(i) ? samples_.bare(i, column) : samples_.final(i, column);
-    if (!seen(i) || !v || lines_[i].target.velocity || std::abs(y_of(*v) - at.y()) > away) continue;
-    best = i, away = std::abs(y_of(*v) - at.y());
+    if (!seen(i) || !v || lines_[i].target.velocity || std::abs(y_of(i, *v) - at.y()) > away) continue;
+    best = i, away = std::abs(y_of(i, *v) - at.y());
   }
   if (!best) return;
   const Target t = lines_[*best].target;

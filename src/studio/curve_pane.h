@@ -24,10 +24,17 @@ class CurvePane : public TimePane {
   const CurveSamples& samples() const { return samples_; }
   void finish();  // all columns, for tests and screenshots
   void fit();     // all values of what is seen
-  QPointF place(Time t, double value) const { return {x_of(t), y_of(value)}; }
-  QPointF place(const Handle& h) const;
+  // Each function in the whole height, so that metres and degrees are seen together.
+  void let_each_fill(bool);
+  bool each_fills() const { return each_fills_; }
+  QPointF place(std::size_t line, Time t, double value) const { return {x_of(t), y_of(line, value)}; }
+  QPointF place(std::size_t line, const Handle& h) const;
+  const std::vector<QRectF>& twerper_boxes() const { return words_; }
   // Of the events that are selected, on lines that are seen.
   std::vector<std::pair<std::size_t, Handle>> handles() const;
+
+ Q_SIGNALS:
+  void fill_changed(bool);
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -46,8 +53,9 @@ class CurvePane : public TimePane {
 
  private:
   enum class Hand { none, box, points, handle };
-  double y_of(double value) const { return middle_ - (value - center_) * scale_; }
-  double value_at(double y) const { return center_ + (middle_ - y) / scale_; }
+  double y_of(double level) const { return middle_ - (level - center_) * scale_; }
+  double level_at(double y) const { return center_ + (middle_ - y) / scale_; }
+  double y_of(std::size_t line, double value) const { return y_of((value - base_[line]) / unit_[line]); }
   double reach() const { return line_height() * 0.3; }
   bool seen(std::size_t line) const { return !hidden_.contains(lines_[line].name); }
   QColor color(const CurveLine&) const;
@@ -57,9 +65,10 @@ class CurvePane : public TimePane {
   std::vector<std::pair<std::size_t, Handle>> points() const;  // of the events that are in view
   std::optional<std::pair<std::size_t, Handle>> point_at(const QPointF&) const;
   std::optional<std::pair<std::size_t, Handle>> handle_at(const QPointF&) const;
-  bool is_selected(const EventAt&) const;
+  bool is_selected(const EventAt& e) const { return picked_.has(e); }
   Lines said_by(QMouseEvent*);  // what the hand says
   void press_name(QMouseEvent*);
+  bool press_twerper(const QPointF&);
   void paint_values(QPainter&) const;
   void paint_names(QPainter&) const;
   void paint_curves(QPainter&) const;
@@ -67,11 +76,14 @@ class CurvePane : public TimePane {
   void paint_twerpers(QPainter&) const;
 
   std::vector<CurveLine> lines_;
+  std::vector<ObjectId> shown_;  // whose these are
+  PickedTimes picked_;
   std::set<std::string> hidden_;  // by name, whichever object it is
   CurveSamples samples_;
   QTimer more_;
   double center_ = 0, scale_ = 50, middle_ = 0;  // the value in the middle; pixels for 1; where the middle is
-  bool fitted_ = false;
+  std::vector<double> base_, unit_;              // of each line: 0 and 1, or what fills the height
+  bool fitted_ = false, each_fills_ = false;
 
   Hand hand_ = Hand::none;
   QPointF from_, to_;
@@ -79,6 +91,7 @@ class CurvePane : public TimePane {
   Handle held_;
   Time by_;
   std::vector<EventAt> before_;
+  mutable std::vector<QRectF> words_;  // where twerpers are written
 };
 
 }  // namespace betwixt::studio

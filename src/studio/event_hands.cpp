@@ -145,54 +145,62 @@ bool EventHands::key(int key, Qt::KeyboardModifiers with, bool act) {
   }
 }
 
-void EventHands::fill(QMenu& menu) {
-  const bool any = !desk_.events_selected().empty();
-  menu.setToolTipsVisible(true);
-  const auto row = [&](QMenu& in, const QString& what, const QString& keys, const QString& says, auto&& does) {
-    QAction* a = in.addAction(what + (keys.isEmpty() ? "" : "\t" + keys));
-    a->setToolTip(says);
-    connect(a, &QAction::triggered, this, does);
-    return a;
-  };
-  QMenu* goes_on = menu.addMenu(tr("Go on by"));
-  row(*goes_on, tr("what goes without saying"), {}, tr("no twerper is said"), [this] { twerper(""); });
-  goes_on->addSeparator();
+// A row of a menu, with what it says in the language below the hand.
+template <class F>
+static QAction* row(EventHands* hands, QMenu& in, const QString& what, const QString& keys, const QString& says,
+                    F does) {
+  in.setToolTipsVisible(true);
+  QAction* a = in.addAction(what + (keys.isEmpty() ? "" : "\t" + keys));
+  a->setToolTip(says);
+  QObject::connect(a, &QAction::triggered, hands, does);
+  return a;
+}
+
+void EventHands::fill_twerpers(QMenu& menu) {
+  row(this, menu, tr("what goes without saying"), {}, tr("no twerper is said"), [this] { twerper(""); });
+  menu.addSeparator();
   const auto choose = [&](QMenu& in, std::string_view name, std::string_view sentence) {
-    row(in, QString::fromUtf8(name.data(), static_cast<int>(name.size())), {},
+    row(this, in, QString::fromUtf8(name.data(), static_cast<int>(name.size())), {},
         QString::fromUtf8(sentence.data(), static_cast<int>(sentence.size())),
         [this, said = std::string(name)] { twerper(said); });
   };
-  QMenu* easings = nullptr;
+  QMenu* easings = new QMenu(tr("easings"), &menu);
   for (const TwerperRow& t : twerpers().subspan(1)) {
     const bool easing = t.name.find('-') != std::string_view::npos && t.name.substr(0, 4) != "ease";
-    if (easing && !easings) easings = new QMenu(tr("easings"), goes_on), easings->setToolTipsVisible(true);
-    choose(easing ? *easings : *goes_on, t.name, t.sentence);
+    choose(easing ? *easings : menu, t.name, t.sentence);
   }
-  goes_on->setToolTipsVisible(true);
-  if (easings) goes_on->addMenu(easings);
+  menu.addMenu(easings);
   bool first = true;
   for (const ProcedureView& p : procedures(desk_.document())) {
     if (p.role != "twerper") continue;
-    if (std::exchange(first, false)) goes_on->addSeparator();
-    choose(*goes_on, p.name, p.source);
+    if (std::exchange(first, false)) menu.addSeparator();
+    choose(menu, p.name, p.source);
   }
+}
+
+void EventHands::fill(QMenu& menu) {
+  const bool any = !desk_.events_selected().empty();
+  QMenu* goes_on = menu.addMenu(tr("Go on by"));
+  fill_twerpers(*goes_on);
   QMenu* outside = menu.addMenu(tr("Outside its events a track"));
   for (const std::string how : {"hold", "linear", "cycle", "bounce"})
     for (const std::string side : {"", "before", "after"})
-      row(*outside, QString::fromStdString(side.empty() ? how : how + " " + side), {},
+      row(this, *outside, QString::fromStdString(side.empty() ? how : how + " " + side), {},
           QString::fromStdString("extend TARGET " + how + (side.empty() ? "" : " " + side)),
           [this, how, side] { extend(how, side); });
   goes_on->setEnabled(any), outside->setEnabled(any);
   menu.addSeparator();
-  row(menu, tr("Reverse"), "R", "reverse TARGET A..B", [this] { reverse(); })->setEnabled(any);
-  row(menu, tr("Copy"), "Ctrl+C", tr("to be put in elsewhere"), [this] { copy(); })->setEnabled(any);
-  row(menu, tr("Put in at the playhead"), "Ctrl+V", "copy TARGET A..B to T", [this] {
+  row(this, menu, tr("Reverse"), "R", "reverse TARGET A..B", [this] { reverse(); })->setEnabled(any);
+  row(this, menu, tr("Copy"), "Ctrl+C", tr("to be put in elsewhere"), [this] { copy(); })->setEnabled(any);
+  row(this, menu, tr("Put in at the playhead"), "Ctrl+V", "copy TARGET A..B to T", [this] {
     paste();
   })->setEnabled(!copied_.empty());
-  row(menu, tr("Once more behind it"), "Ctrl+D", "copy TARGET A..B to B", [this] { duplicate(); })->setEnabled(any);
-  row(menu, tr("Take out"), "Delete", "clear TARGET A..B", [this] { clear(); })->setEnabled(any);
+  row(this, menu, tr("Once more behind it"), "Ctrl+D", "copy TARGET A..B to B", [this] {
+    duplicate();
+  })->setEnabled(any);
+  row(this, menu, tr("Take out"), "Delete", "clear TARGET A..B", [this] { clear(); })->setEnabled(any);
   menu.addSeparator();
-  row(menu, tr("An event at the playhead"), "K", "at T TARGET VALUE", [this] {
+  row(this, menu, tr("An event at the playhead"), "K", "at T TARGET VALUE", [this] {
     insert();
   })->setEnabled(!desk_.selected().empty());
 }

@@ -19,7 +19,8 @@ class EventHands : public QObject {
 
   // Carries out what a key means; without `act` it is only asked whether it means anything.
   bool key(int, Qt::KeyboardModifiers, bool act);
-  void fill(QMenu&);  // with what can be done to what is selected
+  void fill(QMenu&);           // with what can be done to what is selected
+  void fill_twerpers(QMenu&);  // with how it can go on from there
 
   void clear();
   void reverse();

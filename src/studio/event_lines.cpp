@@ -47,9 +47,9 @@ class Together {
   void add(const Target& t, const Segments& segments) {
     const std::string object = d_.name(t.object), all = d_.name(t);
     auto& [same, functions] = of(t, segments);
-    auto known = std::ranges::find(functions, object, &Of::object);
-    if (known == functions.end()) known = functions.insert(known, {object, {}});
-    known->functions.push_back(all.substr(object.size() + 1));
+    if (functions.empty() || functions.back().object != object)
+      functions.push_back({object, {}});  // they come in order
+    functions.back().functions.push_back(all.substr(object.size() + 1));
   }
   // f(layer words, target words, segments)
   template <class F>
@@ -154,6 +154,17 @@ std::vector<Picked> by_track(std::vector<EventAt> events) {
     all.back().times.push_back(e.time);
   }
   return all;
+}
+
+PickedTimes::PickedTimes(const std::vector<EventAt>& events) {
+  for (Picked& p : by_track(events)) of_[p.target] = std::move(p.times);
+}
+
+bool PickedTimes::any(const Target& t, Time from, Time to) const {
+  const auto known = of_.find(t);
+  if (known == of_.end()) return false;
+  const auto first = std::ranges::lower_bound(known->second, from);
+  return first != known->second.end() && *first <= to;
 }
 
 std::pair<Time, Time> span(const std::vector<EventAt>& events) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,18 @@ struct Picked {
   std::vector<Time> times;
 };
 std::vector<Picked> by_track(std::vector<EventAt>);
+// Whether events are among many that are picked.
+class PickedTimes {
+ public:
+  PickedTimes() = default;
+  explicit PickedTimes(const std::vector<EventAt>&);
+  bool any(const Target&, Time from, Time to) const;
+  bool has(const EventAt& e) const { return any(e.target, e.time, e.time); }
+  const std::map<Target, std::vector<Time>, TargetOrder>& tracks() const { return of_; }
+
+ private:
+  std::map<Target, std::vector<Time>, TargetOrder> of_;
+};
 // From the first of them to the last.
 std::pair<Time, Time> span(const std::vector<EventAt>&);
 

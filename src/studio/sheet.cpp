@@ -8,11 +8,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "studio/exposures.h"
 #include "studio/sheet_pane.h"
 
 namespace betwixt::studio {
 
-Sheet::Sheet(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+Sheet::Sheet(Desk& desk, QWidget* parent) : QWidget(parent) {
   setObjectName("sheet");
   setWindowTitle(tr("Sheet"));
   auto* all = new QVBoxLayout(this);
@@ -20,7 +21,10 @@ Sheet::Sheet(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(4, 2, 4, 2), bar->setSpacing(4);
   auto* pane = new SheetPane(desk, this);
-  all->addLayout(bar), all->addWidget(pane, 1);
+  auto* exposures = new Exposures(desk, this);
+  auto* either = new QStackedLayout;
+  either->addWidget(pane), either->addWidget(exposures);
+  all->addLayout(bar), all->addLayout(either, 1);
 
   auto* search = new QLineEdit(this);
   search->setObjectName("search");
@@ -28,7 +32,8 @@ Sheet::Sheet(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   search->setToolTip(tr("Part of a name, or a pattern as in lines: wheel*.rotation"));
   search->setClearButtonEnabled(true);
   search->setMaximumWidth(30 * fontMetrics().averageCharWidth());
-  connect(search, &QLineEdit::textChanged, pane, [pane](const QString& s) { pane->search(s.toStdString()); });
+  connect(search, &QLineEdit::textChanged, pane,
+          [pane, exposures](const QString& s) { pane->search(s.toStdString()), exposures->search(s.toStdString()); });
   const auto toggle = [&](const char* name, const QString& text, const QString& tip) {
     auto* b = new QToolButton(this);
     b->setObjectName(name), b->setText(text), b->setToolTip(tip);
@@ -38,7 +43,13 @@ Sheet::Sheet(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   auto* only = toggle("only_selected", tr("selected"), tr("Only what is selected is shown; where nothing is, all"));
   only->setChecked(true);
   connect(only, &QToolButton::toggled, pane, &SheetPane::show_only_selected);
-  bar->addWidget(search), bar->addWidget(only), bar->addStretch();
+  connect(only, &QToolButton::toggled, exposures, &Exposures::show_only_selected);
+  auto* columns = toggle("columns", tr("columns"), tr("Tracks side by side, frames downwards, values in the cells"));
+  connect(columns, &QToolButton::toggled, this, [this, either](bool on) {
+    either->setCurrentIndex(on ? 1 : 0);
+    setFocusProxy(either->currentWidget());
+  });
+  bar->addWidget(search), bar->addWidget(only), bar->addWidget(columns), bar->addStretch();
   setFocusProxy(pane);
 }
 

@@ -10,16 +10,10 @@
 
 namespace betwixt::studio {
 
-class SheetPane;
-class Exposures;
-
 class Sheet : public QWidget {
   Q_OBJECT
  public:
   explicit Sheet(Desk&, QWidget* parent = nullptr);
-
- private:
-  Desk& desk_;
 };
 
 }  // namespace betwixt::studio

@@ -104,7 +104,7 @@ void SheetPane::paint_track(QPainter& p, const Target& target, double y, bool wh
       if (const auto after = next_event(d, target, right)) way(marks.back().to, x_of(*after), marks.back().last);
   }
   for (const Mark& m : marks) {
-    const bool on = picked(target, m.first, m.last);
+    const bool on = picked_.any(target, m.first, m.last);
     p.setBrush(on ? c.selected : color);
     p.setPen(QPen(on ? c.accent : c.back, on ? 1.5 : 1));
     if (m.to > m.from)

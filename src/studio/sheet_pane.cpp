@@ -64,18 +64,9 @@ std::optional<std::size_t> SheetPane::row_at(double y) const {
 QPointF SheetPane::place(std::size_t row, Time t) const { return {x_of(t), row_top(row) + line_height() / 2.0}; }
 
 void SheetPane::keep_selection() {
-  picked_.clear();
-  for (Picked& p : by_track(desk_.events_selected())) {
-    for (Time& t : p.times) t = retimed(t).value_or(t);
-    picked_[p.target] = std::move(p.times);
-  }
-}
-
-bool SheetPane::picked(const Target& t, Time from, Time to) const {
-  const auto known = picked_.find(t);
-  if (known == picked_.end()) return false;
-  const auto first = std::ranges::lower_bound(known->second, from);
-  return first != known->second.end() && *first <= to;
+  std::vector<EventAt> shown = desk_.events_selected();
+  for (EventAt& e : shown) e.time = retimed(e.time).value_or(e.time);
+  picked_ = PickedTimes(shown);
 }
 
 std::optional<QRectF> SheetPane::box() const {
@@ -85,8 +76,8 @@ std::optional<QRectF> SheetPane::box() const {
   std::optional<std::size_t> top, bottom;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto of_object = [&](const auto& p) { return p.first.object == rows_[i].object; };
-    const bool any =
-        rows_[i].whole ? !rows_[i].open && std::ranges::any_of(picked_, of_object) : picked_.contains(rows_[i].target);
+    const bool any = rows_[i].whole ? !rows_[i].open && std::ranges::any_of(picked_.tracks(), of_object)
+                                    : picked_.tracks().contains(rows_[i].target);
     if (any) bottom = i, top = top.value_or(i);
   }
   if (!top) return std::nullopt;
@@ -161,7 +152,7 @@ void SheetPane::press(QMouseEvent* e) {
   }
   const std::vector<EventAt> here = events_at(from_);
   if (!here.empty()) {
-    const bool were = std::ranges::all_of(here, [&](const EventAt& x) { return picked(x.target, x.time, x.time); });
+    const bool were = std::ranges::all_of(here, [&](const EventAt& x) { return picked_.has(x); });
     std::vector<EventAt> all = desk_.events_selected();
     if (e->modifiers() & Qt::ShiftModifier) {
       std::erase_if(all, [&](const EventAt& x) { return std::ranges::find(here, x) != here.end(); });
@@ -340,7 +331,7 @@ void SheetPane::edit(const EventAt& at) {
 
 void SheetPane::contextMenuEvent(QContextMenuEvent* e) {
   const auto here = events_at(e->pos());
-  if (!here.empty() && !picked(here.front().target, here.front().time, here.front().time)) desk_.select_events(here);
+  if (!here.empty() && !picked_.has(here.front())) desk_.select_events(here);
   QMenu menu;
   EventHands::of(desk_).fill(menu);
   menu.exec(e->globalPos());

@@ -4,7 +4,6 @@
 // The dope sheet: a row for each object and each of its tracks, events where their times are.
 #pragma once
 
-#include <map>
 #include <optional>
 
 #include "studio/event_lines.h"
@@ -57,7 +56,6 @@ class SheetPane : public TimePane {
   std::optional<Time> retimed(Time) const;
   Lines lines() const;
   void keep_selection();  // for painting
-  bool picked(const Target&, Time from, Time to) const;
   void edit(const EventAt&);
   void go_to_row(int by);
   void paint_names(QPainter&) const;
@@ -67,7 +65,7 @@ class SheetPane : public TimePane {
   SheetChoice choice_;
   bool only_selected_ = true;
   std::vector<SheetRow> rows_;
-  std::map<Target, std::vector<Time>, TargetOrder> picked_;  // as it is shown
+  PickedTimes picked_;  // as it is shown
   std::size_t current_ = 0;
   QScrollBar* scroll_;
   QLineEdit* words_ = nullptr;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/curves.h"
 
+#include <QMenu>
+
 #include "betwixt/language.h"
 #include "hands.h"
 #include "studio/curve_pane.h"
@@ -30,7 +32,7 @@ struct Shown {
     at.desk.select({at.find("ball")});
     pane.finish(), pane.fit();
   }
-  QPoint place(double frame, double value) const { return pane.place(at.frame(frame), value).toPoint(); }
+  QPoint place(double frame, double value) const { return pane.place(0, at.frame(frame), value).toPoint(); }
   int left() const { return axis.gutter(); }
   double value(double frame) const {
     return *pane.samples().final(0, static_cast<std::size_t>(place(frame, 0).x() - left()));
@@ -139,11 +141,38 @@ class CurvesTest : public QObject {
     QCOMPARE(s.at.desk.events_selected().size(), std::size_t(1));
     QPoint bar;
     for (const auto& [line, h] : s.pane.handles())
-      if (h.what == What::ease_out) bar = s.pane.place(h).toPoint();
+      if (h.what == What::ease_out) bar = s.pane.place(line, h).toPoint();
     drag(s.pane, bar, QPoint(bar.x() + s.place(9, 0).x() - s.place(1, 0).x(), bar.y()));
     QCOMPARE(s.at.said, std::vector<std::string>{"at 1f ball.position.x 0 linear ease-out=8f"});
     s.at.desk.undo();
     QCOMPARE(s.at.desk.text(), film);
+  }
+  void metres_and_degrees_fill_the_height() {
+    Shown s(film + "ball.rotation.z\n  1f 0 linear\n  25f 360deg\n");
+    QTest::keyClick(&s.pane, Qt::Key_N);
+    // The ends of both lie at the same height, and a hand moves each in its own measure.
+    QCOMPARE(s.pane.place(0, s.at.frame(25), 24), s.pane.place(1, s.at.frame(25), 360));
+    QCOMPARE(s.pane.place(0, s.at.frame(1), 0), s.pane.place(1, s.at.frame(1), 0));
+    const QPoint at = s.pane.place(1, s.at.frame(25), 360).toPoint();
+    s.at.desk.select_events({{s.pane.lines()[1].target, s.at.frame(25)}});
+    QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, {10, 40});  // the first line is put away
+    drag(s.pane, at, s.pane.place(1, s.at.frame(25), 180).toPoint(), Qt::ShiftModifier);
+    QVERIFY(s.at.said.size() == 1 && s.at.said[0].starts_with("at 25f ball.rotation.z 1"));
+    const double angle = numbers(s.at.desk.program().read(s.pane.lines()[1].target, s.at.frame(25)))[0];
+    QVERIFY(std::abs(angle - pi) < 0.03);
+  }
+  void the_twerper_is_chosen_beside_the_curve() {
+    Shown s;
+    QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(25, 24));
+    s.pane.grab();
+    QCOMPARE(s.pane.twerper_boxes().size(), std::size_t(1));
+    QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.pane.twerper_boxes()[0].center().toPoint());
+    auto* menu = s.pane.findChild<QMenu*>("twerpers");
+    QVERIFY(menu);
+    for (QAction* a : menu->actions())
+      if (a->text() == "smooth") a->trigger();
+    menu->close();
+    QCOMPARE(s.at.said, std::vector<std::string>{"at 25f ball.position.x 24 smooth"});
   }
   void a_double_click_writes_an_event_on_the_curve() {
     Shown s;

@@ -8,6 +8,7 @@
 
 #include "betwixt/language.h"
 #include "hands.h"
+#include "studio/exposures.h"
 #include "studio/sheet_pane.h"
 
 using namespace betwixt;
@@ -155,6 +156,34 @@ class SheetTest : public QObject {
     QTest::keyClicks(words, "green hold");
     QTest::keyClick(words, Qt::Key_Return);
     QCOMPARE(s.at.said.back(), "at 24f ball.color green hold");
+  }
+  void columns_have_values_in_cells() {
+    Shown s;
+    s.panel.findChild<QToolButton*>("columns")->click();
+    auto& cells = *s.panel.findChild<Exposures*>("exposures");
+    QCOMPARE(cells.columns().size(), std::size_t(3));
+    const auto at = [&](std::size_t column, int frame) { return cells.cell(column, frame).center().toPoint(); };
+    // A value is written into an empty cell, another one over it, and it is wiped out.
+    for (const char* words : {"gold", "blue hold", ""}) {
+      QTest::mouseDClick(&cells, Qt::LeftButton, Qt::NoModifier, at(1, 3));
+      auto* edit = cells.findChild<QLineEdit*>("cell_words");
+      edit->selectAll();
+      QTest::keyClick(edit, Qt::Key_Backspace);
+      QTest::keyClicks(edit, words);
+      QTest::keyClick(edit, Qt::Key_Return);
+      QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    QCOMPARE(s.at.said,
+             (std::vector<std::string>{"at 3f ball.color gold", "at 3f ball.color blue hold", "clear ball.color 3f"}));
+    QVERIFY(s.at.is(film));
+    drag(cells, at(0, 1), at(0, 5));
+    QCOMPARE(s.at.said.back(), "move ball.position 1f..1f by 4f");
+    QCOMPARE(s.selected("ball.position"), Frames{5});
+    QTest::keyClick(&cells, Qt::Key_Delete);
+    QCOMPARE(s.at.said.back(), "clear ball.position 5f");
+    QCOMPARE(s.at.desk.time(), s.at.frame(1));
+    QTest::keyClick(&cells, Qt::Key_Down);
+    QCOMPARE(s.at.desk.time(), s.at.frame(2));
   }
   // 1,000 objects with 1,000 events each.
   void a_million_events_are_painted_at_once() {
