@@ -195,6 +195,10 @@ Vec3 Pull::axis(int i) const {
   return a;
 }
 
+bool Pull::is_along(int i) const {
+  return is_axis(part_) ? axis_of(part_) == i : is_plane(part_) && axis_of(part_) != i;
+}
+
 void Pull::move_to(QPointF p, bool fine, bool snap) {
   snap_ = snap;
   const auto middle = scope_.spot(hand_.place());

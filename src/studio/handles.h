@@ -76,6 +76,7 @@ class Pull {
   const Hand& hand() const { return hand_; }
   const Scope& scope() const { return scope_; }
   Vec3 axis(int) const;
+  bool is_along(int axis) const;  // whether the part lets it go along (or about) that axis alone, or a plane with it
 
  private:
   std::optional<double> typed() const;

@@ -119,9 +119,15 @@ const Frame& Viewport::frame() const {
   return *frame_;
 }
 
+// Of a film that plays the picture brings it along.
+Camera Viewport::eye() const {
+  if (free_) return *free_;
+  return desk_.transport().playing() && !shown_.image.isNull() ? shown_.eye : frame().camera;
+}
+
 Scope Viewport::scope() const {
   const QRectF box = picture_box();
-  return {Projection(free_ ? *free_ : frame().camera, box.width() / box.height()), box};
+  return {Projection(eye(), box.width() / box.height()), box};
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {

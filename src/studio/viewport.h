@@ -98,6 +98,7 @@ class Viewport : public QWidget {
   void take_picture(const PictureMade&);
   void forget();  // what was worked out of the film and the time
   Time shown_time() const;
+  Camera eye() const;
 
   // Looking (viewport_navigation.cpp)
   void move_eye(const Camera&);
@@ -133,6 +134,7 @@ class Viewport : public QWidget {
   void paint_outlines(QPainter&, const Scope&);
   void paint_brackets(QPainter&, const Scope&, ObjectId);
   void paint_icons(QPainter&, const Scope&);
+  void paint_pull(QPainter&);
   void paint_words(QPainter&);
   void paint_camera(QPainter&, const Scope&);
 

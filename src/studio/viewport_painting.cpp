@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "betwixt/object.h"
 #include "studio/marks.h"
 #include "studio/theme.h"
 #include "studio/viewport.h"
@@ -34,14 +35,16 @@ void Viewport::paintEvent(QPaintEvent*) {
   const bool stands = !desk_.transport().playing();
   if (switches_.grid) paint_grid(p, s);
   if (switches_.ghosts && stands && !desk_.looks_ahead())
-    ghosts_.paint(p, s, free_ ? *free_ : frame().camera, frame(), with_what_hangs_on(desk_.selected()));
+    ghosts_.paint(p, s, eye(), frame(), with_what_hangs_on(desk_.selected()));
   if (switches_.trails && !desk_.selected().empty() && !trails_.paint(p, s, shown_time()))
     QMetaObject::invokeMethod(this, qOverload<>(&QWidget::update), Qt::QueuedConnection);
   if (!desk_.selected().empty()) paint_outlines(p, s);
   if (is_free() || !desk_.selected().empty()) paint_icons(p, s);
-  if (is_free()) paint_camera(p, s);
-  if (!pull_)
-    if (const auto h = handles()) h->paint(p, hot_);
+  if (is_free() && stands) paint_camera(p, s);
+  if (pull_)
+    paint_pull(p);
+  else if (const auto h = handles())
+    h->paint(p, hot_);
   paint_words(p);
 }
 
@@ -66,7 +69,7 @@ bool Viewport::is_bright() const {
 
 // Lines on the floor, or on a drawing's paper.
 void Viewport::paint_grid(QPainter& p, const Scope& s) {
-  const Camera eye = free_ ? *free_ : frame().camera;
+  const Camera eye = this->eye();
   if (!grid_ || !(grid_->eye == eye) || grid_->box != picture_box()) {
     grid_ = Layer{layer(), {}, eye, picture_box()};
     QPainter on(&grid_->image);
@@ -129,7 +132,7 @@ void Viewport::clear_things(QPainter& p, const Scope& s) const {
 
 // Around what is seen of them: a line; of much at once only the corners of a box.
 void Viewport::paint_outlines(QPainter& p, const Scope& s) {
-  const Camera eye = free_ ? *free_ : frame().camera;
+  const Camera eye = this->eye();
   if (!outline_ || outline_->of != desk_.selected() || !(outline_->eye == eye) || outline_->box != picture_box()) {
     outline_ = Layer{{}, desk_.selected(), eye, picture_box()};
     bracketed_.clear();
@@ -137,8 +140,11 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
     QPainter on(&mask);
     on.setClipRect(s.box);
     std::size_t things = 0, corners = 0;
+    // A group is what hangs on it.
     const std::vector<ObjectId>& ids = desk_.selected();
-    const Marks marked(ids);
+    const bool groups =
+        std::any_of(ids.begin(), ids.end(), [&](ObjectId id) { return kind(desk_.document(), id) == Kind::group; });
+    const Marks marked(groups ? with_what_hangs_on(ids) : ids);
     for (const Item& i : frame().items) {
       if (!marked(i.id)) continue;
       corners += i.shape->mesh ? i.shape->mesh->positions.size() : 300;
@@ -238,6 +244,30 @@ void Viewport::paint_camera(QPainter& p, const Scope& s) {
   p.drawPolygon(window);
   if (!c.orthographic)
     for (const QPointF& corner : window) p.drawLine(*eye, corner);
+  p.restore();
+}
+
+// The axes that something is pulled along.
+void Viewport::paint_pull(QPainter& p) {
+  const Scope s = scope();
+  p.save();
+  p.setClipRect(s.box);
+  p.setRenderHint(QPainter::Antialiasing);
+  const Colors& c = picture_colors();
+  const QColor all[] = {c.x, c.y, c.z};
+  const double reach = s.metres(std::max(1e-3, s.depth(pull_->hand().place()))) * 4000;
+  for (int i = 0; i < 3; ++i) {
+    if (!pull_->is_along(i)) continue;
+    QColor color = all[i];
+    color.setAlpha(170);
+    p.setPen(QPen(color, 1.25));
+    std::optional<QPointF> before;
+    for (int k = -200; k <= 200; ++k) {
+      const auto spot = s.spot(pull_->hand().place() + reach * k / 200 * pull_->axis(i));
+      if (before && spot) p.drawLine(*before, *spot);
+      before = spot;
+    }
+  }
   p.restore();
 }
 
