@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/actions.h"
 
+#include "studio/event_hands.h"
 #include "studio/viewport.h"
 #include "studio/window.h"
 
@@ -24,6 +25,8 @@ const std::vector<ActionRow>& action_rows() {
        [](Window& w) { w.desk().undo(); }},
       {"Edit", "Redo", "Ctrl+Shift+Z; Ctrl+Y", "Does again what was taken back: `redo`.",
        [](Window& w) { w.desk().redo(); }},
+      {"Edit", "An event at the playhead", "K", "Of each track of what is selected: `at T TARGET VALUE`.",
+       [](Window& w) { EventHands::of(w.desk()).insert(); }},
       {"Play", "Play", "Space", "Plays from here, or stops.",
        [](Window& w) { w.desk().transport().playing() ? w.desk().pause() : w.desk().play(1); }},
       {"Play", "Play backwards", "Shift+Space", "Plays from here to the beginning, or stops.",

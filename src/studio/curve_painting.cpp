@@ -86,12 +86,11 @@ void CurvePane::paint_curves(QPainter& p) const {
     }
     return way;
   };
-  int strip = 0;
   for (std::size_t i = 0; i < lines_.size() && i < samples_.lines().size(); ++i) {
     if (!seen(i)) continue;
     const CurveLine& line = lines_[i];
     if (line.swatch) {  // colours are bands, one above the other
-      const double h = line_height() * 0.8, y = height() - ++strip * (h + 3);
+      const double h = line_height() * 0.8, y = strip(i) - h / 2;
       std::optional<Color> last;
       for (std::size_t x = 0; x < samples_.columns(); ++x) {
         if (const auto c = samples_.color(i, x)) last = c;
@@ -132,8 +131,7 @@ void CurvePane::paint_events(QPainter& p) const {
   for (const auto& [line, h] : points()) {
     const bool on = is_selected(h.event);
     const double r = reach() * (on ? 0.75 : 0.6);
-    QPointF at = place(line, h);
-    if (lines_[line].swatch) continue;
+    const QPointF at = place(line, h);
     p.setPen(QPen(on ? c.accent : c.back, on ? 2 : 1)), p.setBrush(on ? c.selected : color(lines_[line]));
     p.drawEllipse(at, r, r);
   }
@@ -162,7 +160,7 @@ void CurvePane::paint_twerpers(QPainter& p) const {
         const QString words = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
         const double w = fontMetrics().horizontalAdvance(words) + 8;
         if (w > x_of(*next) - x_of(e.time)) return;
-        const double y = v ? y_of(i, *v) - line_height() * 0.9 : height() - line_height() * 2;
+        const double y = lines_[i].swatch ? strip(i) : y_of(i, *v) - line_height() * 0.9;
         const QRectF box(x - w / 2, y - line_height() / 2.0, w, line_height() * 0.9);
         p.setPen(QPen(c.line, 1)), p.setBrush(faint(c.raised, 0.85F));
         p.drawRoundedRect(box, 3, 3);

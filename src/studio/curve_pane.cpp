@@ -113,7 +113,14 @@ void CurvePane::let_each_fill(bool on) {
   emit fill_changed(on);
 }
 
+double CurvePane::strip(std::size_t line) const {
+  int below = 0;
+  for (std::size_t i = 0; i < line; ++i) below += seen(i) && lines_[i].swatch ? 1 : 0;
+  return height() - (below + 0.5) * line_height();
+}
+
 QPointF CurvePane::place(std::size_t line, const Handle& h) const {
+  if (lines_[line].swatch) return {x_of(h.time), strip(line)};
   QPointF at = place(line, h.time, h.value);
   // Eases lie below the point, and can be taken hold of where there are none.
   const double stub = reach() * 1.5;
@@ -231,7 +238,7 @@ Lines CurvePane::said_by(QMouseEvent* e) {
     const QPointF way = at - from_;
     std::abs(way.x()) > std::abs(way.y()) ? at.setY(from_.y()) : at.setX(from_.x());
   }
-  const bool still_x = at.x() == from_.x(), still_y = at.y() == from_.y();
+  const bool still_x = at.x() == from_.x(), still_y = at.y() == from_.y() || lines_[line_].swatch;
   Time t = still_x ? held_.time : time_at(x_of(held_.time) + at.x() - from_.x());
   if (!(e->modifiers() & Qt::ControlModifier) && !still_x) t = nearest_frame(t);
   const double step = unit_[line_] / scale_;

@@ -57,6 +57,7 @@ class CurvePane : public TimePane {
   double level_at(double y) const { return center_ + (middle_ - y) / scale_; }
   double y_of(std::size_t line, double value) const { return y_of((value - base_[line]) / unit_[line]); }
   double reach() const { return line_height() * 0.3; }
+  double strip(std::size_t line) const;  // the middle of a band of colours
   bool seen(std::size_t line) const { return !hidden_.contains(lines_[line].name); }
   QColor color(const CurveLine&) const;
   void lay_out();

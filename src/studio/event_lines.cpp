@@ -15,6 +15,7 @@
 #include "scene/document.h"
 #include "studio/time_words.h"
 #include "track/twerpers.h"
+#include "track/types.h"
 
 namespace betwixt::studio {
 namespace {
@@ -102,6 +103,9 @@ class Together {
   std::vector<std::pair<Same, std::vector<Of>>> groups_;
 };
 
+// A motion's row is of a segment: it is moved, and not written anew.
+bool is_motion(const Document& d, const Target& t) { return spec_of(d.scene(), t.function).type == Type::motion; }
+
 std::string words(const Document& d, Time from, Time to) { return format_time(from, d) + ".." + format_time(to, d); }
 
 // A value's velocity goes along with it: it is not told twice.
@@ -118,6 +122,7 @@ Lines written_anew(const Document& d, const std::vector<Picked>& picked, const s
   Lines gone, come;
   Together away(d);
   for (const Picked& p : picked) {
+    if (is_motion(d, p.target)) continue;
     away.add(p.target, parts(d, p));
     for (const Time t : p.times) {
       Event e = *find_event(d, {p.target, t});
@@ -275,6 +280,7 @@ Lines copy_lines(const Document& d, const Document& source, const std::vector<Ev
       continue;
     }
     Target target = p.target;
+    if (is_motion(d, target)) continue;
     if (onto) target.object = onto;
     for (const Time t : p.times)
       if (const Event* e = find_event(source, {p.target, t})) {
@@ -303,6 +309,10 @@ Lines twerper_lines(const Document& d, const std::vector<EventAt>& events, std::
   for (const EventAt& at : events) {
     const Event* e = find_event(d, at);
     if (!e || !twerper || e->release || (e->keep && *twerper == Twerper::unset)) continue;
+    const Type type = spec_of(d.scene(), at.target.function).type;
+    if (is_motion(d, at.target) || type == Type::attachment) continue;
+    if (*twerper != Twerper::unset && !fits(*twerper, at.target.component < 0 ? type : component_track_type(type)))
+      continue;
     Event changed = *e;
     changed.twerper = *twerper;
     if (changed.detail) changed.detail.edit().arguments = {};

@@ -30,10 +30,11 @@ Sheet::Sheet(Desk& desk, QWidget* parent) : QWidget(parent) {
   search->setObjectName("search");
   search->setPlaceholderText(tr("search: ball*.position"));
   search->setToolTip(tr("Part of a name, or a pattern as in lines: wheel*.rotation"));
-  search->setClearButtonEnabled(true);
+  search->setClearButtonEnabled(true), search->setFocusPolicy(Qt::ClickFocus);
   search->setMaximumWidth(30 * fontMetrics().averageCharWidth());
   connect(search, &QLineEdit::textChanged, pane,
           [pane, exposures](const QString& s) { pane->search(s.toStdString()), exposures->search(s.toStdString()); });
+  connect(search, &QLineEdit::returnPressed, this, [this] { setFocus(); });
   const auto toggle = [&](const char* name, const QString& text, const QString& tip) {
     auto* b = new QToolButton(this);
     b->setObjectName(name), b->setText(text), b->setToolTip(tip);

@@ -75,8 +75,9 @@ std::optional<QRectF> SheetPane::box() const {
   if (first == last) return std::nullopt;
   std::optional<std::size_t> top, bottom;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto of_object = [&](const auto& p) { return p.first.object == rows_[i].object; };
-    const bool any = rows_[i].whole ? !rows_[i].open && std::ranges::any_of(picked_.tracks(), of_object)
+    const auto of_object = picked_.tracks().lower_bound({rows_[i].object, 0});
+    const bool any = rows_[i].whole ? !rows_[i].open && of_object != picked_.tracks().end() &&
+                                          of_object->first.object == rows_[i].object
                                     : picked_.tracks().contains(rows_[i].target);
     if (any) bottom = i, top = top.value_or(i);
   }

@@ -73,7 +73,7 @@ Timeline::Timeline(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
 
   at_ = new QLineEdit(this);
   at_->setObjectName("at");
-  at_->setAlignment(Qt::AlignRight);
+  at_->setAlignment(Qt::AlignRight), at_->setFocusPolicy(Qt::ClickFocus);
   at_->setFixedWidth(12 * fontMetrics().averageCharWidth());
   at_->setToolTip(tr("Where the film is. A frame's number, or a time such as 2.5s, goes there."));
   of_ = new QLabel(this);
@@ -164,7 +164,7 @@ void Timeline::go_where_said() {
   at_->setModified(false);
   if (const auto t = parse_time(time.toStdString(), desk_.document())) desk_.pause(), desk_.go_to(*t);
   show_time();
-  at_->selectAll();
+  findChild<Ruler*>()->setFocus();  // keys are keys again
 }
 
 }  // namespace betwixt::studio

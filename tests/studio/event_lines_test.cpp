@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/event_lines.h"
 
+#include <filesystem>
+#include <random>
+#include <set>
+
 #include "betwixt/language.h"
 #include "hands.h"
 
@@ -140,6 +144,76 @@ class EventLinesTest : public QObject {
              Lines{"at 18f ball.position (2.5 0 0)"});
     QCOMPARE(insert_lines(e.d(), e.at.desk.program(), {e.some[1].target, e.some[2].target}, e.at.frame(9)),
              (Lines{"on sway at 9f ball.position (0 0 1.5)", "at 9f box.rotation.z 45deg"}));
+  }
+  // In all examples, many times: what is done is done, and to nothing else.
+  void whatever_is_selected_can_be_done() {
+    std::mt19937 dice(16);
+    const auto chance = [&](unsigned n) { return dice() % n; };
+    int done = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/examples")) {
+      if (entry.path().extension() != ".bx") continue;
+      Desk desk;
+      if (!desk.open(QString::fromStdString(entry.path().string()))) continue;
+      const Document& d = desk.document();
+      std::vector<TrackView> all;
+      for (const ObjectId id : objects(d))
+        for (const TrackView& t : tracks(d, id)) {
+          const auto is_velocity = [&](const TrackView& other) { return other.target.velocity; };
+          if (t.events > 0 && t.events < 200 && std::ranges::none_of(tracks(d, id), is_velocity)) all.push_back(t);
+        }
+      for (int round = 0; round < 4 && !all.empty(); ++round) {
+        std::vector<EventAt> some;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const TrackView& t = all[chance(static_cast<unsigned>(all.size()))];
+          const unsigned of = 1 + chance(3);
+          each_event(d, t.target, t.first, t.last, [&](const EventView& e) {
+            if (chance(of) == 0) some.push_back({t.target, e.time});
+          });
+        }
+        if (some.empty()) continue;
+        const Time by = d.rate().span(static_cast<double>(chance(41)) - 20.5);
+        QVERIFY2(desk.look_ahead(move_lines(d, some, by)), entry.path().c_str());
+        desk.look_back();
+        const Document before = d;
+        const auto same_times = [&](const std::function<Time(Time)>& when, const char* what) {
+          for (const Picked& p : by_track(some)) {
+            std::set<Time> expected, is;
+            for (const EventView& e : events(before, p.target))
+              if (std::ranges::find(p.times, e.time) == p.times.end()) expected.insert(e.time);
+            for (const Time t : p.times) expected.insert(when(t));
+            for (const EventView& e : events(d, p.target)) is.insert(e.time);
+            QVERIFY2(is == expected, (entry.path().string() + ": " + what + " " + before.name(p.target)).c_str());
+          }
+        };
+        const bool motion =
+            std::ranges::any_of(some, [&](const EventAt& e) { return d.name(e.target).ends_with(".motion"); });
+        if (motion) continue;  // the ends of motions come and go with them
+        QVERIFY(desk.look_ahead(move_lines(before, some, by)));
+        same_times([&](Time t) { return t + by; }, "move");
+        desk.look_back();
+        const auto [first, last] = span(some);
+        if (first < last) {
+          const auto to = std::pair(first - by, last + (last - first));
+          const Lines lines = stretch_lines(before, some, {first, last}, to);
+          const double k = (to.second - to.first).seconds() / (last - first).seconds();
+          if (k > 0.1) {
+            QVERIFY2(desk.look_ahead(lines), (entry.path().string() + " " + lines.front()).c_str());
+            same_times([&, a = first](
+                           Time t) { return to.first + Time{std::llround(static_cast<double>((t - a).flicks) * k)}; },
+                       "stretch");
+            desk.look_back();
+          }
+        }
+        for (const Lines& lines :
+             {reverse_lines(before, some), clear_lines(before, some), copy_lines(before, before, some, last + by),
+              twerper_lines(before, some, "linear")}) {
+          if (lines.empty()) continue;
+          QVERIFY2(desk.look_ahead(lines), (entry.path().string() + " " + lines.front()).c_str());
+          desk.look_back(), ++done;
+        }
+      }
+    }
+    QVERIFY(done > 100);
   }
 };
 
