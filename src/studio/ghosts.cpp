@@ -36,13 +36,15 @@ void paint_silhouette(QPainter& p, const Scope& s, const Item& item, const QColo
     if (spots[e[k]] && spots[e[k + 1]]) p.drawLine(*spots[e[k]], *spots[e[k + 1]]);
 }
 
-void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& now, const std::vector<ObjectId>& ids) {
+void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& now,
+                   const std::function<std::vector<ObjectId>()>& which) {
   if (!image_ || image_->time != now.time || !(image_->eye == eye) || image_->box != s.box) {
     const Rate rate = desk_.document().rate();
     const auto range = desk_.document().range();
     QImage all(s.box.size().toSize(), QImage::Format_ARGB32_Premultiplied);
     all.fill(Qt::transparent);
     QPainter over(&all);
+    const std::vector<ObjectId> ids = which();
     const Marks wanted(ids);
     const auto here = [&](ObjectId id) {  // frames are in the order of objects
       const auto at = std::lower_bound(now.items.begin(), now.items.end(), id.index,

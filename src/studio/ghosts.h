@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QImage>
+#include <functional>
 #include <optional>
 
 #include "betwixt/frame.h"
@@ -21,7 +22,8 @@ class Ghosts {
   explicit Ghosts(const Desk& desk) : desk_(desk) {}
   void forget() { image_.reset(); }
   // Of what is selected and what hangs on it; of all that moves where nothing is.
-  void paint(QPainter&, const Scope&, const Camera& eye, const Frame& now, const std::vector<ObjectId>& ids);
+  void paint(QPainter&, const Scope&, const Camera& eye, const Frame& now,
+             const std::function<std::vector<ObjectId>()>& which);
 
  private:
   struct Kept {

@@ -36,6 +36,8 @@ class Viewport : public QWidget {
 
   // The picture that belongs to the time and the film by now: waits for it. For screenshots and tests.
   void await_picture();
+  // Only to be looked at: nothing lies over the picture.
+  void set_plain(bool);
   void set_style(const std::string& style);
   const std::string& style() const { return style_; }
   QSize sizeHint() const override { return {640, 360}; }
@@ -174,6 +176,7 @@ class Viewport : public QWidget {
   bool pull_by_keys_ = false, called_off_ = false;  // the latter: by the button that else opens a menu
   Part hot_ = Part::none;
   QString refusal_;
+  bool plain_ = false;
 
   QWidget *corner_ = nullptr, *eye_corner_ = nullptr;
   QToolButton *eye_button_ = nullptr, *tools_[3] = {}, *toggles_[5] = {};

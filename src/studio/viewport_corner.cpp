@@ -101,6 +101,12 @@ void Viewport::show_corner() {
   place_corner();
 }
 
+void Viewport::set_plain(bool plain) {
+  plain_ = plain;
+  corner_->setHidden(plain), eye_corner_->setHidden(plain);
+  update();
+}
+
 void Viewport::place_corner() {
   const int margin = fontMetrics().height() / 3;
   corner_->adjustSize(), eye_corner_->adjustSize();

@@ -134,7 +134,7 @@ const Hand& Viewport::grip() const {
 }
 
 std::optional<Handles> Viewport::handles() const {
-  if (!switches_.handles || desk_.selected().empty() || desk_.transport().playing() || grip().empty())
+  if (plain_ || !switches_.handles || desk_.selected().empty() || desk_.transport().playing() || grip().empty())
     return std::nullopt;
   Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   if (switches_.own_axes || switches_.tool == Tool::scale) std::copy_n(grip().axes(), 3, axes);

@@ -27,6 +27,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   p.fillRect(rect(), palette().color(QPalette::Window).darker(120));
   p.setRenderHint(QPainter::SmoothPixmapTransform);
   if (!shown_.image.isNull()) p.drawImage(picture_box(), shown_.image);
+  if (plain_) return;
   if (!free_) {
     p.setPen(QPen(colors().line, 1));
     p.drawRect(picture_box().adjusted(0, 0, -1, -1));
@@ -35,7 +36,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   const bool stands = !desk_.transport().playing();
   if (switches_.grid) paint_grid(p, s);
   if (switches_.ghosts && stands && !desk_.looks_ahead())
-    ghosts_.paint(p, s, eye(), frame(), with_what_hangs_on(desk_.selected()));
+    ghosts_.paint(p, s, eye(), frame(), [this] { return with_what_hangs_on(desk_.selected()); });
   if (switches_.trails && !desk_.selected().empty() && !trails_.paint(p, s, shown_time()))
     QMetaObject::invokeMethod(this, qOverload<>(&QWidget::update), Qt::QueuedConnection);
   if (!desk_.selected().empty()) paint_outlines(p, s);

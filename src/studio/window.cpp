@@ -48,6 +48,7 @@ Window::Window(Desk& desk, Manner manner)
   setDockNestingEnabled(true);
   setAcceptDrops(true);
   resize(1280, 800);
+  viewport_->set_plain(manner.bare);
   setCentralWidget(viewport_);
   add_panels();
   add_menus();

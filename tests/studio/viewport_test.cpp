@@ -12,6 +12,7 @@
 #include "betwixt/language.h"
 #include "studio/navigation.h"
 #include "studio/theme.h"
+#include "studio/window.h"
 
 namespace betwixt::studio {
 namespace {
@@ -272,6 +273,27 @@ class ViewportTest : public QObject {
     f.keys("g");
     QVERIFY(f.view.refusal().isEmpty());
     QTest::keyClick(&f.view, Qt::Key_Escape);
+  }
+
+  void keys_mean_what_they_mean_in_the_picture() {
+    QTemporaryDir folder;
+    QDir::setCurrent(folder.path());
+    Desk desk;
+    desk.open("");
+    desk.say(two);
+    Window window(desk);
+    window.show();
+    QApplication::setActiveWindow(&window);
+    window.viewport().setFocus();
+    desk.select({desk.document().find("ball")});
+    desk.set_range(std::pair(Time{}, Time{}));
+    QTest::keyClicks(&window.viewport(), "gx2\r");  // x is a menu's key too
+    QCOMPARE(std::get<Vec3>(desk.program().read({desk.document().find("ball"), 0}, {})).x, 2.0);
+    QTest::keyClicks(&window.viewport(), "e");
+    QCOMPARE(window.viewport().switches().tool, Tool::turn);
+    QVERIFY(desk.transport().last() == Time{});
+    QTest::keyClicks(&window.viewport(), "x");
+    QVERIFY(desk.transport().last() > Time{});
   }
 
   void the_camera_comes_to_the_free_eye() {
