@@ -61,7 +61,8 @@ struct Drawn {
   std::vector<Vec3> corners;
   std::shared_ptr<const Mesh> mesh;  // never null
 };
-Drawn drawn(const Item&);
+// As fine as for what reaches so many pixels from its middle; 0: as coarse as will do to find it.
+Drawn drawn(const Item&, double pixels = 0);
 
 // The smallest rectangle around it; without end where some of it is not before the eye. None: nothing of it is.
 std::optional<Projection::Rectangle> rectangle_around(const Drawn&, const Projection&);

@@ -148,8 +148,9 @@ Ray Projection::ray(double x, double y) const {
 
 double Projection::height(double depth) const { return 2 / sy_ * (orthographic_ ? 1 : depth); }
 
-Drawn drawn(const Item& i) {
-  const Geometry g = i.toward ? realise_blend(*i.shape, *i.toward, i.blend, plain) : realise(*i.shape, plain);
+Drawn drawn(const Item& i, double pixels) {
+  const Detail detail = pixels > 0 ? Detail::for_pixels(pixels) : plain;
+  const Geometry g = i.toward ? realise_blend(*i.shape, *i.toward, i.blend, detail) : realise(*i.shape, detail);
   const Mat4 m = i.world * g.local;
   Drawn d{{}, g.mesh};
   d.corners.reserve(g.mesh->positions.size());

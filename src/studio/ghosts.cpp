@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/kinds.h"
 #include "studio/marks.h"
 #include "studio/theme.h"
 
@@ -12,12 +13,17 @@ namespace {
 
 constexpr int offsets[] = {-6, 6, -4, 4, -2, 2};  // frames; the nearest is drawn last
 constexpr std::size_t most = 200;                 // things in each
+constexpr double coarse = 40;                     // pixels, up to which no corner of a round thing is seen
 constexpr std::size_t most_corners = 60'000;      // of meshes, in each
 
 }  // namespace
 
 void paint_silhouette(QPainter& p, const Scope& s, const Item& item, const QColor& color) {
-  const Drawn d = drawn(item);
+  Drawn d = drawn(item);
+  if (const auto around = rectangle_around(d, s.projection)) {
+    const double wide = (around->right - around->left) * s.box.width() / 2;
+    if (wide > coarse && wide < 1e4 && row_of(item.shape->kind).detailed) d = drawn(item, wide);
+  }
   std::vector<std::optional<QPointF>> spots;
   spots.reserve(d.corners.size());
   for (const Vec3& corner : d.corners) spots.push_back(s.spot(corner));

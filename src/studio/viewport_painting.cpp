@@ -158,6 +158,14 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
     on.end();
     QImage line = layer();
     QPainter over(&line);
+    // Dark around it: to be seen on its own colour, too.
+    QImage dark = mask;
+    QPainter darken(&dark);
+    darken.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    darken.fillRect(rect(), QColor(0, 0, 0, 60));
+    darken.end();
+    for (const auto& [x, y] : {std::pair(-3, 0), {3, 0}, {0, -3}, {0, 3}, {-2, -2}, {2, -2}, {-2, 2}, {2, 2}})
+      over.drawImage(x, y, dark);
     for (const auto& [x, y] : {std::pair(-2, 0), {2, 0}, {0, -2}, {0, 2}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}})
       over.drawImage(x, y, mask);
     over.setCompositionMode(QPainter::CompositionMode_DestinationOut);

@@ -87,6 +87,12 @@ TEST(Pick, ABallIsRound) {
   EXPECT_FALSE(pick(f, p, 0.6 + 0.20001, 0.5));
 }
 
+TEST(Pick, WhatIsDrawnFinerIsRounder) {
+  const Drawn coarse = drawn(named(0, sphere(2), translation({1, 0, 0}))), fine = drawn(named(0, sphere(2), {}), 400);
+  EXPECT_GT(fine.corners.size(), 4 * coarse.corners.size());
+  for (const Vec3& corner : fine.corners) EXPECT_NEAR(length(corner), 2, 1e-6);
+}
+
 TEST(Pick, TheNearestWinsAndTheLaterOneOfTwoAtOnePlace) {
   Frame f = frame();
   f.items = {named(0, square(), {}), named(1, square(), translation({0, 0, 1})),
