@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/made_by.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "betwixt/language.h"
+#include "betwixt/track.h"
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+// The last event of a track before a time. It is looked for in longer and longer parts of it, so that a long track is
+// not gone through.
+std::optional<EventView> event_before(const Document& d, const TrackView& track, Time t) {
+  std::optional<EventView> found;
+  for (Time back = d.rate().span(1); !found; back = back + back) {
+    const Time from = std::max(track.first, t - back);
+    each_event(d, track.target, from, t - Time{1}, [&](const EventView& e) { found = e; });
+    if (from <= track.first) break;
+  }
+  return found;
+}
+std::optional<EventView> event_after(const Document& d, const TrackView& track, Time t) {
+  std::optional<EventView> found;
+  for (Time on = d.rate().span(1); !found; on = on + on) {
+    const Time to = std::min(track.last, t + on);
+    each_event(d, track.target, t + Time{1}, to, [&](const EventView& e) {
+      if (!found) found = e;
+    });
+    if (to >= track.last) break;
+  }
+  return found;
+}
+
+std::string code_of(const Value* v) {
+  const auto* p = v ? std::get_if<Procedure>(v) : nullptr;
+  return p ? std::string(procedure(*p).source) : std::string();
+}
+
+// Those that are events of values, of the object itself.
+std::vector<TrackView> own_tracks(const Document& d, const Target& t) {
+  std::vector<TrackView> all = tracks(d, t);
+  std::erase_if(all, [](const TrackView& v) { return v.events == 0 || v.target.velocity || v.target.layer; });
+  return all;
+}
+
+const Object* object_of(const Document& d, const Target& t) { return find_object(d.scene(), t.object); }
+
+// What stands beside the track.
+void add_besides(const Document& d, const Target& t, std::vector<std::string>& all) {
+  const Object* o = object_of(d, t);
+  if (!o) return;
+  for (const Slot& slot : o->slots) {
+    if (slot.function != t.function) continue;
+    if (slot.layer) {
+      all.push_back("layer " + d.name(slot.layer));
+      continue;
+    }
+    const Strand& v = slot.velocity;
+    if (!v.track->events.empty() || std::ranges::any_of(v.components, [](const auto& c) { return !c->events.empty(); }))
+      all.emplace_back("velocity");
+    for (const Filter& f : slot.filters) all.push_back("filter " + f.name);
+  }
+}
+
+}  // namespace
+
+std::pair<std::optional<Time>, std::optional<Time>> events_beside(const Document& d, const Target& t, Time at) {
+  std::pair<std::optional<Time>, std::optional<Time>> beside;
+  for (const TrackView& v : own_tracks(d, t)) {
+    if (const auto e = event_before(d, v, at)) beside.first = std::max(beside.first.value_or(e->time), e->time);
+    if (const auto e = event_after(d, v, at)) beside.second = std::min(beside.second.value_or(e->time), e->time);
+  }
+  return beside;
+}
+
+MadeBy made_by(const Document& d, const Target& t, Time at) {
+  MadeBy made;
+  std::vector<std::string> all;
+  const auto when = [&](Time time) { return format_time(time, d); };
+  for (const TrackView& v : own_tracks(d, t)) {
+    made.events = true;
+    std::optional<EventView> now;
+    each_event(d, v.target, at, at, [&](const EventView& e) { now = e; });
+    made.event_here |= now.has_value();
+    if (!now) now = event_before(d, v, at);
+    if (now && made.code.empty()) made.code = code_of(now->value);
+  }
+  const Object* o = object_of(d, t);
+  const Slot* slot = o ? o->find(t.function) : nullptr;
+  if (made.event_here) {
+    all.emplace_back("event here");
+  } else if (made.events) {
+    const auto [before, after] = events_beside(d, t, at);
+    all.push_back(before && after ? fmt::format("between {} and {}", when(*before), when(*after))
+                  : before        ? "since " + when(*before)
+                                  : "before " + when(*after));
+  } else if (slot && slot->set) {
+    made.code = code_of(&*slot->set);
+    if (made.code.empty()) all.emplace_back("set");
+  } else {
+    made.code = code_of(&spec_of(d.scene(), t.function).rest);
+  }
+  if (!made.code.empty()) all.emplace_back("code");
+  add_besides(d, t, all);
+  made.said = !all.empty();
+  made.words = fmt::format("{}", fmt::join(all, ", "));
+  return made;
+}
+
+bool in_components(const Document& d, const Target& t) {
+  return std::ranges::any_of(own_tracks(d, t), [](const TrackView& v) { return v.target.component >= 0; });
+}
+
+std::string line_that_sets(const Document& d, const Target& t, Time at, const std::string& value) {
+  const std::string rest = d.name(t) + " " + value;
+  return own_tracks(d, t).empty() ? "set " + rest : "at " + format_time(at, d) + " " + rest;
+}
+
+std::string line_that_holds(const Document& d, ObjectId id, Time at, const Attachment& to) {
+  static constexpr std::string_view verbs[] = {"detach", "letgo", "hang", "attach", "couple"};
+  std::string line = fmt::format("{} {}", verbs[static_cast<std::size_t>(to.kind)], d.name(id));
+  if (to.kind >= AttachmentKind::hang)
+    line += fmt::format(" {} {}{}", to.kind == AttachmentKind::hang ? "on" : "to", d.name(to.parent),
+                        to.keep_world ? " keep-world" : "");
+  const bool timed = to.kind == AttachmentKind::letgo || !own_tracks(d, Target(id, fn::attachment)).empty();
+  return timed ? fmt::format("at {} {}", format_time(at, d), line) : line;
+}
+
+}  // namespace betwixt

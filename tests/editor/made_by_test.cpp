@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What makes a value.
+#include "editor/made_by.h"
+
+#include <gtest/gtest.h>
+
+#include "betwixt/language.h"
+
+namespace betwixt {
+namespace {
+
+struct Film {
+  Document d;
+  explicit Film(const std::string& lines) : d(load_text("rate 24\ncreate ball sphere\n" + lines, "film.bx").document) {}
+  Target of(const char* target) const { return find_targets(target, d)->front(); }
+  Time at(const char* time) const { return *parse_time(time, d); }
+  std::string words(const char* target, const char* time) const { return made_by(d, of(target), at(time)).words; }
+};
+
+TEST(MadeBy, RestSetAndEvents) {
+  const Film f("set ball.radius 2\nball.position\n  1f (0 0 0)\n  24f (1 0 0)\n  48f (2 0 0)\n");
+  EXPECT_EQ(f.words("ball.color", "1f"), "");
+  EXPECT_FALSE(made_by(f.d, f.of("ball.color"), Time{}).said);
+  EXPECT_EQ(f.words("ball.radius", "1f"), "set");
+  EXPECT_EQ(f.words("ball.position", "24f"), "event here");
+  EXPECT_EQ(f.words("ball.position", "30f"), "between 24f and 48f");
+  EXPECT_EQ(f.words("ball.position", "50f"), "since 48f");
+  EXPECT_EQ(f.words("ball.position", "0f"), "before 1f");
+}
+
+TEST(MadeBy, WhatStandsBeside) {
+  const Film f(
+      "layer sway add\nat 1f on sway ball.position (0 1 0)\nset ball.color = \"rgb(t, 0, 0)\"\n"
+      "at 12f ball.radius.velocity 1\nfilter ball.radius noise\nat 10f ball.scale.x 2\nat 20f ball.scale.y 2\n");
+  EXPECT_EQ(f.words("ball.position", "1f"), "layer sway");
+  EXPECT_EQ(f.words("ball.color", "1f"), "code");
+  EXPECT_EQ(made_by(f.d, f.of("ball.color"), Time{}).code, "rgb(t, 0, 0)");
+  EXPECT_EQ(f.words("ball.radius", "1f"), "velocity, filter noise");
+  EXPECT_EQ(f.words("ball.scale", "20f"), "event here");
+  EXPECT_EQ(f.words("ball.scale", "15f"), "between 10f and 20f");
+  EXPECT_TRUE(in_components(f.d, f.of("ball.scale")));
+  EXPECT_FALSE(in_components(f.d, f.of("ball.position")));
+}
+
+// Of many events the nearest are the ones that a walk over all finds.
+TEST(MadeBy, NearestOfMany) {
+  std::string rows = "ball.radius\n";
+  std::vector<int> frames;
+  for (int i = 0; i < 200; ++i) frames.push_back(1 + i * i % 997 * 3);
+  for (const int frame : frames) rows += "  " + std::to_string(frame) + "f 1\n";
+  const Film f(rows);
+  for (int frame = -5; frame < 3000; frame += 7) {
+    std::optional<Time> before, after;
+    const Time at = f.d.rate().frame(frame);
+    for (const int k : frames) {
+      const Time t = f.d.rate().frame(k);
+      if (t < at) before = std::max(before.value_or(t), t);
+      if (t > at) after = std::min(after.value_or(t), t);
+    }
+    EXPECT_EQ(events_beside(f.d, f.of("ball.radius"), at), std::pair(before, after)) << frame;
+  }
+}
+
+TEST(MadeBy, TheLineOfAHand) {
+  const Film f("at 1f ball.radius 2\n");
+  EXPECT_EQ(line_that_sets(f.d, f.of("ball.radius"), f.at("24f"), "3"), "at 24f ball.radius 3");
+  EXPECT_EQ(line_that_sets(f.d, f.of("ball.color"), f.at("24f"), "red"), "set ball.color red");
+}
+
+TEST(MadeBy, TheLineThatHolds) {
+  const Film f("create car box\ncreate hand group\nattach hand to car\nat 10f attach hand to ball\n");
+  const ObjectId ball = f.d.find("ball"), car = f.d.find("car"), hand = f.d.find("hand");
+  const auto line = [&](ObjectId id, const Attachment& a) { return line_that_holds(f.d, id, f.at("24f"), a); };
+  EXPECT_EQ(line(ball, {AttachmentKind::couple, car, true}), "couple ball to car keep-world");
+  EXPECT_EQ(line(ball, {AttachmentKind::hang, car, false}), "hang ball on car");
+  EXPECT_EQ(line(ball, {AttachmentKind::detach, {}, false}), "detach ball");
+  EXPECT_EQ(line(hand, {AttachmentKind::attach, car, true}), "at 24f attach hand to car keep-world");
+  EXPECT_EQ(line(ball, {AttachmentKind::letgo, {}, false}), "at 24f letgo ball");
+}
+
+}  // namespace
+}  // namespace betwixt
