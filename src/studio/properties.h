@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// All display functions of what is selected, and what makes their values now.
+// What is selected: all that can vary about it, its values now, and what makes them.
 #pragma once
 
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QToolButton>
 #include <QWidget>
 
-#include "studio/desk.h"
+#include "studio/value_editors.h"
 
 namespace betwixt::studio {
 
@@ -14,9 +18,40 @@ class Properties : public QWidget {
   Q_OBJECT
  public:
   explicit Properties(Desk&, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+ protected:
+  void showEvent(QShowEvent*) override;
 
  private:
+  struct Row {
+    FunctionView of;
+    std::string name;  // the view's may go with its document
+    EditorKind kind;
+    QToolButton* diamond;
+    QLabel *called, *made;
+    ValueEditor* editor;
+    bool said = true, shown_event = false, shown_events = false;
+  };
+  ObjectId leading() const;
+  void refresh();
+  void rebuild();
+  void show_row(Row&, const Value&);
+  std::vector<std::string> lines_for(const Row&, int component, const QString& text) const;
+  void toggle_event(const Row&);
+  void rename();
+  QWidget* make_section(const QString& title);
+  void add_row(QWidget* section, const FunctionView&, EditorKind);
+
   Desk& desk_;
+  QLabel *icon_, *kind_, *nothing_;
+  QLineEdit* name_;
+  QScrollArea* area_;
+  std::vector<std::unique_ptr<Row>> rows_;
+  std::vector<std::pair<std::string, EditorKind>> built_;  // what rows are there, of what
+  std::optional<Kind> built_of_;
+  QStringList folded_;
+  bool refreshing_ = false;
 };
 
 }  // namespace betwixt::studio

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A number that is typed, or dragged sideways. It is text of the language: "2", "45deg", "35mm", "tau/4".
+#pragma once
+
+#include <QColor>
+#include <QLineEdit>
+
+namespace betwixt::studio {
+
+class NumberField : public QLineEdit {
+  Q_OBJECT
+ public:
+  explicit NumberField(QWidget* parent = nullptr);
+  // Not while a hand is at it.
+  void show_value(const QString&);
+  // What stands behind a number that is typed without a unit.
+  void set_unit(const QString& unit) { unit_ = unit; }
+  void set_limits(double low, double high) { low_ = low, high_ = high; }
+  void set_color(QColor c) { color_ = c; }
+  QSize sizeHint() const override { return {minimumWidth(), QLineEdit::sizeHint().height()}; }
+  bool held() const { return dragging_ || (hasFocus() && isModified()); }
+
+ Q_SIGNALS:
+  void looked(const QString&);  // while it is dragged
+  void said(const QString&);
+  void called_off();
+
+ protected:
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void focusOutEvent(QFocusEvent*) override;
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  QString moved(double steps) const;
+  void finish();
+  QString shown_, unit_, pressed_;
+  double low_ = -1e300, high_ = 1e300, pressed_x_ = 0;
+  bool pressing_ = false, dragging_ = false, editing_ = false;
+  QColor color_;
+};
+
+}  // namespace betwixt::studio

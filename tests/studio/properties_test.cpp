@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Values that are changed by hand: the lines that come of it.
+#include "studio/properties.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QTest>
+
+#include "betwixt/language.h"
+#include "studio/film.h"
+#include "studio/number_field.h"
+
+namespace betwixt::studio {
+
+class PropertiesTest : public QObject {
+  Q_OBJECT
+
+  struct Shown : Film {
+    Properties panel{desk};
+    explicit Shown(const QByteArray& text, const char* selected = "ball") : Film(text) {
+      panel.resize(500, 900);
+      panel.show();
+      if (!QTest::qWaitForWindowActive(&panel)) qFatal("no window");
+      select(selected);
+    }
+    template <class W = NumberField>
+    W& at(const char* function, const char* part = "value") {
+      auto* editor = panel.findChild<ValueEditor*>(function);
+      if (!editor || !editor->findChild<W*>(part)) qFatal("%s has no %s", function, part);
+      return *editor->findChild<W*>(part);
+    }
+    QToolButton& diamond(const char* f) { return *panel.findChild<QToolButton*>(QString("diamond_") + f); }
+    QString made(const char* f) { return panel.findChild<QLabel*>(QString("made_") + f)->text(); }
+    void type(QLineEdit& into, const char* keys) {
+      QTest::mouseClick(&into, Qt::LeftButton);
+      into.selectAll();
+      QTest::keyClicks(&into, keys);
+      QTest::keyClick(&into, Qt::Key_Return);
+    }
+    void drag(QWidget& w, int pixels, bool let_go = true) {
+      const QPoint from = w.rect().center();
+      QTest::mousePress(&w, Qt::LeftButton, {}, from);
+      for (int i = 1; i <= 4; ++i) {
+        const QPointF to = from + QPointF(pixels * i / 4.0, 0);
+        QMouseEvent move(QEvent::MouseMove, to, w.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&w, &move);
+      }
+      if (let_go) QTest::mouseRelease(&w, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+    }
+  };
+
+ private Q_SLOTS:
+  void shows_what_is_selected() {
+    Shown s("create ball sphere radius=2 color=gold\ncreate car box\n");
+    QCOMPARE(s.panel.findChild<QLineEdit*>("name")->text(), "ball");
+    QCOMPARE(s.at("radius").text(), "2");
+    QCOMPARE(s.at<QLineEdit>("color").text(), "gold");
+    QCOMPARE(s.made("radius"), "set");
+    QCOMPARE(s.made("scale"), "");
+    s.select("car");
+    QCOMPARE(s.at("size", "x").text(), "1");
+    QVERIFY(!s.panel.findChild<ValueEditor*>("radius"));
+  }
+
+  void a_number_is_typed() {
+    Shown s("create ball sphere radius=2\n");
+    s.type(s.at("radius"), "3.5");
+    QCOMPARE(s.radius("ball"), 3.5);
+    QCOMPARE(s.text(), "create ball sphere radius=3.5\n");
+    QVERIFY(s.desk.last_said().empty());
+    s.type(s.at("radius"), "2*3");  // a formula
+    QCOMPARE(s.radius("ball"), 6.0);
+    s.desk.undo();
+    s.desk.undo();
+    QCOMPARE(s.text(), "create ball sphere radius=2\n");
+    QCOMPARE(s.at("radius").text(), "2");
+  }
+
+  void what_is_wrong_changes_nothing() {
+    Shown s("create ball sphere radius=2\n");
+    s.type(s.at("radius"), "much");
+    QCOMPARE(s.text(), "create ball sphere radius=2\n");
+    QCOMPARE(s.at("radius").text(), "2");
+  }
+
+  void a_number_is_dragged_and_called_off() {
+    Shown s("create ball sphere radius=2\n");
+    s.drag(s.at("radius"), 40, false);
+    QVERIFY(s.desk.looks_ahead());
+    QCOMPARE(s.radius("ball"), 2.2);  // 20 steps of a hundredth
+    QCOMPARE(s.text(), "create ball sphere radius=2\n");
+    QTest::keyClick(&s.at("radius"), Qt::Key_Escape);
+    QVERIFY(!s.desk.looks_ahead());
+    QCOMPARE(s.radius("ball"), 2.0);
+    QTest::mouseRelease(&s.at("radius"), Qt::LeftButton);
+    QCOMPARE(s.text(), "create ball sphere radius=2\n");
+    s.drag(s.at("radius"), 40);
+    QCOMPARE(s.text(), "create ball sphere radius=2.2\n");
+    s.desk.undo();  // one step
+    QCOMPARE(s.text(), "create ball sphere radius=2\n");
+  }
+
+  void a_component_leaves_the_others() {
+    Shown s("create ball sphere position=(1 2 3)\n");
+    s.type(s.at("position", "y"), "7");
+    QCOMPARE(s.text(), "create ball sphere position=(1 7 3)\n");
+    s.type(s.at("rotation", "z"), "90");
+    QCOMPARE(s.value("ball.rotation"), Value(Angles{{0, 0, pi / 2}}));
+  }
+
+  void where_events_are_an_event_is_made() {
+    Shown s("create ball sphere\nball.radius\n  1f 1\n  25f 3\n");
+    s.desk.go_to(s.at_time("13f"));
+    QCOMPARE(s.at("radius").text().toDouble(), 2.0);
+    QCOMPARE(s.made("radius"), "between 1f and 25f");
+    s.type(s.at("radius"), "5");
+    QCOMPARE(s.text(), "create ball sphere\nball.radius\n  1f 1\n  13f 5\n  25f 3\n");
+    QCOMPARE(s.made("radius"), "event here");
+  }
+
+  void the_diamond_makes_and_clears() {
+    Shown s("create ball sphere radius=2\n");
+    s.desk.go_to(s.at_time("13f"));
+    QTest::mouseClick(&s.diamond("radius"), Qt::LeftButton);
+    QCOMPARE(s.made("radius"), "event here");
+    QCOMPARE(s.events_of("ball.radius"), std::size_t{1});
+    QCOMPARE(s.radius("ball"), 2.0);
+    QTest::mouseClick(&s.diamond("radius"), Qt::LeftButton);
+    QCOMPARE(s.events_of("ball.radius"), std::size_t{0});
+    s.desk.undo(), s.desk.undo();
+    QCOMPARE(s.text(), "create ball sphere radius=2\n");
+  }
+
+  void all_that_are_selected_are_changed_in_one_step() {
+    Shown s("create ball sphere radius=2 position=(1 0 0)\ncreate car box position=(5 0 0)\n", "car");
+    s.desk.select({s.id("car"), s.id("ball")});
+    s.type(s.at("radius"), "4");  // the box has none
+    QCOMPARE(s.radius("ball"), 4.0);
+    s.type(s.at("position", "y"), "3");
+    QCOMPARE(s.value("ball.position"), Value(Vec3{1, 3, 0}));
+    QCOMPARE(s.value("car.position"), Value(Vec3{5, 3, 0}));
+    s.desk.undo();
+    QCOMPARE(s.value("ball.position"), Value(Vec3{1, 0, 0}));
+    QCOMPARE(s.value("car.position"), Value(Vec3{5, 0, 0}));
+  }
+
+  void booleans_choices_texts_colours_and_objects() {
+    Shown s("create ball sphere\ncreate car box\ncreate title text text=\"hi\"\n");
+    QTest::mouseClick(&s.at<QCheckBox>("display"), Qt::LeftButton, {}, {8, s.at<QCheckBox>("display").height() / 2});
+    QCOMPARE(s.value("ball.display"), Value(false));
+    auto& material = s.at<QComboBox>("material");
+    material.setFocus();
+    QTest::keyClicks(&material, "met");
+    QTest::keyClick(&material, Qt::Key_Return);
+    s.type(s.at<QLineEdit>("color"), "rgb(1 0.5 0)");
+    QCOMPARE(s.value("ball.color"), Value(Color{1, 0.5, 0}));
+    s.type(*s.at<QComboBox>("geometry").lineEdit(), "car");
+    QCOMPARE(s.value("ball.geometry"), Value(s.id("car")));
+    s.type(*s.at<QComboBox>("look-at").lineEdit(), "(1 2 3)");
+    QCOMPARE(s.value("ball.look-at"), Value(Vec3{1, 2, 3}));
+    s.select("title");
+    s.type(s.at<QLineEdit>("text"), "say \\\"so\\\"");
+    QCOMPARE(*std::get<Text>(s.value("title.text")), std::string("say \"so\""));
+  }
+
+  void it_is_hung_on_another() {
+    Shown s("create ball sphere position=(1 0 0)\ncreate car box position=(5 0 0)\n");
+    s.type(*s.at<QComboBox>("attachment").lineEdit(), "car");
+    const auto spans = attachments(s.desk.document(), s.id("ball"));
+    QVERIFY(!spans.empty());
+    QCOMPARE(spans.back().to.parent, s.id("car"));
+    QCOMPARE(spans.back().to.kind, AttachmentKind::couple);
+  }
+
+  void code_is_shown_and_not_changed() {
+    Shown s("create ball sphere\nset ball.radius = \"1 + t\"\n");
+    QVERIFY(s.panel.findChild<ValueEditor*>("radius")->findChild<QLabel*>("value"));
+    QCOMPARE(s.made("radius"), "code");
+    QCOMPARE(s.panel.findChild<QLabel*>("made_radius")->toolTip(), "1 + t");
+  }
+
+  void the_films_own_functions_are_there() {
+    Shown s("define wobble number 3\ncreate ball sphere\n");
+    s.type(s.at("wobble"), "4");
+    QCOMPARE(s.value("ball.wobble"), Value(4.0));
+  }
+
+  void it_is_renamed() {
+    Shown s("create ball sphere\nhide ball\n");
+    s.type(*s.panel.findChild<QLineEdit*>("name"), "globe");
+    QCOMPARE(s.desk.document().names(), std::vector<std::string>{"globe"});
+    QCOMPARE(s.panel.findChild<QLineEdit*>("name")->text(), "globe");
+  }
+
+  void widgets_stay_while_it_plays() {
+    Shown s("create ball sphere\nball.radius\n  1f 1\n  25f 3\n");
+    NumberField* before = &s.at("radius");
+    for (int f = 1; f < 25; ++f) s.desk.go_to(s.desk.document().rate().frame(f));
+    QCOMPARE(&s.at("radius"), before);
+    QVERIFY(before->text().startsWith("2.9"));
+  }
+};
+
+}  // namespace betwixt::studio
+
+QTEST_MAIN(betwixt::studio::PropertiesTest)
+#include "properties_test.moc"
