@@ -2,11 +2,268 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/outliner.h"
 
-namespace betwixt::studio {
+#include <QApplication>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScrollBar>
+#include <QVBoxLayout>
 
-Outliner::Outliner(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+#include "editor/made_by.h"
+#include "language/values.h"
+#include "scene/document.h"
+#include "studio/kind_icons.h"
+#include "studio/theme.h"
+
+namespace betwixt::studio {
+namespace {
+
+void say_all(Desk& desk, const std::vector<std::string>& lines) {
+  if (lines.size() == 1) desk.say(lines[0]);
+  if (lines.size() > 1) desk.say(lines);
+}
+
+// A name that nothing has: sphere1, sphere2 …
+std::string free_name(const Document& d, const std::string& kind) {
+  for (int n = 1;; ++n) {
+    const std::string name = kind + std::to_string(n);
+    if (!d.find(name)) return name;
+  }
+}
+
+}  // namespace
+
+OutlinerTree::OutlinerTree(Desk& desk, OutlinerModel& model, QWidget* parent)
+    : QTreeView(parent), desk_(desk), model_(model) {
+  setObjectName("outliner_tree");
+  setModel(&model);
+  setHeaderHidden(true);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  setExpandsOnDoubleClick(false);
+  const int em = fontMetrics().height();
+  setIconSize({em, em});
+  setIndentation(em);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(OutlinerModel::name, QHeaderView::Stretch);
+  header()->setSectionResizeMode(OutlinerModel::eye, QHeaderView::Fixed);
+  header()->setMinimumSectionSize(em);
+  header()->resizeSection(OutlinerModel::eye, em + em / 2);
+  connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& i) { folded_.insert(model_.object(i).index); });
+  connect(this, &QTreeView::expanded, this, [this](const QModelIndex& i) { folded_.erase(model_.object(i).index); });
+  // A tree that was made anew is open where it was.
+  connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+    const std::set<std::uint32_t> folded = folded_;
+    expandAll();
+    for (const std::uint32_t id : folded)
+      if (const QModelIndex i = model_.index_of({id}); i.isValid()) collapse(i);
+    take_selection();
+  });
+  expandAll();
+  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (selecting_) return;
+    selecting_ = true;
+    desk_.select(marked());
+    selecting_ = false;
+  });
+  connect(&desk, &Desk::selection_changed, this, &OutlinerTree::take_selection);
+}
+
+// Those that are selected here, the current one last: it leads.
+std::vector<ObjectId> OutlinerTree::marked() const {
+  std::vector<ObjectId> all;
+  for (const QModelIndex& i : selectionModel()->selectedRows()) all.push_back(model_.object(i));
+  std::ranges::sort(all, {}, &ObjectId::index);
+  const auto leads = std::ranges::find(all, model_.object(currentIndex()));
+  if (leads != all.end()) std::rotate(leads, leads + 1, all.end());
+  return all;
+}
+
+void OutlinerTree::take_selection() {
+  if (selecting_) return;
+  selecting_ = true;
+  QItemSelection all;
+  for (const ObjectId id : desk_.selected())
+    if (const QModelIndex i = model_.index_of(id); i.isValid()) all.select(i, i);
+  selectionModel()->select(all, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  if (!desk_.selected().empty()) {
+    const QModelIndex leads = model_.index_of(desk_.selected().back());
+    selectionModel()->setCurrentIndex(leads, QItemSelectionModel::NoUpdate);
+    if (leads.isValid()) scrollTo(leads);
+  }
+  selecting_ = false;
+}
+
+// Hides or shows, from now on where that changes by time; of a selected one all that are selected.
+void OutlinerTree::toggle(ObjectId id) {
+  const Document& d = desk_.document();
+  std::vector<ObjectId> all = desk_.selected();
+  if (std::ranges::find(all, id) == all.end()) all = {id};
+  const bool hides = model_.shown(id);
+  std::vector<std::string> lines;
+  for (const ObjectId o : all) {
+    if (!placed(kind(d, o))) continue;
+    const bool timed = made_by(d, Target(o, fn::display), desk_.time()).events;
+    lines.push_back((timed ? "at " + desk_.when(desk_.time()) + " " : "") + (hides ? "hide " : "show ") + d.name(o));
+  }
+  say_all(desk_, lines);
+}
+
+// What is dragged is coupled to what is below it; with Alt attached, with Shift hung on it. Where nothing is it comes
+// loose.
+void OutlinerTree::drop(QPoint at, Qt::KeyboardModifiers held) {
+  const Document& d = desk_.document();
+  const ObjectId onto = model_.object(indexAt(at));
+  const AttachmentKind how = held & Qt::AltModifier     ? AttachmentKind::attach
+                             : held & Qt::ShiftModifier ? AttachmentKind::hang
+                                                        : AttachmentKind::couple;
+  std::vector<std::string> lines;
+  for (const ObjectId id : desk_.selected()) {
+    if (id == onto) continue;
+    const QModelIndex above = model_.index_of(id).parent();
+    if (!onto && !above.isValid()) continue;
+    const bool timed = made_by(d, Target(id, fn::attachment), desk_.time()).events;
+    const Attachment to = onto    ? Attachment{how, onto, true}
+                          : timed ? Attachment{AttachmentKind::letgo, {}, false}
+                                  : Attachment{AttachmentKind::detach, {}, false};
+    lines.push_back(line_that_holds(d, id, desk_.time(), to));
+  }
+  say_all(desk_, lines);
+}
+
+void OutlinerTree::mousePressEvent(QMouseEvent* e) {
+  const QPoint at = e->position().toPoint();
+  const QModelIndex i = indexAt(at);
+  if (e->button() == Qt::LeftButton && i.isValid() && i.column() == OutlinerModel::eye) return toggle(model_.object(i));
+  dragging_ = false;
+  const bool on_name = i.isValid() && visualRect(i).contains(at);
+  pressed_ = e->button() == Qt::LeftButton && on_name ? std::optional(at) : std::nullopt;
+  // Of several that are selected all are dragged.
+  if (pressed_ && selectionModel()->isSelected(i) && e->modifiers() == Qt::NoModifier) {
+    selectionModel()->setCurrentIndex(i, QItemSelectionModel::NoUpdate);
+    return;
+  }
+  QTreeView::mousePressEvent(e);
+}
+
+void OutlinerTree::mouseMoveEvent(QMouseEvent* e) {
+  if (!pressed_ || !(e->buttons() & Qt::LeftButton)) return QTreeView::mouseMoveEvent(e);
+  at_ = e->position().toPoint();
+  if (!dragging_ && (at_ - *pressed_).manhattanLength() < QApplication::startDragDistance()) return;
+  dragging_ = true;
+  setCursor(Qt::ClosedHandCursor);
+  viewport()->update();
+}
+
+void OutlinerTree::mouseReleaseEvent(QMouseEvent* e) {
+  const auto pressed = std::exchange(pressed_, std::nullopt);
+  if (std::exchange(dragging_, false)) {
+    unsetCursor();
+    viewport()->update();
+    return drop(e->position().toPoint(), e->modifiers());
+  }
+  if (pressed && e->modifiers() == Qt::NoModifier) {  // it was no drag: it alone
+    const QModelIndex i = indexAt(*pressed);
+    selectionModel()->setCurrentIndex(i, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  }
+  QTreeView::mouseReleaseEvent(e);
+}
+
+void OutlinerTree::keyPressEvent(QKeyEvent* e) {
+  if (e->key() == Qt::Key_Escape && dragging_) {
+    dragging_ = false, pressed_.reset();
+    unsetCursor();
+    return viewport()->update();
+  }
+  if (e->key() == Qt::Key_Delete || e->key() == Qt::Key_Backspace) {
+    std::vector<std::string> lines;
+    for (const ObjectId id : desk_.selected()) lines.push_back("remove " + desk_.name(id));
+    return say_all(desk_, lines);
+  }
+  if (e->key() == Qt::Key_H && e->modifiers() == Qt::NoModifier && !desk_.selected().empty())
+    return toggle(desk_.selected().back());
+  QTreeView::keyPressEvent(e);
+}
+
+// Where it would be dropped.
+void OutlinerTree::paintEvent(QPaintEvent* e) {
+  QTreeView::paintEvent(e);
+  if (!dragging_) return;
+  QPainter p(viewport());
+  p.setPen(QPen(colors().accent, 2));
+  const QModelIndex onto = indexAt(at_);
+  if (!onto.isValid()) return p.drawRect(viewport()->rect().adjusted(1, 1, -1, -1));
+  QRect row = visualRect(onto.siblingAtColumn(0));
+  row.setRight(viewport()->width() - 2);
+  p.drawRoundedRect(row, 3, 3);
+}
+
+Outliner::Outliner(Desk& desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      model_(new OutlinerModel(desk, this)),
+      tree_(new OutlinerTree(desk, *model_, this)),
+      pattern_(new QLineEdit(this)) {
   setObjectName("outliner");
-  setWindowTitle(tr("Objects"));
+  setWindowTitle(tr("Outliner"));
+  pattern_->setObjectName("pattern");
+  pattern_->setPlaceholderText(tr("pattern: wheel*"));
+  pattern_->setClearButtonEnabled(true);
+  pattern_->setToolTip(tr("Patterns as in the language: wheel* {left,right} arm[1-3]; a part of a name does too"));
+  auto* plus = new QToolButton(this);
+  plus->setObjectName("add");
+  plus->setText("+");
+  plus->setToolTip(tr("Makes an object: `create NAME KIND`"));
+  plus->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(plus);
+  for (const KindRow& row : kinds()) {
+    if (!row.placed && row.kind != Kind::sound) continue;
+    const QString kind = QString::fromUtf8(row.name.data(), static_cast<qsizetype>(row.name.size()));
+    QAction* action = menu->addAction(kind_icon(row.kind), kind, this, [this, kind] { add(kind); });
+    action->setToolTip(QString::fromUtf8(row.sentence.data(), static_cast<qsizetype>(row.sentence.size())));
+  }
+  menu->setToolTipsVisible(true);
+  plus->setMenu(menu);
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(4, 2, 4, 2);
+  head->addWidget(pattern_, 1);
+  head->addWidget(plus);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  all->addLayout(head);
+  all->addWidget(tree_, 1);
+  setFocusProxy(tree_);
+  connect(pattern_, &QLineEdit::textChanged, model_, &OutlinerModel::filter);
+  connect(&desk, &Desk::document_changed, model_, [this] {
+    model_->follow_document();
+    tree_->viewport()->update();
+  });
+  connect(&desk, &Desk::time_changed, model_, [this] {
+    model_->follow_time();
+    tree_->viewport()->update();
+  });
+}
+
+QSize Outliner::sizeHint() const { return {22 * fontMetrics().horizontalAdvance('m'), 300}; }
+
+// What has a file is asked for it.
+void Outliner::add(const QString& kind) {
+  const std::string name = free_name(desk_.document(), kind.toStdString());
+  std::string line = "create " + name + " " + kind.toStdString();
+  if (kind == "text") line += " text=\"text\"";
+  if (kind == "mesh" || kind == "sound") {
+    const QString file = QFileDialog::getOpenFileName(this, tr("The file of %1").arg(name.c_str()));
+    if (file.isEmpty()) return;
+    line += " file=" + write_text(file.toStdString());
+  }
+  if (desk_.say(line)) desk_.select({desk_.document().find(name)});
 }
 
 }  // namespace betwixt::studio

@@ -7,21 +7,19 @@
 #include <QTest>
 #include <QTreeWidget>
 
-#include "betwixt/language.h"
+#include "studio/film.h"
 
 namespace betwixt::studio {
 
 class ConsoleTest : public QObject {
   Q_OBJECT
 
-  struct Shown {
-    Desk desk;
+  struct Shown : Film {
     Console console{desk};
     ConsoleLine& line{*console.findChild<ConsoleLine*>("console_line")};
     QPlainTextEdit& log{*console.findChild<QPlainTextEdit*>("console_log")};
     QLabel& help{*console.findChild<QLabel*>("console_help")};
-    Shown() {
-      desk.open({});
+    Shown() : Film({}) {
       console.show();
       line.setFocus();
     }

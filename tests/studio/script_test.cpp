@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The script that is typed in, and that others change.
-#include <QElapsedTimer>
 #include <QScrollBar>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
 
-#include "betwixt/language.h"
+#include "studio/film.h"
 #include "studio/script_panel.h"
 
 namespace betwixt::studio {
@@ -16,17 +14,11 @@ namespace betwixt::studio {
 class ScriptTest : public QObject {
   Q_OBJECT
 
-  struct Shown {
-    QTemporaryDir folder;
-    Desk desk;
+  struct Shown : Film {
     ScriptPanel panel{desk};
     ScriptEdit& edit{*panel.findChild<ScriptEdit*>("script")};
     QListWidget& errors{*panel.findChild<QListWidget*>("script_errors")};
-    explicit Shown(const QByteArray& text) {
-      QFile f(folder.filePath("film.bx"));
-      if (f.open(QIODevice::WriteOnly)) f.write(text);
-      f.close();
-      desk.open(f.fileName());
+    explicit Shown(const QByteArray& text) : Film(text) {
       panel.resize(600, 400);
       panel.show();
       edit.setFocus();
@@ -43,15 +35,6 @@ class ScriptTest : public QObject {
       QTextCursor c(edit.document()->findBlockByNumber(line - 1));
       c.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor, column);
       return edit.cursorRect(c).center();
-    }
-    double radius(const char* of) {
-      const auto t = find_targets(std::string(of) + ".radius", desk.document());
-      return std::get<double>(desk.program().read(t->front(), Time{}));
-    }
-    std::string selected() const {
-      std::string all;
-      for (const ObjectId id : desk.selected()) all += (all.empty() ? "" : " ") + desk.name(id);
-      return all;
     }
   };
 
