@@ -73,6 +73,14 @@ std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId
                                       : number_count(f.type),
               f.components);
         }
+      // What a velocity alone makes is seen too.
+      for (const TrackView& t : tracks(d, id)) {
+        Target value = t.target;
+        value.velocity = false;
+        if (!any || t.target.function != f.id || !t.target.velocity || value.component < 0) continue;
+        if (std::ranges::find(all, value, &CurveLine::target) == all.end())
+          add(value, f.type, row_of(f.type).angles, before + d.name(value).substr(d.name(id).size() + 1), false, 1, {});
+      }
       if (!any)
         add({id, f.id}, f.type, row_of(f.type).angles, before + std::string(f.name), false, number_count(f.type),
             f.components);

@@ -43,6 +43,11 @@ QColor faint(QColor c, float alpha) {
   return c;
 }
 
+QColor swatch_of(const Color& c) {
+  const auto part = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
+  return QColor::fromRgbF(part(c.r), part(c.g), part(c.b));
+}
+
 void diamond(QPainter& p, double x, double y, double r) {
   const QPointF points[] = {{x - r, y}, {x, y - r}, {x + r, y}, {x, y + r}};
   p.drawConvexPolygon(points, 4);
@@ -77,23 +82,28 @@ void SheetPane::paint_track(QPainter& p, const Target& target, double y, bool wh
   // From event to event: a bar where the value stays, a line where it is on its way.
   const auto way = [&](double from, double to, Time at) {
     bool holds = steps, releases = false;
-    const Value* value = nullptr;
+    const Value *value = nullptr, *comes = nullptr;
     each_event(d, target, at, at, [&](const EventView& e) {
-      holds = e.twerper == "hold" || (steps && e.twerper.empty()), releases = e.what == EventView::What::release,
+      holds = e.twerper == "hold" || (steps && e.twerper.empty()), releases = e.what == EventView::What::release;
       value = e.value;
     });
     if (const auto next = next_event(d, target, at + Time{1}); next && value)
-      each_event(d, target, *next, *next,
-                 [&](const EventView& e) { holds = holds || (e.value && *(e.before ? e.before : e.value) == *value); });
-    if (releases) return;
-    const double h = holds ? r : 1;
+      each_event(d, target, *next, *next, [&](const EventView& e) {
+        comes = e.before ? e.before : e.value;
+        holds = holds || (comes && *comes == *value);
+      });
+    const bool* shown = value ? std::get_if<bool>(value) : nullptr;
+    if (releases || (shown && !*shown)) return;
     const auto* swatch = value ? std::get_if<Color>(value) : nullptr;
-    QColor fill = faint(color, holds ? 0.3F : 0.5F);
-    if (swatch)
-      fill = QColor::fromRgbF(static_cast<float>(std::clamp(swatch->r, 0.0, 1.0)),
-                              static_cast<float>(std::clamp(swatch->g, 0.0, 1.0)),
-                              static_cast<float>(std::clamp(swatch->b, 0.0, 1.0)));
-    p.fillRect(QRectF(from, y - (swatch ? r * 0.7 : h / 2), to - from, swatch ? r * 1.4 : h), fill);
+    const auto* other = comes ? std::get_if<Color>(comes) : nullptr;
+    if (swatch) {
+      QLinearGradient fill(from, 0, to, 0);
+      fill.setColorAt(0, swatch_of(*swatch)), fill.setColorAt(1, swatch_of(holds || !other ? *swatch : *other));
+      p.fillRect(QRectF(from, y - r * 0.7, to - from, r * 1.4), fill);
+      return;
+    }
+    const double h = holds ? r : 1;
+    p.fillRect(QRectF(from, y - h / 2, to - from, h), faint(color, holds ? 0.3F : 0.5F));
   };
   if (!whole) {
     const auto before = event_before(d, target, left);

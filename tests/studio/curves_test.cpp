@@ -76,6 +76,14 @@ class CurvesTest : public QObject {
     const auto angle = std::ranges::find(s.pane.lines(), "rotation.z", &CurveLine::name) - s.pane.lines().begin();
     QCOMPARE(s.pane.samples().final(static_cast<std::size_t>(angle), 300), std::optional(90.0));
   }
+  void what_a_velocity_alone_makes_is_seen() {
+    Shown s(film + "at 1f ball.position.y.velocity 2\n");
+    std::string names;
+    for (const CurveLine& l : s.pane.lines()) names += l.name + " ";
+    QCOMPARE(QString::fromStdString(names), "position.x position.y.velocity position.y ");
+    const auto column = static_cast<std::size_t>(s.place(25, 0).x() - s.left());
+    QVERIFY(std::abs(*s.pane.samples().final(2, column) - 2) < 0.02);  // two metres in a second
+  }
   void what_filters_make_lies_over_what_was_said() {
     Shown s(film + "filter ball.position.x limit high=10\n");
     QVERIFY(s.pane.samples().has_bare(0));
