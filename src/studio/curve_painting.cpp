@@ -173,8 +173,7 @@ void CurvePane::paint_twerpers(QPainter& p) const {
   }
 }
 
-void CurvePane::paintEvent(QPaintEvent*) {
-  QPainter p(this);
+void CurvePane::paint_content(QPainter& p) {
   const Colors& c = colors();
   p.fillRect(rect(), c.back);
   paint_lines(p, ruler_height() + 1, height());
@@ -190,7 +189,6 @@ void CurvePane::paintEvent(QPaintEvent*) {
   paint_names(p);
   p.setRenderHint(QPainter::Antialiasing, false);
   paint_ruler(p);
-  paint_playhead(p);
   if (lines_.empty()) {
     p.setPen(c.dim);
     p.drawText(time_box(), Qt::AlignCenter,

@@ -37,7 +37,7 @@ class CurvePane : public TimePane {
   void fill_changed(bool);
 
  protected:
-  void paintEvent(QPaintEvent*) override;
+  void paint_content(QPainter&) override;
   void resizeEvent(QResizeEvent*) override;
   void showEvent(QShowEvent*) override;
   void contextMenuEvent(QContextMenuEvent*) override;

@@ -51,14 +51,12 @@ std::optional<Time> Ruler::note_at(const QPointF& at) const {
   return found;
 }
 
-void Ruler::paintEvent(QPaintEvent*) {
-  QPainter p(this);
+void Ruler::paint_content(QPainter& p) {
   p.fillRect(rect(), colors().back);
   paint_ruler(p);
   paint_lines(p, ruler_height() + 1, height());
   p.setClipRect(time_box());
   paint_part(p), paint_cuts(p), paint_notes(p);
-  paint_playhead(p);
   p.setClipping(false);
   const QRect left(0, ruler_height(), axis_.gutter() - 6, height() - ruler_height());
   p.setPen(colors().dim);

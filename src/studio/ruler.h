@@ -23,7 +23,7 @@ class Ruler : public TimePane {
   QRect part_box() const;
 
  protected:
-  void paintEvent(QPaintEvent*) override;
+  void paint_content(QPainter&) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void contextMenuEvent(QContextMenuEvent*) override;
   void press(QMouseEvent*) override;

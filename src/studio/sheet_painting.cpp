@@ -161,8 +161,7 @@ void SheetPane::paint_names(QPainter& p) const {
   p.drawLine(w, 0, w, height());
 }
 
-void SheetPane::paintEvent(QPaintEvent*) {
-  QPainter p(this);
+void SheetPane::paint_content(QPainter& p) {
   const Colors& c = colors();
   p.fillRect(rect(), c.back);
   const std::size_t first = row_at(ruler_height() + 1).value_or(0);
@@ -187,7 +186,6 @@ void SheetPane::paintEvent(QPaintEvent*) {
   }
   p.setClipping(false);
   paint_ruler(p);
-  paint_playhead(p);
   if (rows_.empty()) {
     p.setPen(c.dim);
     const bool nothing = !only_selected_ || desk_.selected().empty();

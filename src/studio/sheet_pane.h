@@ -30,7 +30,7 @@ class SheetPane : public TimePane {
   std::optional<QRectF> box() const;
 
  protected:
-  void paintEvent(QPaintEvent*) override;
+  void paint_content(QPainter&) override;
   void resizeEvent(QResizeEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void contextMenuEvent(QContextMenuEvent*) override;

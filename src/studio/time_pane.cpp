@@ -17,7 +17,7 @@ TimePane::TimePane(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
   setFocusPolicy(Qt::StrongFocus);
   const auto repaint = [this] { update(); };
   connect(&axis_, &TimeAxis::changed, this, repaint);
-  connect(&desk, &Desk::time_changed, this, repaint);
+  connect(&desk, &Desk::time_changed, this, [this] { QWidget::update(); });
   connect(&desk, &Desk::playing_changed, this, repaint);
   connect(&desk, &Desk::opened, this, [this] { axis_.fit(time_box().width()); });
 }
@@ -41,12 +41,39 @@ bool TimePane::at_gutter(const QPointF& at) const { return std::abs(at.x() - axi
 
 void TimePane::resizeEvent(QResizeEvent*) { axis_.fit(time_box().width()); }
 
+void TimePane::paintEvent(QPaintEvent*) {
+  const QSize pixels = size() * devicePixelRatioF();
+  if (!fresh_ || content_.size() != pixels) {
+    content_ = QPixmap(pixels);
+    content_.setDevicePixelRatio(devicePixelRatioF());
+    content_.fill(colors().back);
+    QPainter p(&content_);
+    p.setFont(font());
+    paint_content(p);
+    fresh_ = true;
+  }
+  QPainter p(this);
+  p.drawPixmap(0, 0, content_);
+  paint_playhead(p);
+}
+
 // Keys of a panel go before those of the window while the panel is used.
 bool TimePane::event(QEvent* e) {
   if (e->type() == QEvent::ShortcutOverride) {
     const auto* k = static_cast<QKeyEvent*>(e);
     const bool mine = (k->key() == Qt::Key_Escape && hand_ != Hand::none) || key(k->key(), k->modifiers(), false);
     if (mine) return e->accept(), true;
+  }
+  switch (e->type()) {
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+    case QEvent::PaletteChange:
+    case QEvent::FontChange:
+    case QEvent::StyleChange:
+      update();
+      break;
+    default:
+      break;
   }
   return QWidget::event(e);
 }

@@ -5,6 +5,7 @@
 // and the gestures that have to do with time alone.
 #pragma once
 
+#include <QPixmap>
 #include <QWidget>
 #include <optional>
 
@@ -24,8 +25,11 @@ class TimePane : public QWidget {
   // On the nearest frame; with Ctrl where it is.
   Time time_at(const QPointF&, Qt::KeyboardModifiers) const;
   int ruler_height() const;
+  void update() { fresh_ = false, QWidget::update(); }
 
  protected:
+  // All but the playhead: that moves alone while a film plays.
+  virtual void paint_content(QPainter&) = 0;
   // A press that has nothing to do with time alone; moves and a release follow.
   virtual void press(QMouseEvent*) {}
   virtual void drag(QMouseEvent*) {}
@@ -50,6 +54,7 @@ class TimePane : public QWidget {
   TimeAxis& axis_;
 
   bool event(QEvent*) override;
+  void paintEvent(QPaintEvent*) final;
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
@@ -63,6 +68,8 @@ class TimePane : public QWidget {
 
   Hand hand_ = Hand::none;
   QPointF from_;
+  QPixmap content_;
+  bool fresh_ = false;  // that is how things are
 };
 
 }  // namespace betwixt::studio
