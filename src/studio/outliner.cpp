@@ -88,9 +88,19 @@ std::vector<ObjectId> OutlinerTree::marked() const {
 void OutlinerTree::take_selection() {
   if (selecting_) return;
   selecting_ = true;
-  QItemSelection all;
+  // Neighbours are one range: ten thousand of them are no work.
+  std::vector<QModelIndex> rows;
   for (const ObjectId id : desk_.selected())
-    if (const QModelIndex i = model_.index_of(id); i.isValid()) all.select(i, i);
+    if (const QModelIndex i = model_.index_of(id); i.isValid()) rows.push_back(i);
+  const auto place = [](const QModelIndex& i) { return std::pair(i.parent().internalId(), i.row()); };
+  std::ranges::sort(rows, {}, place);
+  QItemSelection all;
+  for (std::size_t i = 0; i < rows.size();) {
+    const std::size_t first = i;
+    for (++i; i < rows.size() && rows[i].parent() == rows[first].parent() && rows[i].row() == rows[i - 1].row() + 1;)
+      ++i;
+    all.append(QItemSelectionRange(rows[first], rows[i - 1]));
+  }
   selectionModel()->select(all, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   if (!desk_.selected().empty()) {
     const QModelIndex leads = model_.index_of(desk_.selected().back());

@@ -205,7 +205,7 @@ QWidget* Properties::make_section(const QString& title) {
   grid->setVerticalSpacing(1);
   grid->setColumnStretch(2, 3);
   grid->setColumnStretch(3, 2);
-  grid->setColumnMinimumWidth(3, fontMetrics().horizontalAdvance("between 1f"));
+  grid->setColumnMinimumWidth(3, fontMetrics().horizontalAdvance("event here"));
   grid->setColumnMinimumWidth(1, fontMetrics().horizontalAdvance("attach-position"));
   return section;
 }

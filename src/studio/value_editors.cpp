@@ -187,6 +187,7 @@ class ChoiceEditor : public ValueEditor {
     box_->setObjectName("value");
     box_->addItems(text_of(words).split('|'));
     box_->setFocusPolicy(Qt::StrongFocus);
+    box_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row_of(this)->addWidget(box_);
     connect(box_, &QComboBox::textActivated, this, [this](const QString& t) { Q_EMIT said(-1, t); });
   }
@@ -205,8 +206,8 @@ class ObjectBox : public QComboBox {
     setEditable(true);
     setInsertPolicy(QComboBox::NoInsert);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumContentsLength(6);
-    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    setMinimumWidth(5 * fontMetrics().horizontalAdvance('m'));
   }
   void showPopup() override {
     const QString now = currentText();
@@ -271,8 +272,9 @@ class AttachmentEditor : public ValueEditor {
     how_->addItems({"detach", "letgo", "hang on", "attach to", "couple to"});
     how_->setFocusPolicy(Qt::StrongFocus);
     auto* row = row_of(this);
-    row->addWidget(how_);
-    row->addWidget(to_, 1);
+    how_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    row->addWidget(how_, 4);
+    row->addWidget(to_, 3);
     connect(how_, &QComboBox::activated, this, [this] { say(); });
     when_chosen(to_, [this](const QString&) {
       if (how_->currentIndex() < 2) how_->setCurrentIndex(4);

@@ -199,6 +199,29 @@ class ScriptTest : public QObject {
     QCOMPARE(s.films(), "create ball sphere radius=3\r\ncreate car box\r\n");
   }
 
+  // A long text is read again when its author rests; what others do until then is put together with it.
+  void a_long_script_is_read_when_the_keys_rest() {
+    QByteArray text = "create ball sphere radius=2\n";
+    for (int i = 0; i < 20'000; ++i) text += "# a remark, one of many, line " + QByteArray::number(i) + "\n";
+    Shown s(text + "create car box");
+    s.edit.moveCursor(QTextCursor::End);
+    QTest::keyClick(&s.edit, Qt::Key_Return);
+    QTest::keyClicks(&s.edit, "hide car");
+    QVERIFY(!s.desk.looks_ahead());
+    QTRY_VERIFY(s.desk.looks_ahead());
+    QCOMPARE(s.value("car.display"), Value(false));
+    s.desk.settle_typing();
+    QTest::keyClick(&s.edit, Qt::Key_Return);
+    QTest::keyClicks(&s.edit, "hide ball");
+    QVERIFY(s.desk.say(std::string("set ball.radius 5")));
+    QTRY_COMPARE(s.value("ball.display"), Value(false));
+    QCOMPARE(s.radius("ball"), 5.0);
+    s.desk.settle_typing();
+    QCOMPARE(s.text(), s.films());
+    QVERIFY(s.text().startsWith("create ball sphere radius=5\n"));
+    QVERIFY(s.text().endsWith("create car box\nhide car\nhide ball"));
+  }
+
   // States of lines below an edit are what they would be if all were read again.
   void a_text_that_is_opened_colours_what_is_below() {
     Shown s("create ball sphere\n# one\ncreate car box\n");
