@@ -107,6 +107,7 @@ Timeline::Timeline(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
   connect(&desk, &Desk::document_changed, this, &Timeline::show_time);
   connect(&desk, &Desk::playing_changed, this, &Timeline::show_playing);
   show_time(), show_playing();
+  setMaximumHeight(sizeHint().height());  // what is more belongs to the panels below
 }
 
 QToolButton* Timeline::button(const QString& name, const QString& tip, void (*does)(Desk&)) {
