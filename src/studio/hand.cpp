@@ -23,6 +23,12 @@ ObjectId holder(const Document& d, ObjectId id, Time t) {
   return {};
 }
 
+bool hangs_only(const Document& d, ObjectId id, Time t) {
+  for (const AttachmentSpan& s : attachments(d, id))
+    if (s.from <= t && t < s.until) return s.to.kind == AttachmentKind::hang || s.computed;
+  return false;
+}
+
 bool hangs_on(const Document& d, ObjectId id, Time t, const std::vector<ObjectId>& others) {
   for (ObjectId up = holder(d, id, t); up; up = holder(d, up, t))
     if (std::find(others.begin(), others.end(), up) != others.end()) return true;
@@ -160,6 +166,10 @@ void Hand::take(ObjectId id) {
   bool placed = false;
   for (const FunctionView& f : functions(d, id)) placed = placed || f.id == fn::position;
   if (!placed) return;  // a layer, an environment
+  if (derived(d, id)) {
+    derived_ = true;
+    return;
+  }
   Held h;
   h.id = id;
   const auto values =
@@ -173,7 +183,8 @@ void Hand::take(ObjectId id) {
   const Mat4 to_world = program_.kinematics(id, time_).to_world;
   h.back = inverse(to_world).value_or(Mat4{});
   h.aims = looks_at_something(program_, id, time_);
-  if (h.aims)  // its rotation does not count now
+  // What turns its places turns it, too; but for what hangs only.
+  if (!hangs_only(d, id, time_))
     h.parent = from_matrix(without_length(to_world));
   else if (const auto own = inverse(rotation(quaternion(h.rotation)) * scaling(h.scale)))
     h.parent = from_matrix(without_length(linear_product(**world, *own)));
@@ -183,6 +194,7 @@ void Hand::take(ObjectId id) {
 }
 
 std::string Hand::refusal(std::uint16_t function) const {
+  if (derived_) return "a display list says what this is";
   const Document& d = program_.document();
   for (const Held& h : held_) {
     const int which = function == fn::position ? 0 : function == fn::rotation ? 1 : 2;

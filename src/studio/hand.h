@@ -68,7 +68,7 @@ class Hand {
 
   Program program_;
   Time time_;
-  bool always_;
+  bool always_, derived_ = false;
   std::vector<Held> held_;
   Vec3 place_, axes_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 };

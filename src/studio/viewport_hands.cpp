@@ -147,6 +147,8 @@ void Viewport::begin_pull(Tool tool, Part part, QPointF from, std::optional<Even
   Hand hand = event ? Hand(desk_.program(), event->time, {event->target.object}, false)
                     : Hand(desk_.program(), desk_.time(), desk_.selected(), switches_.auto_key);
   if (hand.empty()) {
+    refusal_ = QString::fromStdString(hand.refusal(0));
+    update();
     gesture_ = Gesture::none;
     return;
   }
