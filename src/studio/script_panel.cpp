@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "studio/theme.h"
@@ -22,7 +23,8 @@ ScriptPanel::ScriptPanel(Desk& desk, QWidget* parent)
       desk_(desk),
       edit_(new ScriptEdit(desk, this)),
       margin_(new QWidget(this)),
-      strip_(new QListWidget(this)) {
+      strip_(new QListWidget(this)),
+      sought_(new QLineEdit(this)) {
   setObjectName("script_panel");
   setWindowTitle(tr("Script"));
   margin_->setObjectName("script_margin");
@@ -39,7 +41,21 @@ ScriptPanel::ScriptPanel(Desk& desk, QWidget* parent)
   all->setContentsMargins(0, 0, 0, 0);
   all->setSpacing(0);
   all->addLayout(text, 1);
+  sought_->setObjectName("script_sought");
+  sought_->setPlaceholderText(tr("find; Enter goes on, Shift+Enter back"));
+  sought_->hide();
+  sought_->installEventFilter(this);
+  all->addWidget(sought_);
   all->addWidget(strip_);
+  auto* key = new QShortcut(QKeySequence::Find, this);
+  key->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(key, &QShortcut::activated, this, [this] {
+    const QString marked = edit_->textCursor().selectedText();
+    if (!marked.isEmpty() && !marked.contains(QChar::ParagraphSeparator)) sought_->setText(marked);
+    sought_->show(), sought_->setFocus(), sought_->selectAll();
+  });
+  connect(sought_, &QLineEdit::returnPressed, this,
+          [this] { find(QGuiApplication::keyboardModifiers() & Qt::ShiftModifier); });
   setFocusProxy(edit_);
   connect(edit_, &ScriptEdit::margin_changed, margin_, [this] {
     margin_->setFixedWidth(edit_->margin_width());
@@ -58,7 +74,21 @@ QSize ScriptPanel::sizeHint() const {
   return {edit_->margin_width() + 60 * m.horizontalAdvance('m'), 24 * m.lineSpacing()};
 }
 
+// The next place, from the other end where there is none.
+void ScriptPanel::find(bool backwards) {
+  const auto how = backwards ? QTextDocument::FindBackward : QTextDocument::FindFlags();
+  if (sought_->text().isEmpty() || edit_->find(sought_->text(), how)) return;
+  QTextCursor c = edit_->textCursor();
+  c.movePosition(backwards ? QTextCursor::End : QTextCursor::Start);
+  edit_->setTextCursor(c);
+  edit_->find(sought_->text(), how);
+}
+
 bool ScriptPanel::eventFilter(QObject* of, QEvent* e) {
+  if (of == sought_ && e->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(e)->key() == Qt::Key_Escape) {
+    sought_->hide(), edit_->setFocus();
+    return true;
+  }
   if (of != margin_) return false;
   if (e->type() == QEvent::Paint) {
     QPainter p(margin_);

@@ -4,6 +4,7 @@
 // The script: the file itself, its margin, and what there is to say of it.
 #pragma once
 
+#include <QLineEdit>
 #include <QListWidget>
 #include <QWidget>
 
@@ -22,11 +23,13 @@ class ScriptPanel : public QWidget {
 
  private:
   void list_diagnostics();
+  void find(bool backwards);
 
   Desk& desk_;
   ScriptEdit* edit_;
   QWidget* margin_;
   QListWidget* strip_;
+  QLineEdit* sought_;
 };
 
 }  // namespace betwixt::studio

@@ -191,6 +191,22 @@ class ScriptTest : public QObject {
     QCOMPARE(events(s.desk.document(), f->front()).size(), std::size_t{2});
   }
 
+  void words_are_found() {
+    Shown s("create ball sphere\ncreate car box\nhide ball\n");
+    QTest::keyClick(&s.edit, Qt::Key_F, Qt::ControlModifier);
+    auto& sought = *s.panel.findChild<QLineEdit*>("script_sought");
+    QVERIFY(sought.isVisible());
+    QTest::keyClicks(&sought, "ball");
+    const int lines[] = {1, 3, 1};  // again from the top
+    for (const int line : lines) {
+      QTest::keyClick(&sought, Qt::Key_Return);
+      QCOMPARE(s.edit.textCursor().blockNumber() + 1, line);
+      QCOMPARE(s.edit.textCursor().selectedText(), "ball");
+    }
+    QTest::keyClick(&sought, Qt::Key_Escape);
+    QVERIFY(!sought.isVisible() && s.edit.hasFocus());
+  }
+
   void endings_of_lines_stay() {
     Shown s("create ball sphere\r\ncreate car box\r\n");
     s.put_cursor(1, 18);
