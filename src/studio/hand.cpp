@@ -124,9 +124,10 @@ std::string line_for(const Document& d, const Target& t, const Value& v, Time ti
   std::string before, behind;
   each_event(d, t, time, time, [&](const EventView& e) {
     if (e.what != EventView::What::value || !e.value) return;
-    const std::string row = write_event(d, t, time);
-    before = e.before ? written(d, *e.before, t) + " cut " : "";
-    const std::string start = before + written(d, *e.value, t);
+    const std::string row = write_event(d, t, time), was = e.before ? written(d, *e.before, t) + " cut " : "";
+    const std::string start = was + written(d, *e.value, t);
+    // Where it does not jump it shall not jump.
+    before = e.before && *e.before == *e.value ? value + " cut " : was;
     if (row.starts_with(start)) behind = row.substr(start.size());
   });
   return "at " + format_time(time, d) + " " + d.name(t) + " " + before + value + behind;

@@ -138,6 +138,17 @@ class HandTest : public QObject {
     QVERIFY2(moved > 100 && turned > 100, qPrintable(QString("%1 %2").arg(moved).arg(turned)));
   }
 
+  void what_an_event_says_beside_its_value_stays() {
+    const Program p = compiled(
+        "create ball sphere\nball.position\n  1f (0 0 0) cut (0 0 0) linear\n  24f (0 0 0) cut (5 0 0) ease-in=4f\n");
+    const ObjectId ball = p.document().find("ball");
+    const Time end = p.document().rate().frame(24);
+    QCOMPARE(said(Hand(p, {}, {ball}, false).move({1, 0, 0}, 0.1)),
+             QString("at 1f ball.position (1 0 0) cut (1 0 0) linear"));
+    QCOMPARE(said(Hand(p, end, {ball}, false).move({0, 2, 0}, 0.1)),
+             QString("at 24f ball.position (0 0 0) cut (5 2 0) ease-in=4f"));
+  }
+
   void what_a_display_list_says_is_left_alone() {
     QTemporaryDir folder;
     QVERIFY(QFile::copy(SOURCE_DIR "/examples/frisbee.bx", folder.filePath("frisbee.bx")));
