@@ -13,7 +13,7 @@ class Maker {
  public:
   PictureMade make(const PictureWanted& w) {
     PictureMade m;
-    m.time = w.time;
+    m.time = w.time, m.program = w.program;
     const RenderOptions& o = w.options;
     if (!renderer_ || o.width != options_.width || o.height != options_.height || o.samples != options_.samples ||
         o.style != options_.style) {

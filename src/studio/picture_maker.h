@@ -29,6 +29,7 @@ struct PictureWanted {
 struct PictureMade {
   QImage image;
   Time time;
+  std::optional<Program> program;     // whose it is
   Camera eye;                         // that it was seen from
   std::vector<std::string> problems;  // of code, and why there is no image
 };

@@ -72,6 +72,7 @@ void Viewport::take_picture(const PictureMade& made) {
   if (desk_.transport().playing()) forget();
   desk_.picture_shown();
   update();
+  emit picture_came(made);
 }
 
 void Viewport::await_picture() { take_picture(PictureMaker::make(wanted())); }

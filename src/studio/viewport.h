@@ -69,6 +69,7 @@ class Viewport : public QWidget {
 
  Q_SIGNALS:
   void style_changed();
+  void picture_came(const betwixt::studio::PictureMade&);
   void switches_changed();
 
  protected:
