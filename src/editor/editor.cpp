@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "language/line_words.h"
+#include "scene/document.h"
 #include "scene/memory.h"
 
 namespace betwixt {
@@ -16,14 +17,18 @@ Diagnostics Editor::begin(std::string text, const std::string& name) {
   steps_.clear(), before_.clear(), undone_.clear();
   standing_ = bytes_ = 0, heavy_ = false;
   Diagnostics all;
+  now_ = {};
   now_ = read(base_, all);
   return all;
 }
 
 Point Editor::read(std::string_view text, Diagnostics& said) const {
   Scene scene;
+  const Scene& now = now_.document.scene();
+  scene.meshes = now.meshes, scene.pictures = now.pictures, scene.sounds = now.sounds, scene.formulas = now.formulas;
   Script script(scene, said, options_, {}, home_);
   read_text(scene, script, text, home_.name);
+  share(scene, now);
   return {Document(std::make_shared<const Scene>(std::move(scene))), script};
 }
 

@@ -55,7 +55,8 @@ class Editor {
 
   // Begins with the author's text; the sink is told nothing. `name`: the file that it stands in, may be empty.
   Diagnostics begin(std::string text, const std::string& name);
-  // A text as if it were the author's.
+  // A text as if it were the author's. What it has in common with the document now, both share, and files that this one
+  // names too are as they were when they were read.
   Point read(std::string_view text, Diagnostics&) const;
   void keep(Sink sink) { sink_ = std::move(sink); }
   void rename(const std::string& name) { home_ = Home(name); }

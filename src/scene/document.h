@@ -78,6 +78,7 @@ class Objects {
     }
   }
 
+  void share(const Objects& before);                    // takes over those that are exactly the same there
   std::size_t bytes_apart(const Objects& other) const;  // of what it holds and the other does not, but for the objects
 
  private:
@@ -216,6 +217,8 @@ void set_value(Scene&, const Target&, const Value&);
 
 // Same content: names, values, tracks, everything the author can see; not how it came to be.
 bool same(const Scene&, const Scene&);
+// Takes over what is exactly the same in a scene before: what is compiled from it then costs what differs.
+void share(Scene&, const Scene& before);
 // A centre that is gone is the origin, in the film, in what is written and in what is compared.
 Motion about_what_is_there(const Scene&, Motion);
 

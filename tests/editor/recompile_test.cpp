@@ -4,6 +4,7 @@
 // A program that shares what an edit did not touch is the program that is compiled from nothing.
 #include <rapidcheck.h>
 
+#include "betwixt/language.h"
 #include "editor/author.h"
 #include "support/plain_film.h"
 
@@ -46,6 +47,34 @@ TEST(Recompiling, SharesOnlyWhatIsTheSame) {
       for (std::size_t at = 0; at < lines.size(); at = lines.find('\n', at) + 1)
         s.enter(lines.substr(at, lines.find('\n', at) - at));
       s.enter("");
+      program = Program::compile(s.document(), program);
+      expect_one_program(s.document(), program, random);
+    }
+  }));
+}
+
+// The same of a text that is changed: what it has in common with the film before is shared, and no more.
+TEST(Recompiling, OfATextSharesOnlyWhatIsTheSame) {
+  EXPECT_TRUE(rc::check([] {
+    const Folder folder;
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    std::mt19937_64 random(seed);
+    PlainFilm film(seed);
+    Session s;
+    s.keep_in_place();
+    folder.put("film.bx", film.script().c_str());
+    s.open(folder / "film.bx");
+    Program program = Program::compile(s.document());
+    for (int k = 0; k < 12; ++k) {
+      std::vector<std::string> lines;
+      const std::string text = s.text();
+      for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+        lines.push_back(text.substr(at, text.find('\n', at) + 1 - at));
+      const int at = 1 + static_cast<int>(random() % lines.size());
+      const std::string& there = lines[random() % lines.size()];
+      const int last = at - static_cast<int>(random() % 2);
+      s.enter(Session::rewrite_line(at, last, random() % 3 == 0 ? "" : there));
+      RC_ASSERT(load_text(s.text(), folder / "film.bx").document == s.document());
       program = Program::compile(s.document(), program);
       expect_one_program(s.document(), program, random);
     }

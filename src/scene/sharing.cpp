@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A scene that was read anew takes over what is exactly the same in another one: as an edit of that one would have.
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+bool exactly(const Strand& a, const Strand& b) {
+  if (!a.track.same(b.track) && !(*a.track == *b.track)) return false;
+  if (a.components.size() != b.components.size()) return false;
+  for (std::size_t i = 0; i < a.components.size(); ++i)
+    if (!a.components[i].same(b.components[i]) && !(*a.components[i] == *b.components[i])) return false;
+  return true;
+}
+
+bool exactly(const Slot& a, const Slot& b) {
+  return a.function == b.function && a.layer == b.layer && a.set == b.set && exactly(static_cast<const Strand&>(a), b) &&
+         exactly(a.velocity, b.velocity) && a.filters == b.filters;
+}
+
+// What was said to it may be the same, and when it was said not: that is asked for where it counts.
+bool exactly(const Object& a, const Object& b) {
+  if (a.name != b.name || a.kind != b.kind || a.removed != b.removed || a.leads != b.leads || a.derived != b.derived ||
+      a.environment || b.environment || a.slots.size() != b.slots.size())
+    return false;
+  for (std::size_t i = 0; i < a.slots.size(); ++i)
+    if (!exactly(a.slots[i], b.slots[i])) return false;
+  return true;
+}
+
+template <class T>
+void share(Cow<T>& a, const Cow<T>& b) {
+  if (!a.same(b) && *a == *b) a = b;
+}
+
+}  // namespace
+
+void Objects::share(const Objects& before) {
+  for (std::size_t c = 0; c < chunks_.size() && c < before.chunks_.size(); ++c) {
+    if (chunks_[c].same(before.chunks_[c])) continue;
+    const auto& theirs = *before.chunks_[c];
+    auto& ours = chunks_[c].edit();
+    bool all = ours.size() == theirs.size();
+    for (std::size_t k = 0; k < ours.size() && k < theirs.size(); ++k)
+      if (exactly(*ours[k], *theirs[k]))
+        ours[k] = theirs[k];
+      else
+        all = false;
+    if (all) chunks_[c] = before.chunks_[c];
+  }
+}
+
+void share(Scene& scene, const Scene& before) {
+  scene.objects.share(before.objects);
+  share(scene.defined, before.defined);
+  share(scene.procedures, before.procedures);
+}
+
+}  // namespace betwixt
