@@ -34,6 +34,7 @@ class Program {
   // Pure: the same time gives the same bits, whatever was asked before.
   Frame frame(Time) const;
   // The value of one display function (or component) at a time, a world as a matrix; colours as the author writes them.
+  // Of an object that is not there it is the number 0; kinematics and motions are nothing.
   Value read(const Target&, Time) const;
   // Many at once: what they share is evaluated once. `problems`: procedures that gave no value, in words.
   std::vector<Value> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;

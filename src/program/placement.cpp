@@ -213,6 +213,7 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
 }
 
 Kinematics Program::kinematics(ObjectId object, Time t) const {
+  if (!find_object(document().scene(), object)) return {};
   Asking asking;
   const Compiled& compiled = *code_;
   const std::uint32_t node = compiled.node_of[object.index];

@@ -109,6 +109,7 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
 }
 
 Value Program::read(const Target& target, Time t) const {
+  if (!find_object(document().scene(), target.object)) return 0.0;
   Asking asking;
   return code_->read(target, t, asking);
 }

@@ -278,6 +278,7 @@ void Desk::picture_shown() {
 }
 
 void Desk::select(std::vector<ObjectId> ids) {
+  std::erase_if(ids, [&](ObjectId id) { return document_.name(id).empty(); });
   if (ids == selected_) return;
   selected_ = std::move(ids);
   emit selection_changed();

@@ -3,28 +3,37 @@
 #include "studio/picture_maker.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <utility>
 
 namespace betwixt::studio {
 namespace {
 
-// A renderer and an evaluation that are kept from one picture to the next.
+// Pictures that follow each other quickly, as while a film plays or a hand drags, may be coarser: so long.
+constexpr std::chrono::milliseconds flows{150};
+constexpr double slow = 0.040, quick = 0.012;  // seconds that one of them may take, and where there is time for better
+
+// How coarse: as asked for; one sample a pixel; half as wide and high.
+constexpr int coarsest = 2;
+RenderOptions coarser(RenderOptions o, int by) {
+  const auto is_style = [&](const Style& s) { return s.name == o.style; };
+  const auto style = std::ranges::find_if(styles(), is_style);
+  if (by > 0 && style != styles().end() && style->takes(1)) o.samples = 1;
+  if (by > 1) o.width = std::max(1, o.width / 2), o.height = std::max(1, o.height / 2);
+  return o;
+}
+
+// Renderers and an evaluation that are kept from one picture to the next.
 class Maker {
  public:
-  PictureMade make(const PictureWanted& w) {
+  PictureMade make(const PictureWanted& w, int coarse = 0) {
     PictureMade m;
     m.time = w.time, m.program = w.program;
-    const RenderOptions& o = w.options;
-    if (!renderer_ || o.width != options_.width || o.height != options_.height || o.samples != options_.samples ||
-        o.style != options_.style) {
-      options_ = o;
-      auto made = make_renderer(o);
-      if (!made) {
-        renderer_.reset();
-        m.problems.push_back(made.error().message);
-        return m;
-      }
-      renderer_ = *std::move(made);
+    const auto kept = renderer_for(coarser(w.options, coarse), coarse);
+    if (!kept) {
+      m.problems.push_back(kept.error().message);
+      return m;
     }
     if (!evaluation_)
       evaluation_.emplace(w.program);
@@ -33,20 +42,36 @@ class Maker {
     evaluation_->look_from(w.eye);
     evaluation_->to(w.time);
     m.eye = evaluation_->camera(), m.problems = evaluation_->problems();
-    if (Status s = renderer_->render(*evaluation_, picture_); !s) {
+    Picture& p = (*kept)->picture;
+    if (Status s = (*kept)->renderer->render(*evaluation_, p); !s) {
       m.problems.push_back(s.error().message);
       return m;
     }
-    m.image = QImage(picture_.rgba.data(), picture_.width, picture_.height, 4 * picture_.width, QImage::Format_RGBA8888)
+    m.image = QImage(p.rgba.data(), p.width, p.height, 4 * p.width, QImage::Format_RGBA8888)
                   .convertToFormat(QImage::Format_RGB32);
     return m;
   }
 
  private:
-  RenderOptions options_;
-  std::unique_ptr<Renderer> renderer_;
+  struct Kept {
+    RenderOptions options;
+    std::unique_ptr<Renderer> renderer;
+    Picture picture;  // the last one: where nothing differs, nothing is drawn
+  };
+  Result<Kept*> renderer_for(const RenderOptions& o, int coarse) {
+    Kept& kept = kept_[static_cast<std::size_t>(coarse)];
+    const RenderOptions& k = kept.options;
+    if (kept.renderer && o.width == k.width && o.height == k.height && o.samples == k.samples && o.style == k.style)
+      return &kept;
+    kept.renderer.reset();
+    auto made = make_renderer(o);
+    if (!made) return made.error();
+    kept = {o, *std::move(made), {}};
+    return &kept;
+  }
+
+  std::array<Kept, coarsest + 1> kept_;
   std::optional<Evaluation> evaluation_;
-  Picture picture_;
 };
 
 }  // namespace
@@ -74,16 +99,38 @@ void PictureMaker::want(PictureWanted w) {
 }
 
 void PictureMaker::work() {
+  using Clock = std::chrono::steady_clock;
   Maker maker;
+  int coarse = 0;                      // of pictures that follow each other
+  Clock::time_point before;            // when the last one was wanted
+  std::optional<PictureWanted> rough;  // what was shown coarser than it was wanted
   while (true) {
     std::optional<PictureWanted> next;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return over_ || wanted_; });
+      const auto due = [&] { return over_ || wanted_; };
+      if (rough)
+        changed_.wait_for(lock, flows, due);
+      else
+        changed_.wait(lock, due);
       if (over_) return;
       next = std::exchange(wanted_, std::nullopt);
     }
-    emit made(maker.make(*next));
+    const auto now = Clock::now();
+    if (!next) {  // it rests: as it was wanted
+      emit made(maker.make(*std::exchange(rough, std::nullopt)));
+      continue;
+    }
+    const bool follows = now - std::exchange(before, now) < flows;
+    const int by = follows ? coarse : 0;
+    PictureMade picture = maker.make(*next, by);
+    const double took = std::chrono::duration<double>(Clock::now() - now).count();
+    if (follows && took > slow) coarse = std::min(coarse + 1, coarsest);
+    if (follows && took < quick) coarse = std::max(coarse - 1, 0);
+    if (by > 0) rough = std::move(next);
+    if (by == 0) rough.reset();
+    before = Clock::now();  // how long it took is no pause
+    emit made(picture);
   }
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Pictures for windows: a thread with a renderer of its own makes the newest one that was asked for, and leaves out
-// those that came too late.
+// those that came too late. While they follow each other quickly, and take long, they are coarser; the last one is made
+// again as it was asked for.
 #pragma once
 
 #include <QImage>

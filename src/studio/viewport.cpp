@@ -239,7 +239,8 @@ bool Viewport::event(QEvent* e) {
   if (e->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(e);
     const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    if ((pull_ && key->key() != Qt::Key_Space) || (plain && QString("013579FWETGRSA").contains(QChar(key->key()))) ||
+    if ((pull_ && key->key() != Qt::Key_Space) ||
+        (plain && key->key() < 128 && QString("013579FWETGRSA").contains(QChar(key->key()))) ||
         (key->key() == Qt::Key_Escape && gesture_ != Gesture::none)) {
       e->accept();
       return true;
