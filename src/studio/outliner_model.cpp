@@ -78,8 +78,9 @@ void OutlinerModel::filter(const QString& pattern) {
 }
 
 const OutlinerModel::Node* OutlinerModel::node(ObjectId id) const {
-  return id.index + 1 < nodes_.size() && nodes_[id.index].there && nodes_[id.index].wanted ? &nodes_[id.index]
-                                                                                           : nullptr;
+  const bool known = !nodes_.empty() && id.index < nodes_.size() - 1;
+  return known && nodes_[id.index].there && nodes_[id.index].wanted ? &nodes_[id.index] : nullptr;
+             : nullptr;
 }
 
 ObjectId OutlinerModel::object(const QModelIndex& i) const {
