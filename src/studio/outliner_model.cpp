@@ -80,7 +80,6 @@ void OutlinerModel::filter(const QString& pattern) {
 const OutlinerModel::Node* OutlinerModel::node(ObjectId id) const {
   const bool known = !nodes_.empty() && id.index < nodes_.size() - 1;
   return known && nodes_[id.index].there && nodes_[id.index].wanted ? &nodes_[id.index] : nullptr;
-             : nullptr;
 }
 
 ObjectId OutlinerModel::object(const QModelIndex& i) const {
