@@ -5,10 +5,11 @@
 find_package(Qt6 REQUIRED COMPONENTS Widgets Network Test)
 file(GLOB studio_sources CONFIGURE_DEPENDS src/studio/*.cpp src/studio/*.h)
 list(FILTER studio_sources EXCLUDE REGEX "_program.cpp$")
-add_library(betwixt_studio_room STATIC ${studio_sources} src/app/live_input.cpp)
+add_library(betwixt_studio_room STATIC ${studio_sources} src/app/live_input.cpp src/app/hearing.cpp
+            src/app/sound_device.cpp)
 set_target_properties(betwixt_studio_room PROPERTIES AUTOMOC ON)
 target_precompile_headers(betwixt_studio_room PRIVATE <QtWidgets> <fmt/format.h> <algorithm> <map> <optional> <string> <vector>)
-target_link_libraries(betwixt_studio_room PUBLIC betwixt_server Qt6::Widgets Qt6::Network PkgConfig::CONTROLS)
+target_link_libraries(betwixt_studio_room PUBLIC betwixt_server Qt6::Widgets Qt6::Network PkgConfig::CONTROLS PkgConfig::ALSA)
 # Words such as slots are ours.
 target_compile_definitions(betwixt_studio_room PUBLIC QT_NO_SIGNALS_SLOTS_KEYWORDS)
 # Nothing here is done often enough to be worth the building.

@@ -3,6 +3,7 @@
 #include "studio/actions.h"
 
 #include "studio/event_hands.h"
+#include "studio/sound.h"
 #include "studio/viewport.h"
 #include "studio/window.h"
 
@@ -18,6 +19,9 @@ const std::vector<ActionRow>& action_rows() {
        [](Window& w) { w.save_as(); }},
       {"File", "Make a film…", "Ctrl+R; F12", "The film as a file: `betwixt render`.",
        [](Window& w) { w.make_film(); }},
+      {"File", "Save what was said…", "",
+       "The lines of this session as a file: said again, by `betwixt studio --session`, they make the same film.",
+       [](Window& w) { w.save_session(); }},
       {"File", "Open an example", "", "A ball, a hand, and what they do.", [](Window& w) { w.open_example(); }},
       {"File", "Quit", "Ctrl+Q", "Ends; asks first where something is not saved: `quit`.",
        [](Window& w) { w.close(); }},
@@ -34,6 +38,8 @@ const std::vector<ActionRow>& action_rows() {
       {"Play", "Again and again", "L", "At its end it goes on from the beginning.",
        [](Window& w) { w.desk().transport().loop(!w.desk().transport().loops()); },
        [](const Window& w) { return w.desk().transport().loops(); }},
+      {"Play", "Without sound", "Ctrl+M", "Whether the film's sounds are heard while it plays.",
+       [](Window& w) { w.sound().mute(!w.sound().muted()); }, [](const Window& w) { return w.sound().muted(); }},
       {"Play", "Next frame", "Right", "One frame on.", [](Window& w) { w.desk().step(1); }},
       {"Play", "Frame before", "Left", "One frame back.", [](Window& w) { w.desk().step(-1); }},
       {"Play", "To the beginning", "Home", "To the first frame of what is played.",

@@ -54,7 +54,7 @@ bool Desk::open(const QString& file, Session::Earlier earlier) {
   const Session::Answer a = session_->open(file.toStdString(), earlier);
   const bool done = answer({}, a);
   if (!done) return false;
-  selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0;
+  selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0, lines_.clear();
   take_over();
   know_file();
   pause();
@@ -67,6 +67,7 @@ bool Desk::open(const QString& file, Session::Earlier earlier) {
 // What was said to the session is shown, and everybody told.
 bool Desk::answer(const std::string& line, const Session::Answer& a) {
   last_said_ = a.said;
+  if (a.done && !line.empty()) lines_.push_back(line);
   if (!line.empty() || !a.said.empty())
     emit said(QString::fromStdString(line), QString::fromStdString(a.said), a.refused);
   return a.done;
@@ -232,6 +233,7 @@ void Desk::tick() {
 
 void Desk::go_to(Time t) {
   transport_.go_to(t);
+  emit jumped();
   if (t == time_) return;
   time_ = t;
   emit time_changed();

@@ -70,6 +70,8 @@ class Desk : public QObject {
   void undo() { say(std::string("undo")); }
   void redo() { say(std::string("redo")); }
   const std::string& last_said() const { return last_said_; }
+  // All lines that were carried out since the script was opened: said again, one after the other, they make the film.
+  const std::vector<std::string>& session_lines() const { return lines_; }
   // The author's text with all that was done; with what is being typed. Its errors and warnings.
   const std::string& text() const { return text_; }
   const Diagnostics& diagnostics() const { return diagnostics_; }
@@ -106,6 +108,7 @@ class Desk : public QObject {
   void text_changed();      // not while it is only looked ahead
   void time_changed();
   void playing_changed();
+  void jumped();  // the playhead was put elsewhere
   void selection_changed();
   void script_line_changed();
   void said(const QString& line, const QString& answer, bool refused);
@@ -125,6 +128,7 @@ class Desk : public QObject {
   Program program_;
   bool ahead_ = false;
   std::string text_, last_said_;
+  std::vector<std::string> lines_;
   Diagnostics diagnostics_;
   QFileSystemWatcher watcher_;
   QTimer file_rests_;      // editors write in several goes

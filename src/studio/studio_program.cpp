@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "betwixt/language.h"
+#include "studio/sound.h"
 #include "studio/theme.h"
 #include "studio/viewport.h"
 #include "studio/window.h"
@@ -114,6 +115,7 @@ int main(int argc, char** argv) {
                                    : (std::fprintf(stderr, "betwixt: '%s' cannot be written\n", qPrintable(out)), 3);
   }
   desk.transport().loop(line.isSet("loop") || !line.isSet("bare"));
+  window.sound().mute(line.isSet("mute"));
   if (line.isSet("bare")) desk.play(1);
   return QApplication::exec();
 }

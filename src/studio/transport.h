@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "betwixt/time.h"
 
@@ -41,6 +42,8 @@ class Transport {
     frame = std::clamp(direction_ > 0 ? std::floor(frame) : std::ceil(frame), from, to);
     return rate_.frame(frame);
   }
+  // Where it was at that moment; while it plays, on from there.
+  std::pair<Time, Clock::time_point> place() const { return {at_, since_}; }
   // It has come to the end that it goes to, and stays there.
   bool ended(Clock::time_point clock = Clock::now()) const {
     return direction_ != 0 && !loops_ && now(clock) == (direction_ > 0 ? last_ : first_);

@@ -13,9 +13,11 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
+#include <QShortcut>
 #include <QStatusBar>
 #include <QTextBrowser>
 
+#include "base/files.h"
 #include "studio/actions.h"
 #include "studio/asking.h"
 #include "studio/console.h"
@@ -29,6 +31,7 @@
 #include "studio/script_panel.h"
 #include "studio/server_panel.h"
 #include "studio/sheet.h"
+#include "studio/sound.h"
 #include "studio/theme.h"
 #include "studio/timeline.h"
 #include "studio/viewport.h"
@@ -43,7 +46,11 @@ QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cas
 }  // namespace
 
 Window::Window(Desk& desk, Manner manner)
-    : desk_(desk), manner_(manner), viewport_(new Viewport(desk, this)), said_(new QLabel(this)) {
+    : desk_(desk),
+      manner_(manner),
+      viewport_(new Viewport(desk, this)),
+      sound_(new Sound(desk, this)),
+      said_(new QLabel(this)) {
   setObjectName("studio");
   setDockNestingEnabled(true);
   setAcceptDrops(true);
@@ -71,6 +78,10 @@ Window::Window(Desk& desk, Manner manner)
     if (refused) p.setColor(QPalette::WindowText, colors().error);
     said_->setPalette(p);
   });
+  if (manner_.bare) {  // as the terminal has it
+    connect(new QShortcut(Qt::Key_Q, this), &QShortcut::activated, this, &QWidget::close);
+    connect(new QShortcut(Qt::Key_M, this), &QShortcut::activated, this, [this] { sound_->mute(!sound_->muted()); });
+  }
   set_layout(manner_.bare ? "picture" : "all");
   if (manner_.remembers) recall();
   name_film();
@@ -248,6 +259,15 @@ void Window::list_recent() {
     if (QFileInfo::exists(file))
       recent_->addAction(file, this, [this, file] { desk_.say("open " + quoted_word(file.toStdString())); });
   if (recent_->isEmpty()) recent_->addAction(tr("none yet"))->setEnabled(false);
+}
+
+void Window::save_session() {
+  const QString name = QFileDialog::getSaveFileName(this, tr("Save what was said"), "session.txt");
+  if (name.isEmpty()) return;
+  std::string all;
+  for (const std::string& line : desk_.session_lines()) all += line + "\n";
+  if (const Status s = write_whole(name.toStdString(), all, true); !s)
+    said_->setText(QString::fromStdString(s.error().message));
 }
 
 void Window::make_film() {

@@ -16,6 +16,7 @@ class QMenu;
 
 namespace betwixt::studio {
 
+class Sound;
 class Viewport;
 
 class Window : public QMainWindow {
@@ -47,6 +48,9 @@ class Window : public QMainWindow {
   bool save();  // asks for a name where there is none
   bool save_as();
   void make_film();
+  void save_session();  // the lines that were said
+  Sound& sound() { return *sound_; }
+  const Sound& sound() const { return *sound_; }
   void find_command();  // the palette
   void show_panel(const QString& name);
   void show_keys();
@@ -71,6 +75,7 @@ class Window : public QMainWindow {
   Desk& desk_;
   const Manner manner_;
   Viewport* viewport_;
+  Sound* sound_;
   std::vector<QDockWidget*> docks_;
   QMenu* recent_ = nullptr;
   QLabel* said_;

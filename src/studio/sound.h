@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The film's sounds, in step with the playhead while it plays forward.
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/hearing.h"
+#include "studio/desk.h"
+
+namespace betwixt::studio {
+
+class Sound : public QObject {
+  Q_OBJECT
+ public:
+  explicit Sound(Desk&, QObject* parent = nullptr);
+  void mute(bool on);
+  bool muted() const { return muted_; }
+
+ private:
+  void follow();
+
+  Desk& desk_;
+  std::unique_ptr<Hearing> hearing_;  // none: nothing is to be heard
+  FrameList frames_;
+  bool loops_ = false, muted_ = false;
+};
+
+}  // namespace betwixt::studio
