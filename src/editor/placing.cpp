@@ -41,6 +41,16 @@ Result<TextEdit> replace_lines(std::string_view text, LineRange lines, std::stri
   return e;
 }
 
+TextEdit whole_lines(std::string_view text, const TextEdit& e) {
+  const std::size_t before = e.at == 0 ? std::string_view::npos : text.rfind('\n', e.at - 1);
+  const std::size_t from = before == std::string_view::npos ? 0 : before + 1;
+  const std::size_t there = e.at + e.removed.size();
+  const bool ends = there > from && text[there - 1] == '\n' && (e.inserted.empty() || e.inserted.back() == '\n');
+  const std::size_t to = ends ? there : std::min(text.find('\n', there), text.size() - 1) + 1;
+  const std::string head(text.substr(from, e.at - from)), tail(text.substr(there, std::max(to, there) - there));
+  return {from, head + e.removed + tail, head + e.inserted + tail};
+}
+
 LineChange change_between(std::string_view before, std::string_view after) {
   const auto was = line_starts(before), is = line_starts(after);
   const auto line = [](std::string_view text, const std::vector<std::size_t>& starts, std::size_t i) {

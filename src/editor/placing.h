@@ -44,9 +44,12 @@ struct PlacedText {
   std::vector<TextEdits> edits;
 };
 
-// What a step does to a text that makes `before`, so that it makes `after`. `makes`: whether a text makes that.
+// What a step does to a text that makes `before`, so that it makes `after`. `makes`: whether a text makes that, which
+// comes of such edits.
 TextEdits place(const std::string& text, const Step&, const Document& before, const Document& after,
-                const std::function<bool(const std::string&)>& makes);
+                const std::function<bool(const std::string&, const TextEdits&)>& makes);
+// The same edit of the lines that it touches as wholes.
+TextEdit whole_lines(std::string_view text, const TextEdit&);
 
 // Two authors have changed a text; none where they have changed the same lines.
 std::optional<std::string> merge(std::string_view base, std::string_view ours, std::string_view theirs);

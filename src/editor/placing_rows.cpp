@@ -484,12 +484,12 @@ void shorten(TextEdit& e) {
 }  // namespace
 
 TextEdits place(const std::string& text, const Step& step, const Document& before, const Document& after,
-                const std::function<bool(const std::string&)>& makes) {
+                const std::function<bool(const std::string&, const TextEdits&)>& makes) {
   if (auto edits = Placing(text, before, after).edits()) {
     for (TextEdit& e : *edits) shorten(e);
     std::string placed = text;
     put_into(placed, *edits);
-    if (makes(placed)) return *std::move(edits);
+    if (makes(placed, *edits)) return *std::move(edits);
   }
   TextEdit end{text.size(), {}, text.empty() || text.back() == '\n' ? "" : "\n"};
   for (const std::string& line : lines_of(step, nullptr)) end.inserted += line + "\n";

@@ -113,6 +113,7 @@ struct Session::State {
   Status go_back();
   Status go_again();
   void read_text_again();
+  Point after(const std::string& text, const TextEdit&, Diagnostics& said) const;
   Status go_on_from_file();
 
   // session_opening.cpp: a session begins, or an earlier one goes on

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "editor/row_change.h"
 #include "editor/session_state.h"
 #include "language/cursor.h"
 #include "language/values.h"
@@ -29,15 +30,17 @@ void Session::State::read_text_again() {
   (void)editor.read(placed.text, of_text);
 }
 
-Status Session::State::take(Point after, Step step) {
-  if (!in_place) return editor.take(std::move(after), std::move(step));
+Status Session::State::take(Point then, Step step) {
+  if (!in_place) return editor.take(std::move(then), std::move(step));
   Diagnostics said;
-  const auto makes = [&](const std::string& text) {
+  const auto makes = [&](const std::string& text, const TextEdits& edits) {
     said.clear();
-    return editor.read(text, said).document == after.document;
+    const Point made =
+        edits.size() == 1 ? after(text, whole_lines(placed.text, edits[0]), said) : editor.read(text, said);
+    return made.document == then.document;
   };
-  TextEdits edits = place(placed.text, step, document(), after.document, makes);
-  if (Status s = editor.take(std::move(after), std::move(step)); !s) return s;
+  TextEdits edits = place(placed.text, step, document(), then.document, makes);
+  if (Status s = editor.take(std::move(then), std::move(step)); !s) return s;
   placed.edits.resize(editor.steps().size() - 1);
   placed.edits.push_back(std::move(edits));
   put_into(placed.text, placed.edits.back());
@@ -80,6 +83,23 @@ Result<TextEdit> Session::State::rewriting(std::string_view line) const {
   return replace_lines(in_place ? placed.text : text(), lines, others);
 }
 
+// The film after a change of the text. Where that is plain to see it is worked out from the film that there is.
+Point Session::State::after(const std::string& text, const TextEdit& edit, Diagnostics& said) const {
+  if (in_place && of_text.empty())
+    if (const auto commands = commands_of(placed.text, edit, document())) {
+      Point at = editor.now();
+      at.script.left.reset();
+      bool plain = true;
+      for (const std::string& line : *commands) {
+        Deed deed = editor.carry_out(at, line);
+        plain = plain && deed.done && deed.said.empty();
+        if (plain) at = std::move(deed.after);
+      }
+      if (plain) return at;
+    }
+  return editor.read(text, said);
+}
+
 Session::Answer Session::State::rewrite(std::string_view line) {
   if (looks_only) return only_looks();
   const Result<TextEdit> edit = rewriting(line);
@@ -88,8 +108,8 @@ Session::Answer Session::State::rewrite(std::string_view line) {
   std::string text = placed.text;
   put_into(text, {*edit});
   Diagnostics said;
-  Point after = editor.read(text, said);
-  if (Status s = editor.take(std::move(after), {{std::string(line)}, {}}); !s) return refused(s.error());
+  Point then = after(text, *edit, said);
+  if (Status s = editor.take(std::move(then), {{std::string(line)}, {}}); !s) return refused(s.error());
   placed.edits.resize(editor.steps().size() - 1);
   placed.edits.push_back({*edit});
   placed.text = std::move(text), of_text = std::move(said);
@@ -119,9 +139,13 @@ Status Session::go_on_from_file() { return state_->go_on_from_file(); }
 
 Loaded Session::look_ahead(int first, int last, std::string_view others) const {
   std::string text = state_->text();
-  if (const auto edit = replace_lines(text, {first, last}, others)) put_into(text, {*edit});
   Loaded loaded;
-  loaded.document = state_->editor.read(text, loaded.diagnostics).document;
+  if (const auto edit = replace_lines(text, {first, last}, others)) {
+    put_into(text, {*edit});
+    loaded.document = state_->after(text, *edit, loaded.diagnostics).document;
+  } else {
+    loaded.document = document();
+  }
   return loaded;
 }
 

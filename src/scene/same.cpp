@@ -29,6 +29,7 @@ struct Ranks {
 struct Compare {
   const Scene &a, &b;
   Ranks ra{a}, rb{b};
+  bool same_numbers = ra.rank == rb.rank;  // then an object that both share is the same
 
   bool values(const Value& x, const Value& y) const {
     const auto *p = std::get_if<ObjectId>(&x), *q = std::get_if<ObjectId>(&y);
@@ -111,7 +112,7 @@ struct Compare {
     };
     if (!std::equal(a.cuts->begin(), a.cuts->end(), b.cuts->begin(), b.cuts->end(), same_cut)) return false;
     return std::equal(ra.living.begin(), ra.living.end(), rb.living.begin(), rb.living.end(),
-                      [&](const Object* x, const Object* y) { return objects(*x, *y); });
+                      [&](const Object* x, const Object* y) { return (x == y && same_numbers) || objects(*x, *y); });
   }
 };
 

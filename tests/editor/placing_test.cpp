@@ -6,6 +6,7 @@
 
 #include "betwixt/language.h"
 #include "editor/author.h"
+#include "editor/row_change.h"
 
 namespace betwixt {
 namespace {
@@ -280,6 +281,64 @@ TEST(Rewriting, SaysWhatItTakes) {
   EXPECT_NE(s.enter("rewrite 3..4 \"x\"").said.find("there are no lines 3..4"), std::string::npos);
 }
 
+// A row that is changed by itself gives the film that the whole text gives.
+TEST(RowChange, IsWhatTheWholeTextMakes) {
+  const Folder folder;
+  const std::string text =
+      "rate 24\ncreate ball sphere\ncreate hand box\n"
+      "ball.position\n  1f (0 0 0)\n  # up\n  12f (2 3 0) linear ease-in=2f\n  24f (4 0 0)\n\n"
+      "ball.scale.x\n  1f 1\n  9f 2 hold\n"
+      "hand.rotation\n  1f (0 0 0)\n  24f (0 90deg 0)\n"
+      "ball.color\n  1f red\n  24f blue\n"
+      "at 12f attach ball to hand keep-world\nat 20f letgo ball\nat 5f note \"x\"\nset hand.color gold\n"
+      "at 9f hand.position (1 2 3)\n";
+  std::mt19937 random(3);
+  int quick = 0;
+  for (const std::string more :
+       {"", "move ball.position 1f..24f by 2f\n", "copy ball.position 1f..9f to 30f\n", "let a = 2\n",
+        "at 12f ball.position (9 9 9)\n", "b*.position\n  3f (1 1 1)\n", "rate 30\n", "create two like ball\n",
+        "at 20f fall ball\n", "bake ball.position 1f..9f\n"}) {
+    folder.put("film.bx", text + more);
+    Session s;
+    s.keep_in_place();
+    ASSERT_TRUE(s.open(folder / "film.bx").done);
+    for (int i = 0; i < 60; ++i) {
+      std::vector<std::string> lines;
+      const std::string now = s.text();
+      for (std::size_t at = 0; at < now.size(); at = now.find('\n', at) + 1)
+        lines.push_back(now.substr(at, now.find('\n', at) + 1 - at));
+      const std::size_t k = random() % lines.size();
+      if (lines[k][0] != ' ') continue;
+      std::string row = lines[k];
+      switch (random() % 4) {
+        case 0:
+          row.replace(2, row.find(' ', 2) - 2, fmt::format("{}f", 1 + random() % 30));
+          break;
+        case 1:
+          row.replace(2, row.find(' ', 2) - 2, fmt::format("{}s", 0.25 * static_cast<double>(random() % 8)));
+          break;
+        case 2:
+          std::ranges::replace(row, '0', static_cast<char>('1' + random() % 9));
+          break;
+        case 3:
+          row.insert(row.size() - 1, random() % 2 ? " hold" : " x");
+          break;
+      }
+      quick +=
+          commands_of(now, *replace_lines(now, {static_cast<int>(k) + 1, static_cast<int>(k) + 1}, row), s.document())
+              .has_value();
+      const Loaded ahead = s.look_ahead(static_cast<int>(k) + 1, static_cast<int>(k) + 1, row);
+      s.enter(Session::rewrite_line(static_cast<int>(k) + 1, static_cast<int>(k) + 1, row));
+      const Loaded whole = load_text(s.text(), folder / "film.bx");
+      ASSERT_TRUE(whole.document == s.document()) << row << s.text();
+      ASSERT_TRUE(whole.document == ahead.document) << row << s.text();
+      ASSERT_EQ(has_errors(whole.diagnostics), has_errors(s.diagnostics())) << row;
+      if (random() % 3 == 0) s.enter("undo");
+    }
+  }
+  EXPECT_GT(quick, 20);  // it is not always read as a whole
+}
+
 TEST(ChangeBetween, AndBackIsTheSameText) {
   std::mt19937 random(7);
   const auto text = [&] {
@@ -299,6 +358,24 @@ TEST(ChangeBetween, AndBackIsTheSameText) {
     ASSERT_EQ(there, b) << a << "|" << b << "|" << c.lines.first << ".." << c.lines.last;
     take_back(there, {*e});
     ASSERT_EQ(there, a);
+  }
+}
+TEST(WholeLines, AreWhatAnEditTouches) {
+  std::mt19937 random(9);
+  for (int i = 0; i < 20000; ++i) {
+    std::string text;
+    for (unsigned n = random() % 12; n > 0; --n) text += "ab\n"[random() % 3];
+    const std::size_t at = random() % (text.size() + 1), size = random() % (text.size() - at + 1);
+    TextEdit e{at, text.substr(at, size), ""};
+    for (unsigned n = random() % 3; n > 0; --n) e.inserted += "xy\n"[random() % 3];
+    const TextEdit whole = whole_lines(text, e);
+    ASSERT_EQ(text.substr(whole.at, whole.removed.size()), whole.removed);
+    ASSERT_TRUE(whole.at == 0 || text[whole.at - 1] == '\n');
+    const std::size_t end = whole.at + whole.removed.size();
+    ASSERT_TRUE(end == text.size() || end == 0 || text[end - 1] == '\n') << text << "|" << at << "+" << size;
+    std::string one = text, other = text;
+    put_into(one, {e}), put_into(other, {whole});
+    ASSERT_EQ(one, other);
   }
 }
 TEST(Merge, TakesBothWhereTheyDoNotMeet) {
