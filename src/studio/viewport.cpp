@@ -131,6 +131,8 @@ Scope Viewport::scope() const {
   return {Projection(eye(), box.width() / box.height()), box};
 }
 
+void Viewport::showEvent(QShowEvent*) { ask(); }
+
 void Viewport::resizeEvent(QResizeEvent*) {
   outline_.reset();
   place_corner();

@@ -75,6 +75,7 @@ class Viewport : public QWidget {
  protected:
   bool event(QEvent*) override;
   void paintEvent(QPaintEvent*) override;
+  void showEvent(QShowEvent*) override;
   void resizeEvent(QResizeEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;

@@ -122,6 +122,7 @@ QWidget* Window::panel(const QString& name) const {
 }
 
 void Window::show_panel(const QString& name) {
+  if (name == viewport_->objectName()) viewport_->setFocus();
   for (QDockWidget* dock : docks_) {
     if (dock->widget()->objectName() != name) continue;
     dock->show(), dock->raise();

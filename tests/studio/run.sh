@@ -4,24 +4,57 @@
 #
 # The studio's tests: panels without a display, and a real window on a display of its own with a real mouse and keys.
 #   run.sh BUILD [TEST…]
+# A TEST is a program, or a name such as sheet_test; "window" is the story in a real window.
 build=$(realpath -- "${1:?usage: run.sh BUILD [TEST…]}")
 here=$(cd -P -- "$(dirname -- "$0")" && pwd)
 shift
 passed=0 failed=0
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+display=
+trap '[ -z "$display" ] || kill "$display"; rm -rf "$folder"' EXIT
 export XDG_CONFIG_HOME=$folder XDG_DATA_HOME=$folder XDG_RUNTIME_DIR=$folder BETWIXT_PARSER=$build/bin/betwixt-parser
 chmod 700 "$folder"
-[ $# -gt 0 ] || set -- "$build"/bin/studio_*_test
-for test in "$@"; do
-  case $test in */*) ;; *) test=$build/bin/studio_$test ;; esac
-  (cd "$folder" && QT_QPA_PLATFORM=offscreen timeout 300 "$test" >"$folder/log" 2>&1)
+[ $# -gt 0 ] || set -- "$build"/bin/studio_*_test window
+
+# try TEST NAME=VALUE…: runs a test program in an environment, and adds to the sums.
+try() {
+  local test=$1 status counts
+  shift
+  (cd "$folder" && env "$@" timeout 300 "$test" >"$folder/log" 2>&1)
   status=$?
   counts=$(sed -nE 's/^Totals: ([0-9]+) passed, ([0-9]+) failed.*/\1 \2/p' "$folder/log" | tail -n 1)
   : "${counts:=0 1}"
   [ "$status" = 0 ] || { grep -E '^(FAIL|QFATAL|   )' "$folder/log" || tail -n 20 "$folder/log"; }
   [ "$status" = 0 ] || [ "${counts#* }" != 0 ] || counts="${counts% *} 1"
   passed=$((passed + ${counts% *})) failed=$((failed + ${counts#* }))
+}
+
+# A display that nobody sees, whose mouse and keys xdotool moves.
+in_a_window() {
+  local number
+  command -v Xvfb >/dev/null && command -v xdotool >/dev/null || {
+    echo "without Xvfb and xdotool nothing is tried in a real window"
+    return
+  }
+  mkfifo "$folder/display"
+  Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp -r 3>"$folder/display" >"$folder/xvfb.log" 2>&1 &
+  display=$!
+  # It says its number when it is there; where it cannot start, nothing.
+  read -r number <"$folder/display" || {
+    display=
+    failed=$((failed + 1))
+    echo "Xvfb does not start:" && tail -n 5 "$folder/xvfb.log"
+    return
+  }
+  try "$1" QT_QPA_PLATFORM=xcb DISPLAY=":$number"
+}
+
+for test in "$@"; do
+  case $test in
+    window) in_a_window "$build/bin/studio_story_test" ;;
+    */*) try "$test" QT_QPA_PLATFORM=offscreen ;;
+    *) try "$build/bin/studio_$test" QT_QPA_PLATFORM=offscreen ;;
+  esac
 done
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]

@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A film is worked on in the studio's window, with mouse and keys, from its first thing to the question at the door.
+// What stands in its script is compared whole each time. The chapters follow each other: what one has done the next one
+// takes.
+#include <QTabBar>
+
+#include "betwixt/language.h"
+#include "real_hands.h"
+#include "studio/outliner.h"
+#include "studio/picture_maker.h"
+#include "studio/ruler.h"
+#include "studio/sheet_pane.h"
+#include "studio/theme.h"
+#include "studio/viewport.h"
+#include "studio/window.h"
+
+namespace betwixt::studio {
+namespace {
+
+const std::string head = R"(# A man takes a ball.
+rate 24
+range 1f 73f
+create eye camera position=(0 0 14)
+create man group
+create man/arm box size=(2 0.5 0.5) position=(1 1 0)
+create man/leg box size=(0.5 2 0.5) position=(0 -1 0)
+)";
+// How the man moves, at these frames, with his arm so high.
+std::string man(const std::string& first, const std::string& middle, const std::string& last, int high = 2) {
+  const std::string arm = "(1 " + std::to_string(high) + " 0)";
+  return "\nman.position  # he walks\n  " + first + "f (0 0 0)\n  " + last + "f (2 0 0)\n\nman/arm.position\n  " +
+         first + "f (1 1 0)\n  " + middle + "f " + arm + "  # up\n  " + last + "f (1 1 0)\nman/leg.position\n  " +
+         first + "f (0 -1 0)\n  " + middle + "f (0 -1 1)\n  " + last + "f (0 -1 0)\n";
+}
+const std::string film = head + man("1", "13", "25");
+const std::string ball = "create ball sphere radius=0.5 color=gold position=(-4 2 0)\n";
+
+}  // namespace
+
+class Story : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir folder_;
+  Desk desk_;
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<Hands> hands_;
+  QImage picture_;
+  int steps_ = 0;  // that were done: as many undos lead back
+  std::string before_, end_;
+
+  // ---- where things are
+  template <class W>
+  W& part(const char* name) {
+    auto* found = window_->findChild<W*>(name);
+    if (!found) qFatal("there is no %s", name);
+    return *found;
+  }
+  SheetPane& sheet() { return part<SheetPane>("sheet_pane"); }
+  QPlainTextEdit& script() { return part<QPlainTextEdit>("script"); }
+  OutlinerTree& tree() { return part<OutlinerTree>("outliner_tree"); }
+  Time frame(double n) const { return desk_.document().rate().frame(n); }
+  ObjectId id(const char* name) const { return desk_.document().find(name); }
+  QPoint in_ruler(double n) { return {qRound(part<Ruler>("ruler").x_of(frame(n))), 5}; }
+  QPoint in_sheet(std::size_t row, double n) { return sheet().place(row, frame(n)).toPoint(); }
+  QPoint in_tree(const char* name) {
+    return tree().visualRect(static_cast<OutlinerModel*>(tree().model())->index_of(id(name))).center();
+  }
+  QPoint in_picture(Vec3 place) { return window_->viewport().scope().spot(place)->toPoint(); }
+  void raise(const QString& panel) {
+    for (QTabBar* tabs : window_->findChildren<QTabBar*>())
+      for (int i = 0; i < tabs->count(); ++i)
+        if (tabs->tabText(i) == panel) return hands_->click(*tabs, tabs->tabRect(i).center());
+    qFatal("no tab leads to %s", qPrintable(panel));
+  }
+
+  // ---- what is so
+  std::string in_file() const {
+    QFile f(folder_.filePath("film.bx"));
+    return f.open(QIODevice::ReadOnly) ? f.readAll().toStdString() : "";
+  }
+  std::string selected() const {
+    std::string all;
+    for (const ObjectId i : desk_.selected()) all += (all.empty() ? "" : " ") + desk_.name(i);
+    return all;
+  }
+  Value value(const char* of, double n) const {
+    return desk_.program().read(find_targets(of, desk_.document())->front(), frame(n));
+  }
+  // The text, the film that is made of it, what the script panel shows.
+  void is(const std::string& text) {
+    QCOMPARE(desk_.text(), text);
+    QVERIFY(desk_.document() == load_text(text, "expected").document);
+    QCOMPARE(script().toPlainText().toStdString(), text);
+    QVERIFY(desk_.diagnostics().empty());
+  }
+  // The picture becomes the one that is made of a text by itself.
+  void shows(const std::string& text, double n) {
+    const QSize size = window_->viewport().scope().box.size().toSize() * window_->devicePixelRatioF();
+    RenderOptions o;
+    o.width = size.width(), o.height = size.height(), o.style = window_->viewport().style();
+    const Program program = Program::compile(load_text(text, "expected").document);
+    const QImage expected = PictureMaker::make({program, frame(n), o, {}}).image;
+    QVERIFY(!expected.isNull());
+    QTRY_COMPARE(picture_, expected);
+  }
+  void scrub(double from, double to) { hands_->drag(part<Ruler>("ruler"), in_ruler(from), in_ruler(to)); }
+  // The next question gets this answer.
+  void answer(const QString& word) {
+    auto* look = new QTimer(this);
+    connect(look, &QTimer::timeout, this, [this, look, word] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box || !box->windowHandle() || !box->windowHandle()->isExposed()) return;
+      look->stop(), look->deleteLater();
+      for (QAbstractButton* b : box->buttons())
+        if (b->text() == word) return hands_->click(*b);
+      qFatal("the answers are others");
+    });
+    look->start(20);
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    qInfo("on %s", qPrintable(QGuiApplication::platformName()));
+    set_theme(*qApp, Theme::dark);
+    QFile f(folder_.filePath("film.bx"));
+    QVERIFY(f.open(QIODevice::WriteOnly));
+    f.write(QByteArray::fromStdString(film)), f.close();
+    window_ = std::make_unique<Window>(desk_);
+    connect(&desk_, &Desk::said, this, [this](const QString& line, const QString&, bool refused) {
+      if (!refused && line != "undo" && line != "redo") ++steps_;
+    });
+    connect(&window_->viewport(), &Viewport::picture_came, this, [this](const PictureMade& p) { picture_ = p.image; });
+    QVERIFY(desk_.open(f.fileName()));
+    steps_ = 0;
+    window_->setGeometry(0, 0, 1380, 880);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    hands_ = hands_on(*window_);
+    is(film);
+    shows(film, 1);
+  }
+
+  void a_ball_is_made_in_the_console() {
+    hands_->click(part<QPlainTextEdit>("console_line").viewport()[0]);
+    hands_->type(QString::fromStdString(ball).trimmed());
+    hands_->key("Return");
+    is(before_ = film + ball);
+    shows(before_, 1);
+  }
+
+  // K, then G with a number, where the playhead is.
+  void it_gets_events() {
+    hands_->click(window_->viewport(), in_picture({-4, 2, 0}));
+    QCOMPARE(selected(), "ball");
+    hands_->key("K");
+    is(before_ += "at 1f ball.position (-4 2 0)\n");
+    scrub(8, 25);
+    QCOMPARE(desk_.time(), frame(25));
+    hands_->key("Ctrl+1");
+    hands_->type("gx3");
+    QVERIFY(desk_.looks_ahead());
+    QCOMPARE(value("ball.position", 25), Value(Vec3{-1, 2, 0}));
+    hands_->key("Return");
+    is(before_ + "at 25f ball.position (-1 2 0)\n");
+    shows(desk_.text(), 25);
+  }
+
+  void its_scale_gets_one_in_the_properties() {
+    raise("Properties");
+    hands_->click(part<QToolButton>("diamond_scale"));
+    const std::string so_far = before_ + "at 25f ball.position (-1 2 0)\n";
+    is(so_far + "at 25f ball.scale (1 1 1)\n");
+    QLineEdit& y = *part<QWidget>("scale").findChild<QLineEdit*>("y");
+    hands_->click(y);
+    hands_->key("Ctrl+A");
+    hands_->type("2");
+    hands_->key("Return");
+    is(so_far + "at 25f ball.scale (1 2 1)\n");
+    QCOMPARE(value("ball.scale", 40), Value(Vec3{1, 2, 1}));
+  }
+
+  void a_key_is_dragged_in_the_sheet() {
+    QCOMPARE(sheet().rows().size(), std::size_t(3));  // ball, position, scale
+    hands_->drag(sheet(), in_sheet(1, 25), in_sheet(1, 37));
+    is(before_ += "at 37f ball.position (-1 2 0)\nat 25f ball.scale (1 2 1)\n");
+    QCOMPARE(value("ball.position", 37), Value(Vec3{-1, 2, 0}));
+  }
+
+  void it_is_taken_and_let_go() {
+    hands_->click(part<QPlainTextEdit>("console_line").viewport()[0]);
+    hands_->type("at 49f attach ball to man/arm keep-world");
+    hands_->key("Return");
+    is(before_ += "at 49f attach ball to man/arm keep-world\n");
+    scrub(25, 61);
+    hands_->drag(*tree().viewport(), in_tree("ball"),
+                 {tree().viewport()->width() / 2, tree().viewport()->height() - 9});
+    is(before_ += "at 61f letgo ball\n");
+    const auto spans = attachments(desk_.document(), id("ball"));
+    QCOMPARE(spans.back().from, frame(61));
+    QCOMPARE(spans.back().to.kind, AttachmentKind::letgo);
+  }
+
+  // One number in a row: the film and the picture follow at once.
+  void the_script_is_typed() {
+    scrub(61, 13);
+    raise("Script");
+    QTextCursor c = script().document()->find("(1 2 0)");
+    c.setPosition(c.selectionStart() + 4);
+    hands_->click(*script().viewport(), script().cursorRect(c).center());
+    QCOMPARE(selected(), "man/arm");
+    hands_->key("Shift+Left");
+    hands_->type("5");
+    before_ = head + man("1", "13", "25", 5) + before_.substr(film.size());
+    is(before_);
+    QCOMPARE(value("man/arm.position", 13), Value(Vec3{1, 5, 0}));
+    shows(before_, 13);
+    QTRY_COMPARE(desk_.session().text(), before_);  // when typing rests
+  }
+
+  // All that a man does, in one go, with another beginning and at another pace.
+  void a_whole_man_is_retimed() {
+    hands_->click(*tree().viewport(), in_tree("man"));
+    hands_->click(*tree().viewport(), in_tree("man/arm"), Qt::ControlModifier);
+    hands_->click(*tree().viewport(), in_tree("man/leg"), Qt::ControlModifier);
+    QCOMPARE(selected(), "man man/arm man/leg");
+    QCOMPARE(sheet().rows().size(), std::size_t(6));
+    hands_->drag(sheet(), in_sheet(0, 1) - QPoint(15, 0), in_sheet(5, 25) + QPoint(15, 3));
+    QCOMPARE(desk_.events_selected().size(), std::size_t(8));
+    const std::string rest = before_.substr(film.size());
+    const QRectF box = *sheet().box();
+    const QPoint side(qRound(box.right()), qRound(box.center().y()) + 2);
+    const int steps = steps_;
+    hands_->drag(sheet(), side, side + QPoint(in_sheet(0, 49).x() - in_sheet(0, 25).x(), 0));
+    is(head + man("1", "25", "49", 5) + rest);
+    hands_->drag(sheet(), in_sheet(3, 25), in_sheet(3, 37));
+    is(end_ = head + man("13", "37", "61", 5) + rest);
+    QCOMPARE(steps_, steps + 2);
+    hands_->key("Ctrl+Z");
+    is(head + man("1", "25", "49", 5) + rest);
+    hands_->key("Ctrl+Z");
+    is(before_);
+    hands_->key("Ctrl+Shift+Z");
+    hands_->key("Ctrl+Shift+Z");
+    is(end_);
+  }
+
+  void all_of_it_is_undone_and_done_again() {
+    for (int i = 0; i < steps_; ++i) hands_->key("Ctrl+Z");
+    is(film);
+    shows(film, 13);
+    for (int i = 0; i < steps_; ++i) hands_->key("Ctrl+Y");
+    is(end_);
+    shows(end_, 13);
+  }
+
+  void the_door_asks() {
+    answer("Stay");
+    hands_->key("Ctrl+Q");
+    QApplication::processEvents();
+    QVERIFY(window_->isVisible());
+    is(end_);
+    QCOMPARE(in_file(), film);
+    answer("Save");
+    hands_->key("Ctrl+Q");
+    QTRY_VERIFY(!window_->isVisible());
+    QCOMPARE(in_file(), end_);
+    QVERIFY(load_file(folder_.filePath("film.bx").toStdString()).document == desk_.document());
+  }
+
+  void cleanupTestCase() { hands_.reset(), window_.reset(); }
+};
+
+}  // namespace betwixt::studio
+
+QTEST_MAIN(betwixt::studio::Story)
+#include "story_test.moc"
