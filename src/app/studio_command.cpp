@@ -29,7 +29,7 @@ std::string find_studio() {
 }
 
 struct StudioCall {
-  std::string file, screenshot, at, layout, size, session;
+  std::string file, screenshot, at, layout, size, select, panel, session;
   bool light = false, recover = false, discard = false;
 };
 
@@ -39,7 +39,7 @@ int studio(StudioCall& call) {
     if (!value.empty()) arguments.insert(arguments.end(), {option, value});
   };
   add("--screenshot", call.screenshot), add("--at", call.at), add("--layout", call.layout), add("--size", call.size);
-  add("--session", call.session);
+  add("--select", call.select), add("--panel", call.panel), add("--session", call.session);
   if (call.light) arguments.emplace_back("--light");
   if (call.recover) arguments.emplace_back("--recover");
   if (call.discard) arguments.emplace_back("--discard");
@@ -63,6 +63,13 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
                      .into = &call.layout,
                      .words = {"all", "animate", "script", "live", "picture"}},
                     option("--size", "WxH", "how large its window is", &call.size),
+                    option("--select", "PATTERN", "what is selected: wheel*", &call.select),
+                    {.name = "--panel",
+                     .value = "NAME",
+                     .sentence = "the picture shows this panel alone: outliner, sheet, columns, curves …",
+                     .into = &call.panel,
+                     .words = {"picture", "outliner", "timeline", "sheet", "columns", "curves", "script", "properties",
+                               "console", "live", "server", "export"}},
                     flag("--light", "light colours, whatever was chosen before", call.light),
                     file_option("--session", "SESSION.txt", "carries out these lines first: what a console held before",
                                 &call.session),

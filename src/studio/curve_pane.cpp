@@ -35,6 +35,7 @@ void CurvePane::showEvent(QShowEvent*) { lay_out(); }
 void CurvePane::resizeEvent(QResizeEvent* e) {
   TimePane::resizeEvent(e);
   middle_ = ruler_height() + (height() - ruler_height()) / 2.0;
+  if (fit_ == std::pair(center_, scale_)) fitted_ = false;  // nobody has chosen what is seen
   lay_out();
 }
 
@@ -104,6 +105,7 @@ void CurvePane::fit() {
     base_[i] = each_fills_ ? low : 0, unit_[i] = each_fills_ ? high - low : 1;
     center_ = each_fills_ ? 0.5 : (low + high) / 2, scale_ = each_fills_ ? room : room / (high - low);
   }
+  fit_ = {center_, scale_};
   update();
 }
 

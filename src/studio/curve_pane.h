@@ -85,6 +85,7 @@ class CurvePane : public TimePane {
   double center_ = 0, scale_ = 50, middle_ = 0;  // the value in the middle; pixels for 1; where the middle is
   std::vector<double> base_, unit_;              // of each line: 0 and 1, or what fills the height
   bool fitted_ = false, each_fills_ = false;
+  std::pair<double, double> fit_;  // center_ and scale_ when all values were fitted last
 
   Hand hand_ = Hand::none;
   QPointF from_, to_;

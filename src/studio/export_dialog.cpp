@@ -40,7 +40,7 @@ ExportDialog::ExportDialog(Desk& desk, QWidget* parent) : QDialog(parent), desk_
   auto* form = new QFormLayout;
   const QFileInfo script(QString::fromStdString(desk.session().file()));
   const QString base = script.completeBaseName().isEmpty() ? "film" : script.completeBaseName();
-  out_ = new QLineEdit(QDir(script.path()).filePath(base + ".mp4"));
+  out_ = new QLineEdit(QDir::cleanPath(QDir(script.path()).filePath(base + ".mp4")));
   out_->setObjectName("out");
   out_->setToolTip(tr(".mp4 .webm .mov .gif .apng, or numbered pictures: frame-%04d.png, .exr"));
   auto* choose = new QPushButton(tr("…"));

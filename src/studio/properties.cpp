@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include "editor/help.h"
@@ -30,6 +31,19 @@ Group group_of(const FunctionView& f) {
   if (!(spec.kinds & bit(Kind::group))) return Group::own_kind;
   return spec.place ? Group::place : Group::look;
 }
+
+// Ends in an ellipsis where it is too long.
+class ShortLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    style()->drawItemText(&p, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(),
+                          fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()), foregroundRole());
+  }
+};
 
 // A diamond: filled where there is an event now, its outline where there are others, a dot where there are none.
 QIcon diamond(bool here, bool any) {
@@ -222,7 +236,7 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
   row->diamond->setFocusPolicy(Qt::TabFocus);
   row->called = new QLabel(name, section);
   row->called->setToolTip(QString::fromStdString(sentence_of(row->name)));
-  row->made = new QLabel(section);
+  row->made = new ShortLabel(section);
   row->made->setObjectName("made_" + name);
   row->made->setEnabled(false);
   row->made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -4,10 +4,13 @@
 // betwixt-studio: what `betwixt studio` and `betwixt play` start where there is a display.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDockWidget>
 #include <QFile>
+#include <QToolButton>
 #include <cstdio>
 
 #include "betwixt/language.h"
+#include "studio/export_dialog.h"
 #include "studio/sound.h"
 #include "studio/theme.h"
 #include "studio/viewport.h"
@@ -35,6 +38,31 @@ bool play_back(betwixt::studio::Desk& desk, const QString& name) {
   return true;
 }
 
+// A panel by itself, as large as `size` says where it says something: "columns" is the sheet's other side, "export" the
+// window that makes films. Nothing: there is no such panel.
+QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize size) {
+  using namespace betwixt::studio;
+  if (name == "picture") return window.viewport().grab();
+  if (name == "export") {
+    ExportDialog dialog(window.desk());
+    dialog.resize(size.isEmpty() ? dialog.sizeHint() : size);
+    dialog.show();
+    QApplication::processEvents();
+    return dialog.grab();
+  }
+  QWidget* panel = window.panel(name == "columns" ? "sheet" : name == "script" ? "script_panel" : name);
+  if (!panel) return {};
+  if (name == "columns") panel->findChild<QToolButton*>("columns")->setChecked(true);
+  auto* dock = qobject_cast<QDockWidget*>(panel->parentWidget());
+  dock->setTitleBarWidget(new QWidget(dock));
+  dock->setFloating(true), dock->show();
+  const QSize around = dock->size() - panel->size();
+  dock->resize((size.isEmpty() ? panel->sizeHint() : size) + around);
+  QApplication::processEvents();
+  QApplication::processEvents();  // what is laid out anew by what was shown
+  return panel->grab();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,14 +76,20 @@ int main(int argc, char** argv) {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& words) {
       if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "betwixt: %s\n", qPrintable(words));
     });
-  QApplication app(argc, argv);
+  // All arguments are ours: the toolkit would take --session and --style for its own.
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  int own = 1;
+  QApplication app(own, argv);
   QApplication::setApplicationName("betwixt-studio");
   QCommandLineParser line;
   line.addPositionalArgument("FILE", "the script");
   line.addOptions({{"screenshot", "a picture of the window, then the end", "OUT.png"},
                    {"at", "the time that it shows", "TIME"},
                    {"layout", "how the panels lie", "NAME"},
-                   {"size", "of the window", "WxH"},
+                   {"size", "of the window, or of the panel", "WxH"},
+                   {"select", "objects that are selected", "PATTERN"},
+                   {"panel", "a picture of one panel alone", "NAME"},
                    {"session", "lines that are carried out first", "FILE"},
                    {"style", "of the picture", "NAME"},
                    {"light", "light colours"},
@@ -68,7 +102,7 @@ int main(int argc, char** argv) {
                    {"tex", "formulas are set by latex"},
                    {"load", "a plug-in", "PLUGIN"}});
   line.addHelpOption();
-  line.process(app);
+  line.process(arguments);
   const auto refuse = [](const std::string& why) { return std::fprintf(stderr, "betwixt: %s\n", why.c_str()), 2; };
   for (const QString& plugin : line.values("load"))
     if (const Status s = use_plugin(plugin.toStdString()); !s) return refuse(s.error().message);
@@ -89,11 +123,13 @@ int main(int argc, char** argv) {
   }
   if (file.isEmpty() && desk.session().unsaved() == 0) window.open_example();
   if (line.isSet("style")) window.viewport().set_style(line.value("style").toStdString());
+  QSize size;
   if (line.isSet("size")) {
     const QStringList wh = line.value("size").split('x');
-    const int w = wh.value(0).toInt(), h = wh.value(1).toInt();
-    if (w < 100 || h < 100 || w > 16384 || h > 16384) return refuse("--size: a window is such as 1280x800");
-    window.resize(w, h);
+    size = {wh.value(0).toInt(), wh.value(1).toInt()};
+    if (size.width() < 100 || size.height() < 100 || size.width() > 16384 || size.height() > 16384)
+      return refuse("--size: a window is such as 1280x800");
+    if (!line.isSet("panel") || line.value("panel") == "picture") window.resize(size);
   }
   if (line.isSet("layout") && !window.set_layout(line.value("layout")))
     return refuse("there is no layout '" + line.value("layout").toStdString() +
@@ -104,15 +140,23 @@ int main(int argc, char** argv) {
     if (!at) return refuse("--at: " + at.error().message);
     desk.go_to(*at);
   }
+  if (line.isSet("select")) {
+    const auto found = find_targets(line.value("select").toStdString() + ".position", desk.document());
+    if (!found) return refuse("--select: " + found.error().message);
+    std::vector<ObjectId> objects;
+    for (const Target& t : *found) objects.push_back(t.object);
+    desk.select(objects);
+  }
   window.show();
   if (shows_only) {
     if (line.isSet("layout")) window.set_layout(line.value("layout"));  // its shares of the size that there is
     QApplication::processEvents();
     window.viewport().await_picture();
     QApplication::processEvents();
-    const QString out = line.value("screenshot");
-    return window.grab().save(out) ? 0
-                                   : (std::fprintf(stderr, "betwixt: '%s' cannot be written\n", qPrintable(out)), 3);
+    const QString out = line.value("screenshot"), panel = line.value("panel");
+    const QPixmap picture = panel.isEmpty() ? window.grab() : picture_of(window, panel, size);
+    if (picture.isNull()) return refuse("there is no panel '" + panel.toStdString() + "'");
+    return picture.save(out) ? 0 : (std::fprintf(stderr, "betwixt: '%s' cannot be written\n", qPrintable(out)), 3);
   }
   desk.transport().loop(line.isSet("loop") || !line.isSet("bare"));
   window.sound().mute(line.isSet("mute"));

@@ -51,7 +51,7 @@ void TimeAxis::scroll(double pixels) {
 }
 
 void TimeAxis::show(Time from, Time to, double width) {
-  constexpr double margin = 0.03;
+  constexpr double margin = 0.035;
   const double length = std::max((to - from).seconds(), desk_.document().rate().span(1).seconds());
   scale_ = std::clamp(width / (length * (1 + 2 * margin)), narrowest, widest);
   first_ = from.seconds() - margin * length;

@@ -171,18 +171,21 @@ bool Window::set_layout(const QString& name) {
                        (name == "script" && (panel == "script_panel" || panel == "console"));
     dock->setVisible(shown);
   }
-  // In shares of the window.
-  const auto size = [&](const QString& panel, double share, Qt::Orientation way) {
-    for (QDockWidget* dock : docks_)
-      if (dock->widget()->objectName() == panel && dock->isVisibleTo(this))
-        resizeDocks({dock}, {static_cast<int>(share * (way == Qt::Horizontal ? width() : height()))}, way);
+  // In shares of the window; what lies above each other in one column is shared out at once.
+  using Shares = std::initializer_list<std::pair<const char*, double>>;
+  const auto share = [&](Shares shares, Qt::Orientation way) {
+    QList<QDockWidget*> docks;
+    QList<int> sizes;
+    for (const auto& [panel, part] : shares)
+      for (QDockWidget* dock : docks_)
+        if (dock->widget()->objectName() == panel && dock->isVisibleTo(this))
+          docks << dock, sizes << static_cast<int>(part * (way == Qt::Horizontal ? width() : height()));
+    if (!docks.isEmpty()) resizeDocks(docks, sizes, way);
   };
-  size("outliner", 0.16, Qt::Horizontal);
-  size("live", 0.24, Qt::Horizontal);
-  size("script_panel", name == "script" ? 0.42 : 0.27, Qt::Horizontal);
-  size("console", name == "script" ? 0.42 : 0.27, Qt::Horizontal);
-  size("sheet", name == "animate" ? 0.42 : 0.26, Qt::Vertical);
-  size("console", 0.3, Qt::Vertical);
+  const bool script = name == "script";
+  share({{"outliner", 0.14}, {"live", 0.24}, {"script_panel", script ? 0.42 : 0.29}}, Qt::Horizontal);
+  share({{"sheet", name == "animate" ? 0.48 : 0.34}}, Qt::Vertical);
+  share({{"script_panel", 0.72}, {"console", 0.28}}, Qt::Vertical);
   return true;
 }
 

@@ -56,5 +56,21 @@ for test in "$@"; do
     *) try "$build/bin/studio_$test" QT_QPA_PLATFORM=offscreen ;;
   esac
 done
+# What the command line says: the toolkit has words of its own (--session, --style), which are not meant.
+pictures() (
+  cd "$folder" || exit
+  printf 'create ball sphere\n' >film.bx
+  printf 'set bal.color red\n' >wrong.txt
+  printf 'set ball.radius 2\n' >right.txt
+  film() { timeout 60 "$build/bin/betwixt-studio" film.bx --discard --screenshot "$@" 2>said; }
+  film a.png --session wrong.txt && exit 1
+  grep -q "no object 'bal'" said || exit 1
+  film a.png --session right.txt --panel sheet --size 400x200 --select ball || exit 1
+  # Width and height of a PNG, 400 and 200.
+  [ "$(od -An -tx1 -j16 -N8 a.png | tr -d ' ')" = 00000190000000c8 ] || exit 1
+  film a.png --panel nothing && exit 1
+  grep -q "no panel 'nothing'" said
+)
+if pictures; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo 'FAIL  pictures of the studio'; fi
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]
