@@ -22,14 +22,15 @@ class Hands {
   Hands& operator=(const Hands&) = delete;
 
   virtual void move(QWidget&, QPoint) = 0;
-  virtual void press(QWidget&, QPoint, Qt::KeyboardModifiers = {}) = 0;
-  virtual void release(QWidget&, QPoint, Qt::KeyboardModifiers = {}) = 0;
+  virtual void press(QWidget&, QPoint, Qt::KeyboardModifiers = {}, Qt::MouseButton = Qt::LeftButton) = 0;
+  virtual void release(QWidget&, QPoint, Qt::KeyboardModifiers = {}, Qt::MouseButton = Qt::LeftButton) = 0;
+  virtual void double_click(QWidget&, QPoint) = 0;
   // "Ctrl+Z", "Return", to whatever has the keys.
   virtual void key(const QString&) = 0;
   virtual void type(const QString&) = 0;
 
-  void click(QWidget& on, QPoint at, Qt::KeyboardModifiers held = {}) {
-    move(on, at), press(on, at, held), release(on, at, held);
+  void click(QWidget& on, QPoint at, Qt::KeyboardModifiers held = {}, Qt::MouseButton button = Qt::LeftButton) {
+    move(on, at), press(on, at, held, button), release(on, at, held, button);
   }
   void click(QWidget& on) { click(on, on.rect().center()); }
   void drag(QWidget& on, QPoint from, QPoint to) {
@@ -56,11 +57,14 @@ class ToolkitHands : public Hands {
  public:
   using Hands::Hands;
   void move(QWidget& w, QPoint at) override { QTest::mouseMove(window(w), in_window(w, at)); }
-  void press(QWidget& w, QPoint at, Qt::KeyboardModifiers held) override {
-    QTest::mousePress(window(w), Qt::LeftButton, held, in_window(w, at));
+  void press(QWidget& w, QPoint at, Qt::KeyboardModifiers held, Qt::MouseButton button) override {
+    QTest::mousePress(window(w), button, held, in_window(w, at));
   }
-  void release(QWidget& w, QPoint at, Qt::KeyboardModifiers held) override {
-    QTest::mouseRelease(window(w), Qt::LeftButton, held, in_window(w, at));
+  void release(QWidget& w, QPoint at, Qt::KeyboardModifiers held, Qt::MouseButton button) override {
+    QTest::mouseRelease(window(w), button, held, in_window(w, at));
+  }
+  void double_click(QWidget& w, QPoint at) override {
+    QTest::mouseDClick(window(w), Qt::LeftButton, {}, in_window(w, at));
   }
   void key(const QString& k) override { QTest::keySequence(with_the_keys(), QKeySequence(k)); }
   void type(const QString& text) override {
@@ -83,20 +87,25 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
     if (QCursor::pos() == to) return;
     xdotool({"mousemove", QString::number(to.x()), QString::number(to.y())}, moved, 1);
   }
-  void press(QWidget& w, QPoint at, Qt::KeyboardModifiers held) override {
+  void press(QWidget& w, QPoint at, Qt::KeyboardModifiers held, Qt::MouseButton button) override {
     move(w, at);
-    xdotool(holding("keydown", held) + QStringList{"mousedown", "1"}, pressed, 1);
+    xdotool(holding("keydown", held) + QStringList{"mousedown", number(button)}, pressed, 1);
   }
-  void release(QWidget& w, QPoint at, Qt::KeyboardModifiers held) override {
+  void release(QWidget& w, QPoint at, Qt::KeyboardModifiers held, Qt::MouseButton button) override {
     move(w, at);
-    xdotool(QStringList{"mouseup", "1"} + holding("keyup", held), released, 1);
+    xdotool(QStringList{"mouseup", number(button)} + holding("keyup", held), released, 1);
+  }
+  void double_click(QWidget& w, QPoint at) override {
+    QApplication::setDoubleClickInterval(60'000);  // however slow
+    click(w, at), click(w, at);
+    QApplication::setDoubleClickInterval(0);
   }
   void key(const QString& k) override {
     with_the_keys();
     QStringList parts = k.split('+');
     QString& last = parts.back();
     if (last.size() == 1) last = last.toLower();
-    if (last == "Backspace") last = "BackSpace";  // as the display calls it
+    if (last == "Space") last = "space";  // as the display calls it
     for (QString& held : parts)
       if (&held != &last) held = held.toLower();
     xdotool({"key", parts.join('+')}, key_released, 1);
@@ -110,6 +119,7 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
   // What the display calls its events.
   enum Event { key_released = 3, pressed = 4, released = 5, moved = 6, extended = 35 };
 
+  static QString number(Qt::MouseButton b) { return b == Qt::RightButton ? "3" : "1"; }
   static QStringList holding(const QString& verb, Qt::KeyboardModifiers held) {
     QStringList all;
     if (held & Qt::ControlModifier) all += {verb, "ctrl"};

@@ -5,6 +5,7 @@
 // What stands in its script is compared whole each time. The chapters follow each other: what one has done the next one
 // takes.
 #include <QTabBar>
+#include <functional>
 
 #include "betwixt/language.h"
 #include "real_hands.h"
@@ -33,6 +34,10 @@ std::string man(const std::string& first, const std::string& middle, const std::
   return "\nman.position  # he walks\n  " + first + "f (0 0 0)\n  " + last + "f (2 0 0)\n\nman/arm.position\n  " +
          first + "f (1 1 0)\n  " + middle + "f " + arm + "  # up\n  " + last + "f (1 1 0)\nman/leg.position\n  " +
          first + "f (0 -1 0)\n  " + middle + "f (0 -1 1)\n  " + last + "f (0 -1 0)\n";
+}
+std::string replaced(std::string in, const std::string& what, const std::string& by) {
+  const std::size_t at = in.find(what);
+  return at == std::string::npos ? "" : in.replace(at, what.size(), by);
 }
 const std::string film = head + man("1", "13", "25");
 const std::string ball = "create ball sphere radius=0.5 color=gold position=(-4 2 0)\n";
@@ -106,18 +111,30 @@ class Story : public QObject {
     QTRY_COMPARE(picture_, expected);
   }
   void scrub(double from, double to) { hands_->drag(part<Ruler>("ruler"), in_ruler(from), in_ruler(to)); }
-  // The next question gets this answer.
-  void answer(const QString& word) {
+  // Whoever asks next, a dialog or a menu, is answered so: they wait, and so does who has called them.
+  template <class W>
+  void when_asked(std::function<void(W&)> answer) {
     auto* look = new QTimer(this);
-    connect(look, &QTimer::timeout, this, [this, look, word] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (!box || !box->windowHandle() || !box->windowHandle()->isExposed()) return;
+    connect(look, &QTimer::timeout, this, [look, answer] {
+      QWidget* menu = QApplication::activePopupWidget();
+      auto* asks = qobject_cast<W*>(menu ? menu : QApplication::activeModalWidget());
+      if (!asks || !asks->windowHandle() || !asks->windowHandle()->isExposed()) return;
       look->stop(), look->deleteLater();
-      for (QAbstractButton* b : box->buttons())
+      answer(*asks);
+    });
+    look->start(20);
+  }
+  void answer(const QString& word) {
+    when_asked<QMessageBox>([this, word](QMessageBox& box) {
+      for (QAbstractButton* b : box.buttons())
         if (b->text() == word) return hands_->click(*b);
       qFatal("the answers are others");
     });
-    look->start(20);
+  }
+  void choose(QMenu& menu, const QString& row) {
+    for (QAction* a : menu.actions())
+      if (a->text().section('\t', 0, 0) == row) return hands_->click(menu, menu.actionGeometry(a).center());
+    qFatal("the menu has no %s", qPrintable(row));
   }
 
  private Q_SLOTS:
@@ -190,12 +207,80 @@ class Story : public QObject {
     QCOMPARE(value("ball.position", 37), Value(Vec3{-1, 2, 0}));
   }
 
+  // Escape while the mouse is down.
+  void what_is_called_off_changes_nothing() {
+    const QPoint in_air = in_picture(std::get<Vec3>(value("ball.position", 25)));
+    const std::tuple<QWidget&, QPoint, QPoint> ways[] = {
+        {sheet(), in_sheet(1, 37), in_sheet(1, 50)},
+        {window_->viewport(), in_air, in_air + QPoint(60, 40)},
+    };
+    for (const auto& [on, from, to] : ways) {
+      hands_->press(on, from);
+      hands_->move(on, (from + to) / 2);
+      hands_->move(on, to);
+      QVERIFY(desk_.looks_ahead());
+      QVERIFY(desk_.document() != load_text(before_, "expected").document);
+      hands_->key("Escape");
+      is(before_);
+      hands_->release(on, to);
+      is(before_);
+      QCOMPARE(selected(), "ball");
+    }
+  }
+
+  void a_double_click_writes_an_event() {
+    hands_->double_click(sheet(), in_sheet(2, 25));
+    QCOMPARE(part<QLineEdit>("event_words").text(), "(1 2 1)");
+    hands_->type("(1 1.5 1) hold");
+    hands_->key("Return");
+    is(before_ = replaced(before_, "(1 2 1)", "(1 1.5 1) hold"));
+  }
+
+  void menus_do_what_keys_do() {
+    QMenuBar& bar = *window_->menuBar();
+    auto& edit = *bar.findChild<QMenu*>("Edit");
+    for (const char* row : {"Undo", "Redo"}) {
+      hands_->click(bar, bar.actionGeometry(edit.menuAction()).center());
+      QVERIFY(QTest::qWaitForWindowExposed(&edit));
+      choose(edit, row);
+      QTRY_VERIFY(!edit.isVisible());
+      is(row == std::string("Undo") ? replaced(before_, "(1 1.5 1) hold", "(1 2 1)") : before_);
+    }
+    when_asked<QMenu>([this](QMenu& menu) { choose(menu, "Take out"); });
+    hands_->click(sheet(), in_sheet(1, 37), {}, Qt::RightButton);
+    QTRY_VERIFY(!QApplication::activePopupWidget());
+    is(replaced(before_, "at 37f ball.position (-1 2 0)\n", ""));
+    hands_->key("Ctrl+Z");
+    is(before_);
+    steps_ -= 1;  // it is not done again
+  }
+
+  void a_line_is_said_where_commands_are_found() {
+    when_asked<QDialog>([this](QDialog&) {
+      hands_->type("set ball.color red");
+      hands_->key("Return");
+    });
+    hands_->key("Ctrl+Shift+P");
+    QTRY_VERIFY(!QApplication::activeModalWidget());
+    is(before_ = replaced(before_, "color=gold", "color=red"));
+  }
+
+  void it_plays_and_stops() {
+    hands_->key("Ctrl+1");
+    hands_->key("Space");
+    QTRY_VERIFY(desk_.time() != frame(25));
+    QVERIFY(desk_.transport().playing());
+    hands_->key("Space");
+    QVERIFY(!desk_.transport().playing());
+    is(before_);
+  }
+
   void it_is_taken_and_let_go() {
     hands_->click(part<QPlainTextEdit>("console_line").viewport()[0]);
     hands_->type("at 49f attach ball to man/arm keep-world");
     hands_->key("Return");
     is(before_ += "at 49f attach ball to man/arm keep-world\n");
-    scrub(25, 61);
+    scrub(30, 61);
     hands_->drag(*tree().viewport(), in_tree("ball"),
                  {tree().viewport()->width() / 2, tree().viewport()->height() - 9});
     is(before_ += "at 61f letgo ball\n");
@@ -249,7 +334,10 @@ class Story : public QObject {
   }
 
   void all_of_it_is_undone_and_done_again() {
-    for (int i = 0; i < steps_; ++i) hands_->key("Ctrl+Z");
+    for (int i = 0; i < steps_; ++i) {
+      QVERIFY(desk_.text() != film);
+      hands_->key("Ctrl+Z");
+    }
     is(film);
     shows(film, 13);
     for (int i = 0; i < steps_; ++i) hands_->key("Ctrl+Y");
