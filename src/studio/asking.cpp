@@ -31,12 +31,17 @@ std::vector<std::string> answers_of(const std::string& question) {
   return all;
 }
 
+std::string words_of(const std::string& question) {
+  const std::size_t mark = question.rfind('?'), colon = question.rfind(": ", mark);
+  const bool asks = question.find('(', std::min(mark, question.size())) != std::string::npos;
+  return asks || colon == std::string::npos ? question.substr(0, mark) + "?" : question.substr(0, colon) + ".";
+}
+
 std::optional<std::string> ask_in_window(QWidget* parent, const std::string& question) {
   QMessageBox box(parent);
   box.setWindowTitle(QObject::tr("Betwixt"));
   box.setIcon(QMessageBox::Question);
-  const std::size_t words = std::min(question.rfind(": "), question.rfind('?'));
-  box.setText(QString::fromStdString(question.substr(0, words)) + "?");
+  box.setText(QString::fromStdString(words_of(question)));
   std::vector<QAbstractButton*> buttons;
   const std::vector<std::string> answers = answers_of(question);
   for (const std::string& a : answers) {

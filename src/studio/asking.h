@@ -14,6 +14,8 @@ namespace betwixt::studio {
 
 // The answers that a question names: "save, discard or stay?" and "overwrite? (yes/no)".
 std::vector<std::string> answers_of(const std::string& question);
+// What it says without them: "1 command is not saved." and "overwrite?".
+std::string words_of(const std::string& question);
 // None: the window was closed.
 std::optional<std::string> ask_in_window(QWidget* parent, const std::string& question);
 

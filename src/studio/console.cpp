@@ -17,6 +17,7 @@ namespace betwixt::studio {
 namespace {
 
 constexpr int most_lines = 5000;  // of the log
+constexpr int longest = 300;      // letters of a line that are shown: a text that is written anew may be a whole film
 constexpr int most_input = 10;    // lines that are seen of one that goes on
 
 QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
@@ -170,7 +171,7 @@ void Console::write_down(const QString& line, const QString& answer, bool refuse
     end.insertText(text, f);
   };
   if (!line.isEmpty())
-    for (const QString& l : line.split('\n')) put("› " + l, c.accent);
+    for (const QString& l : line.split('\n')) put("› " + (l.size() > longest ? l.left(longest) + " …" : l), c.accent);
   QColor now = refused ? c.error : c.text;
   QString said = answer;
   while (said.endsWith('\n')) said.chop(1);

@@ -80,7 +80,7 @@ bool Desk::say(const std::string& line) {
   const bool done = answer(line, a);
   take_over();
   if (done && (line.starts_with("save") || file != session_->file())) know_file();
-  if (file != session_->file()) emit opened();
+  if (file != session_->file()) line.starts_with("save") ? emit named() : emit opened();
   if (a.quit) emit wants_to_quit();
   return done;
 }

@@ -104,6 +104,7 @@ class Desk : public QObject {
 
  Q_SIGNALS:
   void opened();            // another script
+  void named();             // the same one has another name
   void document_changed();  // or what is shown of it
   void text_changed();      // not while it is only looked ahead
   void time_changed();

@@ -160,6 +160,8 @@ void ScriptEdit::flash(int first_block, int blocks) {
     s.cursor = QTextCursor(b);
     s.format.setBackground(color);
     s.format.setProperty(QTextFormat::FullWidthSelection, true);
+    // Once is enough to be seen, and what is twice as bright is not read.
+    flashing_.removeIf([&](const QTextEdit::ExtraSelection& f) { return f.cursor.block() == b; });
     flashing_.push_back(s);
   }
   flash_ends_.start(flash_lasts);

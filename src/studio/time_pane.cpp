@@ -19,7 +19,9 @@ TimePane::TimePane(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
   connect(&axis_, &TimeAxis::changed, this, repaint);
   connect(&desk, &Desk::time_changed, this, [this] { QWidget::update(); });
   connect(&desk, &Desk::playing_changed, this, repaint);
-  connect(&desk, &Desk::opened, this, [this] { axis_.fit(time_box().width()); });
+  connect(&desk, &Desk::opened, this, [this] {
+    if (isVisible()) axis_.fit(time_box().width());  // one that is not has any width
+  });
 }
 
 int TimePane::line_height() const { return fontMetrics().height() * 3 / 2; }

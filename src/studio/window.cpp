@@ -67,6 +67,7 @@ Window::Window(Desk& desk, Manner manner)
   connect(&desk, &Desk::document_changed, this, &Window::name_film);
   connect(&desk, &Desk::text_changed, this, &Window::name_film);
   connect(&desk, &Desk::opened, this, &Window::note_file);
+  connect(&desk, &Desk::named, this, &Window::note_file);
   connect(&desk, &Desk::wants_to_quit, this, [this] {
     leaving_ = true;
     QTimer::singleShot(0, this, &QWidget::close);
@@ -222,6 +223,7 @@ void Window::open_example() {
   example_ = example_film;
   desk_.say(Session::rewrite_line(1, 0, example_));
   example_ = desk_.text();
+  said_->clear();
   desk_.go_to(desk_.document().range().first);
   name_film();
 }
@@ -321,7 +323,9 @@ void Window::find_command() {
 }
 
 void Window::show_keys() {
-  auto* page = new QTextBrowser(nullptr);
+  auto* page = new QTextBrowser(this);
+  page->setWindowFlag(Qt::Window);  // goes where this one goes
+  connect(new QShortcut(Qt::Key_Escape, page), &QShortcut::activated, page, &QWidget::close);
   page->setAttribute(Qt::WA_DeleteOnClose);
   page->setWindowTitle(tr("Keys"));
   QString html = "<table cellpadding='4'>";

@@ -5,6 +5,7 @@
 #include <QFontDatabase>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScreen>
 #include <QTextBlock>
 
 #include "editor/help.h"
@@ -62,7 +63,13 @@ void WordEdit::offer_words() {
   const int em = fontMetrics().horizontalAdvance('m');
   words_->resize(std::min(words_->columnWidth(0) + words_->columnWidth(1) + 3 * em, 70 * em),
                  rows * words_->sizeHintForRow(0) + 4);
-  words_->move(viewport()->mapToGlobal(cursorRect().bottomLeft()));
+  // Below the word; above it where the screen ends.
+  const QRect screen = this->screen()->availableGeometry();
+  QPoint at = viewport()->mapToGlobal(cursorRect().bottomLeft());
+  if (at.y() + words_->height() > screen.bottom())
+    at.setY(viewport()->mapToGlobal(cursorRect().topLeft()).y() - words_->height());
+  at.setX(std::max(screen.left(), std::min(at.x(), screen.right() - words_->width())));
+  words_->move(at);
   words_->show();
 }
 

@@ -136,6 +136,8 @@ class DeskTest : public QObject {
     window.close();
     QVERIFY(window.isVisible());
     QCOMPARE(answers_of(question), (std::vector<std::string>{"save", "discard", "stay"}));
+    QCOMPARE(words_of(question), "1 command is not saved.");
+    QCOMPARE(words_of("File 'a.bx' exists: overwrite? (yes/no) "), "File 'a.bx' exists: overwrite?");
     answer = "save";
     window.close();
     QVERIFY(!window.isVisible());

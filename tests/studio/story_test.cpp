@@ -81,8 +81,8 @@ class Story : public QObject {
   }
 
   // ---- what is so
-  std::string in_file() const {
-    QFile f(folder_.filePath("film.bx"));
+  std::string in_file(const char* name) const {
+    QFile f(folder_.filePath(name));
     return f.open(QIODevice::ReadOnly) ? f.readAll().toStdString() : "";
   }
   std::string selected() const {
@@ -345,18 +345,46 @@ class Story : public QObject {
     shows(end_, 13);
   }
 
+  // What is looked at stays where it was.
+  void it_gets_another_name() {
+    const int x = in_ruler(61).x();
+    window_->viewport().set_free(true);
+    const QString second = folder_.filePath("second.bx");
+    when_asked<QFileDialog>([this, second](QFileDialog&) {
+      hands_->key("Ctrl+A");
+      hands_->type(second);
+      hands_->key("Return");
+    });
+    hands_->key("Ctrl+Shift+S");
+    QTRY_VERIFY(!QApplication::activeModalWidget());
+    QCOMPARE(in_file("second.bx"), end_);
+    QCOMPARE(in_file("film.bx"), film);
+    QVERIFY(window_->windowTitle().startsWith("second.bx"));
+    QCOMPARE(in_ruler(61).x(), x);
+    QCOMPARE(desk_.time(), frame(13));
+    QVERIFY(window_->viewport().is_free());
+    is(end_);
+  }
+
   void the_door_asks() {
+    hands_->click(part<QPlainTextEdit>("console_line").viewport()[0]);
+    hands_->type("set ball.radius 1");
+    hands_->key("Return");
+    const std::string saved = std::exchange(end_, replaced(end_, "radius=0.5", "radius=1"));
+    is(end_);
     answer("Stay");
     hands_->key("Ctrl+Q");
     QApplication::processEvents();
     QVERIFY(window_->isVisible());
     is(end_);
-    QCOMPARE(in_file(), film);
+    QCOMPARE(in_file("second.bx"), saved);
     answer("Save");
     hands_->key("Ctrl+Q");
     QTRY_VERIFY(!window_->isVisible());
-    QCOMPARE(in_file(), end_);
-    QVERIFY(load_file(folder_.filePath("film.bx").toStdString()).document == desk_.document());
+    QCOMPARE(in_file("second.bx"), end_);
+    QCOMPARE(in_file("film.bx"), film);
+    QVERIFY(load_file(folder_.filePath("second.bx").toStdString()).document == desk_.document());
+    QCOMPARE(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden), (QStringList{"film.bx", "second.bx"}));
   }
 
   void cleanupTestCase() { hands_.reset(), window_.reset(); }
