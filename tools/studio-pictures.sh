@@ -6,7 +6,7 @@
 #   tools/studio-pictures.sh PROGRAM
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 [ $# = 1 ] || { sed -n '6s/^# *//p' "$0"; exit 2; }
-program=$1
+program=$(realpath -- "$1")
 folder=$(mktemp -d) && trap 'rm -r "$folder"' EXIT
 cp -r "$root/examples" "$folder/films" || exit 1
 

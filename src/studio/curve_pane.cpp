@@ -30,7 +30,10 @@ CurvePane::CurvePane(Desk& desk, QWidget* parent) : TimePane(desk, parent) {
   connect(&axis_, &TimeAxis::changed, this, &CurvePane::sample);
 }
 
-void CurvePane::showEvent(QShowEvent*) { lay_out(); }
+void CurvePane::showEvent(QShowEvent* e) {
+  TimePane::showEvent(e);
+  lay_out();
+}
 
 void CurvePane::resizeEvent(QResizeEvent* e) {
   TimePane::resizeEvent(e);

@@ -120,6 +120,7 @@ void ScriptEdit::take_text() {
     const QString come = without_returns(c.others);
     const QStringList old_lines = gone.split('\n'), new_lines = come.split('\n');
     const int first = c.lines.first - 1;
+    flashing_.clear();  // what the step before has changed
     if (old_lines.size() == new_lines.size()) {
       for (qsizetype i = 0; i < old_lines.size(); ++i)
         if (old_lines[i] != new_lines[i]) replace(first + static_cast<int>(i), old_lines[i], new_lines[i]);
@@ -147,8 +148,8 @@ void ScriptEdit::replace(int first_block, const QString& before, const QString& 
   c.setPosition(start + static_cast<int>(before.size() - tail), QTextCursor::KeepAnchor);
   c.insertText(after.mid(head, after.size() - head - tail));
   const int from = document()->findBlock(start + static_cast<int>(head)).blockNumber();
-  flash(from,
-        std::max(1, document()->findBlock(start + static_cast<int>(after.size() - tail)).blockNumber() - from + 1));
+  const qsizetype last = std::max(head, after.size() - tail - 1);
+  flash(from, document()->findBlock(start + static_cast<int>(last)).blockNumber() - from + 1);
 }
 
 void ScriptEdit::flash(int first_block, int blocks) {

@@ -19,9 +19,7 @@ TimePane::TimePane(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
   connect(&axis_, &TimeAxis::changed, this, repaint);
   connect(&desk, &Desk::time_changed, this, [this] { QWidget::update(); });
   connect(&desk, &Desk::playing_changed, this, repaint);
-  connect(&desk, &Desk::opened, this, [this] {
-    if (isVisible()) axis_.fit(time_box().width());  // one that is not has any width
-  });
+  connect(&desk, &Desk::opened, this, &TimePane::fit_time);
 }
 
 int TimePane::line_height() const { return fontMetrics().height() * 3 / 2; }
@@ -41,7 +39,13 @@ Time TimePane::time_at(const QPointF& at, Qt::KeyboardModifiers keys) const {
 bool TimePane::in_ruler(const QPointF& at) const { return at.y() < ruler_height() && at.x() >= axis_.gutter(); }
 bool TimePane::at_gutter(const QPointF& at) const { return std::abs(at.x() - axis_.gutter()) < 4; }
 
-void TimePane::resizeEvent(QResizeEvent*) { axis_.fit(time_box().width()); }
+// Panes that nobody sees have no say in what is seen.
+void TimePane::fit_time() {
+  if (isVisible()) axis_.fit(time_box().width());
+}
+
+void TimePane::resizeEvent(QResizeEvent*) { fit_time(); }
+void TimePane::showEvent(QShowEvent*) { fit_time(); }
 
 void TimePane::paintEvent(QPaintEvent*) {
   const QSize pixels = size() * devicePixelRatioF();

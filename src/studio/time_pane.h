@@ -61,10 +61,12 @@ class TimePane : public QWidget {
   void wheelEvent(QWheelEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void resizeEvent(QResizeEvent*) override;
+  void showEvent(QShowEvent*) override;
 
  private:
   enum class Hand { none, scrub, pan, gutter, part, own };
   bool at_gutter(const QPointF&) const;
+  void fit_time();
 
   Hand hand_ = Hand::none;
   QPointF from_;
