@@ -109,6 +109,12 @@ at 12f thing.geometry shape(form7)
 END
 holds 'only the geometry is switched' 'v[1] == v[4] && v[2] == v[5] && v[3] == v[6] && v[1] == 1 && v[7] == 7' \
   "$folder/switch.bx" 6f,13f thing.position thing.geometry
+# The tour of the studio, without its two minutes.
+if "$program" check "$root/docs/tour/tour.bx" >/dev/null; then
+  passed=$((passed + 1))
+else
+  failed=$((failed + 1)) && echo 'docs/tour/tour.bx has mistakes'
+fi
 if "$root/tools/gallery.sh" --check; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]
