@@ -28,7 +28,7 @@ std::pair<std::optional<Time>, std::optional<Time>> events_beside(const Document
 bool in_components(const Document&, const Target&);
 // "at 24f ball.radius 2" where the function has events, else "set ball.radius 2".
 std::string line_that_sets(const Document&, const Target&, Time, const std::string& value);
-// "couple ball to hand keep-world", with a time where it has hung on anything by time, or is let go.
+// "couple ball to hand keep-world", with a time behind the film's first frame, and where it hangs by time.
 std::string line_that_holds(const Document&, ObjectId, Time, const Attachment&);
 
 }  // namespace betwixt

@@ -40,6 +40,16 @@ Status Session::State::take(Point then, Step step) {
     return made.document == then.document;
   };
   TextEdits edits = place(placed.text, step, document(), then.document, makes);
+  // A bracket that is open somewhere would swallow what is written below it.
+  if (has_errors(of_text)) {
+    std::string text = placed.text;
+    put_into(text, edits);
+    const auto wrong = std::ranges::find(of_text, Severity::error, &Diagnostic::severity);
+    if (!(editor.read(text, said).document == then.document))
+      return fail(ErrorCode::syntax, "the script has an error that keeps this line from being understood",
+                  fmt::format("mend it first: line {}, {}", wrong->what.place.line, wrong->what.message));
+    said.clear();
+  }
   if (Status s = editor.take(std::move(then), std::move(step)); !s) return s;
   placed.edits.resize(editor.steps().size() - 1);
   placed.edits.push_back(std::move(edits));

@@ -7,7 +7,18 @@
 
 namespace betwixt::studio {
 
-std::vector<std::string> answers_of(const std::string& question) {
+namespace {
+
+// What stands above the question, as a list of what was done, is no part of it.
+std::string question_in(const std::string& whole) {
+  const std::size_t above = whole.rfind('\n');
+  return whole.substr(above == std::string::npos ? 0 : above + 1);
+}
+
+}  // namespace
+
+std::vector<std::string> answers_of(const std::string& whole) {
+  const std::string question = question_in(whole);
   std::vector<std::string> all;
   const auto split = [&](std::string_view text, std::string_view between) {
     while (!text.empty()) {
@@ -31,7 +42,8 @@ std::vector<std::string> answers_of(const std::string& question) {
   return all;
 }
 
-std::string words_of(const std::string& question) {
+std::string words_of(const std::string& whole) {
+  const std::string question = question_in(whole);
   const std::size_t mark = question.rfind('?'), colon = question.rfind(": ", mark);
   const bool asks = question.find('(', std::min(mark, question.size())) != std::string::npos;
   return asks || colon == std::string::npos ? question.substr(0, mark) + "?" : question.substr(0, colon) + ".";
@@ -42,6 +54,8 @@ std::optional<std::string> ask_in_window(QWidget* parent, const std::string& que
   box.setWindowTitle(QObject::tr("Betwixt"));
   box.setIcon(QMessageBox::Question);
   box.setText(QString::fromStdString(words_of(question)));
+  if (const std::size_t above = question.rfind('\n'); above != std::string::npos)
+    box.setDetailedText(QString::fromStdString(question.substr(0, above)));
   std::vector<QAbstractButton*> buttons;
   const std::vector<std::string> answers = answers_of(question);
   for (const std::string& a : answers) {
@@ -49,7 +63,10 @@ std::optional<std::string> ask_in_window(QWidget* parent, const std::string& que
     text[0] = text[0].toUpper();
     buttons.push_back(box.addButton(text, QMessageBox::AcceptRole));
   }
-  box.addButton(QMessageBox::Cancel);
+  if (!answers.empty() && answers.back() == "stay")
+    box.setEscapeButton(buttons.back());
+  else
+    box.addButton(QMessageBox::Cancel);
   box.exec();
   for (std::size_t i = 0; i < buttons.size(); ++i)
     if (box.clickedButton() == buttons[i]) return answers[i];

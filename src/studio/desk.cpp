@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <algorithm>
 
 #include "betwixt/language.h"
@@ -19,6 +20,22 @@ std::string commented(const std::string& text) {
   for (const char c : text) (out += c) += c == '\n' ? "# " : "";
   return out + "\n";
 }
+
+// What may take a moment.
+class Busy {
+ public:
+  explicit Busy(qint64 bytes) : shown_(bytes > 2'000'000) {
+    if (shown_) QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  }
+  ~Busy() {
+    if (shown_) QGuiApplication::restoreOverrideCursor();
+  }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  const bool shown_;
+};
 
 constexpr int typing_rests_after = 1000;  // ms: what is typed until then is one step
 constexpr int file_rests_after = 150;     // ms
@@ -51,6 +68,7 @@ Desk::~Desk() = default;
 
 bool Desk::open(const QString& file, Session::Earlier earlier) {
   settle_typing();
+  const Busy busy(QFileInfo(file).size());
   const Session::Answer a = session_->open(file.toStdString(), earlier);
   const bool done = answer({}, a);
   if (!done) return false;
@@ -62,6 +80,11 @@ bool Desk::open(const QString& file, Session::Earlier earlier) {
   emit opened();
   emit selection_changed();
   return true;
+}
+
+void Desk::begin_with(const std::string& text) {
+  (void)session_->enter(Session::rewrite_line(1, 0, text));
+  take_over();
 }
 
 // What was said to the session is shown, and everybody told.

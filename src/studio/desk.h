@@ -46,6 +46,8 @@ class Desk : public QObject {
   std::function<std::optional<std::string>(const std::string& question)> ask;
   // Goes on with a script; "": a new film. What is said stands in the console; false: nothing has changed.
   bool open(const QString& file, Session::Earlier = Session::Earlier::ask);
+  // A new film has this text; nobody has said it.
+  void begin_with(const std::string& text);
   // Looks whether somebody else has changed the file: what both changed is put together, or asked about.
   void look_at_file();
   Session& session() { return *session_; }

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "betwixt/object.h"
+#include "editor/made_by.h"
 #include "scene/document.h"
 #include "track/twerpers.h"
 
@@ -96,7 +97,14 @@ void EventHands::duplicate() {
 }
 
 void EventHands::insert() {
-  const std::vector<Target> where = animated(desk_.document(), desk_.selected());
+  std::vector<Target> where = animated(desk_.document(), desk_.selected());
+  // An event would take the place of what code says, for the whole film.
+  for (const Target& t : where)
+    if (Target whole(t.object, t.function); !t.layer && !made_by(desk_.document(), whole, desk_.time()).code.empty())
+      emit desk_.said({}, tr("code says what %1 is: an event would end that").arg(QString::fromStdString(desk_.document().name(whole))) + "\n", true);
+  std::erase_if(where, [&](const Target& t) {
+    return !t.layer && !made_by(desk_.document(), Target(t.object, t.function), desk_.time()).code.empty();
+  });
   if (where.empty()) return;
   if (!desk_.say(insert_lines(desk_.document(), desk_.program(), where, desk_.time()))) return;
   std::vector<EventAt> come;

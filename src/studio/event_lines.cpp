@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -322,6 +323,22 @@ Lines twerper_lines(const Document& d, const std::vector<EventAt>& events, std::
   return lines;
 }
 
+namespace {
+// Finer than a millionth of its size, and than a billionth, no hand and no eye tells.
+double rounded(double v) {
+  if (v == 0 || !std::isfinite(v)) return v;
+  const double unit = std::pow(10, std::max(std::floor(std::log10(std::abs(v))) - 9, -9.0));
+  const double r = std::round(v / unit) * unit;
+  return std::stod(fmt::format("{:.10g}", r));
+}
+Value rounded(Value v) {
+  if (auto* d = std::get_if<double>(&v)) *d = rounded(*d);
+  if (auto* x = std::get_if<Vec3>(&v))
+    for (int i = 0; i < 3; ++i) (*x)[i] = rounded((*x)[i]);
+  return v;
+}
+}  // namespace
+
 Lines insert_lines(const Document& d, const Program& before, const std::vector<Target>& targets, Time t) {
   std::map<std::uint32_t, Program> layers;  // programs of the bare tracks
   std::vector<ObjectId> objects;
@@ -335,7 +352,9 @@ Lines insert_lines(const Document& d, const Program& before, const std::vector<T
     bare.layer = {};
     Event e;
     e.time = t;
-    e.value = known->second.read(bare, t);
+    const Type type = spec_of(d.scene(), bare.function).type;
+    const Value there = known->second.read(bare, t);
+    e.value = type == Type::scalar || type == Type::vector ? rounded(there) : there;  // angles are said in degrees
     lines.push_back(event_line(d, target, e));
   }
   return lines;

@@ -119,7 +119,7 @@ QStringList ExportDialog::arguments(const QString& script) const {
   QStringList all{"render", script, "-o", out_->text()};
   if (!frames_->text().isEmpty()) all << "--frames" << frames_->text();
   static const QRegularExpression pixels("^\\d+x\\d+$");
-  if (size_->currentIndex() != 0 || pixels.match(size_->currentText()).hasMatch())
+  if (pixels.match(size_->currentText()).hasMatch())
     if (size_->currentText() != "1280x720" || desk_.document().size()) all << "--size" << size_->currentText();
   if (style_->currentIndex() != 0) all << "--style" << style_->currentText();
   if (samples_->value() > 0) all << "--samples" << QString::number(samples_->value());
@@ -151,7 +151,14 @@ void ExportDialog::start() {
     state_->setText(tr("The film's text cannot be written beside its file: %1").arg(text_->errorString()));
     return;
   }
+  static const QRegularExpression sizes("^\\d+x\\d+$");
+  if (size_->currentText() != size_->itemText(0) && !sizes.match(size_->currentText()).hasMatch()) {
+    state_->setText(tr("'%1' is no size such as 1280x720.").arg(size_->currentText()));
+    text_.reset();
+    return;
+  }
   said_.clear(), state_->clear();
+  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_}) w->setEnabled(false);
   progress_->setVisible(true), progress_->setRange(0, 0);
   start_->setEnabled(false), cancel_->setText(tr("Stop"));
   process_.start(QCoreApplication::applicationDirPath() + "/betwixt", arguments(text_->fileName()) << "--progress");
@@ -172,6 +179,7 @@ void ExportDialog::finish(int code) {
   read();
   progress_->setVisible(false);
   start_->setEnabled(true), cancel_->setText(tr("Close"));
+  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_}) w->setEnabled(true);
   if (!said_.trimmed().isEmpty()) state_->setText(said_.replace(text_->fileName(), script_name()).trimmed());
   text_.reset();
   if (code == 0 && open_->isChecked()) QDesktopServices::openUrl(QUrl::fromLocalFile(out_->text()));

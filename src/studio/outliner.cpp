@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/outliner.h"
 
+#include <fmt/format.h>
+
 #include <QApplication>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -268,6 +270,11 @@ void Outliner::add(const QString& kind) {
   const std::string name = free_name(desk_.document(), kind.toStdString());
   std::string line = "create " + name + " " + kind.toStdString();
   if (kind == "text") line += " text=\"text\"";
+  if (kind == "camera") {  // where the film is seen from now
+    const Mat4 eye = desk_.program().frame(desk_.time()).camera.world;
+    const Vec3 at = translation_of(eye), to = at - 10 * normalize(Vec3{eye(0, 2), eye(1, 2), eye(2, 2)});
+    line += fmt::format(" position=({:.4g} {:.4g} {:.4g}) look-at=({:.4g} {:.4g} {:.4g})", at.x, at.y, at.z, to.x, to.y, to.z);
+  }
   if (kind == "mesh" || kind == "sound") {
     const QString file = QFileDialog::getOpenFileName(this, tr("The file of %1").arg(name.c_str()));
     if (file.isEmpty()) return;

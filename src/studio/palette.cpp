@@ -11,6 +11,7 @@
 #include "editor/said_line.h"
 #include "language/line_words.h"
 #include "studio/actions.h"
+#include "studio/theme.h"
 #include "studio/window.h"
 
 namespace betwixt::studio {
@@ -100,10 +101,15 @@ void Palette::run() {
   if (!item) return;
   const int kind = item->data(what).toInt(), number = item->data(which).toInt();
   const QString said = line_->text();
+  if (kind == line && !window_.desk().say(said.toStdString())) {  // it may be mended
+    found_->clear();
+    for (const QString& why : QString::fromStdString(window_.desk().last_said()).split('\n', Qt::SkipEmptyParts))
+      (new QListWidgetItem(why, found_))->setForeground(colors().error);
+    return;
+  }
   accept();
   if (kind == action) action_rows()[static_cast<std::size_t>(number)].run(window_);
   if (kind == object) window_.desk().select({ObjectId{static_cast<std::uint32_t>(number)}});
-  if (kind == line) window_.desk().say(said.toStdString());
 }
 
 bool Palette::eventFilter(QObject* o, QEvent* e) {

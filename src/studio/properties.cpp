@@ -8,6 +8,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "betwixt/language.h"
 #include "editor/help.h"
 #include "editor/made_by.h"
 #include "editor/plain_values.h"
@@ -68,6 +69,16 @@ std::optional<Attachment> attachment_of(const QString& text, const Document& d) 
   return Attachment{kind, kind >= AttachmentKind::hang ? parent : ObjectId{}, kind >= AttachmentKind::hang};
 }
 
+// What holds it at a time, said as an event of that time: it goes on being held.
+std::string what_holds(const Document& d, ObjectId id, Time t) {
+  Attachment held;
+  for (const AttachmentSpan& span : attachments(d, id))
+    if (span.from <= t && t < span.until && !span.computed) held = span.to;
+  held.keep_world = held.kind >= AttachmentKind::hang;
+  const std::string line = line_that_holds(d, id, t, held);
+  return line.starts_with("at ") ? line : "at " + format_time(t, d) + " " + line;
+}
+
 std::string sentence_of(const std::string& function) {
   for (const HelpEntry& e : help_entries())
     if (e.group == HelpGroup::function && e.word == function) return std::string(e.sentence);
@@ -112,6 +123,7 @@ Properties::Properties(Desk& desk, QWidget* parent)
   connect(&desk, &Desk::document_changed, this, &Properties::refresh);
   connect(&desk, &Desk::selection_changed, this, &Properties::refresh);
   connect(&desk, &Desk::time_changed, this, &Properties::refresh);
+  connect(&desk, &Desk::colors_changed, this, [this] { built_.clear(), refresh(); });
 }
 
 QSize Properties::sizeHint() const { return {38 * fontMetrics().horizontalAdvance('m'), 400}; }
@@ -255,7 +267,10 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
   connect(row->editor, &ValueEditor::said, this, [this, of](int component, const QString& t) {
     desk_.look_back();  // what was there says whether it has events
     const std::vector<std::string> lines = lines_for(*of, component, t);
-    if (!lines.empty()) lines.size() == 1 ? desk_.say(lines[0]) : desk_.say(lines);
+    // What was passed through and not changed is not said.
+    const auto then = desk_.session().look_ahead(lines);
+    const bool changes = !lines.empty() && !(then && *then == desk_.session().document());
+    if (changes) lines.size() == 1 ? desk_.say(lines[0]) : desk_.say(lines);
     refresh();
   });
   rows_.push_back(std::move(row));
@@ -327,7 +342,7 @@ void Properties::toggle_event(const Row& row) {
       const Target t(id, f.id);
       if (here && made_by(d, t, desk_.time()).event_here) lines.push_back("clear " + d.name(t) + " " + when);
       if (!here)
-        lines.push_back(f.type == Type::attachment ? "at " + when + " detach " + d.name(id)
+        lines.push_back(f.type == Type::attachment ? what_holds(d, id, desk_.time())
                                                    : "at " + when + " " + d.name(t) + " " +
                                                          plain_value(desk_.program().read(t, desk_.time()), t, d));
     }

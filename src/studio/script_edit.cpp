@@ -52,6 +52,7 @@ ScriptEdit::ScriptEdit(Desk& desk, QWidget* parent) : WordEdit(desk, parent) {
     setReadOnly(!desk_.session().may_change());
     moveCursor(QTextCursor::Start);
   });
+  connect(&desk, &Desk::colors_changed, this, [this] { colored_ = false, mark_lines(), viewport()->update(); });
   connect(&desk, &Desk::selection_changed, this, [this] { colored_ = false, viewport()->update(); });
   take_text();
   take_diagnostics();

@@ -14,6 +14,14 @@
 namespace betwixt::studio {
 namespace {
 
+// Whether a value is the same at some times between two events that are equal.
+bool stays_between(const Program& program, const Target& t, Time a, Time b) {
+  const std::vector<double> at_first = numbers(program.read(t, a));
+  for (const int part : {1, 2, 3})
+    if (numbers(program.read(t, a + Time{(b - a).flicks / 4 * part})) != at_first) return false;
+  return true;
+}
+
 QColor color_of(Type type) {
   const Colors& c = colors();
   switch (type) {
@@ -90,7 +98,8 @@ void SheetPane::paint_track(QPainter& p, const Target& target, double y, bool wh
     if (const auto next = next_event(d, target, at + Time{1}); next && value)
       each_event(d, target, *next, *next, [&](const EventView& e) {
         comes = e.before ? e.before : e.value;
-        holds = holds || (comes && *comes == *value);
+        // Between equal events a smooth way may swing out, and comes back.
+        holds = holds || (comes && *comes == *value && stays_between(desk_.program(), target, at, *next));
       });
     const bool* shown = value ? std::get_if<bool>(value) : nullptr;
     if (releases || (shown && !*shown)) return;

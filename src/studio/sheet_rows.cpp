@@ -56,11 +56,28 @@ class Search {
   std::string functions_;
 };
 
+// A whole stands for its parts too: man for man/arm.
+std::vector<ObjectId> with_parts(const Document& d, const std::vector<ObjectId>& ids) {
+  constexpr std::size_t few_wholes = 20;
+  std::vector<ObjectId> all;
+  std::set<std::uint32_t> there;
+  const auto add = [&](ObjectId id) {
+    if (there.insert(id.index).second) all.push_back(id);
+  };
+  for (const ObjectId id : ids) {
+    add(id);
+    if (ids.size() <= few_wholes && kind(d, id) == Kind::group)
+      for (const ObjectId part : objects(d))
+        if (d.name(part).starts_with(d.name(id) + "/")) add(part);
+  }
+  return all;
+}
+
 // f(object, its tracks with events) for all that are meant.
 template <class F>
 void each_object(const Document& d, const SheetChoice& choice, F&& f) {
   const Search search(d, choice.search);
-  for (const ObjectId id : choice.objects.empty() ? objects(d) : choice.objects) {
+  for (const ObjectId id : choice.objects.empty() ? objects(d) : with_parts(d, choice.objects)) {
     if (!search.may_mean(id)) continue;
     std::vector<Target> meant;
     for (const TrackView& t : tracks(d, id))

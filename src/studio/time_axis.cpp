@@ -25,6 +25,16 @@ double round_step(double least) {
 TimeAxis::TimeAxis(Desk& desk) : QObject(&desk), desk_(desk) {
   gutter_ = 26 * QFontMetrics(QApplication::font()).averageCharWidth();
   connect(&desk, &Desk::opened, this, [this] { touched_ = false, emit changed(); });
+  connect(&desk, &Desk::document_changed, this, [this] {
+    if (!touched_ && fitted_ && *fitted_ != desk_.document().range()) fit(width_);
+  });
+  // The playhead is followed where it goes out of sight, but not under a hand that drags it.
+  connect(&desk, &Desk::time_changed, this, [this] {
+    const double x = x_of(desk_.time());
+    if (width_ < 1 || (x >= 0 && x <= width_) || QApplication::mouseButtons() != Qt::NoButton) return;
+    first_ += (x - (x < 0 ? 0.1 : 0.9) * width_) / scale_;
+    emit changed();
+  });
 }
 
 TimeAxis& TimeAxis::of(Desk& desk) {
@@ -60,8 +70,10 @@ void TimeAxis::show(Time from, Time to, double width) {
 }
 
 void TimeAxis::fit(double width) {
+  if (width >= 1) width_ = width;
   if (touched_ || width < 1) return;
   const auto [from, to] = desk_.document().range();
+  width_ = width, fitted_ = desk_.document().range();
   show(from, to, width);
   touched_ = false;
 }

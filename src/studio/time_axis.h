@@ -51,6 +51,8 @@ class TimeAxis : public QObject {
 
   Desk& desk_;
   double first_ = 0, scale_ = 100;  // seconds; pixels a second
+  double width_ = 0;                // that it was to be fitted into last
+  std::optional<std::pair<Time, Time>> fitted_;
   bool touched_ = false, in_seconds_ = false;
   int gutter_ = 0;
 };

@@ -118,7 +118,7 @@ void TimePane::mouseMoveEvent(QMouseEvent* e) {
     case Hand::gutter:
       return axis_.set_gutter(std::clamp(static_cast<int>(at.x()), 0, width() - 50));
     case Hand::part: {
-      const auto [a, b] = std::minmax(time_at(from_, e->modifiers()), time_at(at, e->modifiers()));
+      const auto [a, b] = std::minmax({time_at(from_, e->modifiers()), time_at(at, e->modifiers())});
       return desk_.set_range(std::pair(a, b));
     }
     case Hand::pan:

@@ -8,14 +8,17 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QShortcut>
 #include <QStatusBar>
 #include <QTextBrowser>
+#include <QVBoxLayout>
 
 #include "base/files.h"
 #include "studio/actions.h"
@@ -164,6 +167,10 @@ QStringList Window::layouts() { return {"all", "animate", "script", "live", "pic
 
 bool Window::set_layout(const QString& name) {
   if (!layouts().contains(name)) return false;
+  if (arranged_.isEmpty())
+    arranged_ = saveState();
+  else
+    restoreState(arranged_);
   for (QDockWidget* dock : docks_) {
     const QString panel = dock->widget()->objectName();
     const bool shown = (name == "all" && panel != "live" && panel != "server") || panel == "timeline" ||
@@ -221,7 +228,7 @@ void Window::new_film() {
 void Window::open_example() {
   desk_.open("", Session::Earlier::discard);
   example_ = example_film;
-  desk_.say(Session::rewrite_line(1, 0, example_));
+  desk_.begin_with(example_);
   example_ = desk_.text();
   said_->clear();
   desk_.go_to(desk_.document().range().first);
@@ -236,7 +243,8 @@ bool Window::save() {
 bool Window::save_as() {
   const QString file = QFileDialog::getSaveFileName(this, tr("Save the film"), "film.bx", tr("Films (*.bx)"), nullptr,
                                                     QFileDialog::DontConfirmOverwrite);  // the session asks
-  return !file.isEmpty() && desk_.say("save " + quoted_word(file.toStdString()));
+  const QString name = QFileInfo(file).suffix().isEmpty() ? file + ".bx" : file;
+  return !file.isEmpty() && desk_.say("save " + quoted_word(name.toStdString()));
 }
 
 std::optional<std::string> Window::answer(const std::string& question) {

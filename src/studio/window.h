@@ -80,6 +80,7 @@ class Window : public QMainWindow {
   QMenu* recent_ = nullptr;
   QLabel* said_;
   std::string example_;
+  QByteArray arranged_;  // how the panels lay first
   bool light_ = false, leaving_ = false;
 };
 

@@ -72,10 +72,14 @@ TEST(MadeBy, TheLineOfAHand) {
 TEST(MadeBy, TheLineThatHolds) {
   const Film f("create car box\ncreate hand group\nattach hand to car\nat 10f attach hand to ball\n");
   const ObjectId ball = f.d.find("ball"), car = f.d.find("car"), hand = f.d.find("hand");
+  // At the film's first frame for all of it, behind that from there on.
+  const auto first = [&](ObjectId id, const Attachment& a) { return line_that_holds(f.d, id, f.at("1f"), a); };
+  EXPECT_EQ(first(ball, {AttachmentKind::couple, car, true}), "couple ball to car keep-world");
+  EXPECT_EQ(first(ball, {AttachmentKind::hang, car, false}), "hang ball on car");
+  EXPECT_EQ(first(ball, {AttachmentKind::detach, {}, false}), "detach ball");
+  EXPECT_EQ(first(hand, {AttachmentKind::attach, car, true}), "at 1f attach hand to car keep-world");
   const auto line = [&](ObjectId id, const Attachment& a) { return line_that_holds(f.d, id, f.at("24f"), a); };
-  EXPECT_EQ(line(ball, {AttachmentKind::couple, car, true}), "couple ball to car keep-world");
-  EXPECT_EQ(line(ball, {AttachmentKind::hang, car, false}), "hang ball on car");
-  EXPECT_EQ(line(ball, {AttachmentKind::detach, {}, false}), "detach ball");
+  EXPECT_EQ(line(ball, {AttachmentKind::couple, car, true}), "at 24f couple ball to car keep-world");
   EXPECT_EQ(line(hand, {AttachmentKind::attach, car, true}), "at 24f attach hand to car keep-world");
   EXPECT_EQ(line(ball, {AttachmentKind::letgo, {}, false}), "at 24f letgo ball");
 }

@@ -13,6 +13,7 @@
 #include "studio/export_dialog.h"
 #include "studio/live_panel.h"
 #include "studio/palette.h"
+#include "studio/server_panel.h"
 #include "studio/theme.h"
 #include "studio/viewport.h"
 #include "studio/window.h"
@@ -123,6 +124,13 @@ class DeskTest : public QObject {
       QCOMPARE(text.contains("(7 0 0)"), answer != "ours");
       desk.ask = {};
     }
+  }
+
+  void questionsBelowAListAreUnderstood() {
+    const std::string asked =
+        "  at 1f ball.position (1 2 3)\n  undo\n9 commands of an earlier session were not saved: recover, discard or "
+        "show? ";
+    QCOMPARE(answers_of(asked), (std::vector<std::string>{"recover", "discard", "show"}));
   }
 
   void quittingIsGuarded() {
@@ -240,6 +248,37 @@ class DeskTest : public QObject {
     QVERIFY(load_text(desk.text(), film_.toStdString()).document == recorded);
     desk.undo();
     QCOMPARE(radius(1), 1.0);
+  }
+
+  void aServerIsWatchedAndSteered() {
+    const QString program = QCoreApplication::applicationDirPath() + "/betwixt", place = folder_.filePath("stage.sock");
+    if (!QFileInfo::exists(program)) QSKIP("the program betwixt has not been built here");
+    QProcess server;
+    server.start(program, {"serve", "--socket", place});
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(place), 20000);
+    ServerPanel panel;
+    panel.show();
+    panel.join(place);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.joined(), 10000);
+    QStringList answers;
+    connect(&panel, &ServerPanel::answered, this, [&](const QString& line, const QString& answer) { answers << line + answer; });
+    auto* line = panel.findChild<QLineEdit*>("line");
+    for (const char* said : {"create ball sphere", "animate slide every 1t by translate(0.02 0 0)", "nonsense"}) {
+      QTest::keyClicks(line, said);
+      QTest::keyClick(line, Qt::Key_Return);
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(answers.size(), 3, 10000);
+    QVERIFY(answers[0].contains("\"ok\":true") && answers[2].contains("\"ok\":false"));
+    QTRY_VERIFY_WITH_TIMEOUT(panel.document().find("ball") && panel.document().find("slide"), 10000);
+    QTRY_COMPARE(panel.findChild<QListWidget*>("environments")->count(), 1);
+    QTest::mouseClick(panel.findChild<QPushButton*>("pause"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.findChild<QPushButton*>("pause")->text(), QString("Go"), 10000);
+    panel.leave();
+    QVERIFY(!panel.joined());
+    server.terminate();
+    QVERIFY(server.waitForFinished(10000));
+    panel.join("/no/such/place");
+    QTRY_VERIFY(!panel.joined());
   }
 
   void screenshotsOfEveryLayout() {

@@ -239,6 +239,17 @@ class Hands {
   std::string last_;
 };
 
+// The first line in which two films, written down, are not the same.
+std::string difference(const Document& film, const Document& text) {
+  const QStringList a = QString::fromStdString(write(film)).split('\n'),
+                    b = QString::fromStdString(write(text)).split('\n');
+  for (int i = 0; i < std::max(a.size(), b.size()); ++i)
+    if (a.value(i) != b.value(i))
+      return fmt::format("the film has\n  {}\nthe text makes\n  {}\n", a.value(i).toStdString(),
+                         b.value(i).toStdString());
+  return "written down they are the same\n";
+}
+
 int complain(const std::string& what) {
   fmt::print("FAILED: {}\n", what);
   return 1;
@@ -279,11 +290,12 @@ int main(int argc, char** argv) {
     hands.do_something();
     QApplication::processEvents();
     if (!window.isVisible()) window.show();
-    if (i % 50 == 0) {
+    if (i % 10 == 0) {
       desk.settle_typing();
       if (!(load_text(desk.text(), name.toStdString()).document == desk.session().document()))
-        return complain(
-            fmt::format("after {} gestures ({}) the text is another film:\n{}", i, hands.last(), desk.text()));
+        return complain(fmt::format(
+            "after {} gestures ({}) the text is another film: {}\n{}", i, hands.last(),
+            difference(desk.session().document(), load_text(desk.text(), name.toStdString()).document), desk.text()));
     }
     if (i % 1000 == 999)
       fmt::print("{} gestures, {} steps to undo, {} bytes of script\n", i + 1, desk.session().unsaved(),
