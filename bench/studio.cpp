@@ -106,10 +106,16 @@ class Trial {
     c.setPosition(row);
     editor->setTextCursor(c);
     std::vector<double> all;
+    int changes = 0;
+    QObject::connect(&desk_, &Desk::document_changed, [&] { ++changes; });
     for (int i = 0; i < keys; ++i) {
+      const int before = changes;
       const auto begun = Clock::now();
       QTest::keyClick(editor, i % 2 == 0 ? Qt::Key_1 : Qt::Key_Backspace);
-      until([&] { return came_ && came_->program && &came_->program->compiled() == &desk_.program().compiled(); });
+      until([&] {
+        return changes > before && came_ && came_->program &&
+               &came_->program->compiled() == &desk_.program().compiled();
+      });
       all.push_back(milliseconds(Clock::now() - begun));
     }
     print("key in the script to picture", all);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 
@@ -321,14 +322,15 @@ class Placing {
  private:
   using Place = std::pair<SheetText*, std::size_t>;  // a row
 
-  // The last row that says an event.
-  std::optional<Place> row_of(const Target& t, Time time) {
-    for (auto s = found_.sheets.rbegin(); s != found_.sheets.rend(); ++s) {
-      if (std::ranges::find(s->targets, t) == s->targets.end()) continue;
-      for (std::size_t i = s->rows.size(); i-- > 0;)
-        if (s->rows[i].when == time) return Place{&*s, i};
+  // All rows that say an event, in the order of the text.
+  std::vector<Place> rows_of(const Target& t, Time time) {
+    std::vector<Place> all;
+    for (SheetText& s : found_.sheets) {
+      if (std::ranges::find(s.targets, t) == s.targets.end()) continue;
+      for (std::size_t i = 0; i < s.rows.size(); ++i)
+        if (s.rows[i].when == time) all.emplace_back(&s, i);
     }
-    return std::nullopt;
+    return all;
   }
 
   bool decide(const Place& at, const Fate& fate) {
@@ -354,8 +356,9 @@ class Placing {
       return fits([&](const Said& s) { return s.time == was.time; });
     };
     for (const Said& was : c.gone) {
-      const auto row = row_of(c.target, was.time);
-      if (!row) return false;
+      const std::vector<Place> rows = rows_of(c.target, was.time);
+      if (rows.empty()) return false;
+      const Place& row = rows.back();  // the one that counts
       Fate fate;
       if (const auto k = take(was)) {
         used[*k] = true;
@@ -364,21 +367,30 @@ class Placing {
       } else {
         fate.goes = true;
       }
-      if (!decide(*row, fate)) return false;
+      if (!decide(row, fate)) return false;
+      // Those above would count again.
+      if (fate.goes || fate.time)
+        for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+          if (!decide(rows[i], {.goes = true, .time = {}, .rest = {}})) return false;
     }
     for (std::size_t k = 0; k < c.come.size(); ++k)
       if (!used[k] && !add(c.target, c.come[k])) return false;
     return true;
   }
 
-  // A new row in the last sheet that is of this target alone.
+  // A new row in the last sheet that is of this target alone; where there is only a line for an event, it becomes one.
   bool add(const Target& t, const Said& said) {
+    SheetText* single = nullptr;
     for (auto s = found_.sheets.rbegin(); s != found_.sheets.rend(); ++s) {
-      if (s->alone || s->targets.size() != 1 || !(s->targets[0] == t)) continue;
+      if (s->targets.size() != 1 || !(s->targets[0] == t)) continue;
+      if (s->alone && !single) single = &*s;
+      if (s->alone) continue;
       added_[&*s].push_back(said);
       return true;
     }
-    return false;
+    if (!single) return false;
+    added_[single].push_back(said);
+    return true;
   }
 
   bool settle(const Target& t, const std::string& value) {
@@ -408,6 +420,34 @@ class Placing {
     return line;
   }
 
+  // at 1f ball.position (0 0 0), and another event: their sheet.
+  bool make_sheet(const SheetText& sheet, SheetText* key, const std::vector<Said>& more) {
+    const RowText& row = sheet.rows[0];
+    const auto f = fates_.find({key, 0});
+    const Fate fate = f == fates_.end() ? Fate{} : f->second;
+    const std::string line = part(sheet.opener);
+    const std::size_t end = row.rest.end() - row.line.at;
+    const std::string remark = line.substr(end, line.find('\n', end) - end);
+    struct Event {
+      Time when;
+      std::string text;
+    };
+    std::vector<Event> events;
+    const std::string as = part(row.time);
+    if (!fate.goes) {
+      const Time when = fate.time.value_or(row.when);
+      events.push_back({when, fmt::format("  {} {}{}\n", fate.time ? written(when, as) : as,
+                                          fate.rest ? *fate.rest : part(row.rest), remark)});
+    }
+    for (const Said& s : more) events.push_back({s.time, fmt::format("  {} {}\n", written(s.time, as), s.rest)});
+    std::ranges::stable_sort(events, [](const Event& a, const Event& b) { return a.when < b.when; });
+    const Target& t = sheet.targets[0];
+    std::string all = (t.layer ? "on " + after_.name(t.layer) + " " : "") + after_.name(t) + "\n";
+    for (const Event& e : events) all += e.text;
+    edits_.push_back({sheet.opener.at, line, std::move(all)});
+    return true;
+  }
+
   bool rewrite(const SheetText& sheet) {
     struct Line {
       Time when;
@@ -420,6 +460,7 @@ class Placing {
       if (const auto f = fates_.find({key, i}); f != fates_.end())
         touched = true, moved |= f->second.goes || f->second.time;
     if (!touched) return true;
+    if (sheet.alone && adds != added_.end()) return make_sheet(sheet, key, adds->second);
     if (sheet.alone) {
       const Fate& fate = fates_.at({key, 0});
       edits_.push_back({sheet.opener.at, part(sheet.opener), fate.goes ? "" : line_of(sheet.rows[0], fate)});
@@ -481,11 +522,66 @@ void shorten(TextEdit& e) {
        e.inserted.substr(head, e.inserted.size() - head - tail)};
 }
 
+// What is said once of a film: another one of these takes the place of the one before.
+constexpr std::string_view settings[] = {"range", "size",   "samples", "subframes", "background", "ambient", "exposure",
+                                         "fog",   "ground", "sky",     "contact",   "film",       "notes",   "rate"};
+
+// The line of the text that says the same of the film says the new thing.
+std::optional<TextEdits> instead_of_setting(const std::string& text, const std::string& line) {
+  const std::string verb(first_word(line));
+  if (std::ranges::find(settings, verb) == std::end(settings)) return std::nullopt;
+  std::optional<TextEdits> last;
+  for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+    const std::string_view there(text.data() + at, std::min(text.find('\n', at), text.size()) - at);
+    if (indented(there) || first_word(there) != verb) continue;
+    std::size_t end = there.find(" #");
+    while (end != std::string_view::npos && end + 2 < there.size() && !blank(there[end + 2]))
+      end = there.find(" #", end + 1);
+    std::string_view said = there.substr(0, end);
+    while (!said.empty() && blank(said.back())) said.remove_suffix(1);
+    last = TextEdits{{at, std::string(said), line}};
+  }
+  return last;
+}
+
+bool in_remark(const std::string& text, std::size_t at) {
+  const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+  const std::size_t line = before == std::string::npos ? 0 : before + 1;
+  bool quoted = false;
+  for (std::size_t i = line; i < at; ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] == '#' && !quoted && blank(text[i + 1])) return true;
+  }
+  return false;
+}
+
+// rename OLD NEW: the text speaks of it by its new name.
+std::optional<TextEdits> renamed(const std::string& text, const std::string& line) {
+  const std::vector<std::string> words = line_words(line);
+  if (words.size() != 3 || words[0] != "rename" || is_pattern(words[1])) return std::nullopt;
+  const auto of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  TextEdits all;
+  for (std::size_t at = text.rfind(words[1]); at != std::string::npos;
+       at = at == 0 ? std::string::npos : text.rfind(words[1], at - 1)) {
+    const std::size_t end = at + words[1].size();
+    if (in_remark(text, at)) continue;
+    const bool begins = at == 0 || !(of_name(text[at - 1]) || text[at - 1] == '/');
+    if (begins && (end == text.size() || !of_name(text[end]))) all.push_back({at, words[1], words[2]});
+  }
+  return all.empty() ? std::nullopt : std::optional(std::move(all));
+}
+
 }  // namespace
 
 TextEdits place(const std::string& text, const Step& step, const Document& before, const Document& after,
                 const std::function<bool(const std::string&, const TextEdits&)>& makes) {
-  if (auto edits = Placing(text, before, after).edits()) {
+  const auto found = [&]() -> std::optional<TextEdits> {
+    if (auto edits = Placing(text, before, after).edits()) return edits;
+    if (step.lines.size() != 1 || !step.sheet.empty()) return std::nullopt;
+    if (auto edits = instead_of_setting(text, step.lines[0])) return edits;
+    return renamed(text, step.lines[0]);
+  };
+  if (auto edits = found()) {
     for (TextEdit& e : *edits) shorten(e);
     std::string placed = text;
     put_into(placed, *edits);

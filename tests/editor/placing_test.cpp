@@ -73,6 +73,33 @@ TEST(Placing, ValuesAreSaidWhereTheyWere) {
   EXPECT_EQ(placed(ball, {"set ball.radius 2"}), with(ball, "radius=0.5", "radius=2"));
   EXPECT_EQ(placed(ball, {"set ball.transparency 0.5"}), ball + "set ball.transparency 0.5\n");
 }
+TEST(Placing, ASecondEventMakesASheet) {
+  EXPECT_EQ(placed(ball, {"at 12f ball.color red", "at 6f ball.color blue", "at 18f ball.color gold hold"}),
+            ball + "ball.color\n  6f blue\n  12f red\n  18f gold hold\n");
+  const std::string line = "create b box\nat 12f b.position.x 3  # out\ncreate c box\n";
+  EXPECT_EQ(placed(line, {"at 1f b.position.x 0"}),
+            "create b box\nb.position.x\n  1f 0\n  12f 3  # out\ncreate c box\n");
+}
+TEST(Placing, WhatWasSaidTwiceIsGone) {
+  const std::string twice = "create b box\nat 12f b.position (1 0 0)\nat 12f b.position (2 0 0)\n";
+  EXPECT_EQ(placed(twice, {"clear b.position 12f"}), "create b box\n");
+  EXPECT_EQ(placed(twice, {"move b.position 12f..12f by 2f"}), "create b box\nat 14f b.position (2 0 0)\n");
+  EXPECT_EQ(placed(twice, {"at 12f b.position (3 0 0)"}), with(twice, "(2 0 0)", "(3 0 0)"));
+}
+TEST(Placing, WhatIsSaidOnceOfAFilmIsSaidOnce) {
+  const std::string film = "rate 24\nrange 1f 48f  # two seconds\nsky on\nbackground #102030\ncreate b box\n";
+  EXPECT_EQ(placed(film, {"range 1f 96f", "sky off", "background navy to black", "ground on"}),
+            "rate 24\nrange 1f 96f  # two seconds\nsky off\nbackground navy to black\ncreate b box\nground on\n");
+}
+TEST(Placing, ANameIsChangedWhereItStands) {
+  EXPECT_EQ(placed("create ball sphere\ncreate ball/kid box\ncreate balloon box # a ball it is not\nball.position\n  "
+                   "1f (0 0 0)\n"
+                   "at 4f attach balloon to ball keep-world\n",
+                   {"rename ball sun"}),
+            "create sun sphere\ncreate sun/kid box\ncreate balloon box # a ball it is not\nsun.position\n  1f (0 0 0)\n"
+            "at 4f attach balloon to sun keep-world\n");
+  EXPECT_EQ(placed("create b{1..3} box\n", {"rename b2 two"}), "create b{1..3} box\nrename b2 two\n");
+}
 TEST(Placing, WhatIsNewGoesToTheEnd) {
   EXPECT_EQ(placed(ball, {"create box2 box"}), ball + "create box2 box\n");
   EXPECT_EQ(placed(ball, {"at 12f ball.color red"}), ball + "at 12f ball.color red\n");
