@@ -11,6 +11,7 @@
 
 #include "app/studio.h"
 #include "app/subcommand.h"
+#include "app/window.h"
 #include "base/files.h"
 #include "commands/plugins.h"
 
@@ -34,6 +35,11 @@ struct StudioCall {
 };
 
 int studio(StudioCall& call) {
+  // The toolkit would give up in words of its own.
+  if (call.screenshot.empty() && !std::getenv("QT_QPA_PLATFORM") && !has_display())
+    return complain(fail(ErrorCode::machine, "there is no display for a window",
+                         "set DISPLAY; --screenshot OUT.png makes a picture of the window without one"),
+                    machine_failed);
   std::vector<std::string> arguments;
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) arguments.insert(arguments.end(), {option, value});
@@ -61,6 +67,7 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
                      .value = "NAME",
                      .sentence = "how its panels lie: all, animate, script, live or picture",
                      .into = &call.layout,
+                     .words_only = true,
                      .words = {"all", "animate", "script", "live", "picture"}},
                     option("--size", "WxH", "how large its window is", &call.size),
                     option("--select", "PATTERN", "what is selected: wheel*", &call.select),
@@ -89,11 +96,8 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
 }  // namespace
 
 bool has_display() {
-  const auto said = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value && *value;
-  };
-  return said("DISPLAY") || said("WAYLAND_DISPLAY");
+  const char* wayland = std::getenv("WAYLAND_DISPLAY");
+  return (wayland && *wayland) || Window::has_display();
 }
 
 bool has_studio() { return !find_studio().empty(); }

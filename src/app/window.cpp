@@ -99,6 +99,12 @@ class XWindow final : public Window {
 
 }  // namespace
 
+bool Window::has_display() {
+  Display* display = XOpenDisplay(nullptr);
+  if (display) XCloseDisplay(display);
+  return display != nullptr;
+}
+
 Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
   Display* display = XOpenDisplay(nullptr);
   if (!display)

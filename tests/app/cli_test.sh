@@ -348,4 +348,16 @@ printf 'create a sphere position=(1 2 3)\nat 1f..25f a.motion T(8 0)\n' >moved.b
 check 'where a motion has put something' 0 'a.world.x  5' eval moved.bx --at 13f a.world.x
 check 'where it goes' 0 '' plot moved.bx a.world.x -o moved.svg
 has 'a plot of where it goes' "$(cat moved.svg 2>&1)" 'a.world.x'
+# ---- the studio, where there is none, and no display
+is 'a window without a display' "$(env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$program" studio 2>&1; echo $?)" \
+  "betwixt: there is no display for a window
+  set DISPLAY; --screenshot OUT.png makes a picture of the window without one
+3"
+is 'a studio that is not built' "$(BETWIXT_STUDIO=/none "$program" studio --screenshot x.png 2>&1; echo $?)" \
+  "betwixt: the studio is not here
+  ./betwixt studio builds it; an installed one has it beside it where it was built with it
+3"
+"$program" studio --layout heap --screenshot x.png >/dev/null 2>&1
+is 'a layout that there is not' $? 2
+
 summary
