@@ -140,6 +140,12 @@ class Live final : public LiveInput {
 
 }  // namespace
 
+std::string in_words(const LiveMessage& m) {
+  std::string out = m.address;
+  for (const double d : m.numbers) out += fmt::format(" {:.4g}", d);
+  return m.text ? out + " " + *m.text : out;
+}
+
 std::vector<LiveMessage> read_osc(std::span<const std::uint8_t> packet) {
   std::vector<LiveMessage> out;
   if (!read_element(packet, 0, out)) out.clear();

@@ -22,6 +22,8 @@ struct LiveMessage {
   std::optional<std::string> text;  // the first text, if any
 };
 
+std::string in_words(const LiveMessage&);
+
 // The messages of one packet of OSC, those in bundles too (their times are ignored: all is now). Empty: no OSC.
 std::vector<LiveMessage> read_osc(std::span<const std::uint8_t> packet);
 // Control changes as /midi/cc/CHANNEL/NUMBER from 0 to 1, notes as /midi/note/CHANNEL/NUMBER with the velocity from 0

@@ -98,11 +98,6 @@ class Player {
     document_ = *std::move(next);
     return Nothing{};
   }
-  static std::string in_words(const LiveMessage& m) {
-    std::string out = m.address;
-    for (const double d : m.numbers) out += fmt::format(" {:.4g}", d);
-    return m.text ? out + " " + *m.text : out;
-  }
 
   void press(Key key) {
     const int second = std::max(1, static_cast<int>(std::lround(frames_.rate.per_second())));

@@ -47,15 +47,15 @@ bool let_loose(Command& k) {
 
 constexpr Verb attachments_rows[] = {
     {"hang", "hang A on B [keep-world]", "Hangs an object on another: it is carried along, not turned.",
-     "at 20f hang ball on hand", Verb::timed, take_hold<AttachmentKind::hang>},
+     "at 20f hang ball on hand", Verb::timed | Verb::aside, take_hold<AttachmentKind::hang>},
     {"attach", "attach A to B [keep-world]", "Attaches an object to another: it is carried and turned along.",
-     "at 20f attach ball to hand keep-world", Verb::timed, take_hold<AttachmentKind::attach>},
+     "at 20f attach ball to hand keep-world", Verb::timed | Verb::aside, take_hold<AttachmentKind::attach>},
     {"couple", "couple A to B [keep-world]", "Couples an object to another: it takes part in all it does, scaling too.",
-     "couple ball to hand", Verb::timed, take_hold<AttachmentKind::couple>},
+     "couple ball to hand", Verb::timed | Verb::aside, take_hold<AttachmentKind::couple>},
     {"detach", "detach A", "Nothing holds the object any more: its own tracks place it in the world.", "detach ball",
-     Verb::timed, let_loose<AttachmentKind::detach>},
+     Verb::timed | Verb::aside, let_loose<AttachmentKind::detach>},
     {"letgo", "at TIME letgo A", "Lets an object go: it stays where it is, without a jump.",
-     "at 20f attach ball to hand\nat 60f letgo ball", Verb::timed, let_loose<AttachmentKind::letgo>},
+     "at 20f attach ball to hand\nat 60f letgo ball", Verb::timed | Verb::aside, let_loose<AttachmentKind::letgo>},
 };
 
 }  // namespace

@@ -37,6 +37,8 @@ struct Verb {
     stamped = 4,       // without a time it happens now, where the author is a live host (LoadOptions::now)
     opens_sheet = 8,   // its rows go below it
     starts_show = 16,  // a live host's time goes on with it where it stands; it is not set back
+    once = 32,         // what it says holds for the film until it is said again
+    aside = 64,        // it makes nothing of what tracks hold
   };
   std::string_view word, usage, sentence;
   std::string_view example;  // lines that can be entered one after another

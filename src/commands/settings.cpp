@@ -62,9 +62,10 @@ bool policy(Command& k) {
 }
 
 constexpr Verb settings_rows[] = {
-    {"rate", "rate N, as in rate 24 or rate 30000/1001", "Frames per second; the first thing to say.", "rate 25", 0,
-     rate},
-    {"range", "range FROM TO, as in range 1f 48f", "The part of time that is the film.", "range 1f 48f", 0, range},
+    {"rate", "rate N, as in rate 24 or rate 30000/1001", "Frames per second; the first thing to say.", "rate 25",
+     Verb::once, rate},
+    {"range", "range FROM TO, as in range 1f 48f", "The part of time that is the film.", "range 1f 48f",
+     Verb::once | Verb::aside, range},
     {"ticks", "ticks N [smooth], environment ticks per second",
      "Environment ticks per second, for times such as 90t; smooth: motion between them too.", "ticks 60 smooth", 0,
      ticks},

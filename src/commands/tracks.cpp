@@ -200,7 +200,7 @@ bool extend(Command& k) {
 
 constexpr Verb tracks_rows[] = {
     {"set", "set TARGET VALUE, as in set ball.color red", "The value of a function while its track has no events.",
-     "set ball.color red", Verb::timed | Verb::layered, set},
+     "set ball.color red", Verb::timed | Verb::layered | Verb::aside, set},
     {"at", "at TIME TARGET VALUE or at TIME COMMAND", "Gives a command its time, or puts one event on a track.",
      "at 12f ball.radius 2 ease-in=4f", Verb::layered, at},
     {"twerper", "twerper TARGET NAME [in=light|srgb]; none gives every event its own again",

@@ -5,6 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+
+#include "base/names.h"
+#include "commands/verbs.h"
+#include "language/line_words.h"
 
 namespace betwixt {
 namespace {
@@ -14,6 +19,63 @@ std::vector<std::size_t> line_starts(std::string_view text) {
   std::vector<std::size_t> all;
   for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) all.push_back(at);
   return all;
+}
+
+// Only what differs.
+void shorten(TextEdit& e) {
+  std::size_t head = 0, tail = 0;
+  const std::size_t most = std::min(e.removed.size(), e.inserted.size());
+  while (head < most && e.removed[head] == e.inserted[head]) ++head;
+  while (tail < most - head && e.removed[e.removed.size() - 1 - tail] == e.inserted[e.inserted.size() - 1 - tail])
+    ++tail;
+  e = {e.at + head, e.removed.substr(head, e.removed.size() - head - tail),
+       e.inserted.substr(head, e.inserted.size() - head - tail)};
+}
+
+// The line of the text that says the same of the film says the new thing.
+std::optional<TextEdits> instead_of_setting(const std::string& text, const std::string& line) {
+  const std::string verb(first_word(line));
+  const Verb* const known = find_verb(verb);
+  if (!known || !(known->flags & Verb::once)) return std::nullopt;
+  std::optional<TextEdits> last;
+  for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+    const std::string_view there(text.data() + at, std::min(text.find('\n', at), text.size()) - at);
+    if (indented(there) || first_word(there) != verb) continue;
+    std::size_t end = there.find(" #");
+    while (end != std::string_view::npos && end + 2 < there.size() && !blank(there[end + 2]))
+      end = there.find(" #", end + 1);
+    std::string_view said = there.substr(0, end);
+    while (!said.empty() && blank(said.back())) said.remove_suffix(1);
+    last = TextEdits{{at, std::string(said), line}};
+  }
+  return last;
+}
+
+bool in_remark(const std::string& text, std::size_t at) {
+  const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+  const std::size_t line = before == std::string::npos ? 0 : before + 1;
+  bool quoted = false;
+  for (std::size_t i = line; i < at; ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] == '#' && !quoted && blank(text[i + 1])) return true;
+  }
+  return false;
+}
+
+// rename OLD NEW: the text speaks of it by its new name.
+std::optional<TextEdits> renamed(const std::string& text, const std::string& line) {
+  const std::vector<std::string> words = line_words(line);
+  if (words.size() != 3 || words[0] != "rename" || is_pattern(words[1])) return std::nullopt;
+  const auto of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  TextEdits all;
+  for (std::size_t at = text.rfind(words[1]); at != std::string::npos;
+       at = at == 0 ? std::string::npos : text.rfind(words[1], at - 1)) {
+    const std::size_t end = at + words[1].size();
+    if (in_remark(text, at)) continue;
+    const bool begins = at == 0 || !(of_name(text[at - 1]) || text[at - 1] == '/');
+    if (begins && (end == text.size() || !of_name(text[end]))) all.push_back({at, words[1], words[2]});
+  }
+  return all.empty() ? std::nullopt : std::optional(std::move(all));
 }
 
 }  // namespace
@@ -64,6 +126,25 @@ LineChange change_between(std::string_view before, std::string_view after) {
   const std::size_t from = head < is.size() ? is[head] : after.size();
   const std::size_t to = tail == 0 ? after.size() : is[is.size() - tail];
   return {{static_cast<int>(head) + 1, static_cast<int>(was.size() - tail)}, after.substr(from, to - from)};
+}
+
+TextEdits place(const std::string& text, const Step& step, const Document& before, const Document& after,
+                const std::function<bool(const std::string&, const TextEdits&)>& makes) {
+  const auto found = [&]() -> std::optional<TextEdits> {
+    if (auto edits = place_in_rows(text, before, after)) return edits;
+    if (step.lines.size() != 1 || !step.sheet.empty()) return std::nullopt;
+    if (auto edits = instead_of_setting(text, step.lines[0])) return edits;
+    return renamed(text, step.lines[0]);
+  };
+  if (auto edits = found()) {
+    for (TextEdit& e : *edits) shorten(e);
+    std::string placed = text;
+    put_into(placed, *edits);
+    if (makes(placed, *edits)) return *std::move(edits);
+  }
+  TextEdit end{text.size(), {}, text.empty() || text.back() == '\n' ? "" : "\n"};
+  for (const std::string& line : lines_of(step, nullptr)) end.inserted += line + "\n";
+  return {end};
 }
 
 std::optional<std::string> merge(std::string_view base, std::string_view ours, std::string_view theirs) {

@@ -44,6 +44,8 @@ struct PlacedText {
   std::vector<TextEdits> edits;
 };
 
+// The rows of a text that makes `before` say what is otherwise in `after`; none where it is not in rows.
+std::optional<TextEdits> place_in_rows(const std::string& text, const Document& before, const Document& after);
 // What a step does to a text that makes `before`, so that it makes `after`. `makes`: whether a text makes that, which
 // comes of such edits.
 TextEdits place(const std::string& text, const Step&, const Document& before, const Document& after,

@@ -1,26 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a step changed of events and of values that are set is looked for in the text: rows of sheets, `at` and `set`
-// lines, what is said where a thing is created. Whatever comes of it is only taken if the text then makes the same
-// film.
+// What a step changed of events and of values that are set is said by the rows that said what was there before.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
-#include <set>
 
-#include "base/names.h"
 #include "betwixt/language.h"
-#include "betwixt/object.h"
 #include "betwixt/track.h"
-#include "commands/command.h"
 #include "editor/placing.h"
-#include "language/cursor.h"
-#include "language/line_words.h"
-#include "language/lines.h"
+#include "editor/text_rows.h"
 #include "language/values.h"
+#include "scene/document.h"
 
 namespace betwixt {
 namespace {
@@ -97,201 +89,6 @@ std::optional<Changes> changes(const Document& before, const Document& after) {
   return all;
 }
 
-// A part of the text.
-struct Span {
-  std::size_t at = 0, size = 0;
-  std::size_t end() const { return at + size; }
-};
-// A row, or an `at` line, of which one event each comes.
-struct RowText {
-  Span line;  // with its new line
-  Span time, rest;
-  Time when;
-  bool relative = false;  // +12f
-};
-// A sheet with its rows, or a line that stands alone.
-struct SheetText {
-  std::vector<Target> targets;
-  Span opener;
-  std::vector<RowText> rows;
-  bool alone = false;
-};
-// What is said of a value for the whole film: of its target alone.
-struct ValueText {
-  Target target;
-  Span value;
-};
-struct Found {
-  std::vector<SheetText> sheets;
-  std::vector<ValueText> values;
-};
-
-class Finder {
- public:
-  Finder(const std::string& text, const Document& d, const Changes& c) : text_(text), document_(d), changes_(c) {
-    for (const Changed& e : c.events) objects_.insert(e.target.object.index);
-    for (const auto& [t, value] : c.set) objects_.insert(t.object.index);
-  }
-
-  Found find() {
-    const char* const end = text_.data() + text_.size();
-    for (const char* at = text_.data(); at < end;) {
-      const LogicalLine one = logical_line({at, end});
-      const Span line{place(at), static_cast<std::size_t>(one.next(end) - at)};
-      read(line, {at, one.end});
-      at = one.next(end);
-    }
-    return std::move(found_);
-  }
-
- private:
-  std::size_t place(const char* at) const { return static_cast<std::size_t>(at - text_.data()); }
-  Cursor cursor(std::string_view line) const {
-    Cursor c(line);
-    c.rate = document_.rate(), c.ticks = document_.ticks();
-    return c;
-  }
-
-  // From here to a remark or the line's end.
-  Span rest_of(Cursor& c) const {
-    c.space();
-    const char *from = c.at, *to = c.at;
-    bool quoted = false;
-    for (const char* p = from; p < c.end; ++p) {
-      if (*p == '\\' && quoted) {
-        ++p;
-        continue;
-      }
-      if (*p == '"') quoted = !quoted;
-      const bool remark = *p == '#' && !quoted && (p + 1 == c.end || blank(p[1]) || p[1] == '\n');
-      if (remark) break;
-      if (!blank(*p) && *p != '\n') to = p + 1;
-    }
-    return {place(from), static_cast<std::size_t>(to - from)};
-  }
-
-  void read(Span line, std::string_view text) {
-    if (indented(text)) {
-      if (open_) add_row(found_.sheets.back(), line, cursor(text));
-      return;
-    }
-    Cursor c = cursor(text);
-    if (c.at_line_end()) return;
-    open_ = false;
-    command(line, c);
-  }
-
-  void command(Span line, Cursor c) {
-    RowText row;
-    row.line = line;
-    bool timed = false;
-    ObjectId layer;
-    std::string_view word = c.next_word();
-    for (; word == "at" || word == "on"; word = c.next_word()) {
-      if (word == "on") {
-        layer = document_.find(c.next_word());
-        if (!layer) return;
-        continue;
-      }
-      c.space();
-      const char* const from = c.at;
-      if (!c.time(row.when)) return;
-      row.time = {place(from), static_cast<std::size_t>(c.at - from)}, timed = true;
-    }
-    if (word == "set" && !timed) return set_line(c, layer);
-    if (word == "create") return create_line(c);
-    if (first_dot(word) == std::string_view::npos) return;
-    std::vector<Target> targets = targets_of(word, layer);
-    if (targets.empty()) return;
-    row.rest = rest_of(c);
-    if (!timed && row.rest.size > 0) return;
-    open_ = !timed;
-    found_.sheets.push_back({std::move(targets), line, {}, timed});
-    if (timed) found_.sheets.back().rows.push_back(row);
-  }
-
-  void add_row(SheetText& sheet, Span line, Cursor c) {
-    RowText row;
-    row.line = line;
-    if (c.at_line_end()) return;
-    const char* const from = c.at;
-    row.relative = c.peek() == '+';
-    const bool read = row.relative ? (++c.at, c.length(row.when)) : c.time(row.when);
-    if (!read || (row.relative && sheet.rows.empty())) {
-      sheet.targets.clear(), open_ = false;  // it is left alone
-      return;
-    }
-    if (row.relative) row.when = sheet.rows.back().when + row.when;
-    row.time = {place(from), static_cast<std::size_t>(c.at - from)};
-    row.rest = rest_of(c);
-    sheet.rows.push_back(row);
-  }
-
-  void set_line(Cursor& c, ObjectId layer) {
-    const std::vector<Target> targets = targets_of(c.next_word(), layer);
-    const Span value = rest_of(c);
-    if (targets.size() == 1) found_.values.push_back({targets[0], value});
-  }
-
-  // create NAME KIND key=value …
-  void create_line(Cursor& c) {
-    const ObjectId id = document_.find(c.next_word());
-    if (!id || !objects_.contains(id.index)) return;
-    for (const auto& [t, value] : changes_.set) {
-      if (t.object != id || t.layer) continue;
-      Cursor p = c;
-      const std::string key = document_.name(t).substr(document_.name(id).size() + 1);
-      for (p.space(); !p.at_line_end();) {
-        const std::string_view word = p.word();
-        if (p.peek() != '=') {
-          if (word.empty()) ++p.at;
-          p.space();
-          continue;
-        }
-        ++p.at;
-        const char* const from = p.at;
-        pass_value(p);
-        if (word == key) found_.values.push_back({t, {place(from), static_cast<std::size_t>(p.at - from)}});
-        p.space();
-      }
-    }
-  }
-  static void pass_value(Cursor& c) {
-    int depth = 0;
-    bool quoted = false;
-    for (; c.at < c.end; ++c.at) {
-      if (*c.at == '"') quoted = !quoted;
-      if (quoted) continue;
-      if (*c.at == '(') ++depth;
-      if (*c.at == ')') --depth;
-      if (depth <= 0 && (blank(*c.at) || *c.at == '\n')) return;
-    }
-  }
-
-  // Of a word, where it names any object that has changed.
-  std::vector<Target> targets_of(std::string_view word, ObjectId layer) {
-    const std::size_t dot = first_dot(word);
-    if (dot == std::string_view::npos) return {};
-    const std::string_view name = word.substr(0, dot);
-    if (!is_pattern(name) && !document_.aliases().contains(name)) {
-      const ObjectId id = document_.find(name);
-      if (id && !objects_.contains(id.index)) return {};
-    }
-    auto targets = find_targets(word, document_);
-    if (!targets) return {};
-    for (Target& t : *targets) t.layer = layer;
-    const bool any = std::ranges::any_of(*targets, [&](const Target& t) { return objects_.contains(t.object.index); });
-    return any ? *std::move(targets) : std::vector<Target>();
-  }
-
-  const std::string& text_;
-  const Document& document_;
-  const Changes& changes_;
-  std::set<std::uint32_t> objects_;
-  Found found_;
-  bool open_ = false;  // rows that come now belong to the last sheet
-};
-
 // What becomes of a row.
 struct Fate {
   bool goes = false;
@@ -308,7 +105,10 @@ class Placing {
   std::optional<TextEdits> edits() {
     const std::optional<Changes> all = changes(before_, after_);
     if (!all || (all->events.empty() && all->set.empty())) return std::nullopt;
-    found_ = Finder(text_, before_, *all).find();
+    std::vector<Target> targets;
+    for (const Changed& c : all->events) targets.push_back(c.target);
+    for (const auto& [target, value] : all->set) targets.push_back(target);
+    found_ = rows_about(text_, before_, targets);
     for (const Changed& c : all->events)
       if (!settle(c)) return std::nullopt;
     for (const auto& [target, value] : all->set)
@@ -505,91 +305,16 @@ class Placing {
 
   const std::string& text_;
   const Document &before_, &after_;
-  Found found_;
+  TextRows found_;
   std::map<Place, Fate> fates_;
   std::map<SheetText*, std::vector<Said>> added_;
   TextEdits edits_;
 };
 
-// Only what differs.
-void shorten(TextEdit& e) {
-  std::size_t head = 0, tail = 0;
-  const std::size_t most = std::min(e.removed.size(), e.inserted.size());
-  while (head < most && e.removed[head] == e.inserted[head]) ++head;
-  while (tail < most - head && e.removed[e.removed.size() - 1 - tail] == e.inserted[e.inserted.size() - 1 - tail])
-    ++tail;
-  e = {e.at + head, e.removed.substr(head, e.removed.size() - head - tail),
-       e.inserted.substr(head, e.inserted.size() - head - tail)};
-}
-
-// What is said once of a film: another one of these takes the place of the one before.
-constexpr std::string_view settings[] = {"range", "size",   "samples", "subframes", "background", "ambient", "exposure",
-                                         "fog",   "ground", "sky",     "contact",   "film",       "notes",   "rate"};
-
-// The line of the text that says the same of the film says the new thing.
-std::optional<TextEdits> instead_of_setting(const std::string& text, const std::string& line) {
-  const std::string verb(first_word(line));
-  if (std::ranges::find(settings, verb) == std::end(settings)) return std::nullopt;
-  std::optional<TextEdits> last;
-  for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
-    const std::string_view there(text.data() + at, std::min(text.find('\n', at), text.size()) - at);
-    if (indented(there) || first_word(there) != verb) continue;
-    std::size_t end = there.find(" #");
-    while (end != std::string_view::npos && end + 2 < there.size() && !blank(there[end + 2]))
-      end = there.find(" #", end + 1);
-    std::string_view said = there.substr(0, end);
-    while (!said.empty() && blank(said.back())) said.remove_suffix(1);
-    last = TextEdits{{at, std::string(said), line}};
-  }
-  return last;
-}
-
-bool in_remark(const std::string& text, std::size_t at) {
-  const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-  const std::size_t line = before == std::string::npos ? 0 : before + 1;
-  bool quoted = false;
-  for (std::size_t i = line; i < at; ++i) {
-    if (text[i] == '"') quoted = !quoted;
-    if (text[i] == '#' && !quoted && blank(text[i + 1])) return true;
-  }
-  return false;
-}
-
-// rename OLD NEW: the text speaks of it by its new name.
-std::optional<TextEdits> renamed(const std::string& text, const std::string& line) {
-  const std::vector<std::string> words = line_words(line);
-  if (words.size() != 3 || words[0] != "rename" || is_pattern(words[1])) return std::nullopt;
-  const auto of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
-  TextEdits all;
-  for (std::size_t at = text.rfind(words[1]); at != std::string::npos;
-       at = at == 0 ? std::string::npos : text.rfind(words[1], at - 1)) {
-    const std::size_t end = at + words[1].size();
-    if (in_remark(text, at)) continue;
-    const bool begins = at == 0 || !(of_name(text[at - 1]) || text[at - 1] == '/');
-    if (begins && (end == text.size() || !of_name(text[end]))) all.push_back({at, words[1], words[2]});
-  }
-  return all.empty() ? std::nullopt : std::optional(std::move(all));
-}
-
 }  // namespace
 
-TextEdits place(const std::string& text, const Step& step, const Document& before, const Document& after,
-                const std::function<bool(const std::string&, const TextEdits&)>& makes) {
-  const auto found = [&]() -> std::optional<TextEdits> {
-    if (auto edits = Placing(text, before, after).edits()) return edits;
-    if (step.lines.size() != 1 || !step.sheet.empty()) return std::nullopt;
-    if (auto edits = instead_of_setting(text, step.lines[0])) return edits;
-    return renamed(text, step.lines[0]);
-  };
-  if (auto edits = found()) {
-    for (TextEdit& e : *edits) shorten(e);
-    std::string placed = text;
-    put_into(placed, *edits);
-    if (makes(placed, *edits)) return *std::move(edits);
-  }
-  TextEdit end{text.size(), {}, text.empty() || text.back() == '\n' ? "" : "\n"};
-  for (const std::string& line : lines_of(step, nullptr)) end.inserted += line + "\n";
-  return {end};
+std::optional<TextEdits> place_in_rows(const std::string& text, const Document& before, const Document& after) {
+  return Placing(text, before, after).edits();
 }
 
 }  // namespace betwixt

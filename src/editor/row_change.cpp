@@ -9,19 +9,13 @@
 #include "base/names.h"
 #include "betwixt/language.h"
 #include "betwixt/track.h"
-#include "commands/command.h"
+#include "commands/verbs.h"
 #include "language/cursor.h"
 #include "language/line_words.h"
 #include "scene/document.h"
 
 namespace betwixt {
 namespace {
-
-// Commands that make nothing of what tracks hold.
-constexpr std::string_view plain_verbs[] = {"range",    "size",   "samples", "subframes", "background", "ambient",
-                                            "exposure", "fog",    "ground",  "sky",       "contact",    "film",
-                                            "set",      "note",   "notes",   "look",      "show",       "hide",
-                                            "hang",     "attach", "couple",  "detach",    "letgo"};
 
 struct Row {
   Time time;
@@ -135,7 +129,7 @@ class Looking {
       if (!c.time(ignored)) return false;
       word = c.next_word();
     }
-    if (std::ranges::find(plain_verbs, word) != std::end(plain_verbs))
+    if (const Verb* verb = find_verb(word); verb && (verb->flags & Verb::aside))
       return word != "set" || speaks_of_others(c.next_word());
     return speaks_of_others(word);
   }

@@ -33,10 +33,8 @@ std::vector<std::string> answers_of(const std::string& whole) {
   }
   const std::size_t mark = question.rfind('?');
   if (mark == std::string::npos) return {};
-  const std::size_t colon = question.rfind(": ", mark);
-  std::string words = question.substr(colon == std::string::npos ? 0 : colon + 2, 0);
-  words =
-      question.substr(colon == std::string::npos ? 0 : colon + 2, mark - (colon == std::string::npos ? 0 : colon + 2));
+  const std::size_t colon = question.rfind(": ", mark), from = colon == std::string::npos ? 0 : colon + 2;
+  std::string words = question.substr(from, mark - from);
   if (const std::size_t last = words.rfind(" or "); last != std::string::npos) words.replace(last, 4, ", ");
   split(words, ", ");
   return all;

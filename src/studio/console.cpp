@@ -11,6 +11,7 @@
 #include "editor/help.h"
 #include "language/line_words.h"
 #include "language/lines.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -19,8 +20,6 @@ namespace {
 constexpr int most_lines = 5000;  // of the log
 constexpr int longest = 300;      // letters of a line that are shown: a text that is written anew may be a whole film
 constexpr int most_input = 10;    // lines that are seen of one that goes on
-
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 // What the line that is being written begins with, `at TIME` and `on LAYER` taken off; null: nothing that has help. Of
 // what is created the kind.

@@ -7,6 +7,7 @@
 
 #include "betwixt/object.h"
 #include "scene/document.h"
+#include "studio/hand.h"
 #include "track/types.h"
 
 namespace betwixt::studio {
@@ -105,13 +106,6 @@ Value with_shown(const CurveLine& line, const Value& v, double number) {
 
 std::string_view twerper_of(const TrackView& track, const EventView& e) {
   return !track.twerper.empty() ? track.twerper : !e.twerper.empty() ? e.twerper : track.unsaid;
-}
-
-double rounded(double v, double step) {
-  const double digits = std::pow(10, std::floor(std::log10(step)));
-  const double n = std::round(v / digits);
-  // Divided by a whole number it is the number as it is written.
-  return digits < 1 ? n / std::round(1 / digits) : n * digits;
 }
 
 std::vector<Handle> handles(const Document& d, const CurveLine& line, Time at) {

@@ -61,7 +61,4 @@ Lines handle_lines(const Document&, const CurveLine&, const Handle&, Time, doubl
 // The points of a track that are selected are moved: in time all that are selected, in value those of this line.
 Lines point_lines(const Document&, const CurveLine&, const std::vector<EventAt>&, Time by, double more);
 
-// A number with no more digits than a step of so much needs.
-double rounded(double, double step);
-
 }  // namespace betwixt::studio

@@ -7,23 +7,10 @@
 
 #include "scene/document.h"
 #include "studio/curve_pane.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
-namespace {
-
-QColor faint(QColor c, float alpha) {
-  c.setAlphaF(alpha);
-  return c;
-}
-
-QColor swatch(const Color& c) {
-  const auto part = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
-  return QColor::fromRgbF(part(c.r), part(c.g), part(c.b));
-}
-
-}  // namespace
-
 QColor CurvePane::color(const CurveLine& line) const {
   const Colors& c = colors();
   const QColor all[] = {c.x, c.y, c.z, c.event};
@@ -157,7 +144,7 @@ void CurvePane::paint_twerpers(QPainter& p) const {
       if (!v && !lines_[i].swatch) continue;
       each_event(d, e.target, e.time, e.time, [&](const EventView& view) {
         const std::string_view name = twerper_of(*track, view);
-        const QString words = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+        const QString words = text_of(name);
         const double w = fontMetrics().horizontalAdvance(words) + 8;
         if (w > x_of(*next) - x_of(e.time)) return;
         const double y = lines_[i].swatch ? strip(i) : y_of(i, *v) - line_height() * 0.9;

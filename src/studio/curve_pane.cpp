@@ -10,6 +10,7 @@
 #include "betwixt/object.h"
 #include "scene/document.h"
 #include "studio/event_hands.h"
+#include "studio/hand.h"
 
 namespace betwixt::studio {
 namespace {

@@ -3,11 +3,12 @@
 #include "studio/desk.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <algorithm>
 
+#include "app/command.h"
+#include "base/files.h"
 #include "betwixt/language.h"
 #include "editor/placing.h"
 
@@ -134,18 +135,11 @@ void Desk::look_back() {
   if (ahead_) take_over();
 }
 
-namespace {
-std::optional<std::string> read_file(const std::string& name) {
-  QFile file(QString::fromStdString(name));
-  if (name.empty() || !file.open(QIODevice::ReadOnly)) return std::nullopt;
-  return file.readAll().toStdString();
-}
-}  // namespace
-
 // From now on it is noticed when somebody else changes it. Editors put another file in its place: its folder tells.
 void Desk::know_file() {
   const std::string& name = session_->file();
-  file_text_ = read_file(name).value_or("");
+  const auto there = read_whole(name);
+  file_text_ = there ? *there : "";
   if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
   if (!watcher_.directories().isEmpty()) watcher_.removePaths(watcher_.directories());
   if (name.empty()) return;
@@ -155,7 +149,7 @@ void Desk::know_file() {
 }
 
 void Desk::look_at_file() {
-  const std::optional<std::string> theirs = read_file(session_->file());
+  const auto theirs = read_whole(session_->file());
   if (!theirs || *theirs == file_text_) return;
   settle_typing();
   const std::string ours = session_->text();
@@ -178,21 +172,10 @@ void Desk::look_at_file() {
 
 Status Desk::play_part(const Document& document, const std::string& frames) {
   if (!frames.empty()) {
-    const std::size_t dots = frames.find("..");
-    const auto time = [&](std::string text) {
-      if (text.find_first_not_of("0123456789.-") == std::string::npos) text += "f";
-      return parse_time(text, document);
-    };
-    const auto from = time(frames.substr(0, dots));
-    if (!from) return from.error();
-    Time to = document.range().second;
-    if (dots != std::string::npos && dots + 2 < frames.size()) {
-      const auto end = time(frames.substr(dots + 2));
-      if (!end) return end.error();
-      to = *end;
-    }
-    set_range(std::pair(*from, to));
-    go_to(*from);
+    const auto part = read_frames(frames.find("..") == std::string::npos ? frames + ".." : frames, document, "play");
+    if (!part) return part.error();
+    set_range(std::pair(part->first, part->last));
+    go_to(part->first);
   }
   if (!transport_.playing()) QTimer::singleShot(0, this, [this] { play(1); });
   return Nothing{};

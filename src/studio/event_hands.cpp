@@ -10,6 +10,7 @@
 #include "betwixt/object.h"
 #include "editor/made_by.h"
 #include "scene/document.h"
+#include "studio/text_of.h"
 #include "track/twerpers.h"
 
 namespace betwixt::studio {
@@ -168,9 +169,7 @@ void EventHands::fill_twerpers(QMenu& menu) {
   row(this, menu, tr("what goes without saying"), {}, tr("no twerper is said"), [this] { twerper(""); });
   menu.addSeparator();
   const auto choose = [&](QMenu& in, std::string_view name, std::string_view sentence) {
-    row(this, in, QString::fromUtf8(name.data(), static_cast<int>(name.size())), {},
-        QString::fromUtf8(sentence.data(), static_cast<int>(sentence.size())),
-        [this, said = std::string(name)] { twerper(said); });
+    row(this, in, text_of(name), {}, text_of(sentence), [this, said = std::string(name)] { twerper(said); });
   };
   QMenu* easings = new QMenu(tr("easings"), &menu);
   for (const TwerperRow& t : twerpers().subspan(1)) {

@@ -5,15 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
 #include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 
 #include "betwixt/language.h"
 #include "betwixt/track.h"
 #include "language/values.h"
 #include "scene/document.h"
+#include "studio/hand.h"
 #include "studio/time_words.h"
 #include "track/twerpers.h"
 #include "track/types.h"
@@ -324,19 +325,16 @@ Lines twerper_lines(const Document& d, const std::vector<EventAt>& events, std::
 }
 
 namespace {
-// Finer than a millionth of its size, and than a billionth, no hand and no eye tells.
-double rounded(double v) {
-  if (v == 0 || !std::isfinite(v)) return v;
-  const double unit = std::pow(10, std::max(std::floor(std::log10(std::abs(v))) - 9, -9.0));
-  const double r = std::round(v / unit) * unit;
-  return std::stod(fmt::format("{:.10g}", r));
-}
-Value rounded(Value v) {
-  if (auto* d = std::get_if<double>(&v)) *d = rounded(*d);
+
+// Finer than a billionth of its size no hand and no eye tells.
+Value plain(Value v) {
+  const auto plain = [](double x) { return rounded(x, std::max(1e-9 * std::abs(x), 1e-9)); };
+  if (auto* d = std::get_if<double>(&v)) *d = plain(*d);
   if (auto* x = std::get_if<Vec3>(&v))
-    for (int i = 0; i < 3; ++i) (*x)[i] = rounded((*x)[i]);
+    for (int i = 0; i < 3; ++i) (*x)[i] = plain((*x)[i]);
   return v;
 }
+
 }  // namespace
 
 Lines insert_lines(const Document& d, const Program& before, const std::vector<Target>& targets, Time t) {
@@ -354,7 +352,7 @@ Lines insert_lines(const Document& d, const Program& before, const std::vector<T
     e.time = t;
     const Type type = spec_of(d.scene(), bare.function).type;
     const Value there = known->second.read(bare, t);
-    e.value = type == Type::scalar || type == Type::vector ? rounded(there) : there;  // angles are said in degrees
+    e.value = type == Type::scalar || type == Type::vector ? plain(there) : there;  // angles are said in degrees
     lines.push_back(event_line(d, target, e));
   }
   return lines;

@@ -22,6 +22,7 @@
 #include <csignal>
 
 #include "betwixt/render.h"
+#include "studio/text_of.h"
 
 namespace betwixt::studio {
 namespace {
@@ -62,7 +63,7 @@ ExportDialog::ExportDialog(Desk& desk, QWidget* parent) : QDialog(parent), desk_
   for (const char* s : {"640x360", "1920x1080", "2560x1440", "3840x2160", "1080x1080", "1080x1920"}) size_->addItem(s);
   form->addRow(tr("Size"), size_);
   style_ = new QComboBox;
-  for (const Style& s : styles()) style_->addItem(QString::fromUtf8(s.name.data(), static_cast<int>(s.name.size())));
+  for (const Style& s : styles()) style_->addItem(text_of(s.name));
   form->addRow(tr("Style"), style_);
   samples_ = new QSpinBox;
   samples_->setRange(0, 4096), samples_->setSpecialValueText(tr("as usual"));

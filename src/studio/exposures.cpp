@@ -23,11 +23,6 @@ namespace {
 
 constexpr int frames_beyond = 100;  // rows behind the film's end
 
-QColor faint(QColor c, float alpha) {
-  c.setAlphaF(alpha);
-  return c;
-}
-
 }  // namespace
 
 Exposures::Exposures(Desk& desk, QWidget* parent)

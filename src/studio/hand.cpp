@@ -89,13 +89,13 @@ std::string written(const Document& d, const Value& v, const Target& t) {
 
 }  // namespace
 
-double tidy_step(double at_most) {
+double step_below(double at_most) {
   const double power = std::pow(10, std::floor(std::log10(std::clamp(at_most, 1e-12, 1e12))));
   const double times = at_most / power * (1 + 1e-9);
   return power * (times >= 5 ? 5 : times >= 2 ? 2 : 1);
 }
 
-double tidy(double v, double step) {
+double rounded(double v, double step) {
   const int decimals = -static_cast<int>(std::floor(std::log10(std::clamp(step, 1e-12, 1e12)) + 1e-9));
   const double power = std::pow(10, std::abs(decimals));
   const double out = decimals >= 0 ? std::round(v * power) / power : std::round(v / power) * power;
@@ -229,7 +229,7 @@ void Hand::put_position(const Held& h, Vec3 by, double step, std::vector<std::st
   const Vec3 own = transform_vector(h.back, by);
   Vec3 to = h.position;
   for (int i = 0; i < 3; ++i)
-    if (std::abs(own[i]) > 1e-9 * (1 + length(own))) to[i] = tidy(h.position[i] + own[i], step);
+    if (std::abs(own[i]) > 1e-9 * (1 + length(own))) to[i] = rounded(h.position[i] + own[i], step);
   put(h, fn::position, h.position, to, 1e-12, lines);
 }
 
@@ -246,7 +246,7 @@ void Hand::put_rotation(const Held& h, Quat to, std::optional<std::pair<Vec3, do
   const auto* before = std::get_if<Angles>(&h.rotation);
   if (!before) {
     to = normalize(to);
-    const Quat q{tidy(to.w, 1e-4), tidy(to.x, 1e-4), tidy(to.y, 1e-4), tidy(to.z, 1e-4)};
+    const Quat q{rounded(to.w, 1e-4), rounded(to.x, 1e-4), rounded(to.y, 1e-4), rounded(to.z, 1e-4)};
     const auto own = own_tracks(program_.document(), h.id, fn::rotation);
     lines.push_back(line_for(program_.document(), {h.id, fn::rotation}, q, time_, always_ || !own.empty()));
     return;
@@ -257,7 +257,8 @@ void Hand::put_rotation(const Held& h, Quat to, std::optional<std::pair<Vec3, do
     angles = angles_near(axis_angle(way->first, way->second * i / steps) * from_angles(before->xyz), angles);
   angles = angles_near(to, angles);
   for (int i = 0; i < 3; ++i)
-    angles[i] = std::abs(angles[i] - before->xyz[i]) < 1e-9 ? before->xyz[i] : tidy(angles[i] / degree, 0.1) * degree;
+    angles[i] =
+        std::abs(angles[i] - before->xyz[i]) < 1e-9 ? before->xyz[i] : rounded(angles[i] / degree, 0.1) * degree;
   put(h, fn::rotation, before->xyz, angles, 1e-9, lines);
 }
 
@@ -289,7 +290,7 @@ std::vector<std::string> Hand::scale(Vec3 factors, double step) const {
     if (h.still[2]) continue;
     Vec3 to = h.scale;
     for (int i = 0; i < 3; ++i)
-      if (factors[i] != 1) to[i] = tidy(h.scale[i] * factors[i], 0.01 * std::clamp(std::abs(h.scale[i]), 1e-6, 1.0));
+      if (factors[i] != 1) to[i] = rounded(h.scale[i] * factors[i], 0.01 * std::clamp(std::abs(h.scale[i]), 1e-6, 1.0));
     put(h, fn::scale, h.scale, to, 1e-12, lines);
   }
   return lines;

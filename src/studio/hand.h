@@ -13,9 +13,9 @@
 namespace betwixt::studio {
 
 // To as many decimals as the step has any meaning for: (1.23456, 0.02) is 1.23.
-double tidy(double v, double step);
+double rounded(double v, double step);
 // 1, 2 or 5 times a power of ten, the largest that is not above.
-double tidy_step(double at_most);
+double step_below(double at_most);
 // The three angles of an orientation that are nearest to others, whole turns included.
 Vec3 angles_near(Quat, Vec3 angles);
 

@@ -251,7 +251,7 @@ double Pull::along(Vec3 axis, QPointF p) const {
 
 Vec3 Pull::way() const {
   const double depth = scope_.depth(hand_.place());
-  const double grid = tidy_step(snap_pixels * step_ * 2.5);
+  const double grid = step_below(snap_pixels * step_ * 2.5);
   const auto snapped = [&](double v) { return snap_ ? std::round(v / grid) * grid : v; };
   if (is_axis(part_) || typed()) {
     const Vec3 a = axis(is_axis(part_) ? axis_of(part_) : is_plane(part_) ? (axis_of(part_) + 1) % 3 : 0);
@@ -309,7 +309,7 @@ Vec3 Pull::factors() const {
     }
     if (snap_) factor = std::round(factor * 10) / 10;
   }
-  factor = tidy(factor, 0.001);
+  factor = rounded(factor, 0.001);
   if (part_ == Part::all || part_ == Part::none) return {factor, factor, factor};
   Vec3 out{1, 1, 1};
   for (int i = 0; i < 3; ++i)
@@ -326,7 +326,7 @@ std::vector<std::string> Pull::lines() const {
 std::string Pull::in_words() const {
   const char* names[] = {"", " x", " y", " z", " y and z", " z and x", " x and y", ""};
   const std::string on = names[static_cast<int>(part_)];
-  const auto number = [](double v, double step) { return QString::number(tidy(v, step)).toStdString(); };
+  const auto number = [](double v, double step) { return QString::number(rounded(v, step)).toStdString(); };
   if (tool_ == Tool::turn) return "turn" + (is_axis(part_) ? " about" + on : "") + ": " + number(angle(), 0.1) + "°";
   if (tool_ == Tool::scale) {
     const Vec3 f = factors();

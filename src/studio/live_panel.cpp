@@ -21,12 +21,6 @@ namespace {
 
 constexpr int polls_a_second = 60;
 
-std::string in_words(const LiveMessage& m) {
-  std::string out = m.address;
-  for (const double d : m.numbers) out += fmt::format(" {:.4g}", d);
-  return m.text ? out + " " + *m.text : out;
-}
-
 }  // namespace
 
 LivePanel::LivePanel(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {

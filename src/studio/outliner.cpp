@@ -19,6 +19,7 @@
 #include "language/values.h"
 #include "scene/document.h"
 #include "studio/kind_icons.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -236,9 +237,9 @@ Outliner::Outliner(Desk& desk, QWidget* parent)
   auto* menu = new QMenu(plus);
   for (const KindRow& row : kinds()) {
     if (!row.placed && row.kind != Kind::sound) continue;
-    const QString kind = QString::fromUtf8(row.name.data(), static_cast<qsizetype>(row.name.size()));
+    const QString kind = text_of(row.name);
     QAction* action = menu->addAction(kind_icon(row.kind), kind, this, [this, kind] { add(kind); });
-    action->setToolTip(QString::fromUtf8(row.sentence.data(), static_cast<qsizetype>(row.sentence.size())));
+    action->setToolTip(text_of(row.sentence));
   }
   menu->setToolTipsVisible(true);
   plus->setMenu(menu);

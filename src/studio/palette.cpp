@@ -11,6 +11,7 @@
 #include "editor/said_line.h"
 #include "language/line_words.h"
 #include "studio/actions.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 #include "studio/window.h"
 
@@ -25,8 +26,6 @@ bool is_line(const QString& letters) {
   const std::string words = letters.trimmed().toStdString();
   return words.find(' ') != std::string::npos && is_verb(first_word(words));
 }
-
-QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); }
 
 }  // namespace
 
@@ -77,9 +76,9 @@ void Palette::list(const QString& letters) {
   };
   const auto& rows = action_rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const QString name = text(rows[i].name), keys = text(rows[i].keys).section("; ", 0, 0);
-    add(fit(letters, name), text(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys),
-        text(rows[i].sentence), action, static_cast<int>(i));
+    const QString name = text_of(rows[i].name), keys = text_of(rows[i].keys).section("; ", 0, 0);
+    add(fit(letters, name), text_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys),
+        text_of(rows[i].sentence), action, static_cast<int>(i));
   }
   if (!letters.isEmpty()) {
     int listed = 0;

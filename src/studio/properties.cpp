@@ -14,12 +14,11 @@
 #include "editor/plain_values.h"
 #include "scene/document.h"
 #include "studio/kind_icons.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
 namespace {
-
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 // What belongs together, in the order in which it is shown: where it is, what it is, how it looks, what the author
 // made.

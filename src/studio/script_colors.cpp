@@ -8,6 +8,7 @@
 #include "editor/speaking.h"
 #include "language/colors.h"
 #include "studio/script_edit.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -51,7 +52,7 @@ QColor color_of(Meaning m) {
 // A colour that a word says.
 std::optional<QColor> said_color(std::string_view word) {
   if (const auto rgb = named_color(word)) return QColor(static_cast<QRgb>(*rgb));
-  const QColor c(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())));
+  const QColor c(text_of(word));
   if (word.starts_with('#') && c.isValid()) return c;
   return std::nullopt;
 }

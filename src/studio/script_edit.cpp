@@ -11,6 +11,7 @@
 #include "editor/placing.h"
 #include "editor/speaking.h"
 #include "language/line_words.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -27,9 +28,7 @@ std::size_t bytes_before(const QString& line, int column) {
 int column_of(const std::string& line, std::size_t bytes) {
   return static_cast<int>(QString::fromUtf8(line.data(), static_cast<qsizetype>(bytes)).size());
 }
-QString without_returns(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).replace("\r\n", "\n");
-}
+QString without_returns(std::string_view text) { return text_of(text).replace("\r\n", "\n"); }
 
 }  // namespace
 

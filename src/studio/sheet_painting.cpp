@@ -46,16 +46,6 @@ QColor color_of(Type type) {
   }
 }
 
-QColor faint(QColor c, float alpha) {
-  c.setAlphaF(alpha);
-  return c;
-}
-
-QColor swatch_of(const Color& c) {
-  const auto part = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
-  return QColor::fromRgbF(part(c.r), part(c.g), part(c.b));
-}
-
 void diamond(QPainter& p, double x, double y, double r) {
   const QPointF points[] = {{x - r, y}, {x, y - r}, {x + r, y}, {x, y + r}};
   p.drawConvexPolygon(points, 4);
@@ -103,11 +93,11 @@ void SheetPane::paint_track(QPainter& p, const Target& target, double y, bool wh
       });
     const bool* shown = value ? std::get_if<bool>(value) : nullptr;
     if (releases || (shown && !*shown)) return;
-    const auto* swatch = value ? std::get_if<Color>(value) : nullptr;
+    const auto* painted = value ? std::get_if<Color>(value) : nullptr;
     const auto* other = comes ? std::get_if<Color>(comes) : nullptr;
-    if (swatch) {
+    if (painted) {
       QLinearGradient fill(from, 0, to, 0);
-      fill.setColorAt(0, swatch_of(*swatch)), fill.setColorAt(1, swatch_of(holds || !other ? *swatch : *other));
+      fill.setColorAt(0, swatch(*painted)), fill.setColorAt(1, swatch(holds || !other ? *painted : *other));
       p.fillRect(QRectF(from, y - r * 0.7, to - from, r * 1.4), fill);
       return;
     }

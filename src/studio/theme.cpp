@@ -4,6 +4,7 @@
 
 #include <QPalette>
 #include <QStyleFactory>
+#include <algorithm>
 
 namespace betwixt::studio {
 namespace {
@@ -45,6 +46,16 @@ const Colors* now = &dark;
 }  // namespace
 
 const Colors& colors() { return *now; }
+
+QColor faint(QColor c, float alpha) {
+  c.setAlphaF(alpha);
+  return c;
+}
+
+QColor swatch(const Color& c) {
+  const auto part = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
+  return QColor::fromRgbF(part(c.r), part(c.g), part(c.b));
+}
 const Colors& picture_colors() { return dark; }
 
 void set_theme(QApplication& app, Theme theme) {

@@ -7,6 +7,8 @@
 #include <QApplication>
 #include <QColor>
 
+#include "betwixt/value.h"
+
 namespace betwixt::studio {
 
 enum class Theme { dark, light };
@@ -18,6 +20,8 @@ struct Colors {
   QColor x, y, z;  // of axes and components, red green blue of colours too
 };
 const Colors& colors();
+QColor faint(QColor, float alpha);
+QColor swatch(const Color&);  // of the language
 // The same in any theme: of what lies over pictures.
 const Colors& picture_colors();
 

@@ -16,6 +16,7 @@
 #include "language/values.h"
 #include "scene/functions.h"
 #include "studio/number_field.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -23,9 +24,6 @@ namespace {
 
 constexpr int most_names = 2000;      // that a list of objects offers; others are typed
 constexpr qsizetype most_text = 400;  // characters of a value that are shown
-
-QString text_of(const std::string& s) { return QString::fromStdString(s); }
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 QHBoxLayout* row_of(QWidget* w) {
   auto* row = new QHBoxLayout(w);

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "studio/text_of.h"
 #include "studio/viewport.h"
 
 namespace betwixt::studio {
@@ -81,9 +82,8 @@ void Viewport::make_corner() {
   styles_->setFocusPolicy(Qt::NoFocus);
   styles_->setToolTip(tr("How the picture is drawn"));
   for (const Style& s : betwixt::styles()) {
-    styles_->addItem(QString::fromUtf8(s.name.data(), static_cast<int>(s.name.size())));
-    styles_->setItemData(styles_->count() - 1, QString::fromUtf8(s.what.data(), static_cast<int>(s.what.size())),
-                         Qt::ToolTipRole);
+    styles_->addItem(text_of(s.name));
+    styles_->setItemData(styles_->count() - 1, text_of(s.what), Qt::ToolTipRole);
   }
   eye_corner_->layout()->addWidget(styles_);
   connect(styles_, &QComboBox::textActivated, this, [this](const QString& s) { set_style(s.toStdString()); });

@@ -82,12 +82,12 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   } else {
     // A third of the picture high, and as its file is wide.
     const QSize size = QImageReader(file).size();
-    const double high = tidy(s.box.height() * pixel / 3, 10 * pixel);
-    const double wide = size.height() > 0 ? tidy(high * size.width() / size.height(), pixel) : high;
+    const double high = rounded(s.box.height() * pixel / 3, 10 * pixel);
+    const double wide = size.height() > 0 ? rounded(high * size.width() / size.height(), pixel) : high;
     line += " plane size=(" + write_number(wide) + " " + write_number(high) + ") texture=" + path;
     if (!flat) place.y += high / 2;
   }
-  for (int i = 0; i < 3; ++i) place[i] = tidy(place[i], pixel);
+  for (int i = 0; i < 3; ++i) place[i] = rounded(place[i], pixel);
   return line + (place == Vec3{} ? "" : " position=" + write_vector(place));
 }
 

@@ -150,10 +150,10 @@ void Viewport::bring_camera() {
     for (int i = 2; desk_.document().find(name); ++i) name = "eye" + std::to_string(i);
     constexpr double degree = pi / 180;
     Vec3 place = eye, angles = (1 / degree) * angles_near(from_matrix(free_->world), {});
-    for (int i = 0; i < 3; ++i) place[i] = tidy(place[i], step), angles[i] = tidy(angles[i], 0.1);
+    for (int i = 0; i < 3; ++i) place[i] = rounded(place[i], step), angles[i] = rounded(angles[i], 0.1);
     if (!desk_.say("create " + name + " camera position=" + write_vector(place) +
                    " rotation=" + write_angles(degree * angles) +
-                   (free_->orthographic ? " height=" + write_number(tidy(free_->height, step)) : "")))
+                   (free_->orthographic ? " height=" + write_number(rounded(free_->height, step)) : "")))
       return;
   }
   set_free(false);

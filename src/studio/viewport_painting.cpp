@@ -89,7 +89,7 @@ void Viewport::draw_grid(QPainter& p, const Scope& s) const {
   Vec3 centre{};
   if (slope < -1e-3 && dot(middle.from, up) > 0) centre = middle.from - dot(middle.from, up) / slope * middle.along;
   const double depth = std::max(s.depth(centre), 1e-3);
-  const double step = 2 * tidy_step(s.metres(depth) * grid_pixels);
+  const double step = 2 * step_below(s.metres(depth) * grid_pixels);
   constexpr int lines = 24;
   const double cu = std::round(dot(centre, u) / step), cv = std::round(dot(centre, v) / step);
   const QColor plain = is_bright() ? QColor(Qt::black) : QColor(Qt::white);

@@ -4,11 +4,11 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -35,6 +35,7 @@
 #include "studio/server_panel.h"
 #include "studio/sheet.h"
 #include "studio/sound.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 #include "studio/timeline.h"
 #include "studio/viewport.h"
@@ -43,8 +44,6 @@ namespace betwixt::studio {
 namespace {
 
 constexpr int recent_files = 10;
-
-QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); }
 
 }  // namespace
 
@@ -141,13 +140,13 @@ void Window::add_menus() {
     return into;
   };
   for (const ActionRow& row : action_rows()) {
-    QMenu* into = menu_of(text(row.menu));
-    auto* action = into->addAction(text(row.name));
+    QMenu* into = menu_of(text_of(row.menu));
+    auto* action = into->addAction(text_of(row.name));
     QList<QKeySequence> keys;
-    for (const QString& k : text(row.keys).split("; ", Qt::SkipEmptyParts)) keys.push_back(QKeySequence(k));
+    for (const QString& k : text_of(row.keys).split("; ", Qt::SkipEmptyParts)) keys.push_back(QKeySequence(k));
     action->setShortcuts(keys);
-    action->setToolTip(text(row.sentence));
-    action->setStatusTip(text(row.sentence));
+    action->setToolTip(text_of(row.sentence));
+    action->setStatusTip(text_of(row.sentence));
     action->setCheckable(row.is_on != nullptr);
     addAction(action);  // works where the menu bar is hidden too
     connect(action, &QAction::triggered, this, [this, &row] { row.run(*this); });
@@ -339,9 +338,9 @@ void Window::show_keys() {
   QString html = "<table cellpadding='4'>";
   std::string_view menu;
   for (const ActionRow& row : action_rows()) {
-    if (row.menu != menu) html += "<tr><td colspan='3'><b>" + text(menu = row.menu) + "</b></td></tr>";
-    html += "<tr><td>" + text(row.keys).toHtmlEscaped() + "</td><td>" + text(row.name).toHtmlEscaped() + "</td><td>" +
-            text(row.sentence).toHtmlEscaped() + "</td></tr>";
+    if (row.menu != menu) html += "<tr><td colspan='3'><b>" + text_of(menu = row.menu) + "</b></td></tr>";
+    html += "<tr><td>" + text_of(row.keys).toHtmlEscaped() + "</td><td>" + text_of(row.name).toHtmlEscaped() +
+            "</td><td>" + text_of(row.sentence).toHtmlEscaped() + "</td></tr>";
   }
   page->setHtml(html + "</table>");
   page->resize(60 * fontMetrics().height(), 40 * fontMetrics().height());

@@ -9,6 +9,7 @@
 #include <QTextBlock>
 
 #include "editor/help.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -19,7 +20,7 @@ constexpr int most_rows = 12;
 QString sentence_of(std::string_view word) {
   for (const HelpEntry& e : help_entries())
     if (e.word == word || (word.ends_with('=') && word.substr(0, word.size() - 1) == e.word))
-      return QString::fromUtf8(e.sentence.data(), static_cast<qsizetype>(e.sentence.size()));
+      return text_of(e.sentence);
   return {};
 }
 

@@ -29,15 +29,15 @@ class HandTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void numbers_are_as_tidy_as_a_pixel() {
-    QCOMPARE(tidy(1.23456, 0.02), 1.23);
-    QCOMPARE(tidy(1.23456, 0.01), 1.23);
-    QCOMPARE(tidy(1.23456, 0.9), 1.2);
-    QCOMPARE(tidy(1.23456, 1), 1.0);
-    QCOMPARE(tidy(1234.56, 30), 1230.0);
-    QCOMPARE(std::signbit(tidy(-0.001, 0.1)), false);
-    QCOMPARE(tidy_step(1), 1.0);
-    QCOMPARE(tidy_step(0.3), 0.2);
-    QCOMPARE(tidy_step(7), 5.0);
+    QCOMPARE(rounded(1.23456, 0.02), 1.23);
+    QCOMPARE(rounded(1.23456, 0.01), 1.23);
+    QCOMPARE(rounded(1.23456, 0.9), 1.2);
+    QCOMPARE(rounded(1.23456, 1), 1.0);
+    QCOMPARE(rounded(1234.56, 30), 1230.0);
+    QCOMPARE(std::signbit(rounded(-0.001, 0.1)), false);
+    QCOMPARE(step_below(1), 1.0);
+    QCOMPARE(step_below(0.3), 0.2);
+    QCOMPARE(step_below(7), 5.0);
   }
 
   // Whatever the turn, the angles are those of the same orientation; near ones stay near, whole turns too.

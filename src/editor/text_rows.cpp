@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/text_rows.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/names.h"
+#include "betwixt/language.h"
+#include "commands/command.h"
+#include "language/cursor.h"
+#include "language/line_words.h"
+#include "language/lines.h"
+
+namespace betwixt {
+namespace {
+
+class Finder {
+ public:
+  Finder(const std::string& text, const Document& d, std::span<const Target> targets)
+      : text_(text), document_(d), targets_(targets) {
+    for (const Target& t : targets) objects_.insert(t.object.index);
+  }
+
+  TextRows find() {
+    const char* const end = text_.data() + text_.size();
+    for (const char* at = text_.data(); at < end;) {
+      const LogicalLine one = logical_line({at, end});
+      const Span line{place(at), static_cast<std::size_t>(one.next(end) - at)};
+      read(line, {at, one.end});
+      at = one.next(end);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  std::size_t place(const char* at) const { return static_cast<std::size_t>(at - text_.data()); }
+  Cursor cursor(std::string_view line) const {
+    Cursor c(line);
+    c.rate = document_.rate(), c.ticks = document_.ticks();
+    return c;
+  }
+
+  // From here to a remark or the line's end.
+  Span rest_of(Cursor& c) const {
+    c.space();
+    const char *from = c.at, *to = c.at;
+    bool quoted = false;
+    for (const char* p = from; p < c.end; ++p) {
+      if (*p == '\\' && quoted) {
+        ++p;
+        continue;
+      }
+      if (*p == '"') quoted = !quoted;
+      const bool remark = *p == '#' && !quoted && (p + 1 == c.end || blank(p[1]) || p[1] == '\n');
+      if (remark) break;
+      if (!blank(*p) && *p != '\n') to = p + 1;
+    }
+    return {place(from), static_cast<std::size_t>(to - from)};
+  }
+
+  void read(Span line, std::string_view text) {
+    if (indented(text)) {
+      if (open_) add_row(found_.sheets.back(), line, cursor(text));
+      return;
+    }
+    Cursor c = cursor(text);
+    if (c.at_line_end()) return;
+    open_ = false;
+    command(line, c);
+  }
+
+  void command(Span line, Cursor c) {
+    RowText row;
+    row.line = line;
+    bool timed = false;
+    ObjectId layer;
+    std::string_view word = c.next_word();
+    for (; word == "at" || word == "on"; word = c.next_word()) {
+      if (word == "on") {
+        layer = document_.find(c.next_word());
+        if (!layer) return;
+        continue;
+      }
+      c.space();
+      const char* const from = c.at;
+      if (!c.time(row.when)) return;
+      row.time = {place(from), static_cast<std::size_t>(c.at - from)}, timed = true;
+    }
+    if (word == "set" && !timed) return set_line(c, layer);
+    if (word == "create") return create_line(c);
+    if (first_dot(word) == std::string_view::npos) return;
+    std::vector<Target> targets = targets_of(word, layer);
+    if (targets.empty()) return;
+    row.rest = rest_of(c);
+    if (!timed && row.rest.size > 0) return;
+    open_ = !timed;
+    found_.sheets.push_back({std::move(targets), line, {}, timed});
+    if (timed) found_.sheets.back().rows.push_back(row);
+  }
+
+  void add_row(SheetText& sheet, Span line, Cursor c) {
+    RowText row;
+    row.line = line;
+    if (c.at_line_end()) return;
+    const char* const from = c.at;
+    row.relative = c.peek() == '+';
+    const bool read = row.relative ? (++c.at, c.length(row.when)) : c.time(row.when);
+    if (!read || (row.relative && sheet.rows.empty())) {
+      sheet.targets.clear(), open_ = false;  // it is left alone
+      return;
+    }
+    if (row.relative) row.when = sheet.rows.back().when + row.when;
+    row.time = {place(from), static_cast<std::size_t>(c.at - from)};
+    row.rest = rest_of(c);
+    sheet.rows.push_back(row);
+  }
+
+  void set_line(Cursor& c, ObjectId layer) {
+    const std::vector<Target> targets = targets_of(c.next_word(), layer);
+    const Span value = rest_of(c);
+    if (targets.size() == 1) found_.values.push_back({targets[0], value});
+  }
+
+  // create NAME KIND key=value …
+  void create_line(Cursor& c) {
+    const ObjectId id = document_.find(c.next_word());
+    if (!id || !objects_.contains(id.index)) return;
+    for (const Target& t : targets_) {
+      if (t.object != id || t.layer || t.component >= 0 || t.velocity) continue;
+      Cursor p = c;
+      const std::string key = document_.name(t).substr(document_.name(id).size() + 1);
+      for (p.space(); !p.at_line_end();) {
+        const std::string_view word = p.word();
+        if (p.peek() != '=') {
+          if (word.empty()) ++p.at;
+          p.space();
+          continue;
+        }
+        ++p.at;
+        const char* const from = p.at;
+        pass_value(p);
+        if (word == key) found_.values.push_back({t, {place(from), static_cast<std::size_t>(p.at - from)}});
+        p.space();
+      }
+    }
+  }
+  static void pass_value(Cursor& c) {
+    int depth = 0;
+    bool quoted = false;
+    for (; c.at < c.end; ++c.at) {
+      if (*c.at == '"') quoted = !quoted;
+      if (quoted) continue;
+      if (*c.at == '(') ++depth;
+      if (*c.at == ')') --depth;
+      if (depth <= 0 && (blank(*c.at) || *c.at == '\n')) return;
+    }
+  }
+
+  // Of a word, where it names any object that has changed.
+  std::vector<Target> targets_of(std::string_view word, ObjectId layer) {
+    const std::size_t dot = first_dot(word);
+    if (dot == std::string_view::npos) return {};
+    const std::string_view name = word.substr(0, dot);
+    if (!is_pattern(name) && !document_.aliases().contains(name)) {
+      const ObjectId id = document_.find(name);
+      if (id && !objects_.contains(id.index)) return {};
+    }
+    auto targets = find_targets(word, document_);
+    if (!targets) return {};
+    for (Target& t : *targets) t.layer = layer;
+    const bool any = std::ranges::any_of(*targets, [&](const Target& t) { return objects_.contains(t.object.index); });
+    return any ? *std::move(targets) : std::vector<Target>();
+  }
+
+  const std::string& text_;
+  const Document& document_;
+  const std::span<const Target> targets_;
+  std::set<std::uint32_t> objects_;
+  TextRows found_;
+  bool open_ = false;  // rows that come now belong to the last sheet
+};
+
+}  // namespace
+
+TextRows rows_about(const std::string& text, const Document& d, std::span<const Target> targets) {
+  return Finder(text, d, targets).find();
+}
+
+}  // namespace betwixt
