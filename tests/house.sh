@@ -16,7 +16,7 @@ verdict() {
     failed=$((failed + 1))
   fi
 }
-files() { find include src tests bench -type f \( -name '*.h' -o -name '*.cpp' \); }
+files() { find include src python tests bench -type f \( -name '*.h' -o -name '*.cpp' \); }
 
 for i in "${!rooms[@]}"; do
   lower=$(IFS='|' && printf '%s' "${rooms[*]:i+1}")
@@ -66,7 +66,7 @@ verdict "a file without its licence" "$(
     [ "$(head -n 2 "$file")" = "// SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0" ] || echo "$file"
   done
-  find betwixt test .ci tools cmake tests bench CMakeLists.txt -type f \
+  find betwixt test .ci tools cmake python tests bench CMakeLists.txt -type f \
     \( -name '*.sh' -o -name '*.cmake' -o -name '*.py' -o -name CMakeLists.txt -o ! -name '*.*' \) |
     while read -r file; do
       head -n 3 "$file" | grep -q '^# SPDX-License-Identifier: Apache-2.0$' || echo "$file"

@@ -65,7 +65,7 @@ build() {
   ) 9>"$root/build/$1.lock" || exit 3
 }
 
-# build_with studio PRESET TARGET…: the same, of a build that knows the studio from then on.
+# build_with studio|python PRESET TARGET…: the same, of a build that knows the studio, or the Python module, from then on.
 build_with() {
   local cache=$root/build/$2/CMakeCache.txt
   with=(-DBETWIXT_${1^^}=ON)
@@ -81,7 +81,11 @@ configure() {
     return
   fi
   [ ! -f "$cache" ] || options+=(--fresh)
-  ! grep -qx "BETWIXT_STUDIO:BOOL=ON" "$cache" 2>/dev/null || with=(-DBETWIXT_STUDIO=ON)
+  # What it has been told once stays.
+  local part
+  for part in STUDIO PYTHON; do
+    ! grep -qx "BETWIXT_$part:BOOL=ON" "$cache" 2>/dev/null || with+=("-DBETWIXT_$part=ON")
+  done
   ! command -v ccache >/dev/null || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   (cd "$root" && cmake --preset "$1" "${options[@]}" "${with[@]}") >"$log" 2>&1 || {
     grep -v '^-- ' "$log" | tail -n 30 >&2

@@ -43,6 +43,7 @@ class Session {
     bool quit = false;
     bool refused = false;  // the line is wrong (and not just called off, or blank)
     std::string said;      // lines, each with its end; may be empty
+    Diagnostics why = {};  // what of it is about the line, or lines, each with its place in them
   };
 
   struct State;
@@ -53,6 +54,9 @@ class Session {
 
   // Begins with a script (one that is not there yet is a new film), or without: "".
   Answer open(const std::string& file, Earlier = Earlier::ask);
+  // Begins with a text, that of a file or of one that is not there, for programs that keep themselves what is done:
+  // there is no journal, and nobody is kept from the file.
+  void begin(std::string text, const std::string& file);
   // Carries out one logical line: a command, a row of the sheet that is open, or a word of the shell.
   Answer enter(std::string_view line);
   // Several lines as one: all of them or none, and one undo takes them back.

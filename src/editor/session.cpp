@@ -23,10 +23,14 @@ bool meant_a_sheet(const std::vector<std::string>& words) {
   return words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2)) || list;
 }
 
+// Whether it is about what was entered, and not about a file that this names.
+bool is_of_line(const Diagnostic& d) { return d.what.place.file.empty() && d.what.place.line != 0; }
+
 }  // namespace
 
 Session::Answer Session::State::refused(const std::string& message, const std::string& hint) {
-  return {false, false, true, to_string(Diagnostic{Severity::error, fail(ErrorCode::name, message, hint), {}, 0})};
+  const Diagnostic why{Severity::error, fail(ErrorCode::name, message, hint), {}, 0};
+  return {false, false, true, to_string(why), {why}};
 }
 
 std::string_view trimmed(std::string_view s, bool both) {
@@ -74,8 +78,16 @@ int Session::State::line_of(std::string_view text) const {
 std::string Session::State::told(const Diagnostics& all, std::string_view line) const {
   const int first = line_of(line);
   std::string said;
-  for (Diagnostic d : all) {
-    if (d.what.place.file.empty() && d.what.place.line != 0) d.what.place.file = "line", d.what.place.line += first - 1;
+  for (Diagnostic d : hinted(all, line)) {
+    if (is_of_line(d)) d.what.place.file = "line", d.what.place.line += first - 1;
+    said += to_string(d);
+  }
+  return said;
+}
+
+// The same with ways out that only the session knows.
+Diagnostics Session::State::hinted(Diagnostics all, std::string_view line) const {
+  for (Diagnostic& d : all) {
     if (const auto made = failed.find(name_missed(d.what)); made != failed.end())
       d.what.hint = fmt::format("line {}, which should have made it, was refused", made->second);
     if (d.what.hint.empty() && d.what.message.starts_with("there is no command")) {
@@ -83,9 +95,8 @@ std::string Session::State::told(const Diagnostics& all, std::string_view line) 
       for (const Word& w : words()) known.push_back(w.word);
       d.what.hint = did_you_mean(first_word(line), known);
     }
-    said += to_string(d);
   }
-  return said;
+  return all;
 }
 
 // What somebody who is asked wants of a value that means nothing where it stands (policy ask): its translation, or that
@@ -117,7 +128,7 @@ Session::Answer Session::State::command(std::string_view line) {
     if (!*meant) return {false, false, false, "ignored\n"};
     deed = editor.carry_out(editor.now(), line, {}, true);
   }
-  Answer answer{deed.done, false, !deed.done, told(deed.said, line)};
+  Answer answer{deed.done, false, !deed.done, told(deed.said, line), hinted(deed.said, line)};
   if (!deed.done) {
     if (!row) sheet_refused = meant_a_sheet(said.words);
     for (std::string& name : names_missed(document().scene(), line)) failed[std::move(name)] = lines;
@@ -143,10 +154,16 @@ Session::Answer Session::State::together(const std::vector<std::string>& said) {
   at.script.left.reset();
   Step step;
   Answer answer;
+  int before = 0;  // lines of the text
   for (const std::string& line : said) {
     Deed deed = editor.carry_out(at, line);
     answer.said += told(deed.said, line);
-    if (!deed.done) return {false, false, true, answer.said};
+    for (Diagnostic& d : hinted(deed.said, line)) {
+      if (is_of_line(d)) d.what.place.line += before;
+      answer.why.push_back(std::move(d));
+    }
+    if (!deed.done) return {false, false, true, answer.said, answer.why};
+    before += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
     at = std::move(deed.after);
     step.lines.push_back(std::move(deed.line));
   }
@@ -233,6 +250,7 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 Session::Answer Session::open(const std::string& file, Earlier earlier) { return state_->open(file, earlier); }
+void Session::begin(std::string text, const std::string& file) { state_->begin(std::move(text), file); }
 Session::Answer Session::enter(std::string_view line) { return state_->enter(line); }
 Session::Answer Session::enter_together(const std::vector<std::string>& lines) { return state_->together(lines); }
 Result<Document> Session::look_ahead(const std::vector<std::string>& lines) const { return state_->ahead(lines); }

@@ -54,6 +54,13 @@ Session::Answer Session::State::open(const std::string& name, Earlier earlier) {
   return done(o.said);
 }
 
+void Session::State::begin(std::string text, const std::string& name) {
+  close(false);
+  looks_only = false;
+  Opening o{name, std::move(text), {}, {}};
+  start(o, o.text);
+}
+
 // A journal that cannot be gone on with is kept beside the script.
 Status Session::State::put_aside(Opening& o, bool fits) const {
   const char* why = journal->foreign() ? "the journal beside the script cannot be read"

@@ -76,6 +76,7 @@ struct Session::State {
   Answer command(std::string_view line);
   int line_of(std::string_view text) const;
   std::string told(const Diagnostics& all, std::string_view line) const;
+  Diagnostics hinted(Diagnostics all, std::string_view line) const;
   std::string tried(const Words& words, std::string_view line);
   Answer together(const std::vector<std::string>& said);
   Result<Document> ahead(const std::vector<std::string>& said) const;
@@ -123,6 +124,7 @@ struct Session::State {
     std::string said;
   };
   Answer open(const std::string& name, Earlier earlier);
+  void begin(std::string text, const std::string& name);
   Answer after_earlier(Opening, Earlier earlier);
   Status put_aside(Opening&, bool fits) const;
   std::optional<bool> wanted(const Tally& then, Earlier earlier) const;

@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* name = "betwixt-parser";
 
-// In an installed tree, seen from bin, lib or lib/MACHINE.
+// In an installed tree, seen from bin, lib, lib/MACHINE or lib/python3.11/dist-packages/betwixt.
 std::string near(const fs::path& folder) {
-  for (const char* up : {"..", "../.."})
+  for (const char* up : {"..", "../..", "../../../.."})
     if (const fs::path there = folder / up / "libexec/betwixt" / name; can_be_run(there)) return there.string();
   return {};
 }
@@ -30,13 +30,14 @@ std::string near(const fs::path& folder) {
 std::string find_parser() {
   if (const char* said = ::secure_getenv("BETWIXT_PARSER")) return can_be_run(said) ? said : "";
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  if (const fs::path beside = program.parent_path() / name; !program.empty() && can_be_run(beside))
-    return beside.string();
-  std::vector<fs::path> folders{program.parent_path()};
+  std::vector<fs::path> folders;
+  if (const fs::path program = fs::read_symlink("/proc/self/exe", ignored); !program.empty())
+    folders.push_back(program.parent_path());
   Dl_info library{};
   if (::dladdr(reinterpret_cast<const void*>(&find_parser), &library) != 0 && library.dli_fname != nullptr)
     folders.push_back(fs::absolute(library.dli_fname, ignored).parent_path());
+  for (const fs::path& folder : folders)
+    if (const fs::path beside = folder / name; can_be_run(beside)) return beside.string();
   const char* path = std::getenv("PATH");
   for (std::string_view rest = path ? path : ""; !rest.empty();) {
     const std::size_t end = std::min(rest.find(':'), rest.size());

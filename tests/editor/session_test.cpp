@@ -54,6 +54,30 @@ TEST(Session, AWrongLineChangesNothingAndIsNoStep) {
   EXPECT_FALSE(s.enter("  1f (1 2 3)").done);
 }
 
+TEST(Session, WithoutAJournalItBeginsWithATextAndSaysWhereALineIsWrong) {
+  const Folder folder;
+  Session s;
+  s.begin("create ball sphere\nset ball.radius red\n", folder / "film.bx");
+  ASSERT_EQ(s.diagnostics().size(), 1u);
+  EXPECT_EQ(s.diagnostics()[0].what.place.line, 2);
+  expect_done(s, "set ball.radius 2");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  const auto one = s.enter("set ball.radis 3");
+  ASSERT_EQ(one.why.size(), 1u);
+  EXPECT_EQ(one.why[0].what.place.line, 1);
+  EXPECT_EQ(one.why[0].caret, 9);
+  EXPECT_EQ(to_string(one.why[0]).substr(0, 13), "1:10: error: ");
+  // Of several lines, which; those before it may be of more than one line of text.
+  const auto several = s.enter_together({"set ball.position (1 2\n3)", "set bal.radius 2"});
+  ASSERT_EQ(several.why.size(), 1u);
+  EXPECT_EQ(several.why[0].what.place.line, 3);
+  EXPECT_EQ(several.why[0].what.hint, "did you mean 'ball'?");
+  expect_done(s, "undo");
+  const auto none = s.enter("undo");
+  ASSERT_EQ(none.why.size(), 1u);
+  EXPECT_EQ(none.why[0].what.message, "there is nothing to undo");
+}
+
 // shows: G59
 TEST(Session, NoCommandSwitchesAContext) {
   const Folder folder;

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+from datetime import timedelta
+from typing import Any, Iterable, SupportsFloat, Union
+
+# A frame's number, words of the language ("24f", "2.5s"), or a length since the beginning.
+Time = Union[SupportsFloat, str, timedelta]
+
+version: str
+
+class Diagnostic:
+    """Something to tell the author about a text."""
+
+    @property
+    def severity(self) -> str: ...  # "notice", "warning", "error"
+    @property
+    def code(self) -> str: ...  # "syntax", "name", "type", "range", "file", "machine"
+    @property
+    def message(self) -> str: ...
+    @property
+    def hint(self) -> str: ...
+    @property
+    def file(self) -> str: ...
+    @property
+    def line(self) -> int: ...  # from 1; 0: no place is known
+    @property
+    def column(self) -> int: ...
+    @property
+    def length(self) -> int: ...
+    @property
+    def text(self) -> str: ...  # of the line
+
+class Film:
+    """A film: what a script says. Any thread may ask it, and change it."""
+
+    def __init__(self, text: str | bytes, name: str = "", *, read_anywhere: bool = False, tex: bool = False) -> None: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def rate(self) -> float: ...
+    @property
+    def objects(self) -> list[str]: ...
+    def eval(self, target: str, time: Time | Iterable[Time]) -> Any: ...
+    def values(self, time: Time, pattern: str = "") -> dict[str, Any]: ...
+    def say(self, lines: str) -> str: ...
+    def undo(self) -> str: ...
+    def redo(self) -> str: ...

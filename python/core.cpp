@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The module betwixt._core: betwixt/__init__.py gives what is in it to users, betwixt/_core.pyi says what there is.
+#include <pybind11/pybind11.h>
+
+#include "errors.h"
+#include "film.h"
+
+PYBIND11_MODULE(_core, m) {
+  pybind11::options options;
+  options.disable_function_signatures();  // the stubs say them better
+  m.attr("version") = BETWIXT_VERSION;
+  betwixt::python::bind_errors(m);
+  betwixt::python::bind_film(m);
+}

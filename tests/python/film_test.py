@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+"""Loading, asking, changing, and what goes wrong."""
+
+import datetime
+import os
+import tempfile
+import unittest
+
+import numpy as np
+from support import ROOT, example, said_by_program
+
+import betwixt
+
+LINE = "create ball sphere\nball.position\n  1f (0 0 0) linear\n  25f (24 12 -6)\n"
+
+
+class Values(unittest.TestCase):
+    def test_a_line_is_a_line_however_its_times_are_said(self):
+        film = betwixt.loads(LINE)
+        for when, share in ((7, 6 / 24), (7.5, 6.5 / 24), ("7f", 6 / 24), ("7", 6 / 24), ("0.25s", 6 / 24),
+                            (datetime.timedelta(seconds=0.25), 6 / 24), (np.float32(7), 6 / 24), (np.int64(7), 6 / 24),
+                            (np.array(7), 6 / 24), (0, 0.0), (99, 1.0)):
+            with self.subTest(when=when):
+                np.testing.assert_allclose(film.eval("ball.position", when), share * np.array((24, 12, -6)), atol=1e-12)
+
+    def test_many_times_are_an_array(self):
+        film = betwixt.loads(LINE + "at 9f hide ball\nat 5f ball.geometry shape(ball)\n")
+        frames = np.arange(1, 26)
+        for times in (frames, list(frames), tuple(frames), (f"{k}f" for k in frames), range(1, 26)):
+            np.testing.assert_allclose(film.eval("ball.position", times), np.outer(frames - 1, (1, 0.5, -0.25)), atol=1e-12)
+        self.assertEqual(film.eval("ball.position.x", frames).shape, (25,))
+        self.assertEqual(film.eval("ball.world", frames).shape, (25, 4, 4))
+        np.testing.assert_allclose(film.eval("ball.world", frames)[:, 0, 3], frames - 1, atol=1e-12)
+        shown = film.eval("ball.display", frames)
+        self.assertEqual(shown.dtype, np.dtype(bool))
+        self.assertEqual(list(shown), [k < 9 for k in frames])
+        self.assertEqual(film.eval("ball.geometry", [5, 6]), ["ball", "ball"])
+        self.assertEqual(len(film.eval("ball.position", [])), 0)
+
+    def test_all_examples_say_what_the_program_says(self):
+        for name in sorted(n for n in os.listdir(os.path.join(ROOT, "examples")) if n.endswith(".bx")):
+            with self.subTest(film=name):
+                try:
+                    film = betwixt.load(example(name))
+                except betwixt.Warning:
+                    continue
+                for when, said in zip(("5f", "30.5f"), said_by_program(example(name), ("5f", "30.5f"))):
+                    got = film.values(when)
+                    self.assertEqual(list(got), list(said))
+                    for target, value in said.items():
+                        mine = got[target]
+                        if np.shape(mine) == (4, 4):
+                            mine = mine.reshape(16)  # row by row
+                        np.testing.assert_array_equal(mine, value, target)
+
+    def test_values_of_every_kind(self):
+        film = betwixt.loads("create ball sphere color=#ff8000 radius=2 material=metal\ncreate box box size=(1 2 3)\n"
+                             "create word text text=\"grün\"\ncreate line polyline points=((0 0 0) (1 2 3))\n"
+                             "at 3f attach ball to box keep-world\nball.motion\n  1f..9f T(1 0) R(90deg @ 0 0)\n")
+        self.assertEqual(film.eval("ball.radius", 1), 2.0)
+        self.assertEqual(film.eval("word.text", 1), "grün")
+        self.assertEqual(film.eval("ball.material", 1), "metal")
+        self.assertEqual(film.eval("ball.attachment", 3), "attach to box keep-world")
+        self.assertEqual(film.eval("ball.attachment", 1), "detach")
+        self.assertIs(film.eval("ball.display", 1), True)
+        self.assertIsNone(film.eval("ball.geometry", 1))
+        self.assertIn("T(1 0)", film.eval("ball.motion", 2))
+        np.testing.assert_array_equal(film.eval("ball.color", 1), (1, 128 / 255, 0))
+        np.testing.assert_array_equal(film.eval("line.points", 1), ((0, 0, 0), (1, 2, 3)))
+        np.testing.assert_array_equal(film.eval("box.size", 1), (1, 2, 3))
+
+
+class Editing(unittest.TestCase):
+    def test_lines_are_said_and_taken_back(self):
+        film = betwixt.loads(LINE)
+        self.assertEqual(film.say("at 24f hide ball"), "")
+        self.assertFalse(film.eval("ball.display", 24))
+        self.assertIn("hide ball", film.text)
+        after = film.text
+        film.undo()
+        self.assertEqual(film.text, LINE)
+        self.assertTrue(film.eval("ball.display", 24))
+        film.redo()
+        self.assertEqual(film.text, after)
+
+    def test_what_is_said_stands_where_an_author_would_write_it(self):
+        film = betwixt.loads(LINE)
+        film.say("at 25f ball.position (1 1 1)")
+        self.assertEqual(film.text, LINE.replace("(24 12 -6)", "(1 1 1)"))
+
+    def test_several_lines_are_one_step_all_of_them_or_none(self):
+        film = betwixt.loads(LINE)
+        film.say("create box box\n\n# a remark\nbox.position\n  1f (0 0 0)\n  9f (8 0\n  0)\n")
+        np.testing.assert_allclose(film.eval("box.position", "9f"), (8, 0, 0))
+        film.undo()
+        self.assertEqual(film.objects, ["ball"])
+        with self.assertRaises(betwixt.Error) as caught:
+            film.say("create box box\n\n\nset box.size (1 2\n 3)\nset box.sise (1 1 1)\n")
+        self.assertEqual((caught.exception.line, caught.exception.text), (6, "set box.sise (1 1 1)"))
+        self.assertEqual(film.objects, ["ball"])
+        self.assertEqual(film.text, LINE)
+
+    def test_what_a_shell_would_answer_comes_back(self):
+        self.assertIn("a sphere", betwixt.loads(LINE).say("describe ball"))
+
+    def test_no_session_leaves_anything_on_the_disk(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "film.bx")
+            with open(path, "w") as script:
+                script.write(LINE)
+            one, other = betwixt.load(path), betwixt.load(path)
+            one.say("at 2f hide ball")
+            other.say("at 3f hide ball")
+            self.assertEqual(os.listdir(folder), ["film.bx"])
+
+
+class Errors(unittest.TestCase):
+    def caught(self, call):
+        with self.assertRaises(betwixt.Error) as caught:
+            call()
+        return caught.exception
+
+    def test_a_script_says_all_that_is_wrong_with_place_caret_and_hint(self):
+        e = self.caught(lambda: betwixt.loads("create ball sphere\ncreate box spere\nset ball.radius red", "film.bx"))
+        self.assertEqual((e.code, e.message, e.hint), ("name", "there is no kind 'spere'", "did you mean 'sphere'?"))
+        self.assertEqual((e.file, e.line, e.column, e.text), ("film.bx", 2, 12, "create box spere"))
+        self.assertEqual([d.line for d in e.diagnostics], [2, 3])
+        self.assertTrue(str(e).startswith("film.bx:2:12: error: there is no kind 'spere'\n  create box spere\n"
+                                          "             ^~~~~\n  did you mean 'sphere'?\nfilm.bx:3:17: error: "), str(e))
+
+    def test_warnings_are_pythons(self):
+        with self.assertWarnsRegex(betwixt.Warning, "warning: ") as caught:
+            film = betwixt.loads("create ball sphere\nball.position\n  1f (0 0 0)\n  1f (0 0 0)\n")
+        self.assertEqual(os.path.basename(caught.filename), "film_test.py")
+        self.assertEqual(film.objects, ["ball"])
+
+    def test_wrong_calls(self):
+        film = betwixt.loads(LINE)
+        for call, code, message in (
+                (lambda: film.eval("bal.position", 1), "name", "there is no object 'bal'"),
+                (lambda: film.eval("ball", 1), "name", "'ball' names several values"),
+                (lambda: film.eval("x*.position", 1), "name", "'x*.position' names nothing"),
+                (lambda: film.eval("ball.position", "3x"), "type", "'x' is not a unit of time"),
+                (lambda: film.eval("ball.position", "soon"), "syntax", "'soon' is not a time"),
+                (lambda: film.eval("ball.position", float("nan")), "range", "that is no time"),
+                (lambda: film.eval("ball.position", float("inf")), "range", "that is no time"),
+                (lambda: film.eval("ball.position", 1e30), "range", "that is too far from the beginning"),
+                (lambda: film.values(1, "bal"), "name", "there is no object 'bal'"),
+                (lambda: film.say("quit"), "name", "there is no shell here to leave"),
+                (lambda: film.say("set ball.radius red"), "syntax", None),
+                (film.undo, "name", "there is nothing to undo"),
+                (film.redo, "name", "there is nothing to redo"),
+        ):
+            with self.subTest(message=message):
+                e = self.caught(call)
+                self.assertEqual(e.code, code)
+                if message:
+                    self.assertEqual(e.message, message)
+                self.assertIn(e.message, str(e))
+        for call in (lambda: film.eval("ball.position", None), lambda: film.eval("ball.position", True),
+                     lambda: film.eval(3, 1), lambda: film.eval("ball.position", object()),
+                     lambda: film.eval("ball.position", [1, None]), lambda: film.eval("ball.position"),
+                     lambda: film.values({}), lambda: film.say(None), lambda: betwixt.loads(None)):
+            with self.assertRaises(TypeError):
+                call()
+        with self.assertRaises(FileNotFoundError):
+            betwixt.load(example("nothing.bx"))
+        with self.assertRaises(IsADirectoryError):
+            betwixt.load(ROOT)
