@@ -5,7 +5,7 @@
 # The house stands: no room includes a lower one, public headers include no third party, every file says its licence,
 # and the page of what the tests show is that of these tests.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
-rooms=(base algebra track scene program procedure exchange language commands editor render film server app studio)
+rooms=(base algebra track scene program procedure exchange language commands editor export render film server app studio)
 passed=0 failed=0
 # verdict WHAT FINDINGS: passes where there are no findings.
 verdict() {

@@ -71,9 +71,6 @@ Said said_by(const Node& n, const double* numbers) {
           {}};
 }
 
-namespace {
-
-// The same of one node alone.
 Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& asking) {
   double x[4] = {};
   const auto numbers = [&](FunctionId f) {
@@ -88,8 +85,6 @@ Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& a
   said.own = compiled.driven(n, t, asking), said.motion = compiled.moved(n, t);
   return said;
 }
-
-}  // namespace
 
 const CompiledSpan* Program::Compiled::span(const Node& n, Time t) const {
   const CompiledSpan *first = spans.data() + n.first_span, *last = first + n.spans;

@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "export/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace betwixt {
+namespace {
+
+constexpr double most_turned = 12 * pi / 180;  // of straight pieces, for players that cut corners
+constexpr double most_arc = 150 * pi / 180;    // beyond it nobody knows which way round
+constexpr std::int64_t shortest = flicks_per_second / 20'000;
+
+KeyValue plus(const KeyValue& a, double s, const KeyValue& b) {
+  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2], a[3] + s * b[3]};
+}
+double dot(const KeyValue& a, const KeyValue& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
+double apart(const KeyValue& a, const KeyValue& b) {
+  const KeyValue d = plus(a, -1, b);
+  return std::sqrt(dot(d, d));
+}
+KeyValue unit(const KeyValue& q) {
+  const double l = std::sqrt(dot(q, q));
+  return l > 0 ? KeyValue{q[0] / l, q[1] / l, q[2] / l, q[3] / l} : KeyValue{0, 0, 0, 1};
+}
+
+KeyValue straight_at(const KeyPiece& p, double u, bool turn) {
+  if (!turn) return plus(plus({}, 1 - u, p.begin), u, p.end);
+  const double cosine = dot(p.begin, p.end);
+  const KeyValue end = cosine < 0 ? plus({}, -1, p.end) : p.end;
+  const double angle = 2 * std::atan2(apart(end, p.begin), std::sqrt(2 + 2 * std::abs(cosine)));
+  if (angle < 1e-8) return unit(plus(plus({}, 1 - u, p.begin), u, end));
+  return unit(plus(plus({}, std::sin((1 - u) * angle), p.begin), std::sin(u * angle), end));
+}
+
+KeyValue cubic_at(const KeyPiece& p, double u, bool turn) {
+  const double seconds = (p.until - p.from).seconds(), u2 = u * u, u3 = u2 * u;
+  KeyValue v = plus(plus({}, 2 * u3 - 3 * u2 + 1, p.begin), 3 * u2 - 2 * u3, p.end);
+  v = plus(plus(v, (u3 - 2 * u2 + u) * seconds, p.leaving), (u3 - u2) * seconds, p.arriving);
+  return turn ? unit(v) : v;
+}
+
+KeyValue piece_at(const KeyPiece& p, double u, bool turn) {
+  return p.shape == KeyPiece::held       ? p.begin
+         : p.shape == KeyPiece::straight ? straight_at(p, u, turn)
+                                         : cubic_at(p, u, turn);
+}
+
+class Follower {
+ public:
+  Follower(const Followed& f, const KeyOptions& options, Time beginning, std::size_t most, bool straight, bool cubic)
+      : f_(f), options_(options), beginning_(beginning), most_(most), straight_(straight), cubic_(cubic) {}
+
+  // None: it takes more pieces than it may.
+  std::optional<std::vector<KeyPiece>> through(std::span<const Time> knots) {
+    const Time end = knots.back();
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+      Time from = pieces_.empty() ? knots[k] : pieces_.back().until;
+      // Not too much at once: its looks are counted.
+      const std::int64_t longest = std::max<std::int64_t>(100 * f_.step.flicks, 1);
+      for (Time at = knots[k]; at < knots[k + 1];) {
+        Time next{std::min(at.flicks + longest, knots[k + 1].flicks)};
+        if (knots[k + 1].flicks - next.flicks < longest / 4) next = knots[k + 1];
+        if (!stretch(from, next, next == end)) return std::nullopt;
+        if (!pieces_.empty()) from = pieces_.back().until;
+        at = next;
+      }
+    }
+    if (pieces_.empty()) pieces_.push_back({KeyPiece::held, knots.front(), end, value(end), value(end)});
+    merge();
+    return std::move(pieces_);
+  }
+
+ private:
+  KeyValue value(Time t) const { return f_.at(t); }
+  KeyValue near(const KeyValue& v, const KeyValue& other) const {
+    return f_.turn && dot(v, other) < 0 ? plus({}, -1, v) : v;
+  }
+  double off(const KeyValue& a, const KeyValue& b) const { return f_.turn ? 2 * apart(a, near(b, a)) : apart(a, b); }
+  bool jumps_at(Time t) { return off(value({t.flicks - 1}), value(t)) > 0.02 * f_.tolerance; }
+
+  // The time a file would keep: the nearest, or the last one that is not later.
+  Time kept(Time t, bool not_later = false) const {
+    if (!options_.in_floats) return t;
+    const double s = (t - beginning_).seconds();
+    float f = static_cast<float>(s);
+    if (not_later && static_cast<double>(f) > s) f = std::nextafter(f, -1.0F);
+    return beginning_ + from_seconds(static_cast<double>(f));
+  }
+  Time behind(Time t) const {
+    if (!options_.in_floats) return t;
+    const float next = std::nextafter(static_cast<float>((t - beginning_).seconds()), 1e30F);
+    return std::max(beginning_ + from_seconds(static_cast<double>(next)), Time{t.flicks + 1});
+  }
+
+  // From where the last piece has ended up to a time at which it may jump.
+  bool stretch(Time from, Time until, bool last) {
+    const bool jump = !last && jumps_at(until);
+    const Time end = kept(jump && options_.in_floats ? Time{until.flicks - 1} : until, jump);
+    if (end > from && !split(from, end, jump ? value({until.flicks - 1}) : value(end), 0)) return false;
+    if (jump) leap(end, behind(end));
+    return true;
+  }
+  // From one time that a file keeps to the next one it goes at once.
+  void leap(Time from, Time to) {
+    if (from == to || pieces_.empty()) return;
+    KeyPiece p = straight_ || !f_.turn ? KeyPiece{KeyPiece::straight, from, to} : KeyPiece{KeyPiece::cubic, from, to};
+    p.begin = pieces_.back().end;
+    p.end = near(value(to), p.begin);
+    pieces_.push_back(p);
+  }
+
+  bool keep(const KeyPiece& p) {
+    pieces_.push_back(p);
+    return pieces_.size() <= most_;
+  }
+
+  bool split(Time a, Time b, const KeyValue& end, int depth) {
+    if (const auto p = one(a, b, end)) return keep(*p);
+    if (depth > 3 && depth < 60)
+      if (const auto jump = find_jump(a, b)) {
+        const Time before = kept(options_.in_floats ? Time{jump->flicks - 1} : *jump, true), after = behind(before);
+        if (before > a && !split(a, before, value({jump->flicks - 1}), depth + 1)) return false;
+        if (before > a) leap(before, after);
+        return after >= b || split(after, b, end, depth + 1);
+      }
+    const Time middle = kept({(a.flicks + b.flicks) / 2});
+    if (depth > 60 || b.flicks - a.flicks < shortest || middle <= a || middle >= b) {
+      KeyPiece p{f_.turn && !straight_ ? KeyPiece::cubic : KeyPiece::straight, a, b, value(a), end};
+      p.end = near(p.end, p.begin);
+      for (std::size_t i = 0; i < 4; ++i) p.leaving[i] = p.arriving[i] = (p.end[i] - p.begin[i]) / (b - a).seconds();
+      return keep(p);
+    }
+    return split(a, middle, value(middle), depth + 1) && split(middle, b, end, depth + 1);
+  }
+
+  // Between two times, if most of the way is made at once.
+  std::optional<Time> find_jump(Time a, Time b) {
+    const double whole = off(value(a), value({b.flicks - 1}));
+    if (whole < f_.tolerance) return std::nullopt;
+    std::int64_t low = a.flicks, high = b.flicks - 1;
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      off(value({low}), value({middle})) > off(value({middle}), value({high})) ? high = middle : low = middle;
+      if (off(value({low}), value({high})) < 0.3 * whole) return std::nullopt;
+    }
+    return Time{high};
+  }
+
+  // All of it as one piece; none: no piece is near enough.
+  std::optional<KeyPiece> one(Time a, Time b, const KeyValue& end) {
+    KeyPiece p{KeyPiece::held, a, b};
+    p.begin = value(a);
+    if (!pieces_.empty()) p.begin = near(p.begin, pieces_.back().end);
+    const auto steps = static_cast<double>(b.flicks - a.flicks) / static_cast<double>(f_.step.flicks);
+    const int looks = 3 * std::clamp(static_cast<int>(steps / 3), steps < 4 ? 2 : 4, 70);
+    looks_.clear();
+    KeyValue last = p.begin;
+    double far = 0, turned = 0;
+    for (int i = 1; i < looks; ++i) {
+      const double share = static_cast<double>(i) / looks;
+      const Time t{a.flicks + std::llround(share * static_cast<double>(b.flicks - a.flicks))};
+      const KeyValue v = near(value(t), last);
+      far = std::max(far, apart(v, p.begin));
+      if (f_.turn) turned += 2 * std::asin(std::min(1.0, 0.5 * apart(v, last)));
+      looks_.push_back({static_cast<double>(t.flicks - a.flicks) / static_cast<double>(b.flicks - a.flicks), v});
+      last = v;
+    }
+    p.end = near(end, last);
+    far = std::max(far, apart(p.end, p.begin));
+    if (far < 1e-3 * f_.tolerance) {
+      p.end = p.begin;
+      return p;
+    }
+    p.shape = KeyPiece::straight;
+    const double limit = options_.style == KeyStyle::linear ? most_turned : most_arc;
+    if (straight_ && (!f_.turn || 2 * turned < limit) && follows(p)) return p;
+    if (!cubic_ || (f_.turn && 2 * turned > most_arc)) return std::nullopt;
+    p.shape = KeyPiece::cubic;
+    const KeyValue &one_third = looks_[static_cast<std::size_t>(looks / 3 - 1)].value,
+                   &two_thirds = looks_[static_cast<std::size_t>(2 * looks / 3 - 1)].value;
+    const double seconds = (b - a).seconds();
+    for (std::size_t i = 0; i < 4; ++i) {
+      p.leaving[i] = (-11 * p.begin[i] + 18 * one_third[i] - 9 * two_thirds[i] + 2 * p.end[i]) / 2 / seconds;
+      p.arriving[i] = (11 * p.end[i] - 18 * two_thirds[i] + 9 * one_third[i] - 2 * p.begin[i]) / 2 / seconds;
+    }
+    if (follows(p)) return p;
+    return std::nullopt;
+  }
+  bool follows(const KeyPiece& p) const {
+    return std::all_of(looks_.begin(), looks_.end(), [&](const Look& look) {
+      return off(piece_at(p, look.share, f_.turn), look.value) <= f_.tolerance;
+    });
+  }
+
+  // Neighbours that are one piece as well.
+  void merge() {
+    std::vector<KeyPiece> all = std::move(pieces_);
+    pieces_.clear();
+    for (const KeyPiece& p : all) {
+      if (!pieces_.empty()) {
+        KeyPiece last = pieces_.back();
+        const bool goes_on = last.shape == p.shape && p.until.flicks - p.from.flicks > shortest / 100 &&
+                             apart(last.end, p.begin) < 1e-3 * f_.tolerance;
+        if (goes_on) {
+          pieces_.pop_back();
+          if (const auto both = one(last.from, p.until, p.end); both && both->shape == p.shape) {
+            pieces_.push_back(*both);
+            continue;
+          }
+          pieces_.push_back(last);
+        }
+      }
+      pieces_.push_back(p);
+    }
+  }
+
+  struct Look {
+    double share = 0;
+    KeyValue value{};
+  };
+  const Followed& f_;
+  const KeyOptions& options_;
+  const Time beginning_;
+  const std::size_t most_;
+  const bool straight_, cubic_;
+  std::vector<Look> looks_;
+  std::vector<KeyPiece> pieces_;
+};
+
+std::vector<KeyPiece> baked(const Followed& f, Time from, Time until) {
+  std::vector<KeyPiece> pieces;
+  KeyValue last = f.at(from);
+  for (Time t = from; t < until;) {
+    const Time next{std::min(t.flicks + 2 * f.step.flicks, until.flicks)};
+    KeyPiece p{KeyPiece::straight, t, next, last, f.at(next)};
+    if (f.turn && dot(p.begin, p.end) < 0) p.end = plus({}, -1, p.end);
+    last = p.end, t = next;
+    pieces.push_back(p);
+  }
+  if (pieces.empty()) pieces.push_back({KeyPiece::held, from, until, last, last});
+  return pieces;
+}
+
+}  // namespace
+
+bool Channel::constant() const {
+  return std::all_of(pieces.begin(), pieces.end(), [&](const KeyPiece& p) {
+    return p.shape == KeyPiece::held && apart(p.begin, pieces.front().begin) < 1e-12;
+  });
+}
+
+bool Channel::jumps_behind(std::size_t piece) const {
+  return piece + 1 < pieces.size() && apart(pieces[piece].end, pieces[piece + 1].begin) > 1e-9;
+}
+
+std::size_t Channel::keys() const {
+  if (constant()) return 1;
+  const bool steps =
+      std::all_of(pieces.begin(), pieces.end(), [](const KeyPiece& p) { return p.shape == KeyPiece::held; });
+  if (steps) return pieces.size();
+  std::size_t n = pieces.size() + 1;
+  for (std::size_t i = 0; i < pieces.size(); ++i) n += jumps_behind(i) ? 1 : 0;
+  return n;
+}
+
+std::array<double, 4> value_at(const Channel& c, Time t) {
+  auto p =
+      std::upper_bound(c.pieces.begin(), c.pieces.end(), t, [](Time time, const KeyPiece& q) { return time < q.from; });
+  if (p != c.pieces.begin()) --p;
+  const double length = static_cast<double>((p->until - p->from).flicks);
+  const double u = length > 0 ? static_cast<double>((t - p->from).flicks) / length : 0;
+  return piece_at(*p, std::clamp(u, 0.0, 1.0), c.turn);
+}
+
+Channel follow(const Followed& f, std::span<const Time> knots, const KeyOptions& options) {
+  Channel c{f.width, f.turn, {}};
+  if (knots.size() < 2 || options.style == KeyStyle::baked) {
+    c.pieces = baked(f, knots.front(), knots.back());
+    return c;
+  }
+  const auto with = [&](std::size_t most, bool straight, bool cubic) {
+    return Follower(f, options, knots.front(), most, straight, cubic).through(knots);
+  };
+  const bool linear = options.style == KeyStyle::linear;
+  c.pieces = *with(SIZE_MAX, linear || !f.turn, !linear);
+  // Turns are blended in one way or the other: straight keys weigh a third of the others.
+  if (f.turn && !linear && options.arcs)
+    if (auto straight = with(c.pieces.size() * 3 / 2 + 1, true, false)) c.pieces = std::move(*straight);
+  return c;
+}
+
+}  // namespace betwixt
