@@ -30,6 +30,8 @@ struct MeshPart {
   bool tinted = true;                      // the object's own colour multiplies it
 };
 
+struct Rig;  // src/scene/rig.h
+
 struct Mesh {
   std::vector<std::array<float, 3>> positions;
   std::vector<std::array<float, 3>> normals;  // as many as positions, unit length
@@ -38,6 +40,8 @@ struct Mesh {
   std::vector<std::uint32_t> edges;           // two indices an edge: what wireframe draws
   std::vector<MeshPart> parts;                // covers `triangles`; empty: one plain part
   bool closed = false;                        // no inside can be seen: back faces may be culled
+  std::shared_ptr<const Rig> rig;             // how joints and weights deform it; null: they do not
+  bool posed = false;                         // it has been deformed, and will be otherwise a moment later
 
   Box box() const;  // the origin, where there is nothing
 };

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "commands/script.h"
+#include "exchange/scene_file.h"
 #include "language/values.h"
 #include "scene/rollback.h"
 #include "track/operations.h"
@@ -84,6 +86,15 @@ bool free_name(Command&, const std::string& name, std::string_view about);
 bool own(Command&, ObjectId, std::string_view about);
 // key=value …, of a new object; `said`: which functions that was about.
 bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr);
+// Adds an object, coupled to its parent if there is one.
+ObjectId add_child(Scene&, Object, ObjectId parent);
+// create NAME scene: what stands behind the word.
+bool create_scene(Command&, const std::vector<std::string>& names, const std::vector<ObjectId>& parents,
+                  std::string_view about);
+// Whether the script may read the file; `path` becomes its place below the first script's folder.
+bool may_use(Command&, std::string& path, std::string_view about, std::filesystem::path& where);
+// Keeps the meshes of a file as those that its path and their names name.
+void keep_meshes(Scene&, const std::string& path, const SceneFile&);
 // Where a text's font has no letters as they should look by this value and what else was set.
 void say_missing_style(Command&, const Object&, FunctionId, const Value&, std::string_view about);
 // = "…": a value that code computes.

@@ -10,11 +10,13 @@
 #include <cstring>
 #include <optional>
 
+#include "base/names.h"
 #include "betwixt/picture.h"
 #include "commands/command.h"
 #include "commands/reader.h"
 #include "exchange/fonts.h"
 #include "exchange/meshes.h"
+#include "exchange/scene_file.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
 
@@ -158,6 +160,25 @@ bool tex_formula(Command& k, const std::string& tex, std::string_view about) {
   return true;
 }
 
+// One mesh of a scene: truck.glb#Wheels.
+bool part_of_scene(Command& k, std::string& path, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  const std::string part = path.substr(path.find('#'));
+  path = scene_of(path);
+  fs::path where;
+  if (!may_use(k, path, about, where)) return false;
+  const std::string file = std::exchange(path, path + part);
+  if (s.meshes->contains(path)) return true;
+  const auto scene = load_scene(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
+  if (!scene) return c.fail(scene.error().code, scene.error().message, about, scene.error().hint);
+  keep_meshes(s, file, **scene);
+  if (s.meshes->contains(path)) return true;
+  std::vector<std::string_view> names;
+  for (const SceneMesh& m : (*scene)->meshes) names.push_back(m.name);
+  return c.fail(ErrorCode::name, fmt::format("{} has no mesh '{}'", file, part.substr(1, 60)), about,
+                did_you_mean(part.substr(1), names));
+}
+
 // Reads what a `file` of a mesh or a sound or a `texture` names, and keeps it in the scene; `path` becomes its place below the first script's
 // folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
@@ -170,11 +191,9 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   static const FunctionId tex = *find_built_in(Kind::text, "tex");
   if (f == tex) return path.empty() || tex_formula(k, path, about);
   if ((f != fn::file && f != fn::texture && f != fn::sound_file) || path.empty()) return true;
-  const fs::path where = script.folder / path;
-  if (!script.may_read(where))
-    return c.fail(ErrorCode::file, fmt::format("'{}' lies outside the script's folder", path), about,
-                  "--read-anywhere allows it");
-  path = script.shown(where);
+  if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
+  fs::path where;
+  if (!may_use(k, path, about, where)) return false;
   const auto failed = [&](const Error& e) { return c.fail(e.code, e.message, about, e.hint); };
   if (f == fn::file) {
     if (s.meshes->contains(path)) return true;
@@ -196,6 +215,20 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
 }
 
 }  // namespace
+
+bool may_use(Command& k, std::string& path, std::string_view about, fs::path& where) {
+  where = k.script.folder / path;
+  if (!k.script.may_read(where))
+    return k.cursor.fail(ErrorCode::file, fmt::format("'{}' lies outside the script's folder", path), about,
+                         "--read-anywhere allows it");
+  path = k.script.shown(where);
+  return true;
+}
+
+void keep_meshes(Scene& s, const std::string& path, const SceneFile& scene) {
+  for (const SceneMesh& m : scene.meshes)
+    if (const std::string name = path + "#" + m.name; !s.meshes->contains(name)) s.meshes.edit()[name] = m.mesh;
+}
 
 ValueReader values(Command& k) {
   return {k.cursor, k.scene,

@@ -28,14 +28,6 @@ bool parent_by_name(Command& k, const std::string& name, std::string_view about,
                          fmt::format("create {} first", above));
 }
 
-void add_child(Scene& s, Object object, ObjectId parent) {
-  if (parent) {
-    object.slot(fn::attachment).set = Attachment{AttachmentKind::couple, parent, false};
-    if (!s.objects[parent.index].leads) s.objects.edit(parent.index).leads = true;
-  }
-  add_object(s, std::move(object));
-}
-
 // What is made like another: that with what was said of the copy, and all below it.
 struct Like {
   ObjectId original;
@@ -89,6 +81,12 @@ bool create(Command& k) {
   for (const auto& name : *names)
     if (StillWanted::ask(); !free_name(k, name, word)) return false;
   const std::string_view kind_word = c.next_word();
+  if (kind_word == "scene") {
+    std::vector<ObjectId> parents(names->size());
+    for (std::size_t i = 0; i < names->size(); ++i)
+      if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
+    return create_scene(k, *names, parents, word);
+  }
   Like like;
   auto& [original, object, said, parts] = like;
   if (kind_word == "like") {
@@ -109,6 +107,7 @@ bool create(Command& k) {
       if (hint.empty()) {
         hint = "kinds are";
         for (auto k : kind_names) hint += " " + std::string(k);
+        hint += "; and scene";
       }
       return c.fail(
           ErrorCode::name,
@@ -265,8 +264,10 @@ bool rename(Command& k) {
 }
 
 constexpr Verb objects_rows[] = {
-    {"create", "create NAME KIND [key=value …] or create NAME like OTHER",
-     "Makes an object of a kind, or one like another, with all below that.",
+    {"create",
+     "create NAME KIND [key=value …], create NAME like OTHER or create NAME scene file=\"…\" [animation=…] "
+     "[start=TIME]",
+     "Makes an object of a kind, or one like another, with all below that, or all that a file of a scene holds.",
      "create moon sphere radius=0.5 color=silver", 0, create},
     {"remove", "remove OBJECTS", "Takes objects out of the film, with all below them.", "remove wheel*", 0, remove},
     {"rename", "rename OLD NEW, an object or a display list",
@@ -275,6 +276,14 @@ constexpr Verb objects_rows[] = {
 };
 
 }  // namespace
+
+ObjectId add_child(Scene& s, Object object, ObjectId parent) {
+  if (parent) {
+    object.slot(fn::attachment).set = Attachment{AttachmentKind::couple, parent, false};
+    if (!s.objects[parent.index].leads) s.objects.edit(parent.index).leads = true;
+  }
+  return add_object(s, std::move(object));
+}
 
 bool new_name(Cursor& c, std::string_view& out, std::string_view kind, std::string_view never) {
   out = c.next_word();

@@ -79,17 +79,45 @@ void join_edges(Mesh& mesh) {
 }
 
 template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
+void add_to(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
+}
+
+// For vertices of which each was another before, or none of them.
+template <class T>
+void follow(std::vector<T>& all, const std::vector<std::uint32_t>& from) {
+  if (all.empty()) return;
+  std::vector<T> now;
+  for (const std::uint32_t v : from) now.push_back(all[v]);
+  all = std::move(now);
+}
+
+void follow(Rig& rig, const std::vector<std::uint32_t>& from) {
+  follow(rig.joints, from), follow(rig.weights, from);
+  for (Rig::Target& t : rig.targets) follow(t.positions, from), follow(t.normals, from);
 }
 
 }  // namespace
 
 Error Assembly::error(const std::string& what) const {
-  return fail(ErrorCode::file, fmt::format("{} cannot be read as a mesh: {}", path_, what));
+  return fail(ErrorCode::file, fmt::format("{} cannot be read as a {}: {}", path_, as_, what));
 }
 
 Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look) {
+  return append(std::move(piece), to_scene, std::move(look), nullptr);
+}
+
+Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look, Rig rig) {
+  const std::size_t count = piece.positions.size();
+  if (!rig.joints.empty() && (rig.joints.size() != count || rig.weights.size() != count))
+    return error("not all of its vertices have joints");
+  for (const Rig::Target& t : rig.targets)
+    if ((!t.positions.empty() && t.positions.size() != count) || (!t.normals.empty() && t.normals.size() != count))
+      return error("a morph target has another number of vertices than its mesh");
+  return append(std::move(piece), to_scene, std::move(look), &rig);
+}
+
+Status Assembly::append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* rig) {
   const std::size_t count = piece.positions.size();
   piece.triangles.resize(piece.triangles.size() / 3 * 3);
   if (piece.triangles.empty()) return Nothing{};
@@ -117,9 +145,13 @@ Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look) {
     normals = normals && length(turned) > 0 && std::isfinite(length(turned));
     n = narrow(normalize(turned));
   }
-  if (!normals) make_normals(piece, crease);
+  if (!normals) {
+    std::vector<std::uint32_t> from;
+    make_normals(piece, crease, &from);
+    if (rig) follow(*rig, from);
+  }
   if (piece.triangles.empty()) return Nothing{};  // none of them had an area
-  join_vertices(piece);
+  if (!rig) join_vertices(piece);
   if (piece.edges.empty())
     piece.edges = crease_edges(piece);
   else
@@ -128,16 +160,17 @@ Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look) {
   const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
   const bool uvs = !mesh_.uvs.empty() || !piece.uvs.empty();
   if (uvs) mesh_.uvs.resize(mesh_.positions.size());
-  append(mesh_.positions, piece.positions);
-  append(mesh_.normals, piece.normals);
-  append(mesh_.uvs, piece.uvs);
+  add_to(mesh_.positions, piece.positions);
+  add_to(mesh_.normals, piece.normals);
+  add_to(mesh_.uvs, piece.uvs);
   if (uvs) mesh_.uvs.resize(mesh_.positions.size());
+  if (rig) take(std::move(*rig));
   for (auto& i : piece.edges) i += base;
   for (auto& i : piece.triangles) i += base;
-  append(mesh_.edges, piece.edges);
+  add_to(mesh_.edges, piece.edges);
   look.first = static_cast<std::uint32_t>(mesh_.triangles.size());
   look.count = static_cast<std::uint32_t>(piece.triangles.size());
-  append(mesh_.triangles, piece.triangles);
+  add_to(mesh_.triangles, piece.triangles);
   // Neighbours that look the same are one run: fewer things to draw.
   if (!mesh_.parts.empty() && mesh_.parts.back().color == look.color && mesh_.parts.back().texture == look.texture)
     mesh_.parts.back().count += look.count;
@@ -146,8 +179,34 @@ Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look) {
   return Nothing{};
 }
 
+// Behind what is there; a mesh has the vertices of this piece already.
+void Assembly::take(Rig rig) {
+  const std::size_t before = rig_ ? rig_size_ : 0, now = mesh_.positions.size();
+  rig_size_ = now;
+  if (!rig_) {
+    rig_ = std::move(rig);
+  } else {
+    add_to(rig_->joints, rig.joints), add_to(rig_->weights, rig.weights);
+    for (std::size_t i = 0; i < rig_->targets.size() && i < rig.targets.size(); ++i) {
+      auto &to = rig_->targets[i], &from = rig.targets[i];
+      for (auto [all, more] : {std::pair(&to.positions, &from.positions), std::pair(&to.normals, &from.normals)}) {
+        if (all->empty() && more->empty()) continue;
+        all->resize(before), add_to(*all, *more), all->resize(now);
+      }
+    }
+  }
+}
+
 Result<std::shared_ptr<const Mesh>> Assembly::finish() && {
   if (mesh_.triangles.empty()) return error("it holds no triangles");
+  if (rig_) {
+    const std::size_t count = mesh_.positions.size();
+    if (!rig_->joints.empty() && rig_->joints.size() != count) return error("not all of its vertices have joints");
+    for (Rig::Target& t : rig_->targets)
+      for (auto* all : {&t.positions, &t.normals})
+        if (!all->empty()) all->resize(count);
+    mesh_.rig = std::make_shared<const Rig>(*std::move(rig_));
+  }
   mesh_.closed = is_closed(mesh_);
   return std::make_shared<const Mesh>(std::move(mesh_));
 }

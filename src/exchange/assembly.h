@@ -5,29 +5,39 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "betwixt/math.h"
 #include "betwixt/mesh.h"
 #include "betwixt/result.h"
 #include "exchange/meshes.h"
+#include "scene/rig.h"
 
 namespace betwixt {
 
 class Assembly {
  public:
-  explicit Assembly(std::string path) : path_(std::move(path)) {}
+  // `as`: what the file is read as.
+  explicit Assembly(std::string path, std::string as = "mesh") : path_(std::move(path)), as_(std::move(as)) {}
 
   // A mesh in its own space: positions and triangles; normals and uvs as many as positions, or none; edges as drawn, or
-  // none. Of `look` only the color and the texture count. Errors: file.
+  // none. Of `look` only the color and the texture count. A piece with a `rig` keeps its vertices; all pieces then have
+  // one, with as many targets. Errors: file.
   Status add(Mesh piece, const Mat4& to_scene, MeshPart look);
+  Status add(Mesh piece, const Mat4& to_scene, MeshPart look, Rig rig);
   Result<std::shared_ptr<const Mesh>> finish() &&;
 
-  Error error(const std::string& what) const;  // "PATH is broken: what"
+  Error error(const std::string& what) const;  // "PATH cannot be read as a mesh: what"
 
  private:
-  std::string path_;
+  Status append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* rig);
+  void take(Rig);
+
+  std::string path_, as_;
   Mesh mesh_;
+  std::optional<Rig> rig_;
+  std::size_t rig_size_ = 0;  // vertices that it speaks of
 };
 
 Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf&);

@@ -8,6 +8,7 @@
 #include "exchange/meshes.h"
 #include "exchange/parser_process.h"
 #include "exchange/pictures.h"
+#include "exchange/scene_file.h"
 
 namespace betwixt {
 namespace {
@@ -29,6 +30,11 @@ Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path
 Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
   return parsed<Mesh>(ParserTask::mesh, path, may_read, parse_mesh);
+}
+
+Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read) {
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
+  return parsed<SceneFile>(ParserTask::scene, path, may_read, parse_scene);
 }
 
 Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) {

@@ -10,20 +10,24 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 
 #include "base/files.h"
+#include "base/names.h"
 
 namespace betwixt {
 namespace {
 
 // A head, then blocks, each with its length before it.
-enum class Holds : std::uint32_t { mesh = 1, picture = 2, error = 3 };
+enum class Holds : std::uint32_t { mesh = 1, picture = 2, error = 3, scene = 4 };
 struct Head {
   std::uint32_t holds = 0;
-  std::uint32_t detail = 0;    // of a mesh whether it is closed, of an error its code
-  std::uint64_t pictures = 0;  // of a mesh
+  std::uint32_t detail = 0;  // of an error its code
 };
 constexpr std::uint32_t no_picture = ~std::uint32_t{0};
+struct FlatMesh {
+  std::uint32_t closed = 0, pictures = 0, rigged = 0, targets = 0;
+};
 struct FlatPart {
   std::uint32_t first = 0, count = 0;
   std::array<float, 3> color{};
@@ -32,8 +36,29 @@ struct FlatPart {
 struct FlatSize {
   std::int32_t width = 0, height = 0;
 };
+struct FlatScene {
+  std::uint64_t nodes = 0, meshes = 0, clips = 0, sentences = 0;
+};
+struct FlatNode {
+  std::int32_t parent = -1, mesh = -1, camera = -1, light = -1;
+  Vec3 position;
+  Quat rotation;
+  Vec3 scale;
+};
+struct FlatSurface {
+  std::uint32_t material = 0, padding = 0;
+  double shininess = 0, transparency = 0;
+};
+struct FlatLight {
+  std::uint32_t sun = 0, padding = 0;
+  Vec3 color;
+  double intensity = 0, range = 0;
+};
+struct FlatTrack {
+  std::uint32_t node = 0, path = 0, way = 0;
+};
 
-constexpr std::size_t longest_words = 4096, most_pictures = 100'000;
+constexpr std::size_t longest_words = 4096, most_pictures = 100'000, most_pieces = 1'000'000;
 constexpr int largest_side = 16384;
 
 class Giver {
@@ -63,12 +88,37 @@ class Giver {
       if (fresh) pictures.push_back(p.texture.get());
       parts.back().picture = at->second;
     }
-    one(Head{static_cast<std::uint32_t>(Holds::mesh), m.closed ? 1U : 0U, pictures.size()});
+    one(FlatMesh{m.closed, static_cast<std::uint32_t>(pictures.size()), m.rig != nullptr,
+                 m.rig ? static_cast<std::uint32_t>(m.rig->targets.size()) : 0});
     for (const Picture* p : pictures) picture(*p);
     block(parts), block(m.positions), block(m.normals), block(m.uvs), block(m.triangles), block(m.edges);
+    if (!m.rig) return;
+    block(m.rig->joints), block(m.rig->weights), block(m.rig->inverse_bind);
+    for (const Rig::Target& t : m.rig->targets) block(t.name), block(t.positions), block(t.normals);
+  }
+  void scene(const SceneFile& s) {
+    one(Head{static_cast<std::uint32_t>(Holds::scene), 0});
+    one(FlatScene{s.nodes.size(), s.meshes.size(), s.clips.size(), s.left_out.size()});
+    for (const SceneMesh& m : s.meshes) {
+      one(FlatSurface{static_cast<std::uint32_t>(m.material), 0, m.shininess, m.transparency});
+      block(m.name), mesh(*m.mesh);
+    }
+    for (const SceneNode& n : s.nodes) {
+      one(FlatNode{n.parent, n.mesh, n.camera, n.light, n.position, n.rotation, n.scale});
+      block(n.name), block(n.joints), block(n.weights);
+    }
+    block(s.cameras);
+    std::vector<FlatLight> lights;
+    for (const SceneLight& l : s.lights) lights.push_back({l.sun, 0, l.color, l.intensity, l.range});
+    block(lights);
+    for (const SceneClip& c : s.clips) {
+      block(c.name.substr(0, longest_words)), one(static_cast<std::uint64_t>(c.tracks.size()));
+      for (const SceneTrack& t : c.tracks) one(FlatTrack{t.node, t.path, t.way}), block(t.times), block(t.values);
+    }
+    for (const std::string& sentence : s.left_out) block(sentence.substr(0, longest_words));
   }
   void error(const Error& e) {
-    one(Head{static_cast<std::uint32_t>(Holds::error), static_cast<std::uint32_t>(e.code), 0});
+    one(Head{static_cast<std::uint32_t>(Holds::error), static_cast<std::uint32_t>(e.code)});
     block(e.message.substr(0, longest_words)), block(e.hint.substr(0, longest_words));
   }
   int reason() const { return reason_; }
@@ -156,21 +206,6 @@ std::shared_ptr<const Picture> take_picture(Taker& from) {
   return from.block(picture->rgba) && picture->rgba.size() == bytes ? picture : nullptr;
 }
 
-std::shared_ptr<const Mesh> take_mesh(Taker& from, const Head& head) {
-  if (head.detail > 1 || head.pictures > most_pictures) return nullptr;
-  std::vector<std::shared_ptr<const Picture>> pictures;
-  while (pictures.size() < head.pictures) {
-    pictures.push_back(take_picture(from));
-    if (!pictures.back()) return nullptr;
-  }
-  std::vector<FlatPart> parts;
-  auto mesh = std::make_shared<Mesh>();
-  mesh->closed = head.detail == 1;
-  const bool whole = from.block(parts) && from.block(mesh->positions) && from.block(mesh->normals) &&
-                     from.block(mesh->uvs) && from.block(mesh->triangles) && from.block(mesh->edges);
-  return whole && sound(*mesh) && take_parts(parts, pictures, *mesh) ? mesh : nullptr;
-}
-
 // Words that a terminal may be shown.
 bool take_words(Taker& from, std::string& words) {
   if (!from.block(words) || words.size() > longest_words) return false;
@@ -179,13 +214,116 @@ bool take_words(Taker& from, std::string& words) {
   return true;
 }
 
+bool sound(const Rig& rig, std::size_t count) {
+  const std::size_t joints = rig.inverse_bind.size();
+  if (rig.joints.size() != rig.weights.size() || (joints == 0) != rig.joints.empty() || joints > most_joints ||
+      (joints > 0 && rig.joints.size() != count) || !finite(rig.weights))
+    return false;
+  for (const auto& four : rig.joints)
+    for (const std::uint16_t j : four)
+      if (j >= joints) return false;
+  for (const Mat4& m : rig.inverse_bind)
+    if (!betwixt::finite(m)) return false;
+  for (const Rig::Target& t : rig.targets)
+    for (const auto* all : {&t.positions, &t.normals})
+      if ((!all->empty() && all->size() != count) || !finite(*all)) return false;
+  return true;
+}
+
+std::shared_ptr<const Rig> take_rig(Taker& from, std::uint32_t targets, std::size_t count) {
+  auto rig = std::make_shared<Rig>();
+  if (!from.block(rig->joints) || !from.block(rig->weights) || !from.block(rig->inverse_bind)) return nullptr;
+  for (std::uint32_t i = 0; i < targets; ++i) {
+    Rig::Target& t = rig->targets.emplace_back();
+    if (!take_words(from, t.name) || !is_name(t.name) || !from.block(t.positions) || !from.block(t.normals))
+      return nullptr;
+  }
+  return sound(*rig, count) ? rig : nullptr;
+}
+
+std::shared_ptr<const Mesh> take_mesh(Taker& from) {
+  FlatMesh flat;
+  if (!from.one(flat) || flat.closed > 1 || flat.pictures > most_pictures || flat.targets > most_pieces) return nullptr;
+  std::vector<std::shared_ptr<const Picture>> pictures;
+  while (pictures.size() < flat.pictures) {
+    pictures.push_back(take_picture(from));
+    if (!pictures.back()) return nullptr;
+  }
+  std::vector<FlatPart> parts;
+  auto mesh = std::make_shared<Mesh>();
+  mesh->closed = flat.closed == 1;
+  const bool whole = from.block(parts) && from.block(mesh->positions) && from.block(mesh->normals) &&
+                     from.block(mesh->uvs) && from.block(mesh->triangles) && from.block(mesh->edges);
+  if (!whole || !sound(*mesh) || !take_parts(parts, pictures, *mesh)) return nullptr;
+  if (flat.rigged && !(mesh->rig = take_rig(from, flat.targets, mesh->positions.size()))) return nullptr;
+  return mesh;
+}
+
+bool take_node(Taker& from, SceneNode& n) {
+  FlatNode flat;
+  if (!from.one(flat) || !take_words(from, n.name) || !is_name(n.name) || n.name.find('/') != n.name.npos ||
+      !from.block(n.joints) || !from.block(n.weights))
+    return false;
+  n.parent = flat.parent, n.mesh = flat.mesh, n.camera = flat.camera, n.light = flat.light;
+  n.position = flat.position, n.rotation = flat.rotation, n.scale = flat.scale;
+  return true;
+}
+
+bool take_clip(Taker& from, SceneClip& c) {
+  std::uint64_t tracks = 0;
+  if (!take_words(from, c.name) || !from.one(tracks) || tracks > most_pieces) return false;
+  for (std::uint64_t i = 0; i < tracks; ++i) {
+    FlatTrack flat;
+    SceneTrack& t = c.tracks.emplace_back();
+    if (!from.one(flat) || flat.path > SceneTrack::weights || flat.way > SceneTrack::cubic || !from.block(t.times) ||
+        !from.block(t.values))
+      return false;
+    t.node = flat.node, t.path = SceneTrack::Path{flat.path}, t.way = SceneTrack::Way{flat.way};
+  }
+  return true;
+}
+
+std::shared_ptr<const SceneFile> take_scene(Taker& from) {
+  auto s = std::make_shared<SceneFile>();
+  FlatScene flat;
+  if (!from.one(flat) || flat.nodes > most_nodes || flat.meshes > most_nodes || flat.clips > most_pieces ||
+      flat.sentences > 1000)
+    return nullptr;
+  std::set<std::string> names;
+  for (std::uint64_t i = 0; i < flat.meshes; ++i) {
+    FlatSurface surface;
+    SceneMesh& m = s->meshes.emplace_back();
+    if (!from.one(surface) || surface.material > static_cast<std::uint32_t>(Material::glow) ||
+        !take_words(from, m.name) || !is_name(m.name) || !names.insert(m.name).second || !(m.mesh = take_mesh(from)))
+      return nullptr;
+    m.material = Material{static_cast<std::uint8_t>(surface.material)};
+    m.shininess = surface.shininess, m.transparency = surface.transparency;
+  }
+  names.clear();
+  for (std::uint64_t i = 0; i < flat.nodes; ++i)
+    if (!take_node(from, s->nodes.emplace_back()) || !names.insert(s->nodes.back().name).second) return nullptr;
+  std::vector<FlatLight> lights;
+  if (!from.block(s->cameras) || !from.block(lights)) return nullptr;
+  for (const FlatLight& l : lights) s->lights.push_back({l.sun != 0, l.color, l.intensity, l.range});
+  for (std::uint64_t i = 0; i < flat.clips; ++i)
+    if (!take_clip(from, s->clips.emplace_back())) return nullptr;
+  for (std::uint64_t i = 0; i < flat.sentences; ++i)
+    if (!take_words(from, s->left_out.emplace_back())) return nullptr;
+  return sound(*s) ? s : nullptr;
+}
+
 bool take(Taker& from, Parsed& out) {
   Head head;
   if (!from.one(head)) return false;
   if (head.holds == static_cast<std::uint32_t>(Holds::mesh)) {
-    auto mesh = take_mesh(from, head);
+    auto mesh = take_mesh(from);
     out = mesh;
     return mesh != nullptr;
+  }
+  if (head.holds == static_cast<std::uint32_t>(Holds::scene)) {
+    auto scene = take_scene(from);
+    out = scene;
+    return scene != nullptr;
   }
   if (head.holds == static_cast<std::uint32_t>(Holds::picture)) {
     auto picture = take_picture(from);
@@ -207,10 +345,13 @@ bool take(Taker& from, Parsed& out) {
 int hand_over(const Parsed& parsed, int memory) {
   Giver to(memory);
   if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&parsed)) {
+    to.one(Head{static_cast<std::uint32_t>(Holds::mesh), 0});
     to.mesh(**mesh);
   } else if (const auto* picture = std::get_if<std::shared_ptr<const Picture>>(&parsed)) {
-    to.one(Head{static_cast<std::uint32_t>(Holds::picture), 0, 0});
+    to.one(Head{static_cast<std::uint32_t>(Holds::picture), 0});
     to.picture(**picture);
+  } else if (const auto* scene = std::get_if<std::shared_ptr<const SceneFile>>(&parsed)) {
+    to.scene(**scene);
   } else {
     to.error(std::get<Error>(parsed));
   }

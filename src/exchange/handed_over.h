@@ -10,12 +10,14 @@
 
 #include "betwixt/mesh.h"
 #include "betwixt/result.h"
+#include "exchange/scene_file.h"
 
 namespace betwixt {
 
-using Parsed = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error>;
+using Parsed =
+    std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error, std::shared_ptr<const SceneFile>>;
 
-// Both return the system's reason (0: none). EBADMSG: what lies there is no mesh, no picture and no error.
+// Both return the system's reason (0: none). EBADMSG: what lies there is nothing of these.
 int hand_over(const Parsed&, int memory);
 int take_over(int memory, Parsed&);
 

@@ -16,6 +16,7 @@
 #include "exchange/meshes.h"
 #include "exchange/parser_jail.h"
 #include "exchange/pictures.h"
+#include "exchange/scene_file.h"
 
 namespace betwixt {
 namespace {
@@ -60,7 +61,14 @@ Parsed parsed(Result<T> result) {
 
 Parsed parse(ParserTask task, const std::string& path, Shelf& shelf) {
   try {
-    return task == ParserTask::mesh ? parsed(parse_mesh(path, shelf)) : parsed(parse_picture(path, shelf));
+    switch (task) {
+      case ParserTask::mesh:
+        return parsed(parse_mesh(path, shelf));
+      case ParserTask::picture:
+        return parsed(parse_picture(path, shelf));
+      default:
+        return parsed(parse_scene(path, shelf));
+    }
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::file, fmt::format("{} takes too much memory to be read", path));
   } catch (const std::exception& e) {

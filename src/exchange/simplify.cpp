@@ -123,7 +123,7 @@ struct Simpler {
 std::shared_ptr<const Mesh> simplified(const std::shared_ptr<const Mesh>& mesh, const Detail& detail) {
   static std::mutex mutex;
   static std::map<std::pair<const Mesh*, int>, Simpler> held;
-  if (detail.even || !crowded(*mesh, detail.pixels())) return mesh;
+  if (detail.even || mesh->posed || !crowded(*mesh, detail.pixels())) return mesh;
   const std::pair key{mesh.get(), detail.around};
   {
     const std::lock_guard lock(mutex);

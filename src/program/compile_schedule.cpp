@@ -104,9 +104,10 @@ struct ScheduleCompiler {
     for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i) {
       const Binding& b = compiled.bindings[i];
       const FunctionSpec& spec = spec_of(scene, b.function);
-      const std::uint8_t effect = effect_of(spec, b.function);
+      std::uint8_t effect = effect_of(spec, b.function);
+      if (weighs(node, b)) effect |= affects::form;
       if (b.live >= 0) {
-        schedule.lives.push_back({&b, effect, node, spec.matters_to_contacts()});
+        schedule.lives.push_back({&b, effect, node, spec.matters_to_contacts() || (effect & affects::form) != 0});
         continue;
       }
       if (effect == 0 && compiled.set.own.empty()) continue;  // else a twerper may err, and that is to be said
@@ -118,6 +119,13 @@ struct ScheduleCompiler {
         add({Schedule::Source::steps, effect, static_cast<std::uint32_t>(b.steps), node},
             [&](std::vector<Activity>& out) { compiled.steps_of(b).activities(out); });
     }
+  }
+
+  // Whether it is the weight of a target of the node's mesh.
+  bool weighs(std::uint32_t node, const Binding& b) const {
+    if (!compiled.draws(node) || compiled.drawables[node].skin < 0) return false;
+    const auto& weights = compiled.skins[static_cast<std::size_t>(compiled.drawables[node].skin)].weights;
+    return std::find(weights.begin(), weights.end(), &b) != weights.end();
   }
 
   bool form_varies(std::uint32_t object) const {
@@ -162,7 +170,11 @@ struct ScheduleCompiler {
         compiled.traces = true;
         schedule.lives.push_back({&compiled.defaults[fn::trace_of], affects::form, i, false});
       }
-      if (form_varies(n.object))
+      if (auto skin = compile_skin(compiled, i)) {
+        d.skin = static_cast<std::int32_t>(compiled.skins.size());
+        compiled.skins.push_back(*std::move(skin));
+      }
+      if (d.skin >= 0 || form_varies(n.object))
         varying.push_back(i);
       else
         d.shape = shape_number(n.object);

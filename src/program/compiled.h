@@ -19,6 +19,7 @@
 #include "scene/document.h"
 #include "scene/extent.h"
 #include "scene/line.h"
+#include "scene/rig.h"
 #include "track/reign.h"
 
 namespace betwixt {
@@ -225,6 +226,14 @@ struct Node {
   std::uint8_t reaches = 0;  // for something, by so many joints
 };
 
+// A mesh that is deformed from time to time.
+struct Skin {
+  std::uint32_t drawable = 0;
+  std::shared_ptr<const Mesh> rest;
+  std::vector<std::int32_t> joints;     // nodes, by the numbers of its rig; -1: none, which stays where it was
+  std::vector<const Binding*> weights;  // of its targets; null: nobody says any
+};
+
 // What is drawn, or may be: the node of the same number.
 struct Drawable {
   std::uint32_t transparency = 0, shininess = 0, casts = 0;  // offsets
@@ -232,6 +241,7 @@ struct Drawable {
   std::uint32_t shape = 0;  // a number of Compiled::shapes; one beyond them where it varies
   // Of its material and texture, where these do not vary.
   bool plain = false;
+  std::int32_t skin = -1;
   Material material_number = Material::plastic;
   std::uint32_t texture_number = 0;
 };
@@ -309,6 +319,7 @@ struct Program::Compiled {
   std::vector<Reign> reigns;
   std::vector<Node> nodes;  // drawables, then the others, each by object
   std::vector<Drawable> drawables;
+  std::vector<Skin> skins;
   std::vector<std::shared_ptr<const Shape>> shapes;  // those that do not vary, each once
   std::vector<std::shared_ptr<const Picture>> textures;
   std::vector<std::uint32_t> lights, eyes;  // nodes; eyes: those that look at something
@@ -424,6 +435,9 @@ std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mi
 // A procedure's answer as a value of the type; the reason if it is none.
 Result<Value> fit(const Value&, Type, const Scene&);
 Vec3 to_angles(Quat);
+
+// Of a drawable whose mesh has a rig that something moves; none otherwise.
+std::optional<Skin> compile_skin(const Program::Compiled&, std::uint32_t drawable);
 
 // The motions of all nodes. Their centres, and what attachments keep, are not known before settle().
 void compile_motions(Program::Compiled&);

@@ -214,6 +214,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   take_hold(asking);
   environments(!solids);
   places(asking);
+  follow_joints();
   restyle(asking, solids);
   marks_.clear();
   const auto drawables = static_cast<std::uint32_t>(looks.size());
@@ -245,6 +246,7 @@ std::uint32_t Evaluator::form(std::uint32_t drawable, Asking& asking) {
   if (stale_[drawable]) {
     stale_[drawable] = false;
     auto made = compiled_.shape(compiled_.nodes[drawable].object, now_, numbers_.data(), asking);
+    if (d.skin >= 0) made.mesh = posed(d.skin);
     if (!forms_[drawable] || !(*forms_[drawable] == made)) {
       forms_[drawable] = std::make_shared<const Shape>(std::move(made));
       renewed_[drawable] = turn_;

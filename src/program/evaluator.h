@@ -87,6 +87,8 @@ class Evaluator {
   Vec3 joint_place(std::uint32_t node) const;
   void turn_joint(std::uint32_t node, Quat);
   Placed own_placed(std::uint32_t node) const;
+  void follow_joints();
+  std::shared_ptr<const Mesh> posed(std::int32_t skin) const;
   void restyle(Asking&, bool solids);
   void look(std::uint32_t drawable, Asking&, bool solids);
   std::uint32_t form(std::uint32_t drawable, Asking&);
@@ -136,6 +138,7 @@ class Evaluator {
   std::vector<Mat4> around_, shown_;     // where any is enclosed: what by, and drawables' worlds in it
   std::vector<std::uint32_t> alike_[2];  // nodes to be placed that have angles, and orientations
   std::vector<std::uint32_t> dirty_places_;
+  std::vector<std::vector<Mat4>> palettes_;  // by skin
 
   std::vector<std::shared_ptr<const Shape>>
       forms_;  // by drawable: those that vary; then those on curves through others

@@ -10,6 +10,7 @@
 #include "scene/document.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
+#include "scene/rig_functions.h"
 #include "scene/sound_functions.h"
 #include "scene/text_functions.h"
 
@@ -371,6 +372,7 @@ std::vector<FunctionSpec> make_functions() {
   made.insert(made.end(), std::begin(aiming_functions), std::end(aiming_functions));
   made.insert(made.end(), std::begin(sound_functions), std::end(sound_functions));
   made.insert(made.end(), std::begin(camera_functions), std::end(camera_functions));
+  made.insert(made.end(), std::begin(rig_functions), std::end(rig_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
   for (FunctionSpec& f : made) {

@@ -115,6 +115,7 @@ enum : FunctionId {
   shutter,
   f_stop,
   focus,
+  joints,
   count
 };
 }

@@ -142,7 +142,7 @@ double signed_volume(const Mesh& mesh) {
   return sum / 6;
 }
 
-void make_normals(Mesh& mesh, double crease) {
+void make_normals(Mesh& mesh, double crease, std::vector<std::uint32_t>* from) {
   drop_flat_triangles(mesh);
   const auto welded = weld(mesh.positions);
   const std::size_t corners = mesh.triangles.size();
@@ -182,6 +182,7 @@ void make_normals(Mesh& mesh, double crease) {
     copies[v].push_back(out.triangles[c]);
     out.positions.push_back(mesh.positions[v]);
     out.normals.push_back(normal);
+    if (from) from->push_back(v);
     if (!mesh.uvs.empty()) out.uvs.push_back(mesh.uvs[v]);
   }
   const auto moved = [&](std::uint32_t v) { return copies[v].empty() ? copies[welded[v]] : copies[v]; };

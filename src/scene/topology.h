@@ -33,7 +33,7 @@ bool is_closed(const Mesh&);
 double signed_volume(const Mesh&);
 
 // Sets normals, splitting vertices where the surface bends by more than `crease` radians. Triangles without area are
-// dropped together with what they had in `parts`.
-void make_normals(Mesh&, double crease);
+// dropped together with what they had in `parts`. `from`: which vertex each has been.
+void make_normals(Mesh&, double crease, std::vector<std::uint32_t>* from = nullptr);
 
 }  // namespace betwixt

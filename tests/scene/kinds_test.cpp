@@ -120,7 +120,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::polyline, {"points", "width", "dash", "trim"}},
       {Kind::line, {"to", "width", "dash", "trim"}},
       {Kind::points, {"points", "size"}},
-      {Kind::mesh, {"file"}},
+      {Kind::mesh, {"file", "joints"}},
       {Kind::sound, {"file", "at", "from", "until", "gain", "fade-in", "fade-out"}},
       {Kind::light, {"range", "intensity", "shines", "shadow"}},
       {Kind::camera, {"lens", "fov", "height", "roll", "shutter", "f-stop", "focus"}},

@@ -1,0 +1,388 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A scene of glTF 2: nodes, meshes with skins and morph targets, cameras, lights, animation.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "exchange/gltf_model.h"
+#include "exchange/scene_file.h"
+#include "exchange/scene_names.h"
+#include "scene/functions.h"
+#include "scene/kinds.h"
+
+namespace betwixt {
+namespace {
+
+namespace gltf = tinygltf;
+
+class GltfScene {
+ public:
+  explicit GltfScene(GltfModel& file) : file_(file), model_(file.model()) {}
+
+  Result<std::shared_ptr<const SceneFile>> read() && {
+    for (const auto& step : {&GltfScene::nodes, &GltfScene::seen, &GltfScene::animations})
+      if (const Status s = (this->*step)(); !s) return s.error();
+    if (model_.scenes.size() > 1)
+      leave_out("of several scenes only the first one, or the one that the file shows, is here");
+    if (!sound(out_)) return file_.error("its numbers make no sense");
+    return std::make_shared<const SceneFile>(std::move(out_));
+  }
+
+ private:
+  void leave_out(std::string sentence) {
+    if (said_.insert(sentence).second) out_.left_out.push_back(std::move(sentence));
+  }
+
+  // ---- nodes
+
+  Status nodes() {
+    number_.assign(model_.nodes.size(), -1);
+    return file_.each_node([&](int i, int parent) -> Status {
+      if (out_.nodes.size() >= most_nodes) return file_.error(fmt::format("it has more than {} nodes", most_nodes));
+      const gltf::Node& n = model_.nodes[static_cast<std::size_t>(i)];
+      number_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(out_.nodes.size());
+      SceneNode made;
+      made.parent = parent < 0 ? -1 : number_[static_cast<std::size_t>(parent)];
+      made.name = names_.give(n.name, n.mesh >= 0 ? "mesh" : n.camera >= 0 ? "camera" : "node");
+      place(n, made);
+      out_.nodes.push_back(std::move(made));
+      return Nothing{};
+    });
+  }
+
+  void place(const gltf::Node& n, SceneNode& to) {
+    if (n.matrix.size() == 16) return take_apart(GltfModel::transform(n), to);
+    const auto vector = [](const std::vector<double>& v) { return Vec3{v[0], v[1], v[2]}; };
+    if (n.translation.size() == 3) to.position = vector(n.translation);
+    if (n.rotation.size() == 4)
+      to.rotation = normalize(Quat{n.rotation[3], n.rotation[0], n.rotation[1], n.rotation[2]});
+    if (n.scale.size() == 3) to.scale = vector(n.scale);
+  }
+
+  void take_apart(const Mat4& m, SceneNode& to) {
+    to.position = translation_of(m);
+    to.scale = {length(column(m, 0)), length(column(m, 1)), length(column(m, 2))};
+    if (determinant(m) < 0) to.scale.x = -to.scale.x;
+    Mat4 turn;
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < 3 && to.scale[c] != 0; ++i) turn(i, c) = m(i, c) / to.scale[c];
+    to.rotation = from_matrix(turn);
+    const Mat4 again = translation(to.position) * rotation(to.rotation) * scaling(to.scale);
+    for (std::size_t i = 0; i < 16; ++i)
+      if (!(std::abs(again.m[i] - m.m[i]) <= 1e-5 * (1 + length(to.scale))))
+        leave_out("a node is skewed; it stands straight here");
+  }
+
+  // ---- what is seen of them
+
+  Status seen() {
+    for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
+      if (number_[i] < 0) continue;
+      const gltf::Node& n = model_.nodes[i];
+      SceneNode& to = out_.nodes[static_cast<std::size_t>(number_[i])];
+      if (n.mesh >= 0)
+        if (const Status s = put_mesh(n, to); !s) return s;
+      if (n.camera >= 0)
+        if (const Status s = put_camera(n.camera, to); !s) return s;
+      if (const auto light = n.extensions.find("KHR_lights_punctual"); light != n.extensions.end())
+        if (const Status s = put_light(light->second, to); !s) return s;
+    }
+    return Nothing{};
+  }
+
+  Status put_mesh(const gltf::Node& n, SceneNode& to) {
+    const gltf::Mesh* mesh = gltf_at(model_.meshes, n.mesh);
+    if (mesh == nullptr) return file_.error(fmt::format("there is no mesh {}", n.mesh));
+    if (n.skin >= 0 && gltf_at(model_.skins, n.skin) == nullptr)
+      return file_.error(fmt::format("there is no skin {}", n.skin));
+    const auto [known, fresh] = meshes_.try_emplace({n.mesh, n.skin}, -1);
+    if (fresh) {
+      auto made = read_mesh(*mesh, n.skin);
+      if (!made) return made.error();
+      if (made->mesh) {
+        known->second = static_cast<std::int32_t>(out_.meshes.size());
+        made->name = mesh_names_.give(mesh->name, "mesh");
+        out_.meshes.push_back(*std::move(made));
+      }
+    }
+    to.mesh = known->second;
+    if (to.mesh < 0) return Nothing{};
+    const auto& rig = out_.meshes[static_cast<std::size_t>(to.mesh)].mesh->rig;
+    if (rig && !rig->inverse_bind.empty())
+      for (const int joint : model_.skins[static_cast<std::size_t>(n.skin)].joints) {
+        if (gltf_at(model_.nodes, joint) == nullptr || number_[static_cast<std::size_t>(joint)] < 0)
+          return file_.error(fmt::format("joint {} of a skin is no node of the scene", joint));
+        to.joints.push_back(static_cast<std::uint32_t>(number_[static_cast<std::size_t>(joint)]));
+      }
+    if (rig) to.weights = n.weights.empty() ? mesh->weights : n.weights;
+    if (rig && to.weights.size() > rig->targets.size()) return file_.error("a mesh has more weights than targets");
+    return Nothing{};
+  }
+
+  // Without a mesh: there are no triangles in it.
+  Result<SceneMesh> read_mesh(const gltf::Mesh& mesh, int skin) {
+    SceneMesh out;
+    Assembly all(file_.path(), "scene");
+    const bool rigged = skin >= 0 || std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                                                 [](const auto& p) { return !p.targets.empty(); });
+    const std::vector<std::string> targets = target_names(mesh);
+    bool any = false;
+    for (const gltf::Primitive& p : mesh.primitives) {
+      MeshPart look;
+      std::string uv_set;
+      if (const Status s = file_.look(p.material, look, uv_set); !s) return s.error();
+      auto piece = file_.triangles(p, uv_set);
+      if (!piece) return piece.error();
+      if (piece->triangles.empty()) {
+        leave_out("points and lines are left out, and so are meshes without triangles");
+        continue;
+      }
+      SceneMesh surface;
+      if (const gltf::Material* m = gltf_at(model_.materials, p.material)) surface_of(*m, surface, look);
+      if (!any)
+        out.material = surface.material, out.shininess = surface.shininess, out.transparency = surface.transparency;
+      if (out.material != surface.material || out.shininess != surface.shininess ||
+          out.transparency != surface.transparency)
+        leave_out("of a mesh with several materials all shine as the first one; each has its colour and its picture");
+      any = true;
+      if (p.attributes.contains("COLOR_0")) leave_out("colours of single vertices are left out");
+      if (p.attributes.contains("JOINTS_1")) leave_out("vertices follow no more than four joints");
+      Status added = Nothing{};
+      if (rigged) {
+        auto rig = rig_of(p, skin, targets);
+        if (!rig) return rig.error();
+        added = all.add(*std::move(piece), {}, std::move(look), *std::move(rig));
+      } else {
+        added = all.add(*std::move(piece), {}, std::move(look));
+      }
+      if (!added) return added.error();
+    }
+    if (!any) return out;
+    auto made = std::move(all).finish();
+    if (!made) return made.error();
+    out.mesh = *std::move(made);
+    return out;
+  }
+
+  // Names of display functions, which no function of ours has.
+  static std::vector<std::string> target_names(const gltf::Mesh& mesh) {
+    SceneNames names;
+    for (const char* ours : {"world", "velocity"}) names.take(ours);
+    for (const FunctionSpec& f : built_in_functions()) names.take(f.name);
+    const gltf::Value said = mesh.extras.IsObject() ? mesh.extras.Get("targetNames") : gltf::Value();
+    const std::size_t count = mesh.primitives.empty() ? 0 : mesh.primitives[0].targets.size();
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i < count; ++i) {
+      const gltf::Value* name = said.IsArray() && i < said.ArrayLen() ? &said.Get(i) : nullptr;
+      out.push_back(names.give(name && name->IsString() ? name->Get<std::string>() : "", fmt::format("weight-{}", i)));
+    }
+    return out;
+  }
+
+  Result<Rig> rig_of(const gltf::Primitive& p, int skin, const std::vector<std::string>& targets) {
+    Rig rig;
+    if (p.targets.size() != targets.size()) return file_.error("not all parts of a mesh have the same morph targets");
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      Rig::Target t{targets[i], {}, {}};
+      if (const Status s = file_.vectors(p.targets[i], "POSITION", t.positions); !s) return s.error();
+      if (const Status s = file_.vectors(p.targets[i], "NORMAL", t.normals); !s) return s.error();
+      for (const auto* all : {&t.positions, &t.normals})
+        for (const auto& v : *all)
+          if (!finite(widened(v))) return file_.error("a morph target has a number that is none");
+      rig.targets.push_back(std::move(t));
+    }
+    if (skin < 0) return rig;
+    if (const Status s = bind(model_.skins[static_cast<std::size_t>(skin)], rig); !s) return s.error();
+    std::vector<std::array<float, 4>> joints;
+    if (const Status s = file_.vectors(p.attributes, "JOINTS_0", joints); !s) return s.error();
+    if (const Status s = file_.vectors(p.attributes, "WEIGHTS_0", rig.weights); !s) return s.error();
+    if (joints.size() != rig.weights.size() || joints.empty())
+      return file_.error("not all of its vertices have joints");
+    for (std::size_t v = 0; v < joints.size(); ++v) {
+      auto& weights = rig.weights[v];
+      rig.joints.emplace_back();
+      float sum = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (!(joints[v][k] >= 0 && joints[v][k] < static_cast<float>(rig.inverse_bind.size())) ||
+            !std::isfinite(weights[k]))
+          return file_.error(
+              fmt::format("a vertex follows joint {}, but there are only {}", joints[v][k], rig.inverse_bind.size()));
+        rig.joints[v][k] = static_cast<std::uint16_t>(joints[v][k]);
+        sum += weights[k];
+      }
+      if (!(sum > 0)) weights = {1, 0, 0, 0}, sum = 1;
+      for (float& w : weights) w /= sum;
+    }
+    return rig;
+  }
+  static Vec3 widened(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+  Status bind(const gltf::Skin& skin, Rig& rig) const {
+    if (skin.joints.empty() || skin.joints.size() > most_joints)
+      return file_.error(
+          fmt::format("a skin has {} joints, where there can be 1 to {}", skin.joints.size(), most_joints));
+    rig.inverse_bind.resize(skin.joints.size());
+    if (skin.inverseBindMatrices < 0) return Nothing{};
+    const auto numbers = file_.accessor(skin.inverseBindMatrices, 16);
+    if (!numbers) return numbers.error();
+    if (numbers->count() < rig.inverse_bind.size()) return file_.error("a skin has fewer matrices than joints");
+    for (std::size_t j = 0; j < rig.inverse_bind.size(); ++j) {
+      Mat4& m = rig.inverse_bind[j];
+      std::copy_n(numbers->values.begin() + static_cast<std::ptrdiff_t>(16 * j), 16, m.m.begin());
+      if (!finite(m)) return file_.error("a skin has a number that is none");
+      m(3, 0) = m(3, 1) = m(3, 2) = 0, m(3, 3) = 1;
+    }
+    return Nothing{};
+  }
+
+  // Metal or not, how it shines, what is seen through it, whether it shines by itself.
+  void surface_of(const gltf::Material& m, SceneMesh& to, MeshPart& look) {
+    const auto& pbr = m.pbrMetallicRoughness;
+    const auto share = [](double x, double otherwise) {
+      return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : otherwise;
+    };
+    const bool painted = pbr.metallicRoughnessTexture.index >= 0;
+    if (painted)
+      leave_out("pictures of how metallic and how rough a surface is are left out: all of it is as its numbers say");
+    to.material = share(pbr.metallicFactor, 1) >= 0.5 && !painted ? Material::metal : Material::plastic;
+    to.shininess = 1 - share(pbr.roughnessFactor, 1);
+    if (m.alphaMode == "BLEND" && pbr.baseColorFactor.size() == 4)
+      to.transparency = 1 - share(pbr.baseColorFactor[3], 1);
+    if (m.alphaMode == "MASK") leave_out("surfaces that pictures cut holes into are whole");
+    if (m.normalTexture.index >= 0) leave_out("pictures of bumps (normal maps) are left out");
+    if (m.occlusionTexture.index >= 0) leave_out("pictures of shadows (occlusion) are left out");
+    if (m.emissiveTexture.index >= 0) leave_out("pictures of light (emission) are left out");
+    glow(m, to, look);
+    for (const auto& [name, value] : m.extensions)
+      if (name != "KHR_materials_unlit" && name != "KHR_materials_emissive_strength")
+        leave_out(fmt::format("what {} says of surfaces is left out", name.substr(0, 60)));
+  }
+
+  void glow(const gltf::Material& m, SceneMesh& to, MeshPart& look) {
+    if (m.extensions.contains("KHR_materials_unlit")) to.material = Material::glow;
+    std::array<float, 3> light{};
+    for (std::size_t k = 0; k < 3 && k < m.emissiveFactor.size(); ++k)
+      if (std::isfinite(m.emissiveFactor[k])) light[k] = static_cast<float>(std::clamp(m.emissiveFactor[k], 0.0, 1.0));
+    const float own = *std::max_element(look.color.begin(), look.color.end()),
+                shines = *std::max_element(light.begin(), light.end());
+    if (shines <= 0 || m.emissiveTexture.index >= 0) return;
+    if (shines >= own)
+      to.material = Material::glow, look.color = light, look.texture = nullptr;
+    else
+      leave_out("surfaces that shine less than they are lit do not shine by themselves");
+  }
+
+  Status put_camera(int i, SceneNode& to) {
+    const gltf::Camera* c = gltf_at(model_.cameras, i);
+    if (c == nullptr) return file_.error(fmt::format("there is no camera {}", i));
+    SceneCamera made;
+    if (c->type == "orthographic") {
+      made.height = 2 * std::abs(c->orthographic.ymag);
+    } else {
+      const double wide = c->perspective.aspectRatio > 0 ? c->perspective.aspectRatio : 16.0 / 9;
+      made.fov = 2 * std::atan(wide * std::tan(std::clamp(c->perspective.yfov, 1e-3, 3.0) / 2));
+    }
+    to.camera = static_cast<std::int32_t>(out_.cameras.size());
+    out_.cameras.push_back(made);
+    return Nothing{};
+  }
+
+  Status put_light(const gltf::Value& said, SceneNode& to) {
+    const gltf::Value number = said.IsObject() ? said.Get("light") : gltf::Value();
+    const gltf::Light* l = gltf_at(model_.lights, number.IsInt() ? number.GetNumberAsInt() : -1);
+    if (l == nullptr) return file_.error("a node has a light that is not there");
+    SceneLight made;
+    made.sun = l->type == "directional";
+    if (l->color.size() == 3) made.color = {l->color[0], l->color[1], l->color[2]};
+    const double intensity = std::isfinite(l->intensity) ? std::clamp(l->intensity, 0.0, 1e6) : 1;
+    // A surface in full light: pi lux. A lamp is as bright near by, and reaches as far as a twentieth of that is left.
+    made.intensity = made.sun ? intensity / pi : 1;
+    made.range = l->range > 0 ? std::min(l->range, 1e6) : std::max(std::sqrt(20 * intensity / pi), 1e-3);
+    if (l->type == "spot") leave_out("a spotlight shines in all directions");
+    if (!made.sun) leave_out("lamps fade to nothing at their range, not with the square of the distance");
+    to.light = static_cast<std::int32_t>(out_.lights.size());
+    out_.lights.push_back(made);
+    return Nothing{};
+  }
+
+  // ---- animation
+
+  Status animations() {
+    std::size_t numbers = 0;
+    for (const gltf::Animation& a : model_.animations) {
+      SceneClip clip;
+      clip.name = a.name;
+      for (const gltf::AnimationChannel& c : a.channels) {
+        auto made = track(a, c);
+        if (!made) return made.error();
+        if (made->times.empty()) continue;
+        numbers += made->values.size() + made->times.size();
+        if (numbers > most_scene_numbers) return file_.error("it has more than 100 million numbers of animation");
+        clip.tracks.push_back(*std::move(made));
+      }
+      out_.clips.push_back(std::move(clip));
+    }
+    return Nothing{};
+  }
+
+  // Without times: what it moves is none of ours.
+  Result<SceneTrack> track(const gltf::Animation& a, const gltf::AnimationChannel& c) {
+    SceneTrack out;
+    static const std::map<std::string, SceneTrack::Path> paths{{"translation", SceneTrack::position},
+                                                               {"rotation", SceneTrack::rotation},
+                                                               {"scale", SceneTrack::scale},
+                                                               {"weights", SceneTrack::weights}};
+    const auto path = paths.find(c.target_path);
+    if (path == paths.end())
+      return leave_out(fmt::format("animation of '{}' is left out", c.target_path.substr(0, 40))), out;
+    if (c.target_node < 0) return out;  // of no node: nothing is to be done, says glTF
+    if (gltf_at(model_.nodes, c.target_node) == nullptr)
+      return file_.error(fmt::format("an animation moves node {}, which is not there", c.target_node));
+    if (number_[static_cast<std::size_t>(c.target_node)] < 0) return out;
+    const gltf::AnimationSampler* sampler = gltf_at(a.samplers, c.sampler);
+    if (sampler == nullptr) return file_.error(fmt::format("an animation has no sampler {}", c.sampler));
+    out.node = static_cast<std::uint32_t>(number_[static_cast<std::size_t>(c.target_node)]);
+    out.path = path->second;
+    if (out.path == SceneTrack::weights && !has_targets(out_.nodes[out.node]))
+      return leave_out("weights of meshes that have no morph targets are left out"), out;
+    out.way = sampler->interpolation == "STEP"          ? SceneTrack::step
+              : sampler->interpolation == "CUBICSPLINE" ? SceneTrack::cubic
+                                                        : SceneTrack::linear;
+    const std::size_t width = out.path == SceneTrack::rotation ? 4 : out.path == SceneTrack::weights ? 1 : 3;
+    auto times = file_.accessor(sampler->input, 1);
+    if (!times) return times.error();
+    auto values = file_.accessor(sampler->output, width);
+    if (!values) return values.error();
+    out.times = std::move(times->values), out.values = std::move(values->values);
+    if (!std::is_sorted(out.times.begin(), out.times.end()) || !finite(out.times) || !finite(out.values))
+      return file_.error("the times of an animation do not rise, or are none");
+    return out;
+  }
+
+  bool has_targets(const SceneNode& n) const {
+    const Rig* rig = n.mesh < 0 ? nullptr : out_.meshes[static_cast<std::size_t>(n.mesh)].mesh->rig.get();
+    return rig != nullptr && !rig->targets.empty();
+  }
+
+  GltfModel& file_;
+  const gltf::Model& model_;
+  SceneFile out_;
+  SceneNames names_, mesh_names_;
+  std::vector<std::int32_t> number_;                    // of the file's nodes; -1: they are not in its scene
+  std::map<std::pair<int, int>, std::int32_t> meshes_;  // by mesh and skin; -1: nothing is seen of it
+  std::set<std::string> said_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const SceneFile>> load_gltf_scene(const std::string& path, Shelf& shelf) {
+  auto file = GltfModel::open(path, shelf, "scene");
+  if (!file) return file.error();
+  return GltfScene(**file).read();
+}
+
+}  // namespace betwixt

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Skins: meshes whose vertices follow other objects, or go over to other shapes by weights.
+#include <algorithm>
+#include <cstring>
+
+#include "program/evaluator.h"
+
+namespace betwixt {
+
+std::optional<Skin> compile_skin(const Program::Compiled& compiled, std::uint32_t drawable) {
+  const Scene& scene = compiled.document.scene();
+  const Node& n = compiled.nodes[drawable];
+  const Binding& file = compiled.find(n.object, fn::file);
+  if (n.kind != Kind::mesh || file.varies()) return std::nullopt;
+  const auto mesh = scene.meshes->find(*std::get<Text>(file.constant));
+  if (mesh == scene.meshes->end() || !mesh->second->rig) return std::nullopt;
+  Skin skin{drawable, mesh->second, {}, {}};
+  const Rig& rig = *mesh->second->rig;
+  const auto* names = std::get_if<Names>(&compiled.find(n.object, fn::joints).constant);
+  bool moved = false;
+  if (names && (*names)->size() == rig.inverse_bind.size())
+    for (const std::string& name : **names) {
+      const ObjectId id = scene.names.find(name);
+      const std::uint32_t node = id ? compiled.node_of[id.index] : ObjectId::nothing;
+      skin.joints.push_back(node == ObjectId::nothing ? -1 : static_cast<std::int32_t>(node));
+      moved = true;
+    }
+  for (const Rig::Target& t : rig.targets) {
+    const auto f = find_function(scene, Kind::mesh, t.name);
+    const Binding* b = f ? &compiled.find(n.object, *f) : nullptr;
+    skin.weights.push_back(b && b->channels == 1 ? b : nullptr);
+    moved = moved || skin.weights.back() != nullptr;
+  }
+  return moved ? std::optional(std::move(skin)) : std::nullopt;
+}
+
+// What takes the mesh of each skin to where its joints have it; those that differ from the time before are marked.
+void Evaluator::follow_joints() {
+  palettes_.resize(compiled_.skins.size());
+  for (std::size_t i = 0; i < palettes_.size(); ++i) {
+    const Skin& skin = compiled_.skins[i];
+    if (skin.joints.empty()) continue;
+    const auto own = inverse(world(skin.drawable));
+    std::vector<Mat4> now;
+    for (std::size_t j = 0; own && j < skin.joints.size(); ++j)
+      now.push_back(skin.joints[j] < 0
+                        ? Mat4{}
+                        : *own * world(static_cast<std::uint32_t>(skin.joints[j])) * skin.rest->rig->inverse_bind[j]);
+    std::vector<Mat4>& was = palettes_[i];
+    const auto same = [](const Mat4& a, const Mat4& b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+    if (std::equal(now.begin(), now.end(), was.begin(), was.end(), same)) continue;
+    was = std::move(now);
+    marks_.add(skin.drawable, affects::form);
+  }
+}
+
+std::shared_ptr<const Mesh> Evaluator::posed(std::int32_t skin_number) const {
+  const Skin& skin = compiled_.skins[static_cast<std::size_t>(skin_number)];
+  std::vector<double> weights;
+  for (const Binding* b : skin.weights) weights.push_back(b ? numbers_[b->offset] : 0);
+  return deformed(*skin.rest, weights, palettes_[static_cast<std::size_t>(skin_number)]);
+}
+
+}  // namespace betwixt

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the vertices of a mesh follow; a row behind those of src/scene/camera_functions.h, which src/scene/functions.cpp
+// alone reads.
+#pragma once
+
+#include "scene/document.h"
+#include "scene/functions.h"
+
+namespace betwixt {
+
+inline const FunctionSpec rig_functions[] = {
+    {.name = "joints",
+     .type = Type::names,
+     .rest = Names(),
+     .kinds = bit(Kind::mesh),
+     .sentence =
+         "The objects that the vertices of a mesh with a skin follow, as its file numbers them, for the whole film.",
+     .written = "(A B), or none",
+     .example = "create tree mesh file=\"tree.obj\" joints=(ball)"},
+};
+
+}  // namespace betwixt

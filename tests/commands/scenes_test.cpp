@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scenes from files: what is read is where three.js has it, and is the film's like all else. The files are made by
+// tests/peers/scenes.py, the figures of three.js by tests/peers/scenes.mjs.
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "betwixt/evaluation.h"
+#include "support/loaded_film.h"
+
+namespace betwixt {
+namespace {
+
+const std::string scenes = SOURCE_DIR "/tests/commands/data/scenes/";
+
+Loaded loaded(const std::string& text) { return load_text(text, scenes + "film.bx", {.read_anywhere = true}); }
+
+struct SceneFilm : LoadedFilm {
+  explicit SceneFilm(const std::string& text) : LoadedFilm("") {
+    loaded = betwixt::loaded(text);
+    EXPECT_FALSE(has_errors(loaded.diagnostics)) << said(loaded.diagnostics);
+    program = Program::compile(loaded.document);
+  }
+  Item item(const std::string& name, Time t) const {
+    for (const Item& i : program.frame(t).items)
+      if (loaded.document.name(i.id) == name) return i;
+    ADD_FAILURE() << name << " is not seen";
+    return {};
+  }
+  Vec3 vertex(const std::string& name, Time t, std::size_t i) const {
+    const Item it = item(name, t);
+    const auto& p = it.shape->mesh->positions[i];
+    return transform_point(it.world, {p[0], p[1], p[2]});
+  }
+};
+
+std::string path_of(const std::string& file) {
+  return file == "figure.glb" ? SOURCE_DIR "/examples/meshes/figure.glb" : scenes + file;
+}
+
+// Every node to 1e-5 (the bound), every vertex to 1e-4, both by far.
+TEST(Scenes, AreWhereThreeJsHasThem) {
+  std::ifstream in(scenes + "three.txt");
+  std::string line, what;
+  std::unique_ptr<SceneFilm> film;
+  double worst_node = 0, worst_vertex = 0;
+  int nodes = 0, vertices = 0;
+  std::map<std::pair<std::string, double>, Item> items;
+  while (std::getline(in, line)) {
+    std::istringstream words(line);
+    double seconds = 0;
+    std::string name;
+    words >> what;
+    if (what == "file") {
+      words >> name;
+      film = std::make_unique<SceneFilm>("create it scene file=\"" + path_of(name) + "\"");
+      items.clear();
+      continue;
+    }
+    words >> seconds >> name;
+    const Time t = from_seconds(seconds);
+    if (what == "world") {
+      const auto found = find_targets("it/" + name + ".world", film->loaded.document);
+      ASSERT_TRUE(found) << name;
+      const Mat4 is = *std::get<Matrix>(film->program.read(found->front(), t));
+      double wanted = 0;
+      for (const double number : is.m) {
+        words >> wanted;
+        worst_node = std::max(worst_node, std::abs(number - wanted));
+      }
+      ++nodes;
+    } else {
+      std::size_t i = 0;
+      Vec3 wanted;
+      words >> i >> wanted.x >> wanted.y >> wanted.z;
+      const auto [it, fresh] = items.try_emplace({name, seconds});
+      if (fresh) it->second = film->item("it/" + name, t);
+      const auto& p = it->second.shape->mesh->positions[i];
+      worst_vertex = std::max(worst_vertex, length(transform_point(it->second.world, {p[0], p[1], p[2]}) - wanted));
+      ++vertices;
+    }
+    ASSERT_TRUE(words) << line;
+  }
+  EXPECT_GT(nodes, 150);
+  EXPECT_GT(vertices, 500);
+  EXPECT_LT(worst_node, 1e-5);
+  EXPECT_LT(worst_vertex, 1e-4);
+  RecordProperty("worst_node", std::to_string(worst_node));
+  RecordProperty("worst_vertex", std::to_string(worst_vertex));
+}
+
+// A vertex half-way between two joints is the mean of where both would have it; the skinned node's own place is none.
+TEST(Scenes, VerticesFollowJointsThatAnAuthorMoves) {
+  const SceneFilm film(
+      "create leg scene file=\"skin.glb\" animation=none\n"
+      "leg/Knee.rotation\n  0s axis(1 0 0, 0deg)\n  2s axis(1 0 0, 90deg) linear\n");
+  // At rest it is the armature's matrix (turned 30 degrees about y, scaled by 1, 2 and 1.5) of the mesh.
+  const double s = std::sin(pi / 6), c = std::cos(pi / 6);
+  const auto in_armature = [&](Vec3 p) {
+    return Vec3{1 + c * p.x + s * 1.5 * p.z, 2 * p.y, -2 - s * p.x + c * 1.5 * p.z};
+  };
+  const Vec3 first = film.vertex("leg/Leg", {}, 0);
+  EXPECT_LT(length(first - in_armature({0.3, 0.5, 0})), 1e-6);
+  // The knee is half a turn's quarter round after 1 s. Vertex 40 is of the ring half-way between knee and foot, which
+  // follows both alike: all below the knee turns as one.
+  const double a = pi / 4, y = 2.0 - 1.5;
+  EXPECT_LT(
+      length(film.vertex("leg/Leg", from_seconds(1), 48) - in_armature({0.3, 1.5 + y * std::cos(a), y * std::sin(a)})),
+      1e-6);
+  // Of the ring between hip and knee one half stays.
+  const double half = 1.0 - 1.5;
+  const Vec3 stays{0.3, 1.0, 0}, turned{0.3, 1.5 + half * std::cos(a), half * std::sin(a)};
+  EXPECT_LT(length(film.vertex("leg/Leg", from_seconds(1), 16) - in_armature(0.5 * (stays + turned))), 1e-6);
+}
+
+TEST(Scenes, JointsThatStandStillCostNothingAndPlayingIsSeeking) {
+  const SceneFilm film("create leg scene file=\"skin.glb\"");
+  Evaluation playing(film.program);
+  const auto mesh = [&] {
+    for (std::size_t d = 0; d < playing.drawables().size(); ++d)
+      if (playing.looks()[d].visible) return playing.shape(playing.looks()[d].shape)->mesh;
+    return std::shared_ptr<const Mesh>();
+  };
+  for (const double seconds : {0.0, 0.3, 1.7, 0.9, 2.5}) {
+    playing.to(from_seconds(seconds));
+    const Item fresh = film.item("leg/Leg", from_seconds(seconds));
+    EXPECT_EQ(mesh()->positions, fresh.shape->mesh->positions) << seconds;
+    EXPECT_EQ(mesh()->normals, fresh.shape->mesh->normals) << seconds;
+  }
+  const auto before = mesh();
+  playing.to(from_seconds(3.5));  // the last key is at 2 s
+  EXPECT_EQ(mesh(), before);
+  EXPECT_TRUE(playing.changed().empty());
+}
+
+TEST(Scenes, MorphWeightsAreNumbersOfTheObject) {
+  const SceneFilm film(
+      "create face scene file=\"morph.glb\" animation=none\n"
+      "create other scene file=\"morph.glb\"\n"
+      "set face/Lively.smile 1\nat 0s face/Calm.smile 0 linear\nat 2s face/Calm.smile 1 linear\n");
+  // `scale` is a function of every object: the target has another name. 0.5 is what the node says.
+  EXPECT_EQ(film.numbers("face/Lively.scale-2", "0s"), std::vector<double>{0.5});
+  std::size_t top = 0;
+  const auto rest = film.item("other/Calm", from_seconds(0)).shape->mesh;
+  while (rest->positions[top][1] < 0) ++top;
+  const double x = rest->positions[top][0];
+  EXPECT_NEAR(film.vertex("face/Calm", from_seconds(1), top).y, 0.5 + 0.5, 1e-6);
+  const Vec3 lively = film.vertex("face/Lively", {}, top);
+  EXPECT_NEAR(lively.y, 1.5, 1e-6);
+  EXPECT_NEAR(lively.x, 2 + x + (x > 0 ? 0.25 : 0), 1e-6);
+  expect_numbers(film, "other/Lively.smile", "0.5s", {0.5}, 1e-6);  // 0 to 1 in a second, from the file
+}
+
+TEST(Scenes, CamerasLightsAndMaterialsComeAsOurs) {
+  const SceneFilm film("create it scene file=\"stage.glb\"");
+  const auto text = [&](const char* target) { return film.text(target, "0s"); };
+  EXPECT_EQ(text("it/Wheel-001.material"), "metal");
+  expect_numbers(film, "it/Wheel-001.shininess", "0s", {0.75}, 1e-6);
+  expect_numbers(film, "it/Wheel-001-2.transparency", "0s", {0.75}, 1e-6);  // "Wheel 001" is taken
+  EXPECT_EQ(text("it/mesh-3-pfel.material"), "glow");
+  EXPECT_EQ(film.item("it/mesh-3-pfel", {}).shape->mesh->parts[0].color, (std::array<float, 3>{1, 0, 0}));
+  const Frame frame = film.frame("0s");
+  EXPECT_NEAR(frame.camera.fov, 2 * std::atan(1.5 * std::tan(0.4)), 1e-9);
+  EXPECT_LT(length(translation_of(frame.camera.world) - Vec3{0, 1, 9}), 1e-9);
+  expect_numbers(film, "it/Plan.height", "0s", {6}, 1e-9);
+  ASSERT_EQ(frame.lights.size(), 3U);
+  for (const Light& l : frame.lights) {
+    if (l.sun) {  // -z turned by -90 degrees about x is straight down
+      EXPECT_LT(length(l.direction - Vec3{0, -1, 0}), 1e-5);
+      EXPECT_LT(length(l.color - Vec3{2, 2, 1}), 1e-6);
+    } else {
+      EXPECT_LT(length(l.position - Vec3{0, 5, 0}), 1e-9);
+      EXPECT_NEAR(l.range, film.loaded.document.name(l.id) == "it/Spot" ? 7 : 20, 1e-9);
+    }
+  }
+  // A matrix that turns, doubles and mirrors is taken apart and is the same.
+  expect_numbers(film, "it/Matrix.world", "0s", {0, -2, 0, 1, 2, 0, 0, 2, 0, 0, -2, 3, 0, 0, 0, 1}, 1e-9);
+  const std::string warned = said(film.loaded.diagnostics);
+  EXPECT_NE(warned.find("a spotlight shines in all directions"), std::string::npos) << warned;
+}
+
+TEST(Scenes, ChooseAnAnimationAndWhenItStarts) {
+  const auto first = loaded("create a scene file=\"skin.glb\"\n");
+  EXPECT_NE(said(first.diagnostics).find("of 2 animations this is the first one"), std::string::npos);
+  const SceneFilm film(
+      "create a scene file=\"skin.glb\" animation=\"Bend\" start=1s\n"
+      "create b scene file=\"skin.glb\" animation=1\ncreate c scene file=\"skin.glb\" animation=2\n"
+      "create d scene file=\"skin.glb\" animation=none position=(1 0 0)\n");
+  EXPECT_EQ(said(film.loaded.diagnostics), "");
+  expect_numbers(film, "a/Hip.position", "1.35s", film.numbers("b/Hip.position", "0.35s"), 1e-12);
+  expect_numbers(film, "b/Hip.position", "0.35s", {0.25, 0.6, 0}, 1e-6);
+  expect_numbers(film, "c/Hip.position", "0.35s", {0, 0.5, 0}, 1e-6);
+  expect_numbers(film, "d/Hip.position", "0.35s", {0, 0.5, 0}, 1e-6);
+  expect_numbers(film, "d.position", "0s", {1, 0, 0});
+}
+
+// What is written makes the same film, with the names that files gave and those that the author gave later.
+TEST(Scenes, AreWrittenSoThatTheyReadBackTheSame) {
+  for (const char* more : {"", "rename it that\n", "create also like it\nset also.position (3 0 0)\n",
+                           "remove it/Foot\nat 1s it/Knee.position (0 2 0)\n", "rename it/Knee it/Joint\n"})
+    for (const char* file : {"skin", "morph", "cubic", "step", "stage"}) {
+      const std::string first = std::string("create it scene file=\"") + file + ".glb\"\n";
+      if (std::string(more).find("it/") != std::string::npos && std::string(file) != "skin") continue;
+      const Loaded film = loaded(first + more);
+      ASSERT_FALSE(has_errors(film.diagnostics)) << said(film.diagnostics);
+      const std::string text = write(film.document);
+      const Loaded again = loaded(text);
+      ASSERT_FALSE(has_errors(again.diagnostics)) << said(again.diagnostics);
+      EXPECT_TRUE(again.document == film.document) << more << text;
+      const Program a = Program::compile(film.document), b = Program::compile(again.document);
+      for (const double seconds : {0.0, 0.77, 1.6}) {
+        const Frame f = a.frame(from_seconds(seconds)), g = b.frame(from_seconds(seconds));
+        ASSERT_EQ(f.items.size(), g.items.size());
+        for (std::size_t i = 0; i < f.items.size(); ++i) {
+          EXPECT_EQ(f.items[i].world, g.items[i].world);
+          EXPECT_EQ(f.items[i].shape->mesh->positions, g.items[i].shape->mesh->positions);
+        }
+      }
+    }
+}
+
+// A copy has joints of its own; a joint that is called otherwise, or gone, is followed no less and no more.
+TEST(Scenes, CopiesRenamesAndRemovals) {
+  const SceneFilm film(
+      "create it scene file=\"skin.glb\" animation=none\ncreate also like it\n"
+      "rename also/Knee also/Joint\nset also/Joint.rotation axis(1 0 0, 90deg)\nset also.position (9 0 0)\n"
+      "create third scene file=\"skin.glb\" animation=none\nremove third/Foot\n");
+  const Vec3 still = film.vertex("it/Leg", {}, 70), turned = film.vertex("also/Leg", {}, 70);
+  EXPECT_GT(length(turned - Vec3{9, 0, 0} - still), 0.5);
+  EXPECT_LT(length(film.vertex("it/Leg", {}, 0) + Vec3{9, 0, 0} - film.vertex("also/Leg", {}, 0)), 1e-6);
+  EXPECT_TRUE(film.item("third/Leg", {}).shape->mesh);
+  const Loaded gone = loaded("create it scene file=\"skin.glb\"\nremove it\n");
+  EXPECT_TRUE(gone.document.names().empty());
+}
+
+TEST(Scenes, SayWhatIsWrong) {
+  const auto error = [](const std::string& text) {
+    const Loaded film = loaded(text);
+    EXPECT_TRUE(has_errors(film.diagnostics)) << text;
+    EXPECT_TRUE(film.document.names().empty()) << "all or nothing";
+    return said(film.diagnostics);
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  has(error("create it scene"), "a scene needs its file");
+  has(error("create it scene file=\"no.glb\""), "no.glb");
+  has(error("create it scene file=\"three.txt\""), "is not a kind of scene that can be read");
+  has(error("create it scene file=\"skin.glb\" animation=\"Run\""), "has no animation 'Run'");
+  has(error("create it scene file=\"skin.glb\" animation=\"Run\""), "its animations are \"Bend\", \"Still\"");
+  has(error("create it scene file=\"skin.glb\" animation=3"), "has no animation '3'");
+  has(error("create it mesh file=\"skin.glb#Lag\""), "has no mesh 'Lag'");
+  has(error("create it mesh file=\"skin.glb#Lag\""), "did you mean 'Leg'?");
+  const Loaded taken = loaded("create it group\ncreate it scene file=\"skin.glb\"");
+  has(said(taken.diagnostics), "there is a 'it' already");
+  const Loaded defined = loaded("define smile color\ncreate it scene file=\"morph.glb\"");
+  has(said(defined.diagnostics), "a morph target 'smile' has no weight");
+}
+
+}  // namespace
+}  // namespace betwixt
