@@ -56,7 +56,7 @@ constexpr Following following[] = {
     {"layer", 1, "add mix"},
     {"procedure", 1, "twerper filter command lua"},
     {"procedure", 2, "lua"},
-    {"create", 1, "like"},
+    {"create", 1, "like scene"},
     {"look", 0, "through"},
     {"couple", 1, "to"},
     {"attach", 1, "to"},
