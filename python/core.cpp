@@ -6,11 +6,19 @@
 
 #include "errors.h"
 #include "film.h"
+#include "frames.h"
+#include "pictures.h"
+#include "poses.h"
+#include "tracks.h"
 
 PYBIND11_MODULE(_core, m) {
   pybind11::options options;
   options.disable_function_signatures();  // the stubs say them better
   m.attr("version") = BETWIXT_VERSION;
   betwixt::python::bind_errors(m);
-  betwixt::python::bind_film(m);
+  auto film = betwixt::python::bind_film(m);
+  betwixt::python::bind_tracks(m, film);
+  betwixt::python::bind_poses(m, film);
+  betwixt::python::bind_frames(m, film);
+  betwixt::python::bind_pictures(m, film);
 }

@@ -3,10 +3,13 @@
 #include "film.h"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <limits>
 #include <vector>
 
 #include "betwixt/language.h"
+#include "betwixt/object.h"
 #include "errors.h"
 #include "times.h"
 #include "values.h"
@@ -156,11 +159,49 @@ py::dict values(const Film& film, py::handle when, const std::string& pattern) {
   return made;
 }
 
+// Something of the document as it is.
+auto in_document(const Film& film, const auto& f) {
+  return f(unlocked([&] { return film.document(); }));
+}
+auto of_document(auto f) {
+  return [f](const Film& film) { return in_document(film, f); };
+}
+
+std::vector<std::pair<double, std::string>> notes(const Document& document) {
+  std::vector<std::pair<double, std::string>> all;
+  for (auto& [t, text] : document.notes(from_the_beginning, for_good)) all.emplace_back(frame_of(t, document), text);
+  return all;
+}
+
+std::vector<std::pair<double, std::string>> cuts(const Document& document) {
+  std::vector<std::pair<double, std::string>> all;
+  for (const auto& [t, camera] : document.cuts())
+    all.emplace_back(t == from_the_beginning ? -std::numeric_limits<double>::infinity() : frame_of(t, document),
+                     document.name(camera));
+  return all;
+}
+
+std::string_view kind_named(const Film& film, const std::string& name) {
+  return in_document(film, [&](const Document& d) {
+    const auto found = objects(d, name);
+    if (found.size() == 1) return betwixt::name_of(kind(d, found.front()));
+    raise(fail(ErrorCode::name, "there is no object '" + name + "'"), name);
+  });
+}
+
+std::vector<double> breaks(const Film& film, py::handle after, py::handle until) {
+  const Program program = unlocked([&] { return film.program(); });
+  const Document& d = program.document();
+  std::vector<double> all;
+  for (const Time t : program.breaks(time_of(after, d), time_of(until, d))) all.push_back(frame_of(t, d));
+  return all;
+}
+
 }  // namespace
 
-void bind_film(py::module_& m) {
-  py::class_<Film>(m, "Film")
-      .def(py::init([](std::string text, const std::string& name, bool read_anywhere, bool tex) {
+py::class_<Film> bind_film(py::module_& m) {
+  py::class_<Film> film(m, "Film", "A film: what a script says. Any thread may ask it, and change it.");
+  film.def(py::init([](std::string text, const std::string& name, bool read_anywhere, bool tex) {
              const LoadOptions options{.read_anywhere = read_anywhere, .tex = tex};
              auto film = unlocked([&] { return std::make_unique<Film>(std::move(text), name, options); });
              if (const Diagnostics all = film->diagnostics(); has_errors(all)) raise(all);
@@ -171,15 +212,55 @@ void bind_film(py::module_& m) {
            py::arg("tex") = false)
       .def_property_readonly("name", &Film::name)
       .def_property_readonly("text", [](const Film& f) { return unlocked([&] { return f.text(); }); })
-      .def_property_readonly("rate", [](const Film& f) { return f.document().rate().per_second(); })
-      .def_property_readonly("objects", [](const Film& f) { return f.document().names(); })
+      .def_property_readonly("rate", of_document([](const Document& d) { return d.rate().per_second(); }))
+      .def_property_readonly("range", of_document([](const Document& d) {
+                               const auto [first, last] = d.range();
+                               return std::pair(frame_of(first, d), frame_of(last, d));
+                             }))
+      .def_property_readonly("size", of_document([](const Document& d) { return d.size(); }))
+      .def_property_readonly("objects", of_document([](const Document& d) { return d.names(); }))
+      .def_property_readonly("notes", of_document(notes))
+      .def_property_readonly("cuts", of_document(cuts))
+      .def("kind", kind_named, py::arg("name"), "What kind of object that is: \"sphere\".")
+      .def(
+          "time",
+          [](const Film& f, py::handle t) {
+            return in_document(f, [&](const Document& d) { return frame_of(time_of(t, d), d); });
+          },
+          py::arg("time"), "The number of the frame at a time.")
+      .def(
+          "seconds",
+          [](const Film& f, py::handle t) {
+            return in_document(f, [&](const Document& d) { return time_of(t, d).seconds(); });
+          },
+          py::arg("time"), "Seconds since the beginning, which is frame 1.")
+      .def("breaks", breaks, py::arg("after"), py::arg("until"),
+           "The frames behind the first and up to the other at which something may jump.")
       .def("eval", eval, py::arg("target"), py::arg("time"))
       .def("values", values, py::arg("time"), py::arg("pattern") = "")
       .def(
           "say", [](Film& f, const std::string& lines) { return told(unlocked([&] { return f.say(lines); })); },
           py::arg("lines"))
       .def("undo", [](Film& f) { return told(unlocked([&] { return f.enter("undo"); })); })
-      .def("redo", [](Film& f) { return told(unlocked([&] { return f.enter("redo"); })); });
+      .def("redo", [](Film& f) { return told(unlocked([&] { return f.enter("redo"); })); })
+      .def(
+          "write",
+          [](const Film& f, const std::filesystem::path& path) {
+            const auto text = py::bytes(unlocked([&] { return f.text(); }));
+            py::module_::import("pathlib").attr("Path")(path).attr("write_bytes")(text);
+          },
+          py::arg("path"), "Writes the script, as `text` has it.")
+      .def(
+          "player",
+          [](const py::object& self, const py::args& args, const py::kwargs& how) {
+            return py::module_::import("betwixt._player").attr("Player")(self, *args, **how);
+          },
+          "What a notebook plays: first=None, last=None, *, size=(480, 270), style=\"shaded\", most=60 pictures.")
+      .def("_repr_html_", [](const py::object& self) { return self.attr("player")().attr("_repr_html_")(); })
+      .def("__repr__", [](const Film& f) {
+        return py::str("<Film {!r} of {} objects>").format(f.name(), f.document().names().size());
+      });
+  return film;
 }
 
 }  // namespace betwixt::python

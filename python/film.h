@@ -41,6 +41,7 @@ class Film {
   mutable std::optional<Program> program_;  // of the last document that was asked about
 };
 
-void bind_film(py::module_&);
+// Of the film itself; what else can be asked of it the other files add.
+py::class_<Film> bind_film(py::module_&);
 
 }  // namespace betwixt::python

@@ -38,7 +38,7 @@ bool is_one_time(py::handle said) {
 }
 
 Time time_of(py::handle said, const Document& document) {
-  if (py::isinstance<py::str>(said)) return of_words(said.cast<std::string>(), document);
+  if (py::isinstance<py::str>(said)) return of_words(py::bytes(said.attr("encode")()), document);
   if (py::hasattr(said, "total_seconds")) {
     const double s = said.attr("total_seconds")().cast<double>();
     return in_reach(s, [](double n, Rate) { return from_seconds(n); }, s, {});

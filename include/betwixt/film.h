@@ -8,11 +8,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "betwixt/deep_picture.h"
 #include "betwixt/program.h"
+#include "betwixt/render.h"
 #include "betwixt/result.h"
 #include "betwixt/time.h"
 
@@ -74,5 +77,31 @@ Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Paint
                             const Progress& = {});
 Result<FilmStats> make_deep_film(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter,
                                  const Progress& = {});
+
+// The frames of a film: the k-th one's time.
+struct FrameList {
+  Time first, last;  // of the segment; the last frame may be before its end
+  int count = 1;
+  int number = 1;       // of the first frame
+  bool on_grid = true;  // the first frame is a whole one
+  Rate rate;
+  Time time(int k) const { return on_grid ? rate.frame(number + k) : first + rate.span(k); }
+};
+// Those of a segment, both ends included, one at least. Errors: range (too many, too far from the beginning).
+Result<FrameList> frames_between(Time first, Time last, Rate);
+
+// A film of a program as `betwixt render` makes it: what is asked for, and all that follows from it.
+struct Shoot {
+  FrameList frames;
+  RenderOptions pictures;
+  std::optional<Exposure> exposure;  // none: nothing is blurred
+  FilmOptions film;                  // painted as light where `pictures` are deep
+};
+Shoot shoot_of(const Program&, const std::string& path, const FrameList&, RenderOptions, std::optional<Exposure>,
+               int bits = 8);
+// They paint its frames, and say what procedures did wrong, each from its own thread.
+using TellProblems = std::function<void(const std::vector<std::string>&)>;
+Result<Painter> painter_of(const Program&, const Shoot&, const TellProblems& = {});
+Result<DeepPainter> deep_painter_of(const Program&, const Shoot&, const TellProblems& = {});
 
 }  // namespace betwixt

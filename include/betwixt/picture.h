@@ -14,6 +14,8 @@
 
 namespace betwixt {
 
+// A PNG, as bytes. Errors: machine.
+Result<std::string> to_png(const Picture&);
 // Written beside it first, then put in place: never half a file. Errors: file (cannot be written), machine (disk full).
 Status write_png(const std::string& path, const Picture&, bool overwrite = true);
 // The same of light: as it is shown, with 16 bits a channel; and as it is, in half floats (OpenEXR).

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "betwixt/deep_picture.h"
@@ -64,6 +65,13 @@ class Renderer {
 
 // Whether some camera of it has a shutter or an opening that is said.
 bool has_exposure(const Document&);
+
+// How pictures of a film are made: as is said here, else as its script says, else as `otherwise`.
+RenderOptions options_for(const Document&, RenderOptions otherwise, std::optional<std::pair<int, int>> size = {},
+                          std::optional<int> samples = {});
+// How they are blurred; none: nothing is.
+std::optional<Exposure> exposure_for(const Document&, std::optional<double> shutter = {},
+                                     std::optional<int> subframes = {});
 
 // Whether it can be drawn so. Errors: range, name, as below.
 Status check_options(const RenderOptions&);

@@ -14,14 +14,29 @@ from __future__ import annotations
 
 import os
 
-from ._core import Diagnostic, Film, version
+from . import _core
+from ._core import (
+    Camera,
+    Diagnostic,
+    Event,
+    Film,
+    Frame,
+    Item,
+    Light,
+    Made,
+    Mesh,
+    MeshPart,
+    Picture,
+    Poses,
+    Track,
+    styles,
+)
 from ._errors import Error, Warning
+from ._player import Player
 
-__all__ = ["Diagnostic", "Error", "Film", "Warning", "load", "loads"]
-__version__ = version
-for _ in (Diagnostic, Error, Film, Warning):
-    _.__module__ = __name__  # where users find them
-
+__all__ = ["Camera", "Diagnostic", "Error", "Event", "Film", "Frame", "Item", "Light", "Made", "Mesh", "MeshPart",
+           "Picture", "Player", "Poses", "Track", "Warning", "load", "loads", "styles"]
+__version__ = _core.version
 
 def load(path: str | os.PathLike[str], *, read_anywhere: bool = False, tex: bool = False) -> Film:
     """The film of a script. It reads meshes and pictures below the script's folder only, but with `read_anywhere`; with
@@ -35,3 +50,8 @@ def loads(text: str, name: str = "", *, read_anywhere: bool = False, tex: bool =
     """The film of a text. `name` is that of the file in which it could stand: errors say it, and files are found from
     there."""
     return Film(text, name, read_anywhere=read_anywhere, tex=tex)
+
+
+for _ in [globals()[name] for name in __all__]:
+    if isinstance(_, type):
+        _.__module__ = __name__  # where users find them

@@ -1,12 +1,24 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 from datetime import timedelta
-from typing import Any, Iterable, SupportsFloat, Union
+from os import PathLike
+from typing import Any, Callable, Iterable, SupportsFloat, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from ._player import Player
 
 # A frame's number, words of the language ("24f", "2.5s"), or a length since the beginning.
 Time = Union[SupportsFloat, str, timedelta]
 
+Floats = npt.NDArray[np.float64]
+Floats32 = npt.NDArray[np.float32]
+Indices = npt.NDArray[np.uint32]
+
 version: str
+
+def styles() -> list[str]: ...
 
 class Diagnostic:
     """Something to tell the author about a text."""
@@ -30,6 +42,232 @@ class Diagnostic:
     @property
     def text(self) -> str: ...  # of the line
 
+class Event:
+    """A value at a time, and how to go on from there. Times and lengths of time are frames."""
+
+    @property
+    def time(self) -> float: ...
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def what(self) -> str: ...  # "value"; "keep": only how to go on; "release": of a velocity
+    @property
+    def value(self) -> Any: ...
+    @property
+    def before(self) -> Any: ...  # of a cut: what the track comes to; else None
+    @property
+    def twerper(self) -> str: ...  # "": none was said
+    @property
+    def arguments(self) -> list[float]: ...
+    @property
+    def stops(self) -> list[list[float]]: ...
+    @property
+    def ease_out(self) -> float: ...
+    @property
+    def ease_in(self) -> float: ...
+    @property
+    def tangent_in(self) -> Any: ...
+    @property
+    def tangent_out(self) -> Any: ...
+    @property
+    def handle_in(self) -> float | None: ...
+    @property
+    def handle_out(self) -> float | None: ...
+
+class Track:
+    """The events of one display function."""
+
+    @property
+    def name(self) -> str: ...  # "ball.position"
+    @property
+    def object(self) -> str: ...
+    @property
+    def velocity(self) -> bool: ...
+    @property
+    def layer(self) -> str | None: ...
+    @property
+    def twerper(self) -> str: ...  # of the whole track; "": each event's own
+    @property
+    def unsaid(self) -> str: ...  # what it is where nobody has said one
+    @property
+    def before(self) -> str: ...
+    @property
+    def after(self) -> str: ...
+    @property
+    def events(self) -> list[Event]: ...
+    def __len__(self) -> int: ...
+
+class Poses:
+    """Where all objects are, frame by frame. The arrays are views."""
+
+    @property
+    def names(self) -> list[str]: ...
+    @property
+    def frames(self) -> Floats: ...
+    @property
+    def world(self) -> Floats: ...  # [frame, object, row, column]
+    @property
+    def parents(self) -> npt.NDArray[np.int32]: ...  # [frame, object]: places among the names; -1: nothing holds it
+    def __len__(self) -> int: ...
+    def __getitem__(self, name: str) -> Floats: ...  # [frame, row, column] of one object
+
+class Picture:
+    """8 bits a channel, sRGB, straight opacity, rows from the top."""
+
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    @property
+    def pixels(self) -> npt.NDArray[np.uint8]: ...  # [row, column, r g b a], a view
+    def __array__(self, dtype: npt.DTypeLike = None) -> npt.NDArray[Any]: ...
+    def png(self) -> bytes: ...
+    def _repr_png_(self) -> bytes: ...
+    def write(self, path: str | PathLike[str], *, overwrite: bool = True) -> None: ...
+
+class MeshPart:
+    """A run of triangles that share a look."""
+
+    @property
+    def first(self) -> int: ...  # the first of its triangles
+    @property
+    def count(self) -> int: ...
+    @property
+    def color(self) -> Floats32: ...  # linear light
+    @property
+    def texture(self) -> Picture | None: ...
+    @property
+    def tinted(self) -> bool: ...  # the object's own colour multiplies it
+
+class Mesh:
+    """Triangles in the space of their object. The arrays are views."""
+
+    @property
+    def positions(self) -> Floats32: ...
+    @property
+    def normals(self) -> Floats32: ...
+    @property
+    def uvs(self) -> Floats32: ...  # (0 0) is the picture's top left; none, or as many as positions
+    @property
+    def triangles(self) -> Indices: ...
+    @property
+    def edges(self) -> Indices: ...
+    @property
+    def parts(self) -> list[MeshPart]: ...  # none: one plain part
+    @property
+    def closed(self) -> bool: ...
+
+class Item:
+    """What is drawn of an object."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def body(self) -> str: ...  # what it is one body with
+    @property
+    def kind(self) -> str: ...
+    @property
+    def world(self) -> Floats: ...
+    @property
+    def color(self) -> Floats: ...  # linear light
+    @property
+    def transparency(self) -> float: ...
+    @property
+    def shininess(self) -> float: ...
+    @property
+    def material(self) -> str: ...
+    @property
+    def casts(self) -> bool: ...
+    @property
+    def texture(self) -> Picture | None: ...
+    def mesh(self, around: int = 48) -> Mesh: ...
+
+class Light:
+    """A lamp, or a sun."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def sun(self) -> bool: ...
+    @property
+    def position(self) -> Floats: ...
+    @property
+    def direction(self) -> Floats: ...
+    @property
+    def color(self) -> Floats: ...  # linear light, intensity included
+    @property
+    def range(self) -> float: ...
+
+class Camera:
+    """The camera that is looked through."""
+
+    @property
+    def name(self) -> str: ...  # "": the film has none
+    @property
+    def world(self) -> Floats: ...
+    @property
+    def orthographic(self) -> bool: ...
+    @property
+    def fov(self) -> float: ...  # from left to right, radians
+    @property
+    def height(self) -> float: ...  # orthographic: metres from bottom to top
+    @property
+    def aspect(self) -> float: ...
+    @property
+    def shutter(self) -> float: ...  # seconds
+    @property
+    def aperture(self) -> float: ...  # metres
+    @property
+    def focus(self) -> float: ...  # metres
+    @property
+    def shift(self) -> tuple[float, float]: ...  # halves of the picture
+
+class Frame:
+    """Everything that can be seen at one time."""
+
+    @property
+    def time(self) -> float: ...
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def items(self) -> list[Item]: ...
+    @property
+    def lights(self) -> list[Light]: ...
+    @property
+    def camera(self) -> Camera: ...
+    @property
+    def background(self) -> Floats | None: ...
+    @property
+    def ambient(self) -> Floats | None: ...
+    @property
+    def ground(self) -> Floats | None: ...
+    @property
+    def exposure(self) -> float: ...
+    @property
+    def sky(self) -> bool: ...
+    @property
+    def flat(self) -> bool: ...
+    @property
+    def clear(self) -> bool: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def problems(self) -> list[str]: ...
+
+class Made:
+    """What a film took."""
+
+    @property
+    def frames(self) -> int: ...
+    @property
+    def found(self) -> int: ...  # pictures that were there
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def painting(self) -> float: ...
+    @property
+    def encoding(self) -> float: ...
+
 class Film:
     """A film: what a script says. Any thread may ask it, and change it."""
 
@@ -41,9 +279,61 @@ class Film:
     @property
     def rate(self) -> float: ...
     @property
+    def range(self) -> tuple[float, float]: ...
+    @property
+    def size(self) -> tuple[int, int] | None: ...
+    @property
     def objects(self) -> list[str]: ...
+    @property
+    def notes(self) -> list[tuple[float, str]]: ...
+    @property
+    def cuts(self) -> list[tuple[float, str]]: ...
+    def kind(self, name: str) -> str: ...
+    def time(self, time: Time) -> float: ...
+    def seconds(self, time: Time) -> float: ...
+    def breaks(self, after: Time, until: Time) -> list[float]: ...
     def eval(self, target: str, time: Time | Iterable[Time]) -> Any: ...
     def values(self, time: Time, pattern: str = "") -> dict[str, Any]: ...
     def say(self, lines: str) -> str: ...
     def undo(self) -> str: ...
     def redo(self) -> str: ...
+    def write(self, path: str | PathLike[str]) -> None: ...
+    def tracks(self, pattern: str = "") -> list[Track]: ...
+    def poses(self, first: Time | None = None, last: Time | None = None, step: float = 1) -> Poses: ...
+    def frame(self, time: Time) -> Frame: ...
+    def picture(
+        self,
+        time: Time,
+        *,
+        size: tuple[int, int] | None = None,
+        style: str = "shaded",
+        samples: int | None = None,
+        shutter: str | None = None,
+        subframes: int | None = None,
+    ) -> Picture: ...
+    def render(
+        self,
+        path: str | PathLike[str],
+        *,
+        frames: tuple[Time, Time] | None = None,
+        size: tuple[int, int] | None = None,
+        style: str = "shaded",
+        samples: int | None = None,
+        shutter: str | None = None,
+        subframes: int | None = None,
+        bits: int = 8,
+        jobs: int = 0,
+        overwrite: bool = True,
+        missing: bool = False,
+        progress: Callable[[int, int, float], object] | None = None,
+    ) -> Made: ...
+    def player(
+        self,
+        first: Time | None = None,
+        last: Time | None = None,
+        *,
+        size: tuple[int, int] = (480, 270),
+        style: str = "shaded",
+        most: int = 60,
+    ) -> Player: ...
+    def _repr_html_(self) -> str: ...

@@ -15,9 +15,6 @@ namespace {
 
 volatile sig_atomic_t stop_asked = 0;
 
-// A film longer than this is a mistake in the call.
-constexpr double most_frames = 10'000'000;
-
 }  // namespace
 
 int complain(const Error& e, int otherwise) {
@@ -49,8 +46,6 @@ Result<Time> read_time(const std::string& text, const Document& document, const 
 }
 
 Result<FrameList> read_frames(const std::string& text, const Document& document, const std::string& option) {
-  FrameList frames;
-  frames.rate = document.rate();
   auto [first, last] = document.range();
   if (!text.empty()) {
     const std::size_t dots = text.find("..");
@@ -68,18 +63,9 @@ Result<FrameList> read_frames(const std::string& text, const Document& document,
     }
     if (last < first) return fail(ErrorCode::range, fmt::format("{}: \"{}\" ends before it begins", option, text));
   }
-  const double number = frames.rate.frame_number(first);
-  const double count = std::floor(frames.rate.frame_number(last) - number + 1e-6) + 1;
-  if (count > most_frames)
-    return fail(ErrorCode::range,
-                fmt::format("{:.0f} frames are too many for one film; at most {:.0f}", count, most_frames),
-                fmt::format("name some: {} A..B", option));
-  if (std::abs(number) > 1e9) return fail(ErrorCode::range, option + ": too far from the beginning");
-  frames.first = first, frames.last = last;
-  frames.count = std::max(1, static_cast<int>(count));
-  frames.number = static_cast<int>(std::floor(number));
-  frames.on_grid = number == std::floor(number);
-  return frames;
+  Result<FrameList> frames = frames_between(first, last, document.rate());
+  if (frames) return frames;
+  return fail(ErrorCode::range, frames.error().message, fmt::format("name some: {} A..B", option));
 }
 
 void Problems::say(const std::vector<std::string>& problems) {

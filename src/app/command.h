@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "betwixt/film.h"
 #include "betwixt/language.h"
 #include "betwixt/render.h"
 
@@ -29,15 +30,6 @@ std::optional<Document> open_script(const std::string& file);
 // A time of the command line; a bare number is a frame. Errors name the option.
 Result<Time> read_time(const std::string& text, const Document&, const std::string& option);
 
-// The frames of a film: the k-th one's time.
-struct FrameList {
-  Time first, last;  // of the segment; the last frame may be before its end
-  int count = 1;
-  int number = 1;       // of the first frame
-  bool on_grid = true;  // the first frame is a whole one
-  Rate rate;
-  Time time(int k) const { return on_grid ? rate.frame(number + k) : first + rate.span(k); }
-};
 // `text`: "A..B", "A.." to the end of the film, or empty for the document's own range. Errors name what was said.
 Result<FrameList> read_frames(const std::string& text, const Document&, const std::string& option = "--frames");
 

@@ -72,59 +72,38 @@ int render(const RenderCall& call) {
   const Result<std::optional<Exposure>> exposure = call.exposure.of(*document);
   if (!exposure) return complain(exposure.error(), wrong_call);
 
-  RenderOptions pictures = call.picture.of(*document);
-  pictures.open = takes_open_light(call.out);
-  pictures.deep =
-      (document->transparent() && takes_alpha(call.out)) || takes_depth(call.out) || call.bits > 8 || *exposure;
   const Program program = Program::compile(*document);
+  Shoot shoot = shoot_of(program, call.out, *frames, call.picture.of(*document), *exposure, call.bits);
   const Time last = frames->time(frames->count - 1);
   const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
   if (stopped_by(found, call.keep_going)) return wrong_input;
   Problems problems;
   for (const Diagnostic& d : found.errors) problems.known(d.what.message);
+  const auto say = [&](const std::vector<std::string>& all) { problems.say(all); };
   Spending spent;
-  const auto painter = [&]<class Out>(std::type_identity<Out>) -> Result<std::function<Status(int, Out&)>> {
-    Result<std::unique_ptr<Renderer>> made = make_renderer(pictures);
-    if (!made) return made.error();
-    const auto evaluation = std::make_shared<Evaluation>(program);
-    return std::function([&, evaluation, renderer = std::shared_ptr<Renderer>(*std::move(made))](int k, Out& out) {
-      const Spending::Listening listening(call.stats ? &spent : nullptr);
-      if constexpr (std::is_same_v<Out, DeepPicture>)
-        if (*exposure) {
-          Status exposed = renderer->expose(*evaluation, frames->time(k), **exposure, out);
-          problems.say(evaluation->problems());
-          return exposed;
-        }
-      evaluation->to(frames->time(k));
-      problems.say(evaluation->problems());
-      return renderer->render(*evaluation, out);
-    });
+  const auto listened = [&]<class Out>(Result<std::function<Status(int, Out&)>> painter) {
+    if (!painter || !call.stats) return painter;
+    return Result(std::function([&, paint = *painter](int k, Out& out) {
+      const Spending::Listening listening(&spent);
+      return paint(k, out);
+    }));
   };
-  FilmOptions options;
-  options.path = call.out;
-  options.frames = frames->count;
-  options.first_number = frames->number;
-  options.rate = frames->rate;
-  options.width = pictures.width, options.height = pictures.height;
-  options.jobs = call.jobs;
-  options.overwrite = !call.keep_old;
-  options.missing = call.missing;
-  options.alpha = document->transparent();
-  options.bits = call.bits;
-  if (has_sounds(*document) && takes_sound(call.out))
-    options.sounds = [&](std::span<float> stereo) { return mix_sounds(program, frames->time(0), stereo); };
+  shoot.film.jobs = call.jobs;
+  shoot.film.overwrite = !call.keep_old;
+  shoot.film.missing = call.missing;
   say_what_is_lost(call, *document);
 
   if (call.plan) {
-    if (Status s = check_options(pictures); !s) return complain(s.error(), wrong_call);
-    return print_plan(options, *frames);
+    if (Status s = check_options(shoot.pictures); !s) return complain(s.error(), wrong_call);
+    return print_plan(shoot.film, *frames);
   }
   const Result<FilmStats> made =
-      pictures.deep ? make_deep_showing(
-                          options, [&] { return painter(std::type_identity<DeepPicture>{}); }, call.progress)
-                    : make_showing(
-                          options, [&] { return painter(std::type_identity<Picture>{}); }, call.progress);
-  const int code = say_made(made, options);
+      shoot.pictures.deep
+          ? make_deep_showing(
+                shoot.film, [&] { return listened(deep_painter_of(program, shoot, say)); }, call.progress)
+          : make_showing(
+                shoot.film, [&] { return listened(painter_of(program, shoot, say)); }, call.progress);
+  const int code = say_made(made, shoot.film);
   if (made && call.stats) print_stats(*made, spent, program);
   return code;
 }

@@ -51,12 +51,6 @@ Status read_samples(const std::string& text, PictureCall& to, const std::string&
   return Nothing{};
 }
 
-int usual_samples(const std::string& style) {
-  for (const Style& s : styles())
-    if (s.name == style) return s.usual;
-  return 1;
-}
-
 }  // namespace
 
 Enlisted::Enlisted(std::function<Subcommand()> make) { enlisted().push_back(std::move(make)); }
@@ -126,12 +120,7 @@ Parameter flag(const std::string& name, const std::string& sentence, bool& given
 }
 
 RenderOptions PictureCall::of(const Document& document) const {
-  RenderOptions made = otherwise;
-  if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
-  // A script's samples are those of pictures that are drawn; of what is traced it takes more.
-  const auto n = samples || usual_samples(otherwise.style) > 1 ? samples : document.samples();
-  made.samples = n ? *n : std::max(otherwise.samples, usual_samples(otherwise.style));
-  return made;
+  return options_for(document, otherwise, size, samples);
 }
 
 Result<std::string> change_picture(PictureCall& to, const Document& document, const std::string& what,
@@ -159,15 +148,10 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
 }
 
 Result<std::optional<Exposure>> ExposureCall::of(const Document& document) const {
-  Exposure made;
-  made.subframes = subframes.value_or(document.subframes().value_or(made.subframes));
-  if (shutter) {
-    const Result<double> read = parse_shutter(*shutter, document);
-    if (!read) return fail(read.error().code, "--shutter: " + read.error().message, read.error().hint);
-    made.shutter = *read;
-  }
-  const bool blurs = has_exposure(document) || made.shutter.value_or(0) > 0;
-  return blurs && made.subframes > 1 ? std::optional(made) : std::nullopt;
+  if (!shutter) return exposure_for(document, {}, subframes);
+  const Result<double> read = parse_shutter(*shutter, document);
+  if (!read) return fail(read.error().code, "--shutter: " + read.error().message, read.error().hint);
+  return exposure_for(document, *read, subframes);
 }
 
 std::vector<Parameter> exposure_parameters(ExposureCall& to) {
@@ -213,7 +197,7 @@ std::vector<Parameter> picture_parameters(PictureCall& to) {
       {.name = "--samples",
        .value = "N",
        .sentence = fmt::format("samples a pixel: {}; the script's if not said, or {}, traced {}", sample_counts(),
-                               to.otherwise.samples, usual_samples("traced")),
+                               to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
        .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
        .words = {"1", "4", "9", "16", "64", "256", "1024"}}};
 }

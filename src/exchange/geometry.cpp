@@ -154,6 +154,11 @@ Outline outline_of(const Shape& s) {
   return outline;
 }
 
+Geometry geometry_of(const Item& item, int around) {
+  const Detail detail{around, true};
+  return item.toward ? realise_blend(*item.shape, *item.toward, item.blend, detail) : realise(*item.shape, detail);
+}
+
 Geometry realise(const Shape& shape, const Detail& detail) {
   static const auto empty = std::make_shared<const Mesh>();
   static Held held;

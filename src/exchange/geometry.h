@@ -4,18 +4,12 @@
 // Shapes become triangles here.
 #pragma once
 
-#include <memory>
+#include <string>
 
-#include "betwixt/frame.h"
+#include "betwixt/geometry.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
-
-// A mesh and what stretches it to the shape's measures: spheres of any radius share one mesh.
-struct Geometry {
-  std::shared_ptr<const Mesh> mesh;  // never null; empty for what is not drawn
-  Mat4 local;                        // mesh space to object space (a scaling, the identity for most)
-};
 
 // Triangles of `shape`. Equal shapes get the same mesh in the same detail as long as somebody holds it. Safe from any
 // thread.

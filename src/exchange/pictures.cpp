@@ -113,9 +113,8 @@ Status check_picture(int width, int height, std::size_t channels) {
 namespace {
 
 // `rgba`: straight, with so many bits a channel.
-Status write_png(const std::string& path, int width, int height, std::uint8_t bits, std::span<const std::byte> rgba,
-                 bool overwrite) {
-  if (Status s = check_picture(width, height, 8 * rgba.size() / bits); !s) return s;
+Result<std::string> to_png(int width, int height, std::uint8_t bits, std::span<const std::byte> rgba) {
+  if (Status s = check_picture(width, height, 8 * rgba.size() / bits); !s) return s.error();
   const Png png(spng_ctx_new(SPNG_CTX_ENCODER));
   if (!png) return fail(ErrorCode::machine, "out of memory");
   spng_ihdr head{};
@@ -126,23 +125,31 @@ Status write_png(const std::string& path, int width, int height, std::uint8_t bi
   spng_set_ihdr(png.get(), &head);
   spng_set_srgb(png.get(), 0);
   const int error = spng_encode_image(png.get(), rgba.data(), rgba.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-  if (error != 0) return fail(ErrorCode::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(error)));
+  if (error != 0) return fail(ErrorCode::machine, fmt::format("a picture cannot be encoded: {}", spng_strerror(error)));
   int result = 0;
   std::size_t length = 0;
   const std::unique_ptr<void, Free> bytes(spng_get_png_buffer(png.get(), &length, &result));
-  if (!bytes) return fail(ErrorCode::machine, fmt::format("cannot encode {}: {}", path, spng_strerror(result)));
-  return write_whole(path, {static_cast<const char*>(bytes.get()), length}, overwrite);
+  if (!bytes) return fail(ErrorCode::machine, fmt::format("a picture cannot be encoded: {}", spng_strerror(result)));
+  return std::string(static_cast<const char*>(bytes.get()), length);
+}
+
+Status write(const std::string& path, const Result<std::string>& png, bool overwrite) {
+  return png ? write_whole(path, *png, overwrite) : png.error();
 }
 
 }  // namespace
 
+Result<std::string> to_png(const Picture& picture) {
+  return to_png(picture.width, picture.height, 8, std::as_bytes(std::span(picture.rgba)));
+}
+
 Status write_png(const std::string& path, const Picture& picture, bool overwrite) {
-  return write_png(path, picture.width, picture.height, 8, std::as_bytes(std::span(picture.rgba)), overwrite);
+  return write(path, to_png(picture), overwrite);
 }
 
 Status write_png(const std::string& path, const DeepPicture& picture, bool overwrite) {
   const std::vector<std::uint16_t> shown = to_shown_16(picture);
-  return write_png(path, picture.width, picture.height, 16, std::as_bytes(std::span(shown)), overwrite);
+  return write(path, to_png(picture.width, picture.height, 16, std::as_bytes(std::span(shown))), overwrite);
 }
 
 Result<DeepPicture> read_deep_picture(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/stages.h"
 #include "betwixt/render.h"
@@ -140,6 +141,27 @@ bool has_exposure(const Document& document) {
   for (std::uint32_t i = 0; i < objects.size(); ++i)
     if (objects[i].kind == Kind::camera && (objects[i].find(fn::shutter) || objects[i].find(fn::f_stop))) return true;
   return false;
+}
+
+RenderOptions options_for(const Document& document, RenderOptions made, std::optional<std::pair<int, int>> size,
+                          std::optional<int> samples) {
+  int usual = 1;
+  for (const Entry& e : table)
+    if (e.style.name == made.style) usual = e.style.usual;
+  if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
+  // A script's samples are those of pictures that are drawn; of what is traced it takes more.
+  const auto n = samples || usual > 1 ? samples : document.samples();
+  made.samples = n ? *n : std::max(made.samples, usual);
+  return made;
+}
+
+std::optional<Exposure> exposure_for(const Document& document, std::optional<double> shutter,
+                                     std::optional<int> subframes) {
+  Exposure made;
+  made.subframes = subframes.value_or(document.subframes().value_or(made.subframes));
+  made.shutter = shutter;
+  const bool blurs = has_exposure(document) || shutter.value_or(0) > 0;
+  return blurs && made.subframes > 1 ? std::optional(made) : std::nullopt;
 }
 
 namespace {

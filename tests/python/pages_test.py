@@ -23,6 +23,8 @@ def blocks():
 
 
 class Page(unittest.TestCase):
+    maxDiff = None
+
     def test_answers_are_those_of_the_page(self):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(os.path.join(ROOT, "examples"), os.path.join(folder, "examples"))
@@ -31,7 +33,7 @@ class Page(unittest.TestCase):
             try:
                 test = doctest.DocTestParser().get_doctest(blocks(), {}, "python.md", "docs/python.md", 0)
                 self.assertGreater(len(test.examples), 10)
-                said = []
+                said: list[str] = []
                 doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=said.append)
             finally:
                 os.chdir(here)

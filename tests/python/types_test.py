@@ -46,7 +46,7 @@ class Types(unittest.TestCase):
                 continue
             self.assertRegex(said, rf"(?m)^(class|def) {name}\b|^{name}: ", name)
             if inspect.isclass(what):
-                body = said.split(f"class {name}", 1)[1].split("\nclass ", 1)[0]
+                body = said.split(f"class {name}:", 1)[1].split("\nclass ", 1)[0]
                 for member in vars(what):
                     if not member.startswith("_"):
                         self.assertRegex(body, rf"(?m)^    (def {member}\(|{member}: )", f"{name}.{member}")

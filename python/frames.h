@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Frames: what is seen at a time, as things with matrices, colours and triangles.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "film.h"
+
+namespace betwixt::python {
+
+void bind_frames(py::module_&, py::class_<Film>&);
+
+}  // namespace betwixt::python

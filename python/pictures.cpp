@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pictures.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "betwixt/film.h"
+#include "betwixt/language.h"
+#include "betwixt/picture.h"
+#include "betwixt/render.h"
+#include "errors.h"
+#include "times.h"
+#include "values.h"
+
+namespace betwixt::python {
+namespace {
+
+using Size = std::optional<std::pair<int, int>>;
+
+std::optional<Exposure> exposure_of(const Document& document, const std::optional<std::string>& shutter,
+                                    std::optional<int> subframes) {
+  if (subframes && (*subframes < 1 || *subframes > 4096)) raise(fail(ErrorCode::range, "subframes are 1 to 4096"));
+  std::optional<double> seconds;
+  if (shutter) {
+    const Result<double> read = parse_shutter(*shutter, document);
+    if (!read) raise(read.error(), *shutter);
+    seconds = *read;
+  }
+  return exposure_for(document, seconds, subframes);
+}
+
+// Pictures of one kind are mostly followed by more of it: each thread keeps the renderer that it used last.
+Renderer& renderer_for(const RenderOptions& wanted) {
+  struct Kept {
+    RenderOptions options;
+    std::unique_ptr<Renderer> renderer;
+  };
+  static thread_local Kept kept;
+  const auto all = [](const RenderOptions& o) {
+    return std::tie(o.width, o.height, o.samples, o.style, o.deep, o.open);
+  };
+  if (!kept.renderer || all(kept.options) != all(wanted)) {
+    kept.renderer.reset();
+    kept = {wanted, value_or_raise(make_renderer(wanted))};
+  }
+  return *kept.renderer;
+}
+
+Pixels draw(const Program& program, Time t, RenderOptions options, const std::optional<Exposure>& exposure,
+            std::vector<std::string>& problems) {
+  options.deep = program.document().transparent() || exposure;
+  Renderer& renderer = renderer_for(options);
+  Evaluation evaluation(program);
+  Picture shown;
+  if (options.deep) {
+    DeepPicture light;
+    if (!exposure) evaluation.to(t);
+    value_or_raise(exposure ? renderer.expose(evaluation, t, *exposure, light) : renderer.render(evaluation, light));
+    to_shown(light, shown);
+  } else {
+    evaluation.to(t);
+    value_or_raise(renderer.render(evaluation, shown));
+  }
+  problems = evaluation.problems();
+  return {std::make_shared<const Picture>(std::move(shown))};
+}
+
+Pixels picture(const Film& film, py::handle when, const Size& size, const std::string& style,
+               std::optional<int> samples, const std::optional<std::string>& shutter, std::optional<int> subframes) {
+  const Program program = unlocked([&] { return film.program(); });
+  const Document& document = program.document();
+  const Time t = time_of(when, document);
+  const RenderOptions options = options_for(document, {.style = style}, size, samples);
+  const auto exposure = exposure_of(document, shutter, subframes);
+  std::vector<std::string> problems;
+  Pixels made = unlocked([&] { return draw(program, t, options, exposure, problems); });
+  for (const std::string& p : problems) warn(p);
+  return made;
+}
+
+// Python's own call, now and then; what it raises ends the film.
+class Telling {
+ public:
+  explicit Telling(py::object progress) : progress_(std::move(progress)) {}
+  bool operator()(int done, int frames, double seconds) {
+    const py::gil_scoped_acquire locked;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      return progress_.is_none() || !progress_(done, frames, seconds).is(py::bool_(false));
+    } catch (py::error_already_set& e) {
+      raised_ = std::move(e);
+      return false;
+    }
+  }
+  void raise_again() {
+    if (raised_) throw std::move(*raised_);
+  }
+
+ private:
+  py::object progress_;
+  std::optional<py::error_already_set> raised_;
+};
+
+FilmStats render(const Film& film, const std::filesystem::path& path,
+                 const std::optional<std::pair<py::object, py::object>>& segment, const Size& size,
+                 const std::string& style, std::optional<int> samples, const std::optional<std::string>& shutter,
+                 std::optional<int> subframes, int bits, int jobs, bool overwrite, bool missing, py::object progress) {
+  const Program program = unlocked([&] { return film.program(); });
+  const Document& document = program.document();
+  auto [first, last] = document.range();
+  if (segment) first = time_of(segment->first, document), last = time_of(segment->second, document);
+  if (segment && last < first) raise(fail(ErrorCode::range, "the segment ends before it begins"));
+  const FrameList frames = value_or_raise(frames_between(first, last, document.rate()));
+  Shoot shoot = shoot_of(program, path.string(), frames, options_for(document, {.style = style}, size, samples),
+                         exposure_of(document, shutter, subframes), bits);
+  shoot.film.jobs = jobs, shoot.film.overwrite = overwrite, shoot.film.missing = missing;
+  value_or_raise(check_options(shoot.pictures));
+  std::mutex mutex;
+  std::set<std::string> problems;
+  const auto tell = [&](const std::vector<std::string>& all) {
+    const std::lock_guard lock(mutex);
+    problems.insert(all.begin(), all.end());
+  };
+  Telling telling(std::move(progress));
+  const Result<FilmStats> made = unlocked([&] {
+    const auto told = [&](int done, int of, double seconds) { return telling(done, of, seconds); };
+    return shoot.pictures.deep ? make_deep_film(
+                                     shoot.film, [&] { return deep_painter_of(program, shoot, tell); }, told)
+                               : make_film(
+                                     shoot.film, [&] { return painter_of(program, shoot, tell); }, told);
+  });
+  telling.raise_again();
+  for (const std::string& p : problems) warn(p);
+  return value_or_raise(made);
+}
+
+py::bytes png_of(const Pixels& p) {
+  return py::bytes(value_or_raise(unlocked([&] { return to_png(*p.picture); })));
+}
+
+py::array_t<std::uint8_t> pixels_of(const Pixels& p) {
+  const py::ssize_t w = p.picture->width, h = p.picture->height;
+  return view(p.picture->rgba.data(), {h, w, 4}, {4 * w, 4, 1}, keep(p.picture));
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& m, py::class_<Film>& film) {
+  py::class_<Pixels>(m, "Picture", "A picture: 8 bits a channel, sRGB, straight opacity, rows from the top.")
+      .def_property_readonly("width", [](const Pixels& p) { return p.picture->width; })
+      .def_property_readonly("height", [](const Pixels& p) { return p.picture->height; })
+      .def_property_readonly("pixels", pixels_of)
+      .def(
+          "__array__",
+          [](const Pixels& p, py::handle dtype) {
+            py::object made = pixels_of(p);
+            return dtype.is_none() ? made : made.attr("astype")(dtype);
+          },
+          py::arg("dtype") = py::none())
+      .def("png", png_of, "The bytes of a PNG.")
+      .def("_repr_png_", png_of)
+      .def(
+          "write",
+          [](const Pixels& p, const std::filesystem::path& path, bool overwrite) {
+            value_or_raise(unlocked([&] { return write_png(path.string(), *p.picture, overwrite); }));
+          },
+          py::arg("path"), py::kw_only(), py::arg("overwrite") = true, "Writes a PNG.")
+      .def("__repr__", [](const Pixels& p) {
+        return "<Picture " + std::to_string(p.picture->width) + "x" + std::to_string(p.picture->height) + ">";
+      });
+  py::class_<FilmStats>(m, "Made", "What a film took.")
+      .def_readonly("frames", &FilmStats::frames)
+      .def_readonly("found", &FilmStats::found)
+      .def_readonly("seconds", &FilmStats::seconds)
+      .def_readonly("painting", &FilmStats::painting)
+      .def_readonly("encoding", &FilmStats::encoding)
+      .def("__repr__", [](const FilmStats& s) { return "<Made of " + std::to_string(s.frames) + " frames>"; });
+  film.def("picture", picture, py::arg("time"), py::kw_only(), py::arg("size") = py::none(),
+           py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("shutter") = py::none(),
+           py::arg("subframes") = py::none(), "The picture at a time. What is not said here the script says.");
+  film.def("render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(),
+           py::arg("size") = py::none(), py::arg("style") = "shaded", py::arg("samples") = py::none(),
+           py::arg("shutter") = py::none(), py::arg("subframes") = py::none(), py::arg("bits") = 8, py::arg("jobs") = 0,
+           py::arg("overwrite") = true, py::arg("missing") = false, py::arg("progress") = py::none(),
+           "Makes a film, or numbered pictures: the ending says which. `progress(done, frames, seconds)` is called now "
+           "and then; False ends it, and nothing is left.");
+  m.def("styles", [] {
+    std::vector<std::string_view> names;
+    for (const Style& s : styles()) names.push_back(s.name);
+    return names;
+  });
+}
+
+}  // namespace betwixt::python

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracks.h"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "betwixt/language.h"
+#include "betwixt/object.h"
+#include "betwixt/track.h"
+#include "errors.h"
+#include "times.h"
+#include "values.h"
+
+namespace betwixt::python {
+namespace {
+
+// Views, and the document that they look at.
+struct TrackOf {
+  Document document;
+  TrackView view;
+};
+struct EventOf {
+  Document document;
+  Target target;
+  EventView view;
+};
+
+std::vector<TrackOf> tracks_of(const Document& document, const std::string& pattern) {
+  std::vector<TrackOf> made;
+  const auto add = [&](const std::vector<TrackView>& all) {
+    for (const TrackView& t : all) made.push_back({document, t});
+  };
+  if (pattern.empty())
+    for (const ObjectId id : objects(document)) add(tracks(document, id));
+  else if (const auto named = objects(document, pattern); !named.empty())
+    for (const ObjectId id : named) add(tracks(document, id));
+  else if (const auto found = find_targets(pattern, document); found)
+    for (const Target& t : *found) add(tracks(document, t));
+  else
+    raise(found.error(), pattern);
+  return made;
+}
+
+std::vector<EventOf> events_of(const TrackOf& t) {
+  std::vector<EventOf> made;
+  each_event(t.document, t.view.target, from_the_beginning, for_good, [&](const EventView& e) {
+    made.push_back({t.document, t.view.target, e});
+  });
+  return made;
+}
+
+py::object value_or_none(const Value* v, const EventOf& e) {
+  return v ? to_python(*v, e.target, e.document) : py::none();
+}
+
+double length_of(Time t, const Document& document) { return t.seconds() * document.rate().per_second(); }
+
+py::object length_or_none(const std::optional<Time>& t, const Document& document) {
+  return t ? py::object(py::float_(length_of(*t, document))) : py::none();
+}
+
+std::string_view word_of(EventView::What what) {
+  static constexpr std::string_view words[] = {"value", "keep", "release"};
+  return words[static_cast<std::size_t>(what)];
+}
+
+}  // namespace
+
+void bind_tracks(py::module_& m, py::class_<Film>& film) {
+  py::class_<EventOf>(m, "Event", "A value at a time, and how to go on from there.")
+      .def_property_readonly("time", [](const EventOf& e) { return frame_of(e.view.time, e.document); })
+      .def_property_readonly("seconds", [](const EventOf& e) { return e.view.time.seconds(); })
+      .def_property_readonly("what", [](const EventOf& e) { return word_of(e.view.what); })
+      .def_property_readonly("value", [](const EventOf& e) { return value_or_none(e.view.value, e); })
+      .def_property_readonly("before", [](const EventOf& e) { return value_or_none(e.view.before, e); })
+      .def_property_readonly("twerper", [](const EventOf& e) { return e.view.twerper; })
+      .def_property_readonly("arguments", [](const EventOf& e) { return e.view.arguments; })
+      .def_property_readonly("stops",
+                             [](const EventOf& e) { return std::vector(e.view.stops.begin(), e.view.stops.end()); })
+      .def_property_readonly("ease_out", [](const EventOf& e) { return length_of(e.view.ease_out, e.document); })
+      .def_property_readonly("ease_in", [](const EventOf& e) { return length_of(e.view.ease_in, e.document); })
+      .def_property_readonly("tangent_in", [](const EventOf& e) { return value_or_none(e.view.tangent_in, e); })
+      .def_property_readonly("tangent_out", [](const EventOf& e) { return value_or_none(e.view.tangent_out, e); })
+      .def_property_readonly("handle_in", [](const EventOf& e) { return length_or_none(e.view.handle_in, e.document); })
+      .def_property_readonly("handle_out",
+                             [](const EventOf& e) { return length_or_none(e.view.handle_out, e.document); })
+      .def("__repr__", [](const EventOf& e) {
+        return py::str("<Event {}: {}>").format(format_time(e.view.time, e.document), value_or_none(e.view.value, e));
+      });
+  py::class_<TrackOf>(m, "Track", "The events of one display function.")
+      .def_property_readonly("name", [](const TrackOf& t) { return t.document.name(t.view.target); })
+      .def_property_readonly("object", [](const TrackOf& t) { return name_of(t.view.target.object, t.document); })
+      .def_property_readonly("velocity", [](const TrackOf& t) { return t.view.target.velocity; })
+      .def_property_readonly("layer",
+                             [](const TrackOf& t) -> py::object {
+                               if (!t.view.target.layer) return py::none();
+                               return name_of(t.view.target.layer, t.document);
+                             })
+      .def_property_readonly("twerper", [](const TrackOf& t) { return t.view.twerper; })
+      .def_property_readonly("unsaid", [](const TrackOf& t) { return t.view.unsaid; })
+      .def_property_readonly("before", [](const TrackOf& t) { return t.view.before; })
+      .def_property_readonly("after", [](const TrackOf& t) { return t.view.after; })
+      .def_property_readonly("events", events_of)
+      .def("__len__", [](const TrackOf& t) { return t.view.events; })
+      .def("__repr__", [](const TrackOf& t) {
+        return "<Track " + t.document.name(t.view.target) + " of " + std::to_string(t.view.events) + " events>";
+      });
+  film.def(
+      "tracks",
+      [](const Film& f, const std::string& pattern) {
+        return tracks_of(unlocked([&] { return f.document(); }), pattern);
+      },
+      py::arg("pattern") = "", "The tracks of what a pattern names, objects or functions; without one, all.");
+}
+
+}  // namespace betwixt::python

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Films of programs: what is painted when, and how.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "betwixt/film.h"
+
+namespace betwixt {
+namespace {
+
+// A film longer than this is a mistake in the call.
+constexpr double most_frames = 10'000'000;
+
+// What each painter has for itself.
+struct Easel {
+  std::unique_ptr<Renderer> renderer;
+  Evaluation evaluation;
+};
+
+template <class Made>
+Result<std::function<Status(int, Made&)>> painter(const Program& program, const Shoot& shoot,
+                                                  const TellProblems& problems) {
+  Result<std::unique_ptr<Renderer>> renderer = make_renderer(shoot.pictures);
+  if (!renderer) return renderer.error();
+  const auto easel = std::make_shared<Easel>(*std::move(renderer), Evaluation(program));
+  return std::function([easel, problems, frames = shoot.frames, exposure = shoot.exposure](int k, Made& out) -> Status {
+    Status drawn = Nothing{};
+    bool exposed = false;
+    if constexpr (std::is_same_v<Made, DeepPicture>)
+      if (exposure) exposed = true, drawn = easel->renderer->expose(easel->evaluation, frames.time(k), *exposure, out);
+    if (!exposed) {
+      easel->evaluation.to(frames.time(k));
+      drawn = easel->renderer->render(easel->evaluation, out);
+    }
+    if (problems) problems(easel->evaluation.problems());
+    return drawn;
+  });
+}
+
+}  // namespace
+
+Result<FrameList> frames_between(Time first, Time last, Rate rate) {
+  const double number = rate.frame_number(first);
+  const double count = std::floor(rate.frame_number(last) - number + 1e-6) + 1;
+  if (count > most_frames)
+    return fail(ErrorCode::range,
+                fmt::format("{:.0f} frames are too many for one film; at most {:.0f}", count, most_frames));
+  if (std::abs(number) > 1e9) return fail(ErrorCode::range, "that is too far from the beginning");
+  FrameList frames;
+  frames.rate = rate;
+  frames.first = first, frames.last = last;
+  frames.count = std::max(1, static_cast<int>(count));
+  frames.number = static_cast<int>(std::floor(number));
+  frames.on_grid = number == std::floor(number);
+  return frames;
+}
+
+Shoot shoot_of(const Program& program, const std::string& path, const FrameList& frames, RenderOptions pictures,
+               std::optional<Exposure> exposure, int bits) {
+  const Document& document = program.document();
+  pictures.open = takes_open_light(path);
+  pictures.deep = (document.transparent() && takes_alpha(path)) || takes_depth(path) || bits > 8 || exposure;
+  FilmOptions film;
+  film.path = path;
+  film.frames = frames.count;
+  film.first_number = frames.number;
+  film.rate = frames.rate;
+  film.width = pictures.width, film.height = pictures.height;
+  film.alpha = document.transparent();
+  film.bits = bits;
+  if (has_sounds(document) && takes_sound(path))
+    film.sounds = [program, from = frames.time(0)](std::span<float> stereo) {
+      return mix_sounds(program, from, stereo);
+    };
+  return {frames, std::move(pictures), exposure, std::move(film)};
+}
+
+Result<Painter> painter_of(const Program& program, const Shoot& shoot, const TellProblems& problems) {
+  return painter<Picture>(program, shoot, problems);
+}
+
+Result<DeepPainter> deep_painter_of(const Program& program, const Shoot& shoot, const TellProblems& problems) {
+  return painter<DeepPicture>(program, shoot, problems);
+}
+
+}  // namespace betwixt
