@@ -76,7 +76,8 @@ struct Outline;  // src/scene/outline.h
 //   arrow    from the origin to `size`, width
 //   trace    points, width: what a point has drawn
 //   curve    through its points, smooth (Catmull-Rom) or straight, closed or not; width as a polyline's
-// All flat ones and texts: filled or not, and a stroke along the contours, centred on them. Of it, and of lines and
+// All flat ones and texts: filled or not, and a stroke along the contours, centred on them, pointed or round
+// at corners and ends. Of it, and of lines and
 // arcs themselves, there is what lies from `trim_from` to `trim_to`, parts of the length of each contour, and of that
 // `dash` metres, then none for `gap` metres, and so on.
 struct Shape {
@@ -87,7 +88,7 @@ struct Shape {
   bool smooth = true, closed = false;
   double stroke_width = 0, dash = 0, gap = 0, trim_from = 0, trim_to = 1;
   Vec3 stroke{-1, -1, -1};  // linear light; all below 0: none was said
-  bool filled = true;
+  bool filled = true, stroke_round = false;
   Points points, holes;
   Text text, font;
   Letters letters;

@@ -10,8 +10,8 @@
 #include <cctype>
 
 #include "commands/command.h"
-#include "language/colors.h"
 #include "language/formula.h"
+#include "scene/colors.h"
 
 namespace betwixt {
 namespace {

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/files.h"
 #include "base/names.h"
 #include "base/still_wanted.h"
 #include "commands/command.h"
+#include "commands/drawings.h"
 #include "exchange/scene_names.h"
 
 namespace betwixt {
@@ -298,6 +300,7 @@ bool create_scene(Command& k, const std::vector<std::string>& names, const std::
   auto& [s, c, time, layer, script] = k;
   Wanted wanted;
   if (!read_wanted(k, wanted, about)) return false;
+  if (ending(wanted.path) == "svg") return create_drawing(k, names, parents, wanted.root, wanted.path, about);
   std::filesystem::path where;
   if (!may_use(k, wanted.path, about, where)) return false;
   const auto loaded = load_scene(where.string(), [&](const std::string& p) { return k.script.may_read(p); });

@@ -9,7 +9,7 @@
 #include "editor/help.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
-#include "language/colors.h"
+#include "scene/colors.h"
 #include "scene/names.h"
 #include "track/filter.h"
 

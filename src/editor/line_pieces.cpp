@@ -12,8 +12,8 @@
 #include "commands/list_rows.h"
 #include "commands/verbs.h"
 #include "editor/help.h"
-#include "language/colors.h"
 #include "language/line_words.h"
+#include "scene/colors.h"
 #include "track/filter.h"
 #include "track/twerpers.h"
 

@@ -19,9 +19,16 @@ class Flattener {
  public:
   explicit Flattener(double stray) : stray_(stray) {}
 
-  void move(Vec3 to) { contours_.push_back({to}); }
+  // One line, of whatever length.
+  struct Run {
+    Contour points;
+    bool closed = false;
+  };
+
+  void move(Vec3 to) { runs_.push_back({{to}, false}); }
   // Those that follow need a `move` before them.
-  void line(Vec3 to) { contours_.back().push_back(to); }
+  void line(Vec3 to) { runs_.back().points.push_back(to); }
+  void close() { runs_.back().closed = true; }
   void conic(Vec3 b, Vec3 c) {
     const Vec3 a = here();
     const int n = steps(2 * length(a - 2 * b + c));
@@ -38,28 +45,34 @@ class Flattener {
       line(u * u * u * a + 3 * u * u * t * b + 3 * u * t * t * c + t * t * t * d);
     }
   }
-  bool begun() const { return !contours_.empty(); }
-  Vec3 here() const { return contours_.back().back(); }
+  bool begun() const { return !runs_.empty(); }
+  Vec3 here() const { return runs_.back().points.back(); }
 
-  // What encloses something, each end once.
+  // All lines, no point twice in a row, and where they are closed each end once.
+  std::vector<Run> take_runs() {
+    for (auto& [points, closed] : runs_) {
+      points.erase(std::unique(points.begin(), points.end()), points.end());
+      if (closed && points.size() > 1 && points.front() == points.back()) points.pop_back();
+    }
+    return std::exchange(runs_, {});
+  }
+  // What encloses something, closed or not.
   std::vector<Contour> take() {
     std::vector<Contour> out;
-    for (Contour& contour : contours_) {
-      contour.erase(std::unique(contour.begin(), contour.end()), contour.end());
-      if (contour.size() > 1 && contour.front() == contour.back()) contour.pop_back();
-      if (contour.size() > 2) out.push_back(std::move(contour));
+    for (auto& [points, closed] : take_runs()) {
+      if (points.size() > 1 && points.front() == points.back()) points.pop_back();
+      if (points.size() > 2) out.push_back(std::move(points));
     }
-    contours_.clear();
     return out;
   }
 
  private:
   // As many as keep the lines near the curve, whose second differences are `bend`.
   int steps(double bend) const {
-    return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * stray_))), 1.0, 32.0));
+    return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * stray_))), 1.0, 128.0));
   }
 
-  std::vector<Contour> contours_;
+  std::vector<Run> runs_;
   double stray_;
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "betwixt/picture.h"
+#include "exchange/drawing.h"
 #include "exchange/meshes.h"
 #include "exchange/parser_process.h"
 #include "exchange/pictures.h"
@@ -35,6 +36,11 @@ Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const May
 Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
   return parsed<SceneFile>(ParserTask::scene, path, may_read, parse_scene);
+}
+
+Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read) {
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
+  return parsed<DrawingFile>(ParserTask::drawing, path, may_read, parse_drawing);
 }
 
 Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) {

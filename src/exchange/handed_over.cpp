@@ -19,7 +19,7 @@ namespace betwixt {
 namespace {
 
 // A head, then blocks, each with its length before it.
-enum class Holds : std::uint32_t { mesh = 1, picture = 2, error = 3, scene = 4 };
+enum class Holds : std::uint32_t { mesh = 1, picture = 2, error = 3, scene = 4, drawing = 5 };
 struct Head {
   std::uint32_t holds = 0;
   std::uint32_t detail = 0;  // of an error its code
@@ -33,6 +33,16 @@ struct FlatPart {
   std::array<float, 3> color{};
   std::uint32_t picture = no_picture;
 };
+struct FlatDrawing {
+  double width = 1;
+  std::uint64_t sentences = 0;
+};
+struct FlatThing {
+  std::uint32_t above = 0, flags = 0;  // a bit each
+  double at[3]{}, color[3]{}, stroke[3]{}, stroke_width = 0, transparency = 0, trim_to = 1, dash[2]{};
+  std::uint64_t points = 0, holes = 0;  // how many of them follow
+};
+enum : std::uint32_t { is_group = 1, is_filled = 2, is_stroked = 4, is_round = 8 };
 struct FlatSize {
   std::int32_t width = 0, height = 0;
 };
@@ -116,6 +126,33 @@ class Giver {
       for (const SceneTrack& t : c.tracks) one(FlatTrack{t.node, t.path, t.way}), block(t.times), block(t.values);
     }
     for (const std::string& sentence : s.left_out) block(sentence.substr(0, longest_words));
+  }
+  void drawing(const DrawingFile& d) {
+    std::vector<FlatThing> things;
+    std::vector<Vec3> points;
+    std::vector<char> names;
+    for (const DrawnThing& t : d.things) {
+      things.push_back({t.above,
+                        (t.group ? is_group : 0U) | (t.fills ? is_filled : 0U) | (t.strokes ? is_stroked : 0U) |
+                            (t.round ? is_round : 0U),
+                        {t.at.x, t.at.y, t.at.z},
+                        {t.color.r, t.color.g, t.color.b},
+                        {t.stroke.r, t.stroke.g, t.stroke.b},
+                        t.stroke_width,
+                        t.transparency,
+                        t.trim_to,
+                        {t.dash.x, t.dash.y},
+                        t.points.size(),
+                        t.holes.size()});
+      points.insert(points.end(), t.points.begin(), t.points.end());
+      points.insert(points.end(), t.holes.begin(), t.holes.end());
+      names.insert(names.end(), t.name.begin(), t.name.end());
+      names.push_back('\n');
+    }
+    one(Head{static_cast<std::uint32_t>(Holds::drawing), 0});
+    one(FlatDrawing{d.width, d.left_out.size()});
+    block(things), block(points), block(names);
+    for (const std::string& sentence : d.left_out) block(sentence.substr(0, longest_words));
   }
   void error(const Error& e) {
     one(Head{static_cast<std::uint32_t>(Holds::error), static_cast<std::uint32_t>(e.code)});
@@ -312,6 +349,64 @@ std::shared_ptr<const SceneFile> take_scene(Taker& from) {
   return sound(*s) ? s : nullptr;
 }
 
+// Its names are names, groups stand before what is in them, and all that can be drawn is somewhere.
+bool sound(const DrawingFile& d) {
+  std::set<std::string_view> names;
+  const auto near = [](Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= 1e9; };
+  for (std::size_t i = 0; i < d.things.size(); ++i) {
+    const DrawnThing& t = d.things[i];
+    const bool owned = t.above == DrawnThing::nothing || (t.above < i && d.things[t.above].group);
+    const auto part = [](double v) { return v >= 0 && v <= 1; };
+    const auto color = [&](const Color& c) { return part(c.r) && part(c.g) && part(c.b); };
+    if (!is_name(t.name) || !names.insert(t.name).second || !owned || !near(t.at) || !color(t.color) ||
+        !color(t.stroke) || !part(t.transparency) || !part(t.trim_to) || !near({t.stroke_width, t.dash.x, t.dash.y}) ||
+        std::min({t.stroke_width, t.dash.x, t.dash.y}) < 0 || !std::all_of(t.points.begin(), t.points.end(), near) ||
+        !std::all_of(t.holes.begin(), t.holes.end(), near))
+      return false;
+  }
+  return d.width > 0 && d.width <= 1e9 && !d.things.empty() && d.things.size() <= 2 * most_drawn_things;
+}
+
+std::shared_ptr<const DrawingFile> take_drawing(Taker& from) {
+  auto drawing = std::make_shared<DrawingFile>();
+  FlatDrawing flat;
+  std::vector<FlatThing> things;
+  std::vector<Vec3> points;
+  std::string names;
+  if (!from.one(flat) || flat.sentences > longest_words || !from.block(things) || !from.block(points) ||
+      !from.block(names))
+    return nullptr;
+  drawing->width = flat.width;
+  std::uint64_t at = 0;
+  std::string_view rest = names;
+  const auto take_points = [&](std::uint64_t count, std::vector<Vec3>& to) {
+    if (count > points.size() - at) return false;
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(at);
+    to.assign(first, first + static_cast<std::ptrdiff_t>(count));
+    at += count;
+    return true;
+  };
+  for (const FlatThing& f : things) {
+    DrawnThing t;
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos || !take_points(f.points, t.points) || !take_points(f.holes, t.holes))
+      return nullptr;
+    t.name = rest.substr(0, end);
+    rest.remove_prefix(end + 1);
+    t.above = f.above;
+    t.group = f.flags & is_group, t.fills = f.flags & is_filled;
+    t.strokes = f.flags & is_stroked, t.round = f.flags & is_round;
+    t.at = {f.at[0], f.at[1], f.at[2]};
+    t.color = {f.color[0], f.color[1], f.color[2]}, t.stroke = {f.stroke[0], f.stroke[1], f.stroke[2]};
+    t.stroke_width = f.stroke_width, t.transparency = f.transparency, t.trim_to = f.trim_to;
+    t.dash = {f.dash[0], f.dash[1], 0};
+    drawing->things.push_back(std::move(t));
+  }
+  for (std::uint64_t i = 0; i < flat.sentences; ++i)
+    if (!take_words(from, drawing->left_out.emplace_back())) return nullptr;
+  return at == points.size() && rest.empty() && sound(*drawing) ? drawing : nullptr;
+}
+
 bool take(Taker& from, Parsed& out) {
   Head head;
   if (!from.one(head)) return false;
@@ -324,6 +419,11 @@ bool take(Taker& from, Parsed& out) {
     auto scene = take_scene(from);
     out = scene;
     return scene != nullptr;
+  }
+  if (head.holds == static_cast<std::uint32_t>(Holds::drawing)) {
+    auto drawing = take_drawing(from);
+    out = drawing;
+    return drawing != nullptr;
   }
   if (head.holds == static_cast<std::uint32_t>(Holds::picture)) {
     auto picture = take_picture(from);
@@ -352,6 +452,8 @@ int hand_over(const Parsed& parsed, int memory) {
     to.picture(**picture);
   } else if (const auto* scene = std::get_if<std::shared_ptr<const SceneFile>>(&parsed)) {
     to.scene(**scene);
+  } else if (const auto* drawing = std::get_if<std::shared_ptr<const DrawingFile>>(&parsed)) {
+    to.drawing(**drawing);
   } else {
     to.error(std::get<Error>(parsed));
   }

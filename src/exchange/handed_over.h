@@ -10,12 +10,13 @@
 
 #include "betwixt/mesh.h"
 #include "betwixt/result.h"
+#include "exchange/drawing.h"
 #include "exchange/scene_file.h"
 
 namespace betwixt {
 
-using Parsed =
-    std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error, std::shared_ptr<const SceneFile>>;
+using Parsed = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error,
+                            std::shared_ptr<const SceneFile>, std::shared_ptr<const DrawingFile>>;
 
 // Both return the system's reason (0: none). EBADMSG: what lies there is nothing of these.
 int hand_over(const Parsed&, int memory);

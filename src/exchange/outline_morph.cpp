@@ -18,13 +18,6 @@ namespace {
 
 bool has_letters(const Shape& s) { return row_of(s.kind).fill == Fill::outline && !row_of(s.kind).contours; }
 
-// Twice the area as seen from `facing`; positive counter-clockwise.
-double turn(const Contour& c, Vec3 facing) {
-  Vec3 sum{};
-  for (std::size_t i = 0; i < c.size(); ++i) sum = sum + cross(c[i] - c[0], c[(i + 1) % c.size()] - c[0]);
-  return dot(sum, facing);
-}
-
 Box bounds(const Contour& c, Box b = {}) {
   for (const Vec3 p : c) b.add(p);
   return b;
@@ -40,19 +33,6 @@ Vec3 carried(Vec3 p, const Box& from, const Box& to) {
   return p;
 }
 
-bool contains(const Contour& c, Vec3 p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = c.size() - 1; i < c.size(); j = i++)
-    if ((c[i].y > p.y) != (c[j].y > p.y) && p.x < lerp(c[i].x, c[j].x, (p.y - c[i].y) / (c[j].y - c[i].y)))
-      inside = !inside;
-  return inside;
-}
-
-// An outer contour with its holes, the largest first.
-struct Island {
-  Contour outer;
-  std::vector<Contour> holes;
-};
 // What is paired as one; its islands, the largest first.
 struct DrawnGlyph {
   std::string text;

@@ -5,6 +5,7 @@
 #include <GL/glu.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <map>
 
@@ -64,7 +65,9 @@ Filling tessellate(const Contours& contours, Vec3 normal, Winding winding, bool 
   gluTessCallback(tess, GLU_TESS_COMBINE_DATA, callback(on_crossing));
   gluTessCallback(tess, GLU_TESS_ERROR_DATA, callback(on_error));
   gluTessProperty(tess, GLU_TESS_WINDING_RULE,
-                  winding == Winding::nonzero ? GLU_TESS_WINDING_NONZERO : GLU_TESS_WINDING_POSITIVE);
+                  winding == Winding::nonzero    ? GLU_TESS_WINDING_NONZERO
+                  : winding == Winding::positive ? GLU_TESS_WINDING_POSITIVE
+                                                 : GLU_TESS_WINDING_ODD);
   gluTessNormal(tess, normal.x, normal.y, normal.z);
   gluTessBeginPolygon(tess, &out);
   for (const auto& contour : contours) {
@@ -153,6 +156,38 @@ Mesh filled(const Contours& contours, Vec3 normal, double depth, Winding winding
 }
 
 }  // namespace
+
+double turn(const Contour& c, Vec3 facing) {
+  Vec3 sum{};
+  for (std::size_t i = 0; i < c.size(); ++i) sum = sum + cross(c[i] - c[0], c[(i + 1) % c.size()] - c[0]);
+  return dot(sum, facing);
+}
+
+bool contains(const Contour& c, Vec3 p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = c.size() - 1; i < c.size(); j = i++)
+    if ((c[i].y > p.y) != (c[j].y > p.y) && p.x < std::lerp(c[i].x, c[j].x, (p.y - c[i].y) / (c[j].y - c[i].y)))
+      inside = !inside;
+  return inside;
+}
+
+std::vector<Island> islands(const Contours& contours, Winding winding) {
+  std::vector<Island> out;
+  std::vector<double> areas;
+  constexpr Vec3 up{0, 0, 1};
+  const Contours loops = tessellate(contours, up, winding, true).loops;
+  for (const Contour& loop : loops)
+    if (const double area = turn(loop, up); area > 0) out.push_back({loop, {}}), areas.push_back(area);
+  for (const Contour& loop : loops) {
+    if (!(turn(loop, up) < 0)) continue;
+    const Vec3 on_it = 0.5 * (loop[0] + loop[1]);  // corners may be those of its surroundings too
+    std::size_t around = out.size();
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if ((around == out.size() || areas[i] < areas[around]) && contains(out[i].outer, on_it)) around = i;
+    if (around < out.size()) out[around].holes.push_back(loop);
+  }
+  return out;
+}
 
 Mesh fill(const Outline& outline, double depth, Winding winding) {
   return filled(outline.contours, facing(outline.contours), depth, winding);

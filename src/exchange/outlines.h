@@ -10,8 +10,22 @@
 
 namespace betwixt {
 
-// What counts as inside: what the contours go round at all, or only what they go round counter-clockwise.
-enum class Winding : std::uint8_t { nonzero, positive };
+// What counts as inside: what the contours go round at all, only what they go round counter-clockwise, or what they go
+// round an odd number of times.
+enum class Winding : std::uint8_t { nonzero, positive, odd };
+
+// Twice the area as seen from `facing`; positive counter-clockwise.
+double turn(const Contour&, Vec3 facing);
+// Whether a point lies in it, in the plane.
+bool contains(const Contour&, Vec3);
+
+// An outer contour with its holes.
+struct Island {
+  Contour outer;
+  Contours holes;
+};
+// What contours in the plane fill, in pieces that lie apart, their borders without crossings.
+std::vector<Island> islands(const Contours&, Winding);
 
 // Filled. With a depth, a closed body about the outline's plane: front, back and walls, smooth where the outline is.
 Mesh fill(const Outline&, double depth = 0, Winding = Winding::nonzero);

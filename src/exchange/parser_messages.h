@@ -17,7 +17,7 @@ namespace betwixt {
 
 // The program's to the process that waits for work: this, then the path; with a socket to talk over, memory for what is
 // read, and the file.
-enum class ParserTask : std::uint32_t { mesh, picture, scene };
+enum class ParserTask : std::uint32_t { mesh, picture, scene, drawing };
 struct ParserCeilings {
   std::uint64_t memory = 0;             // bytes
   std::uint64_t seconds = 0, wall = 0;  // of work and in all
@@ -26,7 +26,7 @@ struct ParserRequest {
   ParserTask task = ParserTask::mesh;
   ParserCeilings most;
 };
-constexpr char parser_version[] = "2";  // of all this; its argument
+constexpr char parser_version[] = "3";  // of all this; its argument
 constexpr int parser_control = 3;       // the socket that requests come by
 
 // The first letter of what is said over a job's socket. A path is said behind `has` and `read`.

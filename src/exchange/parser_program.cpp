@@ -12,6 +12,7 @@
 #include <new>
 
 #include "base/files.h"
+#include "exchange/drawing.h"
 #include "exchange/handed_over.h"
 #include "exchange/meshes.h"
 #include "exchange/parser_jail.h"
@@ -66,6 +67,8 @@ Parsed parse(ParserTask task, const std::string& path, Shelf& shelf) {
         return parsed(parse_mesh(path, shelf));
       case ParserTask::picture:
         return parsed(parse_picture(path, shelf));
+      case ParserTask::drawing:
+        return parsed(parse_drawing(path, shelf));
       default:
         return parsed(parse_scene(path, shelf));
     }

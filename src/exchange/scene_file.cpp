@@ -96,7 +96,7 @@ Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, Sh
   const auto bytes = shelf.read(path);  // a missing file is told before an odd ending
   if (!bytes) return bytes.error();
   return fail(ErrorCode::file, fmt::format("{} is not a kind of scene that can be read", path),
-              "glTF (.gltf .glb) can be");
+              "glTF (.gltf .glb) and drawings (.svg) can be");
 }
 
 }  // namespace betwixt

@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
 
-#include "exchange/flattener.h"
+#include "exchange/svg_path.h"
 #include "exchange/tex.h"
 #include "scene/kinds.h"
 
@@ -21,161 +20,17 @@ namespace {
 
 constexpr double em = 10 * 72 / 72.27;  // TeX's 10pt, in the drawing's 1/72 in
 constexpr double square_side = 72;
-constexpr double farthest = 1e6;
 constexpr std::size_t deepest = 64, most_points = 1'000'000;
 
 Error unreadable(std::string_view what) {
   return fail(ErrorCode::machine, fmt::format("dvisvgm drew what is no formula: {}", what));
 }
 
-// PathNumbers one behind the other, between blanks and commas or nothing at all: "M.5-1.2,3".
-class PathNumbers {
- public:
-  explicit PathNumbers(std::string_view text) : rest_(text) {}
-
-  bool done() {
-    const auto next = rest_.find_first_not_of(" ,\t\r\n");
-    rest_.remove_prefix(std::min(next, rest_.size()));
-    return rest_.empty();
-  }
-  // What comes next is that: up to a letter's end.
-  bool letter() { return !done() && std::isalpha(static_cast<unsigned char>(rest_[0])); }
-  char take() {
-    const char c = rest_[0];
-    rest_.remove_prefix(1);
-    return c;
-  }
-  std::optional<double> number() {
-    if (done()) return std::nullopt;
-    if (rest_[0] == '+') take();
-    double v = 0;
-    const auto read = std::from_chars(rest_.data(), rest_.data() + rest_.size(), v);
-    if (read.ec != std::errc() || !(std::abs(v) <= farthest)) return std::nullopt;
-    rest_.remove_prefix(static_cast<std::size_t>(read.ptr - rest_.data()));
-    return v;
-  }
-
- private:
-  std::string_view rest_;
-};
-
 std::optional<double> number_in(std::string_view text) {
   PathNumbers n(text);
   const auto v = n.number();
   return v && n.done() ? v : std::nullopt;
 }
-
-// As SVG's matrix(a b c d e f).
-struct Affine {
-  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
-  Vec3 operator()(Vec3 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f, 0}; }
-  friend Affine operator*(const Affine& m, const Affine& n) {
-    return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
-            m.b * n.c + m.d * n.d, m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};
-  }
-  bool sane() const {
-    return std::max({std::abs(a), std::abs(b), std::abs(c), std::abs(d), std::abs(e), std::abs(f)}) <= farthest;
-  }
-};
-
-// "matrix(…)", "translate(…)" and "scale(…)", one behind the other.
-std::optional<Affine> transform_in(std::string_view text) {
-  Affine all;
-  for (std::size_t open; (open = text.find('(')) != std::string_view::npos;) {
-    const auto close = text.find(')', open);
-    if (close == std::string_view::npos) return std::nullopt;
-    std::string_view name = text.substr(0, open);
-    name.remove_prefix(std::min(name.find_first_not_of(" ,"), name.size()));
-    PathNumbers n(text.substr(open + 1, close - open - 1));
-    std::array<double, 6> v{};
-    std::size_t count = 0;
-    for (; count < v.size() && !n.done(); ++count) {
-      const auto one = n.number();
-      if (!one) return std::nullopt;
-      v[count] = *one;
-    }
-    if (!n.done()) return std::nullopt;
-    if (name == "matrix" && count == 6)
-      all = all * Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
-    else if (name == "translate" && (count == 1 || count == 2))
-      all = all * Affine{1, 0, 0, 1, v[0], v[1]};
-    else if (name == "scale" && (count == 1 || count == 2))
-      all = all * Affine{v[0], 0, 0, count == 2 ? v[1] : v[0], 0, 0};
-    else
-      return std::nullopt;
-    text.remove_prefix(close + 1);
-  }
-  return text.find_first_not_of(' ') == std::string_view::npos ? std::optional(all) : std::nullopt;
-}
-
-// The commands of a path's `d`, carried out.
-class PathReader {
- public:
-  PathReader(const Affine& to, Flattener& into) : to_(to), into_(into) {}
-
-  bool read(std::string_view d) {
-    PathNumbers n(d);
-    char command = 0;
-    while (!n.done()) {
-      if (n.letter())
-        command = n.take();
-      else if (command == 0 || command == 'Z' || command == 'z')
-        return false;
-      const bool relative = command >= 'a';
-      const char upper = relative ? static_cast<char>(command - 'a' + 'A') : command;
-      const auto which = commands.find(upper);
-      if (which == std::string_view::npos) return false;
-      for (std::size_t i = 0; i < counts[which]; ++i) {
-        const auto v = n.number();
-        if (!v) return false;
-        v_[i] = *v;
-      }
-      if (upper != 'M' && !into_.begun()) return false;
-      from_ = relative ? at_ : Vec3{};
-      draw(upper);
-      before_ = upper;
-      if (upper == 'M') command = relative ? 'l' : 'L';  // as what follows without a letter is read
-    }
-    return true;
-  }
-
- private:
-  static constexpr std::string_view commands = "MLHVCSQTZ";
-  static constexpr std::array<std::size_t, 9> counts{2, 2, 1, 1, 6, 4, 4, 2, 0};
-
-  Vec3 point(std::size_t i) const { return from_ + Vec3{v_[i], v_[i + 1], 0}; }
-  // The last curve's control point, mirrored, where that was one of these.
-  Vec3 smooth(char one, char other) const { return before_ == one || before_ == other ? 2 * at_ - control_ : at_; }
-
-  void draw(char command) {
-    if (command == 'M') return begin(point(0));
-    if (command == 'Z') return void(at_ = start_);
-    if (before_ == 'Z') begin(start_);
-    if (command == 'L') return line(point(0));
-    if (command == 'H') return line({from_.x + v_[0], at_.y, 0});
-    if (command == 'V') return line({at_.x, from_.y + v_[0], 0});
-    if (command == 'C') return cubic(point(0), point(2), point(4));
-    if (command == 'S') return cubic(smooth('C', 'S'), point(0), point(2));
-    if (command == 'Q') return conic(point(0), point(2));
-    conic(smooth('Q', 'T'), point(0));
-  }
-  void begin(Vec3 p) { into_.move(to_(at_ = start_ = p)); }
-  void line(Vec3 p) { into_.line(to_(at_ = p)); }
-  void cubic(Vec3 b, Vec3 c, Vec3 d) {
-    into_.cubic(to_(b), to_(c), to_(d));
-    control_ = c, at_ = d;
-  }
-  void conic(Vec3 b, Vec3 c) {
-    into_.conic(to_(b), to_(c));
-    control_ = b, at_ = c;
-  }
-
-  const Affine to_;
-  Flattener& into_;
-  std::array<double, 6> v_{};
-  Vec3 from_, at_, start_, control_;
-  char before_ = 0;
-};
 
 // <name a='…' b="…">, </name>, <name/>
 struct Tag {
@@ -308,7 +163,7 @@ class DrawingReader {
     out_.letters.push_back({out_.contours.size(), std::move(name)});
     for (Contour& c : contours) {
       for (const Vec3 p : c)
-        if (!(std::max(std::abs(p.x), std::abs(p.y)) <= farthest)) return unreadable("something too far away");
+        if (!(std::max(std::abs(p.x), std::abs(p.y)) <= farthest_in_svg)) return unreadable("something too far away");
       points_ += c.size();
       out_.contours.push_back(std::move(c));
     }

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "base/names.h"
-#include "language/colors.h"
 #include "language/formula.h"
 #include "language/line_words.h"
+#include "scene/colors.h"
 #include "track/curve.h"
 
 namespace betwixt {

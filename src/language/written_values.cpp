@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "language/colors.h"
 #include "language/values.h"
+#include "scene/colors.h"
 #include "scene/environment.h"
 #include "scene/flat_shapes.h"
 #include "scene/power.h"

@@ -222,6 +222,14 @@ inline const FunctionSpec flat_functions[] = {
      .sentence = "What is cut out of a polygon: one list of points, or a list of them.",
      .written = "((x y) …) or (((x y) …) ((x y) …) …)",
      .example = "create frame polygon points=((0 0) (4 0) (4 4) (0 4))\nset frame.holes ((1 1) (3 1) (3 3) (1 3))"},
+    {.name = "stroke-round",
+     .type = Type::boolean,
+     .rest = false,
+     .kinds = drawn_kinds,
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.stroke_round = std::get<double>(v) != 0; },
+     .sentence = "Whether the corners and the ends of a stroke are round.",
+     .written = "on or off",
+     .example = "create card rectangle stroke=gold\nset card.stroke-round on"},
 };
 
 }  // namespace betwixt

@@ -342,7 +342,7 @@ std::optional<Kind> find_kind(std::string_view name) {
 
 std::string written_of(const KindRow& row) {
   std::string all(row.written);
-  if (row.deep) all += " depth=0 fill=on stroke=none stroke-width=0.05";
+  if (row.deep) all += " depth=0 fill=on stroke=none stroke-width=0.05 stroke-round=off";
   if (row.deep || row.line) all += " dash=(0 0) trim=(0 1)";
   return all;
 }

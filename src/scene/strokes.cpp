@@ -41,7 +41,8 @@ DrawnPart stretch_between(const std::vector<Vec3>& line, const std::vector<doubl
 // A line of some width in a plane. Sides of no length are left out.
 class FlatStroke {
  public:
-  FlatStroke(const DrawnPart& line, double width, Vec3 up) : up_(up), half_(width / 2), closed_(line.closed) {
+  FlatStroke(const DrawnPart& line, double width, bool round, Vec3 up)
+      : up_(up), half_(width / 2), round_(round), closed_(line.closed) {
     const std::size_t n = line.points.size();
     for (std::size_t i = 0; i < n + (closed_ ? 1 : 0); ++i) {
       const Vec3 p = line.points[i % n];
@@ -70,6 +71,9 @@ class FlatStroke {
       done += run;
       if (done < sides || closed_) add_corner(first + done, out);
     }
+    if (!round_ || closed_) return;
+    add_disc(points_.front(), out);
+    if (sides > 0) add_disc(points_.back(), out);
   }
 
  private:
@@ -107,6 +111,7 @@ class FlatStroke {
   }
   // What lies between two sides on the outside of their turn.
   void add_corner(std::size_t i, Contours& out) const {
+    if (round_) return add_disc(point(i), out);
     const Vec3 a = left_before(i), b = left(i), p = point(i);
     const double outside = dot(cross(a, b), up_) > 0 ? -half_ : half_;  // on the left is the inside of a left turn
     std::vector<Vec3> area{p, p + outside * a};
@@ -116,8 +121,21 @@ class FlatStroke {
     out.push_back(std::move(area));
   }
 
+  void add_disc(Vec3 middle, Contours& out) const {
+    constexpr int sides = 32;
+    const Vec3 across = left_.empty() ? any_side() : left_.front(), along = cross(across, up_);
+    std::vector<Vec3> disc;
+    for (int i = 0; i < sides; ++i) {
+      const double turn = 2 * pi * i / sides;
+      disc.push_back(middle + half_ * (std::cos(turn) * along + std::sin(turn) * across));
+    }
+    out.push_back(std::move(disc));
+  }
+  Vec3 any_side() const { return normalize(cross(up_, std::abs(up_.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0})); }
+
   const Vec3 up_;
   const double half_;
+  const bool round_;
   bool closed_;
   std::vector<Vec3> points_, left_;
   std::vector<double> long_;
@@ -150,7 +168,7 @@ std::vector<DrawnPart> stretches(const std::vector<Vec3>& line, bool closed, con
 }
 
 Pen pen_of(const Shape& s) {
-  Pen pen{s.filled, 0, std::nullopt, {}};
+  Pen pen{s.filled, 0, std::nullopt, {}, s.stroke_round};
   if (s.stroke.x >= 0 || s.stroke.y >= 0 || s.stroke.z >= 0) pen.color = s.stroke;
   if ((pen.color || !s.filled) && sane(s.stroke_width)) pen.width = std::max(0.0, s.stroke_width);
   if (!row_of(s.kind).line) pen.dashes = dashes_of(s);
@@ -200,7 +218,8 @@ Contours stroke_areas(const Contours& contours, const Pen& pen, Vec3 up) {
   Contours areas;
   if (!(pen.width > 0)) return areas;
   for (const auto& contour : contours)
-    for (const DrawnPart& s : stretches(contour, true, pen.dashes)) FlatStroke(s, pen.width, up).areas(areas);
+    for (const DrawnPart& s : stretches(contour, true, pen.dashes))
+      FlatStroke(s, pen.width, pen.round, up).areas(areas);
   return areas;
 }
 

@@ -36,6 +36,7 @@ struct Pen {
   double width = 0;           // of the stroke; 0: there is none
   std::optional<Vec3> color;  // its own, linear light; none: that of the object
   Dashes dashes;
+  bool round = false;  // its corners and ends
 };
 Pen pen_of(const Shape&);
 // Of shapes on their way; a stroke that only one has grows or wanes.
@@ -47,6 +48,7 @@ bool by_contours(const Shape&);
 Vec3 facing(const Contours&);
 // Contours round what the stroke along closed contours covers, anticlockwise seen from `up`; together, by the non-zero
 // rule, all of it. Ends are cut off straight; corners come to a point if that is no longer than four times the width.
+// Or both are round.
 Contours stroke_areas(const Contours&, const Pen&, Vec3 up);
 // Of what is drawn along and between contours.
 Extent drawn_extent(const Contours&, const Shape&);

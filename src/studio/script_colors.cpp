@@ -6,7 +6,7 @@
 #include <QTextLayout>
 
 #include "editor/speaking.h"
-#include "language/colors.h"
+#include "scene/colors.h"
 #include "studio/script_edit.h"
 #include "studio/text_of.h"
 #include "studio/theme.h"

@@ -46,9 +46,9 @@ class Author : Dice {
       say(line);
     }
     if (chance(3))
-      say(fmt::format("create card {} fill={} stroke={} stroke-width=0.{} dash=(0.{} {}) trim=(0.{} 1)",
+      say(fmt::format("create card {} fill={} stroke={} stroke-width=0.{} stroke-round={} dash=(0.{} {}) trim=(0.{} 1)",
                       pick({"rectangle", "circle", "arc", "text"}), pick({"on", "off"}), chance(3) ? "none" : color(),
-                      below(100), below(100), below(3), below(100)));
+                      below(100), pick({"on", "off"}), below(100), below(3), below(100)));
     if (chance(4))
       say("create frame polygon points=((0 0) (4 0) (4 4)) holes=" +
           pick({"((1 1) (2 1) (2 2))", "(((1 1) (2 1) (2 2)) ((3 1) (3.5 1) (3 2 0.5)))", "()",

@@ -73,6 +73,51 @@ TEST(Strokes, HaveTheAreasOfTheirFormulas) {
   EXPECT_NEAR(stroke_area(cell), 6 * 0.1, 1e-5);
 }
 
+// Beyond what is pointed or cut off: quarters of a disc at corners, halves at ends; a disc here has 32 sides.
+TEST(Strokes, MayBeRound) {
+  const double disc = 16 * std::sin(2 * pi / 32);  // of radius 1
+  Shape card = stroked(Kind::rectangle, 0.5);
+  card.size = {4, 2, 1}, card.stroke_round = true;
+  EXPECT_NEAR(stroke_area(card), 12 * 0.5 - 0.25 * 0.25 * (4 - disc), 1e-5) << "its corners are rounded";
+  card.trim_to = 0.25;
+  EXPECT_NEAR(stroke_area(card), 3 * 0.5 + 0.25 * 0.25 * disc, 1e-5) << "and its ends";
+  card.trim_to = 1, card.dash = 0, card.gap = 1;
+  EXPECT_NEAR(stroke_area(card), 12 * 0.25 * 0.25 * disc, 1e-5) << "dashes of no length are dots";
+}
+
+// Against the grid: a point belongs to them where the winding number of all contours says so.
+TEST(Islands, AreWhatContoursFill) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-1, 1);
+  for (int round = 0; round < 20; ++round) {
+    Contours contours(1 + round % 4);
+    for (Contour& c : contours)
+      for (int i = 0; i < 3 + round % 5; ++i) c.push_back({place(random), place(random), 0});
+    for (const Winding rule : {Winding::nonzero, Winding::odd}) {
+      const auto all = islands(contours, rule);
+      for (int i = 0; i < 200; ++i) {
+        const Vec3 p{place(random), place(random), 0};
+        int winding = 0;
+        for (const Contour& c : contours) {
+          double turned = 0;
+          for (std::size_t k = 0; k < c.size(); ++k) {
+            const Vec3 a = c[k] - p, b = c[(k + 1) % c.size()] - p;
+            turned += std::atan2(cross(a, b).z, dot(a, b));
+          }
+          winding += static_cast<int>(std::lround(turned / (2 * pi)));
+        }
+        int inside = 0;
+        for (const Island& island : all) {
+          bool here = contains(island.outer, p);
+          for (const Contour& hole : island.holes) here = here && !contains(hole, p);
+          inside += here ? 1 : 0;
+        }
+        EXPECT_EQ(inside, (rule == Winding::odd ? winding % 2 != 0 : winding != 0) ? 1 : 0) << round;
+      }
+    }
+  }
+}
+
 TEST(Strokes, ThatAreNoLongerAtSharpCornersAreCutThere) {
   Shape s = stroked(Kind::polygon, 0.2);
   s.points = std::vector<Vec3>{{0, 0, 0}, {10, 0.3, 0}, {10, -0.3, 0}};

@@ -120,7 +120,7 @@ TEST(Tex, FilledByTheNonZeroRule) {
 }
 
 TEST(Tex, WhatIsNoFormulaIsSaid) {
-  for (const char* d : {"72 72", "L72 72", "M72", "M72 72L", "M72 72A1 1 0 0 0 9 9", "M72 72Z5 5", "Mnan 1", "M1 -nan",
+  for (const char* d : {"72 72", "L72 72", "M72", "M72 72L", "M72 72A1 1 0 2 0 9 9", "M72 72Z5 5", "Mnan 1", "M1 -nan",
                         "M72 72Linf 1", "M1e300 0", "M1e7 0", "M72 72L1e999 0", "M72 72\xff", "M- 1", "M72 72L1 2 3"})
     EXPECT_EQ(refused(drawing_of(fmt::format("<path d='{}'/>", d))),
               "dvisvgm drew what is no formula: a path that is none")
@@ -130,7 +130,7 @@ TEST(Tex, WhatIsNoFormulaIsSaid) {
         {"<use x='1' y='1'/>", "a glyph that is none"},
         {"<rect x='1' y='1' width='-1' height='1'/>", "a bar that is none"},
         {"<rect x='1' y='1' width='1pt' height='1'/>", "a bar that is none"},
-        {"<g transform='rotate(5)'></g>", "a transformation that is none"},
+        {"<g transform='turn(5)'></g>", "a transformation that is none"},
         {"<g transform='matrix(1 0 0 1 0)'></g>", "a transformation that is none"},
         {"<g transform='scale(1e5) scale(1e5)'></g>", "something too large"},
         {"<g transform='scale(1e5)'><rect x='99' y='9' width='9' height='9'/></g>", "something too far away"},

@@ -139,7 +139,7 @@ TEST(Functions, KindsHaveTheirs) {
   const Scene s;
   const auto common = function_names(s, Kind::group);
   EXPECT_EQ(common.size(), 25U);
-  const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "dash", "trim"};
+  const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "stroke-round", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {
       std::set<std::string> all(common.begin(), common.end());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "language/colors.h"
+#include "scene/colors.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// create NAME scene file="logo.svg": what a drawing holds becomes objects.
+#include "commands/drawings.h"
+
+#include <fmt/format.h>
+
+#include "base/still_wanted.h"
+#include "exchange/drawing.h"
+
+namespace betwixt {
+namespace {
+
+// What the drawing says of a thing, as values of an object.
+Object object_of(const DrawnThing& thing, const std::string& name) {
+  static const auto of_polygon = [](std::string_view function) { return *find_built_in(Kind::polygon, function); };
+  Object o;
+  o.name = name;
+  o.kind = thing.group ? Kind::group : Kind::polygon;
+  const auto set = [&o](FunctionId f, Value v) { o.slot(f).set = std::move(v); };
+  if (!(thing.at == Vec3{})) set(fn::position, thing.at);
+  if (thing.group) return o;
+  set(of_polygon("points"), Points(thing.points));
+  if (!thing.holes.empty()) set(of_polygon("holes"), Points(thing.holes));
+  set(fn::color, thing.color);
+  set(fn::material, Text("glow"));  // as it is drawn, whatever lights there are
+  if (thing.transparency > 0) set(fn::transparency, thing.transparency);
+  if (!thing.fills) set(of_polygon("fill"), false);
+  if (thing.strokes) set(of_polygon("stroke"), thing.stroke);
+  if (thing.stroke_width > 0) set(of_polygon("stroke-width"), thing.stroke_width);
+  if (thing.round) set(of_polygon("stroke-round"), true);
+  if (thing.dash.y > 0) set(of_polygon("dash"), thing.dash);
+  if (thing.trim_to < 1) set(of_polygon("trim"), Vec3{0, thing.trim_to, 0});
+  return o;
+}
+
+}  // namespace
+
+bool create_drawing(Command& k, const std::vector<std::string>& names, const std::vector<ObjectId>& parents,
+                    const Object& root, std::string path, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  std::filesystem::path where;
+  if (!may_use(k, path, about, where)) return false;
+  const auto loaded = load_drawing(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
+  if (!loaded) return c.fail(loaded.error().code, loaded.error().message, about, loaded.error().hint);
+  const DrawingFile& drawing = **loaded;
+  if (s.objects.size() + names.size() * (1 + drawing.things.size()) > most_objects)
+    return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), about);
+  for (const std::string& name : names)
+    for (const DrawnThing& thing : drawing.things)
+      if (!free_name(k, name + "/" + thing.name, about)) return false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::vector<ObjectId> ids;
+    Object all = root;
+    all.name = names[i];
+    const ObjectId first = add_child(s, std::move(all), parents[i]);
+    for (const DrawnThing& thing : drawing.things) {
+      StillWanted::ask();
+      ids.push_back(add_child(s, object_of(thing, names[i] + "/" + thing.name),
+                              thing.above == DrawnThing::nothing ? first : ids[thing.above]));
+    }
+  }
+  for (const std::string& sentence : drawing.left_out)
+    script.note(Severity::warning, fmt::format("of {}: {}", path, sentence), about);
+  return true;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Drawings from files: SVG by pugixml.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "betwixt/result.h"
+#include "betwixt/value.h"
+#include "exchange/shelf.h"
+
+namespace betwixt {
+
+// A flat outline, or a group. It stands at `at` from what it belongs to; its points count from there.
+struct DrawnThing {
+  static constexpr std::uint32_t nothing = 0xffffffff;
+  std::string name;               // its own in the drawing; it can be an object's behind a '/'
+  std::uint32_t above = nothing;  // the group that it belongs to, which stands before it
+  bool group = false;
+  Vec3 at;
+  std::vector<Vec3> points, holes;  // as those of a polygon
+  bool fills = true, strokes = false, round = false;
+  Color color, stroke;
+  double stroke_width = 0, transparency = 0, trim_to = 1;
+  Vec3 dash;
+};
+inline constexpr std::size_t most_drawn_things = 100'000, most_drawn_points = 2'000'000;
+
+// One metre high, about its middle, y up; what is drawn later is in front.
+struct DrawingFile {
+  double width = 1;
+  std::vector<DrawnThing> things;
+  std::vector<std::string> left_out;  // sentences
+};
+
+// Errors: file, range.
+Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read);
+// The same in this process, whatever the file does to it.
+Result<std::shared_ptr<const DrawingFile>> parse_drawing(const std::string& path, Shelf&);
+Result<std::shared_ptr<const DrawingFile>> read_svg(const std::string& text, const std::string& path);
+
+}  // namespace betwixt
