@@ -72,6 +72,19 @@ std::string SceneNames::give(std::string_view wanted, std::string_view otherwise
 
 std::string scene_of(const std::string& path) { return path.substr(0, path.find('#')); }
 
+bool put_transform(const Mat4& m, SceneNode& to) {
+  to.position = translation_of(m);
+  to.scale = {length(column(m, 0)), length(column(m, 1)), length(column(m, 2))};
+  if (determinant(m) < 0) to.scale.x = -to.scale.x;
+  Mat4 turn;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 3 && to.scale[c] != 0; ++i) turn(i, c) = m(i, c) / to.scale[c];
+  to.rotation = from_matrix(turn);
+  const Mat4 again = translation(to.position) * rotation(to.rotation) * scaling(to.scale);
+  return std::equal(again.m.begin(), again.m.end(), m.m.begin(),
+                    [&](double a, double b) { return std::abs(a - b) <= 1e-5 * (1 + length(to.scale)); });
+}
+
 bool sound(const SceneFile& s) {
   if (s.nodes.size() > most_nodes) return false;
   for (const SceneMesh& m : s.meshes)
@@ -93,10 +106,12 @@ bool sound(const SceneFile& s) {
 Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, Shelf& shelf) {
   const std::string kind = ending(path);
   if (kind == "gltf" || kind == "glb") return load_gltf_scene(path, shelf);
+  for (const char* known : {"bvh", "dae", "fbx"})
+    if (kind == known) return load_scene_by_assimp(path, shelf);
   const auto bytes = shelf.read(path);  // a missing file is told before an odd ending
   if (!bytes) return bytes.error();
   return fail(ErrorCode::file, fmt::format("{} is not a kind of scene that can be read", path),
-              "glTF (.gltf .glb) and drawings (.svg) can be");
+              "glTF (.gltf .glb), .bvh .dae .fbx and drawings (.svg) can be");
 }
 
 }  // namespace betwixt

@@ -84,6 +84,8 @@ Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string&
 // The mesh of a scene that a path with a mark names: truck.glb#Wheels. The part before the mark; or all, without one.
 std::string scene_of(const std::string& path);
 
+// Takes a matrix apart into place, turn and scale. False: it is skewed, which these cannot be.
+bool put_transform(const Mat4&, SceneNode&);
 // Whether all indices lead somewhere, and all numbers are some.
 bool sound(const SceneFile&);
 

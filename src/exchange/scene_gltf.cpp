@@ -55,26 +55,15 @@ class GltfScene {
   }
 
   void place(const gltf::Node& n, SceneNode& to) {
-    if (n.matrix.size() == 16) return take_apart(GltfModel::transform(n), to);
+    if (n.matrix.size() == 16) {
+      if (!put_transform(GltfModel::transform(n), to)) leave_out("a node is skewed; it stands straight here");
+      return;
+    }
     const auto vector = [](const std::vector<double>& v) { return Vec3{v[0], v[1], v[2]}; };
     if (n.translation.size() == 3) to.position = vector(n.translation);
     if (n.rotation.size() == 4)
       to.rotation = normalize(Quat{n.rotation[3], n.rotation[0], n.rotation[1], n.rotation[2]});
     if (n.scale.size() == 3) to.scale = vector(n.scale);
-  }
-
-  void take_apart(const Mat4& m, SceneNode& to) {
-    to.position = translation_of(m);
-    to.scale = {length(column(m, 0)), length(column(m, 1)), length(column(m, 2))};
-    if (determinant(m) < 0) to.scale.x = -to.scale.x;
-    Mat4 turn;
-    for (int c = 0; c < 3; ++c)
-      for (int i = 0; i < 3 && to.scale[c] != 0; ++i) turn(i, c) = m(i, c) / to.scale[c];
-    to.rotation = from_matrix(turn);
-    const Mat4 again = translation(to.position) * rotation(to.rotation) * scaling(to.scale);
-    for (std::size_t i = 0; i < 16; ++i)
-      if (!(std::abs(again.m[i] - m.m[i]) <= 1e-5 * (1 + length(to.scale))))
-        leave_out("a node is skewed; it stands straight here");
   }
 
   // ---- what is seen of them

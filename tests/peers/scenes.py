@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes the small glTF files of the tests, and the figure of the examples. Needs numpy.
-#   python3 tests/peers/scenes.py   writes tests/commands/data/scenes/*.glb and examples/meshes/figure.glb
+# Makes the small files of the tests, and the figure of the examples. Needs numpy.
+#   python3 tests/peers/scenes.py   writes tests/commands/data/scenes/* and examples/meshes/figure.glb
 import json, math, os, struct
 import numpy as np
 
@@ -330,8 +330,51 @@ def figure(path):
     g.write(path)
 
 
+def bones(path):
+    """A motion capture file: no mesh, all channels of the root, other orders of turns below."""
+    random = np.random.default_rng(3)
+    text = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Leg
+  {
+    OFFSET 1 -1 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    JOINT Foot
+    {
+      OFFSET 0 -4 0.5
+      CHANNELS 3 Xrotation Yrotation Zrotation
+      End Site
+      {
+        OFFSET 0 0 1
+      }
+    }
+  }
+  JOINT Chest
+  {
+    OFFSET 0 3 0
+    CHANNELS 3 Zrotation Yrotation Xrotation
+    End Site
+    {
+      OFFSET 0 2 0
+    }
+  }
+}
+MOTION
+Frames: 6
+Frame Time: 0.05
+"""
+    for _ in range(6):
+        text += " ".join(f"{x:.4f}" for x in [*random.normal(0, 3, 3), *random.uniform(-80, 80, 12)]) + "\n"
+    with open(os.path.join(ROOT, path), "w") as f:
+        f.write(text)
+
+
 scenes = "tests/commands/data/scenes/"
 os.makedirs(os.path.join(ROOT, scenes), exist_ok=True)
 for make in (skin, morph, cubic, step, stage):
     make(f"{scenes}{make.__name__}.glb")
+bones(f"{scenes}bones.bvh")
 figure("examples/meshes/figure.glb")

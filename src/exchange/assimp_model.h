@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A file as assimp reads it, triangulated, with what meshes and scenes both ask of it.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "exchange/assembly.h"
+
+namespace betwixt {
+
+class AssimpModel {
+ public:
+  // `as`: what it is wanted as, for errors: file. A scene need not have meshes.
+  static Result<std::unique_ptr<AssimpModel>> open(const std::string& path, Shelf&, const std::string& as);
+  AssimpModel(std::string path, Shelf&, std::string as);
+
+  const aiScene& scene() const { return *scene_; }
+  Error error(const std::string& what) const { return Assembly(path_, as_).error(what); }
+  const std::string& path() const { return path_; }
+
+  static Mat4 matrix(const aiMatrix4x4&);
+  Mat4 upright() const;  // FBX says which way is up and leaves the rest to the reader
+  Mesh piece(unsigned mesh) const;
+  MeshPart look(unsigned material);
+
+ private:
+  Status read(bool textures, bool bare);
+  std::shared_ptr<const Picture> texture(const aiString& name);
+
+  std::string path_, as_;
+  Shelf& shelf_;
+  Assimp::Importer importer_;
+  const aiScene* scene_ = nullptr;
+  std::vector<std::vector<std::uint32_t>> edges_;  // by mesh
+  std::map<std::string, std::shared_ptr<const Picture>> pictures_;
+};
+
+}  // namespace betwixt
