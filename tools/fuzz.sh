@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Looks for texts that break what reads them.
-#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, drawing, language, protocol
-#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, language, protocol, scene
+#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, drawing, language, protocol, scene
 #   tools/fuzz.sh keep [TARGET…]             what was learnt becomes the corpus in tests/fuzz/corpus
 # It begins with that corpus, the examples and the tests' scripts. What is found lies in build/fuzz/found, what was said in
 # build/fuzz/TARGET.log; what was learnt is kept in build/fuzz/corpus, so that the next run goes on from there.
@@ -14,8 +13,7 @@ keep=
 if [ "${1-}" = keep ]; then keep=1 && set -- 0 1 "${@:2}"; fi
 seconds=${1:-60} jobs=${2:-1}
 targets=("${@:3}")
-[ ${#targets[@]} != 0 ] || targets=(motion drawing language protocol)
-[ ${#targets[@]} != 0 ] || targets=(motion language protocol scene)
+[ ${#targets[@]} != 0 ] || targets=(motion drawing language protocol scene)
 need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/test-packages.txt"
 build fuzz "${targets[@]/#/fuzz_}"
 
@@ -24,11 +22,8 @@ cd "$folder" || die "there is no $folder"
 mkdir -p found
 # Leaks are looked for at the end: after each execution that would take more than all the rest. Texts are short, as most
 # of what is to be found lies in few lines.
-declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024)
+declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024 [scene]=8192)
 options=(-artifact_prefix=found/ -detect_leaks=0 -entropic=0 -timeout=120 -rss_limit_mb=3000)
-declare -A longest=([motion]=400 [language]=2048 [protocol]=1024 [scene]=8192)
-options=(-dict="$root/tests/fuzz/language.dict" -artifact_prefix=found/ -detect_leaks=0 -entropic=0 -timeout=120
-  -rss_limit_mb=3000)
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0
 
 # words TARGET: the dictionary of what it reads.
@@ -45,11 +40,8 @@ seeds() {
   python3 "$root/tests/fuzz/corpus.py" unpack "$root/tests/fuzz/corpus/$1.txt" "seeds/$1" || die "the corpus cannot be read"
   local ending=bx
   [ "$1" != drawing ] || ending=svg
+  [ "$1" != scene ] || ending=glb
   [ "$1" = motion ] || find "$root/examples" "$root/tests" -name "*.$ending" -size -32k -exec cp -f {} "seeds/$1/" \;
-  [ "$1" != scene ] || cp "$root"/tests/commands/data/scenes/*.glb "seeds/$1"
-  [ ! -f "$root/tests/fuzz/corpus/$1.txt" ] ||
-    python3 "$root/tests/fuzz/corpus.py" unpack "$root/tests/fuzz/corpus/$1.txt" "seeds/$1" || die "the corpus cannot be read"
-  [[ $1 = motion || $1 = scene ]] || find "$root/examples" "$root/tests" -name '*.bx' -size -32k -exec cp -f {} "seeds/$1/" \;
 }
 
 # fuzz TARGET SECONDS
