@@ -10,6 +10,7 @@
 #include "exchange/geometry.h"
 #include "program/compiled.h"
 #include "scene/names.h"
+#include "scene/rig.h"
 #include "scene/shape_blend.h"
 
 namespace betwixt {
@@ -138,6 +139,24 @@ void look_at_lens(const Object& o, Diagnostics& out) {
         "lens or fov in place of height");
 }
 
+// Joints that move no vertices: their number is another than the file's, or nothing has such a name.
+void look_at_joints(const Scene& s, const Object& o, Diagnostics& out) {
+  const Slot *said = o.find(fn::joints), *file = o.find(fn::file);
+  const auto* names = said && said->set ? std::get_if<Names>(&*said->set) : nullptr;
+  const auto* path = file && file->set ? std::get_if<Text>(&*file->set) : nullptr;
+  if (!names || !path || (*names)->empty()) return;
+  const auto mesh = s.meshes->find(**path);
+  const std::size_t wanted = mesh == s.meshes->end() || !mesh->second->rig ? 0 : mesh->second->rig->inverse_bind.size();
+  if (wanted != (*names)->size())
+    return say(out, ErrorCode::range,
+               wanted == 0
+                   ? fmt::format("{} has joints, but its mesh has no skin that follows them", o.name)
+                   : fmt::format("{} has {} joints, but its mesh follows {}", o.name, (*names)->size(), wanted));
+  for (const std::string& name : **names)
+    if (!s.names.find(name))
+      return say(out, ErrorCode::name, fmt::format("{} follows '{}', which is not there: it stays", o.name, name));
+}
+
 }  // namespace
 
 void look_over(const Scene& s, Diagnostics& out) {
@@ -150,6 +169,7 @@ void look_over(const Scene& s, Diagnostics& out) {
     if (o.removed) continue;
     look_at_letting_go(s, o, out);
     look_at_lens(o, out);
+    look_at_joints(s, o, out);
     for (const Slot& slot : o.slots)
       look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out),
           look_at_code(s, {i}, slot, out);

@@ -94,7 +94,7 @@ class GltfScene {
       if (!made) return made.error();
       if (made->mesh) {
         known->second = static_cast<std::int32_t>(out_.meshes.size());
-        made->name = mesh_names_.give(mesh->name, "mesh");
+        made->name = mesh_names_.give(mesh->name.empty() ? to.name : mesh->name, "mesh");
         out_.meshes.push_back(*std::move(made));
       }
     }
@@ -349,7 +349,19 @@ class GltfScene {
     out.times = std::move(times->values), out.values = std::move(values->values);
     if (!std::is_sorted(out.times.begin(), out.times.end()) || !finite(out.times) || !finite(out.values))
       return file_.error("the times of an animation do not rise, or are none");
+    if (out.path == SceneTrack::rotation && out.way == SceneTrack::cubic && goes_round(out))
+      leave_out("turns by CUBICSPLINE between quaternions of opposite signs go the short way, not the long one");
     return out;
+  }
+
+  // Whether a key's numbers and those of the next stand for turns by more than half a turn.
+  static bool goes_round(const SceneTrack& t) {
+    for (std::size_t i = 16; i + 8 <= t.values.size(); i += 12) {
+      double same = 0;
+      for (std::size_t k = 0; k < 4; ++k) same += t.values[i + k] * t.values[i + k - 12];
+      if (same < 0) return true;
+    }
+    return false;
   }
 
   bool has_targets(const SceneNode& n) const {

@@ -22,10 +22,20 @@ bool far_apart(const Mat4& a, const Mat4& b) {
 }
 bool far_apart(Vec3 a, Vec3 b) { return far_apart(a.x, b.x) || far_apart(a.y, b.y) || far_apart(a.z, b.z); }
 
+// A mesh that joints deform is another one at every time; none of it goes far within a flick.
+bool jumps(const Mesh& a, const Mesh& b) {
+  if (!a.posed || !b.posed || a.positions.size() != b.positions.size()) return true;
+  constexpr float near = 1e-4F;
+  for (std::size_t i = 0; i < a.positions.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::abs(a.positions[i][k] - b.positions[i][k]) > near * (1 + std::abs(a.positions[i][k]))) return true;
+  return false;
+}
+
 bool jumps(const std::shared_ptr<const Shape>& a, const std::shared_ptr<const Shape>& b) {
   if (a == b) return false;
-  if (!a || !b || a->kind != b->kind || a->mesh != b->mesh || *a->text != *b->text ||
-      a->points->size() != b->points->size())
+  const auto meshes = [&] { return a->mesh != b->mesh && (!a->mesh || !b->mesh || jumps(*a->mesh, *b->mesh)); };
+  if (!a || !b || a->kind != b->kind || meshes() || *a->text != *b->text || a->points->size() != b->points->size())
     return true;
   for (const auto measure : shape_measures)
     if (far_apart((*a).*measure, (*b).*measure)) return true;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "betwixt/evaluation.h"
+#include "support/folder.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -233,6 +234,52 @@ TEST(Scenes, CopiesRenamesAndRemovals) {
   EXPECT_TRUE(film.item("third/Leg", {}).shape->mesh);
   const Loaded gone = loaded("create it scene file=\"skin.glb\"\nremove it\n");
   EXPECT_TRUE(gone.document.names().empty());
+}
+
+TEST(Scenes, JointsThatDoNotFitAreSaid) {
+  const auto warned = [](const std::string& text) { return said(loaded(text).diagnostics); };
+  const std::string whole = "create it scene file=\"skin.glb\" animation=none\n";
+  EXPECT_EQ(warned(whole), "");
+  EXPECT_NE(warned(whole + "remove it/Foot").find("it/Leg follows 'it/Foot', which is not there: it stays"),
+            std::string::npos);
+  EXPECT_NE(warned(whole + "set it/Leg.joints (it/Hip)").find("it/Leg has 1 joints, but its mesh follows 3"),
+            std::string::npos);
+  EXPECT_NE(warned("create b group\ncreate a mesh file=\"stage.glb#Wheel-001\" joints=(b)").find("no skin"),
+            std::string::npos);
+}
+
+TEST(Scenes, BringTheirPictures) {
+  const SceneFilm film("create box scene file=\"" SOURCE_DIR "/tests/exchange/data/BoxTextured.glb\"");
+  const Frame frame = film.frame("0s");
+  ASSERT_EQ(frame.items.size(), 1U);
+  ASSERT_TRUE(frame.items[0].shape->mesh->parts[0].texture);
+  EXPECT_EQ(frame.items[0].shape->mesh->parts[0].texture->width, 211);
+}
+
+// A million keys: they are there, each, and found.
+TEST(Scenes, OfAMillionKeysOpen) {
+  constexpr std::size_t count = 1'000'000;
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(static_cast<float>(i) / 64);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const float x : {static_cast<float>(i), static_cast<float>(i % 7), -1.0F}) numbers.push_back(x);
+  const Folder folder;
+  folder.put("keys.bin", {reinterpret_cast<const char*>(numbers.data()), 4 * numbers.size()});
+  folder.put("keys.gltf",
+             fmt::format(R"({{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"name":"A"}}],
+    "buffers":[{{"uri":"keys.bin","byteLength":{0}}}],
+    "bufferViews":[{{"buffer":0,"byteLength":{1}}},{{"buffer":0,"byteOffset":{1},"byteLength":{2}}}],
+    "accessors":[{{"bufferView":0,"componentType":5126,"count":{3},"type":"SCALAR"}},
+                 {{"bufferView":1,"componentType":5126,"count":{3},"type":"VEC3"}}],
+    "animations":[{{"samplers":[{{"input":0,"output":1}}],"channels":[{{"sampler":0,"target":{{"node":0,"path":"translation"}}}}]}}]}})",
+                         16 * count, 4 * count, 12 * count, count));
+  const SceneFilm film("create it scene file=\"" + folder / "keys.gltf" + "\"");
+  for (const double at : {0.0, 1234.5, 777777.25, 999998.5}) {
+    const auto found = find_targets("it/A.position", film.loaded.document);
+    const Vec3 is = std::get<Vec3>(film.program.read(found->front(), from_seconds(at / 64)));
+    const double i = std::floor(at), s = at - i, here = std::fmod(i, 7), next = std::fmod(i + 1, 7);
+    EXPECT_LT(length(is - Vec3{at, here + s * (next - here), -1}), 1e-5) << at;
+  }
 }
 
 TEST(Scenes, SayWhatIsWrong) {
