@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "film.h"
 #include "frames.h"
+#include "keys.h"
 #include "pictures.h"
 #include "poses.h"
 #include "tracks.h"
@@ -20,5 +21,6 @@ PYBIND11_MODULE(_core, m) {
   betwixt::python::bind_tracks(m, film);
   betwixt::python::bind_poses(m, film);
   betwixt::python::bind_frames(m, film);
+  betwixt::python::bind_keys(m, film);
   betwixt::python::bind_pictures(m, film);
 }

@@ -64,6 +64,13 @@ std::string_view word_of(Material m) {
   return words[static_cast<std::size_t>(m)];
 }
 
+bool equal(const std::shared_ptr<const Shape>& a, const std::shared_ptr<const Shape>& b) {
+  return a == b || (a && b && *a == *b);
+}
+bool has_shape_of(const ItemOf& a, const ItemOf& b) {
+  return equal(a->shape, b->shape) && equal(a->toward, b->toward) && (!a->toward || a->blend == b->blend);
+}
+
 // Triangles in object space.
 struct Triangles {
   std::shared_ptr<const Mesh> mesh;
@@ -136,6 +143,7 @@ void bind_items(py::module_& m) {
       .def_property_readonly("material", [](const ItemOf& i) { return word_of(i->material); })
       .def_property_readonly("casts", [](const ItemOf& i) { return i->casts; })
       .def_property_readonly("texture", [](const ItemOf& i) { return picture_or_none(i->texture); })
+      .def("has_shape_of", has_shape_of, py::arg("other"), "Whether its triangles are the other's too.")
       .def(
           "mesh",
           [](const ItemOf& i, int around) {

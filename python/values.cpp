@@ -60,7 +60,7 @@ py::object one(const Value& v, bool pair, const Document& document) {
 
 }  // namespace
 
-py::str name_of(ObjectId id, const Document& document) { return py::str(document.name(id)); }
+py::str name_of(ObjectId id, const Document& document) { return py::str(id ? document.name(id) : std::string()); }
 
 py::array_t<double> array_of(Vec3 v) { return py::array_t<double>(3, &v.x); }
 

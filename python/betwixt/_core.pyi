@@ -180,6 +180,7 @@ class Item:
     def casts(self) -> bool: ...
     @property
     def texture(self) -> Picture | None: ...
+    def has_shape_of(self, other: Item) -> bool: ...
     def mesh(self, around: int = 48) -> Mesh: ...
 
 class Light:
@@ -254,6 +255,55 @@ class Frame:
     @property
     def problems(self) -> list[str]: ...
 
+class KeyPiece:
+    """A piece of time in which something is held, goes straight or along a cubic (Hermite)."""
+
+    @property
+    def shape(self) -> str: ...  # "held", "straight", "cubic"
+    @property
+    def first(self) -> float: ...  # frames
+    @property
+    def last(self) -> float: ...
+    @property
+    def begin(self) -> Floats: ...
+    @property
+    def end(self) -> Floats: ...
+    @property
+    def leaving(self) -> Floats: ...  # cubic: how fast it is there, per second
+    @property
+    def arriving(self) -> Floats: ...
+
+class Channel:
+    """One thing that varies, as pieces without gaps. Turns are quaternions, x y z w."""
+
+    @property
+    def width(self) -> int: ...
+    @property
+    def constant(self) -> bool: ...
+    @property
+    def keys(self) -> int: ...
+    @property
+    def pieces(self) -> list[KeyPiece]: ...
+    def at(self, time: Time) -> Floats: ...
+
+class ObjectKeys:
+    """How an object moves: its parent's matrix times translation, rotation and scale, and `inner`, a turn, where it is sheared."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def parent(self) -> str | None: ...
+    @property
+    def sheared(self) -> bool: ...
+    @property
+    def translation(self) -> Channel: ...
+    @property
+    def rotation(self) -> Channel: ...
+    @property
+    def scale(self) -> Channel: ...
+    @property
+    def inner(self) -> Channel: ...
+
 class Made:
     """What a film took."""
 
@@ -300,6 +350,25 @@ class Film:
     def write(self, path: str | PathLike[str]) -> None: ...
     def tracks(self, pattern: str = "") -> list[Track]: ...
     def poses(self, first: Time | None = None, last: Time | None = None, step: float = 1) -> Poses: ...
+    def motion(
+        self,
+        first: Time | None = None,
+        last: Time | None = None,
+        *,
+        style: str = "cubic",
+        metres: float = 1e-4,
+        radians: float = 1e-4,
+        arcs: bool = True,
+    ) -> list[ObjectKeys]: ...
+    def keys(
+        self,
+        target: str,
+        first: Time | None = None,
+        last: Time | None = None,
+        *,
+        style: str = "cubic",
+        tolerance: float = 1e-4,
+    ) -> Channel: ...
     def frame(self, time: Time) -> Frame: ...
     def picture(
         self,

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "betwixt/keys.h"
+
+#include <pybind11/stl.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "betwixt/language.h"
+#include "errors.h"
+#include "keys.h"
+#include "times.h"
+#include "values.h"
+
+namespace betwixt::python {
+namespace {
+
+struct ChannelOf {
+  Document document;
+  std::shared_ptr<const Channel> channel;
+};
+struct PieceOf {
+  ChannelOf of;
+  const KeyPiece* piece;
+  const KeyPiece* operator->() const { return piece; }
+};
+struct KeysOf {
+  Document document;
+  ObjectKeys keys;
+  ChannelOf channel(const Channel& c) const { return {document, std::make_shared<const Channel>(c)}; }
+};
+
+py::array_t<double> numbers(const PieceOf& p, const std::array<double, 4>& all) {
+  return py::array_t<double>(static_cast<py::ssize_t>(p.of.channel->width), all.data());
+}
+
+KeyOptions options_of(const std::string& style, double metres, double radians, bool arcs) {
+  KeyOptions made{.metres = metres, .radians = radians, .arcs = arcs};
+  if (style == "linear")
+    made.style = KeyStyle::linear;
+  else if (style == "baked")
+    made.style = KeyStyle::baked;
+  else if (style != "cubic")
+    raise(fail(ErrorCode::name, "no style of keys is called '" + style + "'", "cubic, linear or baked"), style);
+  if (!(metres >= 1e-9 && radians >= 1e-9)) raise(fail(ErrorCode::range, "a tolerance is at least a billionth"));
+  return made;
+}
+
+std::pair<Time, Time> segment_of(py::handle first, py::handle last, const Document& document) {
+  auto [from, until] = document.range();
+  if (!first.is_none()) from = time_of(first, document);
+  if (!last.is_none()) until = time_of(last, document);
+  if (until < from) raise(fail(ErrorCode::range, "the segment ends before it begins"));
+  return {from, until};
+}
+
+std::vector<KeysOf> motion(const Film& film, py::handle first, py::handle last, const std::string& style, double metres,
+                           double radians, bool arcs) {
+  const Program program = unlocked([&] { return film.program(); });
+  const Document& document = program.document();
+  const KeyOptions options = options_of(style, metres, radians, arcs);
+  const auto [from, until] = segment_of(first, last, document);
+  std::vector<KeysOf> made;
+  for (ObjectKeys& k : unlocked([&, from = from, until = until] { return motion_keys(program, from, until, options); }))
+    made.push_back({document, std::move(k)});
+  return made;
+}
+
+ChannelOf keys(const Film& film, const std::string& name, py::handle first, py::handle last, const std::string& style,
+               double tolerance) {
+  const Program program = unlocked([&] { return film.program(); });
+  const Document& document = program.document();
+  const auto found = find_targets(name, document);
+  if (!found) raise(found.error(), name);
+  if (found->size() != 1) raise(fail(ErrorCode::name, "'" + name + "' is not one value"), name);
+  const KeyOptions options = options_of(style, tolerance, tolerance, false);
+  const auto [from, until] = segment_of(first, last, document);
+  auto made = std::make_shared<const Channel>(
+      unlocked([&, from = from, until = until] { return value_keys(program, found->front(), from, until, options); }));
+  if (made->pieces.empty()) raise(fail(ErrorCode::type, "'" + name + "' is not made of numbers"), name);
+  return {document, std::move(made)};
+}
+
+std::string_view word_of(KeyPiece::Shape shape) {
+  static constexpr std::string_view words[] = {"held", "straight", "cubic"};
+  return words[static_cast<std::size_t>(shape)];
+}
+
+}  // namespace
+
+void bind_keys(py::module_& m, py::class_<Film>& film) {
+  py::class_<PieceOf>(m, "KeyPiece", "A piece of time in which something is held, goes straight or along a cubic.")
+      .def_property_readonly("shape", [](const PieceOf& p) { return word_of(p->shape); })
+      .def_property_readonly("first", [](const PieceOf& p) { return frame_of(p->from, p.of.document); })
+      .def_property_readonly("last", [](const PieceOf& p) { return frame_of(p->until, p.of.document); })
+      .def_property_readonly("begin", [](const PieceOf& p) { return numbers(p, p->begin); })
+      .def_property_readonly("end", [](const PieceOf& p) { return numbers(p, p->end); })
+      .def_property_readonly("leaving", [](const PieceOf& p) { return numbers(p, p->leaving); })
+      .def_property_readonly("arriving", [](const PieceOf& p) { return numbers(p, p->arriving); })
+      .def("__repr__", [](const PieceOf& p) {
+        return py::str("<KeyPiece {}, {} to {}>")
+            .format(word_of(p->shape), format_time(p->from, p.of.document), format_time(p->until, p.of.document));
+      });
+  py::class_<ChannelOf>(m, "Channel", "One thing that varies, as pieces without gaps.")
+      .def_property_readonly("width", [](const ChannelOf& c) { return c.channel->width; })
+      .def_property_readonly("constant", [](const ChannelOf& c) { return c.channel->constant(); })
+      .def_property_readonly("keys", [](const ChannelOf& c) { return c.channel->keys(); })
+      .def_property_readonly("pieces",
+                             [](const ChannelOf& c) {
+                               std::vector<PieceOf> all;
+                               for (const KeyPiece& p : c.channel->pieces) all.push_back({c, &p});
+                               return all;
+                             })
+      .def(
+          "at",
+          [](const ChannelOf& c, py::handle when) {
+            const auto v = value_at(*c.channel, time_of(when, c.document));
+            return py::array_t<double>(static_cast<py::ssize_t>(c.channel->width), v.data());
+          },
+          py::arg("time"), "What a player makes of it.");
+  py::class_<KeysOf>(m, "ObjectKeys", "How an object moves: its parent's matrix times translation, rotation and scale.")
+      .def_property_readonly("name", [](const KeysOf& k) { return name_of(k.keys.id, k.document); })
+      .def_property_readonly("parent",
+                             [](const KeysOf& k) -> py::object {
+                               if (!k.keys.parent) return py::none();
+                               return name_of(k.keys.parent, k.document);
+                             })
+      .def_property_readonly("sheared", [](const KeysOf& k) { return k.keys.sheared; })
+      .def_property_readonly("translation", [](const KeysOf& k) { return k.channel(k.keys.translation); })
+      .def_property_readonly("rotation", [](const KeysOf& k) { return k.channel(k.keys.rotation); })
+      .def_property_readonly("scale", [](const KeysOf& k) { return k.channel(k.keys.scale); })
+      .def_property_readonly("inner", [](const KeysOf& k) { return k.channel(k.keys.inner); })
+      .def("__repr__", [](const KeysOf& k) { return "<ObjectKeys of " + k.document.name(k.keys.id) + ">"; });
+  film.def("motion", motion, py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
+           py::arg("style") = "cubic", py::arg("metres") = 1e-4, py::arg("radians") = 1e-4, py::arg("arcs") = true,
+           "How all objects move, as keys within a tolerance.");
+  film.def("keys", keys, py::arg("target"), py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
+           py::arg("style") = "cubic", py::arg("tolerance") = 1e-4, "How one value varies, colours as linear light.");
+}
+
+}  // namespace betwixt::python

@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the tests here within Blender, and says how many passed."""
+
+import os
+import sys
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "..", "clients", "blender"), os.path.join(HERE, "..", "..", "clients", "python")]
+
+
+def main():
+    loader = unittest.TestLoader()
+    named = sys.argv[sys.argv.index("--") + 1:]
+    tests = loader.loadTestsFromNames(named) if named else loader.discover(HERE, "*_test.py", HERE)
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0).run(tests)
+    failed = len(result.failures) + len(result.errors)
+    for test, why in result.skipped:
+        print(f"left out: {test}: {why}")
+    print(f"{result.testsRun - failed - len(result.skipped)} passed, {failed} failed", flush=True)
+    return failed > 0 or result.testsRun == 0
+
+
+sys.exit(main())
