@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "betwixt/program.h"
@@ -34,10 +35,14 @@ struct KeyOptions {
   bool arcs = true;
   // Times are those that a float can hold, in seconds since the beginning: for files that keep them so.
   bool in_floats = false;
+  // Told after each object how much is done, 0 to 1; false: stop there.
+  std::function<bool(double)> go_on;
 };
 
 struct KeyPiece {
-  enum Shape : std::uint8_t { held, straight, cubic } shape = held;
+  // leap: from one time that a float can hold to the next one, from one value to another; only where KeyOptions ask for
+  // floats, elsewhere the next piece begins at once.
+  enum Shape : std::uint8_t { held, straight, cubic, leap } shape = held;
   Time from, until;
   std::array<double, 4> begin{}, end{};         // the values at both ends; held: equal
   std::array<double, 4> leaving{}, arriving{};  // cubic: how fast it is there, per second (Hermite)
@@ -49,6 +54,7 @@ struct Channel {
   bool turn = false;
   std::vector<KeyPiece> pieces;  // by time, without gaps; at least one
   bool constant() const;
+  bool steps() const;                          // it is held, and leaps
   bool jumps_behind(std::size_t piece) const;  // into the next one
   std::size_t keys() const;                    // that a file needs for it; 1: it is constant
 };

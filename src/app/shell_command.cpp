@@ -37,9 +37,9 @@ struct ShellCall {
 };
 
 // Where lines come from. None: there are no more.
-class Input {
+class LineSource {
  public:
-  virtual ~Input() = default;
+  virtual ~LineSource() = default;
   virtual std::optional<std::string> line(const std::string& prompt) = 0;
   virtual std::optional<std::string> answer(const std::string& question) = 0;
   virtual void push_back(std::string) {}       // lines that were read too far
@@ -47,7 +47,7 @@ class Input {
   virtual bool person() const { return false; }
 };
 
-class Pipe : public Input {
+class Pipe : public LineSource {
  public:
   std::optional<std::string> line(const std::string&) override {
     std::string line;
@@ -110,7 +110,7 @@ fs::path history_file() {
 }
 
 // A person at a terminal: lines can be edited, recalled and completed.
-class Keyboard : public Input {
+class Keyboard : public LineSource {
  public:
   explicit Keyboard(const Session& session) : session_(session), past_(history_file()) {
     const char* locale = std::setlocale(LC_CTYPE, "");  // letters of more than one byte
@@ -270,7 +270,7 @@ void page(std::string_view text) {
 }
 
 // One logical line: more is read while a bracket or a """ is open.
-std::optional<std::string> read_line(Input& in, const std::string& prompt) {
+std::optional<std::string> read_line(LineSource& in, const std::string& prompt) {
   std::optional<std::string> line = in.line(prompt);
   if (!line || in.called_off()) return line ? std::optional<std::string>("") : std::nullopt;
   std::string whole = *std::move(line);
@@ -289,7 +289,7 @@ std::optional<std::string> read_line(Input& in, const std::string& prompt) {
 }
 
 int shell(const ShellCall& call) {
-  std::unique_ptr<Input> in;
+  std::unique_ptr<LineSource> in;
   Session::Doors doors;
   doors.ask = [&in](const std::string& question) { return in->answer(question); };
   doors.plot = [](const Document& d, const std::string& target, const std::string& to) {

@@ -63,12 +63,14 @@ class Follower {
       for (Time at = knots[k]; at < knots[k + 1];) {
         Time next{std::min(at.flicks + longest, knots[k + 1].flicks)};
         if (knots[k + 1].flicks - next.flicks < longest / 4) next = knots[k + 1];
-        if (!stretch(from, next, next == end)) return std::nullopt;
+        if (!stretch(from, next)) return std::nullopt;
         if (!pieces_.empty()) from = pieces_.back().until;
         at = next;
       }
     }
-    if (pieces_.empty()) pieces_.push_back({KeyPiece::held, knots.front(), end, value(end), value(end)});
+    // What it jumps to at the very end.
+    if (pieces_.empty() || (!options_.in_floats && jumps_at(end)))
+      pieces_.push_back({KeyPiece::held, pieces_.empty() ? knots.front() : end, end, value(end), value(end)});
     merge();
     return std::move(pieces_);
   }
@@ -81,32 +83,30 @@ class Follower {
   double off(const KeyValue& a, const KeyValue& b) const { return f_.turn ? 2 * apart(a, near(b, a)) : apart(a, b); }
   bool jumps_at(Time t) { return off(value({t.flicks - 1}), value(t)) > 0.02 * f_.tolerance; }
 
-  // The time a file would keep: the nearest, or the last one that is not later.
-  Time kept(Time t, bool not_later = false) const {
-    if (!options_.in_floats) return t;
-    const double s = (t - beginning_).seconds();
-    float f = static_cast<float>(s);
-    if (not_later && static_cast<double>(f) > s) f = std::nextafter(f, -1.0F);
-    return beginning_ + from_seconds(static_cast<double>(f));
+  // The time a file would keep: the nearest.
+  Time kept(Time t) const { return options_.in_floats ? in_flicks(static_cast<float>((t - beginning_).seconds())) : t; }
+  // The last one that it can keep before a time, and the first one from then on.
+  std::pair<Time, Time> kept_around(Time t) const {
+    if (!options_.in_floats) return {t, t};
+    float f = static_cast<float>((t - beginning_).seconds());
+    while (in_flicks(f) < t) f = std::nextafter(f, 1e30F);
+    const Time after = in_flicks(f);
+    while (in_flicks(f) >= t) f = std::nextafter(f, -1e30F);
+    return {in_flicks(f), after};
   }
-  Time behind(Time t) const {
-    if (!options_.in_floats) return t;
-    const float next = std::nextafter(static_cast<float>((t - beginning_).seconds()), 1e30F);
-    return std::max(beginning_ + from_seconds(static_cast<double>(next)), Time{t.flicks + 1});
-  }
+  Time in_flicks(float seconds) const { return beginning_ + from_seconds(static_cast<double>(seconds)); }
 
   // From where the last piece has ended up to a time at which it may jump.
-  bool stretch(Time from, Time until, bool last) {
-    const bool jump = !last && jumps_at(until);
-    const Time end = kept(jump && options_.in_floats ? Time{until.flicks - 1} : until, jump);
+  bool stretch(Time from, Time until) {
+    const bool jump = jumps_at(until);
+    const auto [end, next] = jump ? kept_around(until) : std::pair(kept(until), kept(until));
     if (end > from && !split(from, end, jump ? value({until.flicks - 1}) : value(end), 0)) return false;
-    if (jump) leap(end, behind(end));
+    if (jump) leap(end, next);
     return true;
   }
-  // From one time that a file keeps to the next one it goes at once.
   void leap(Time from, Time to) {
     if (from == to || pieces_.empty()) return;
-    KeyPiece p = straight_ || !f_.turn ? KeyPiece{KeyPiece::straight, from, to} : KeyPiece{KeyPiece::cubic, from, to};
+    KeyPiece p{KeyPiece::leap, from, to};
     p.begin = pieces_.back().end;
     p.end = near(value(to), p.begin);
     pieces_.push_back(p);
@@ -121,7 +121,7 @@ class Follower {
     if (const auto p = one(a, b, end)) return keep(*p);
     if (depth > 3 && depth < 60)
       if (const auto jump = find_jump(a, b)) {
-        const Time before = kept(options_.in_floats ? Time{jump->flicks - 1} : *jump, true), after = behind(before);
+        const auto [before, after] = kept_around(*jump);
         if (before > a && !split(a, before, value({jump->flicks - 1}), depth + 1)) return false;
         if (before > a) leap(before, after);
         return after >= b || split(after, b, end, depth + 1);
@@ -133,7 +133,21 @@ class Follower {
       for (std::size_t i = 0; i < 4; ++i) p.leaving[i] = p.arriving[i] = (p.end[i] - p.begin[i]) / (b - a).seconds();
       return keep(p);
     }
-    return split(a, middle, value(middle), depth + 1) && split(middle, b, end, depth + 1);
+    return parts(a, b, end, depth);
+  }
+  // As many equal parts as should do: what a cubic is off by falls with the fourth power of its length, what a straight
+  // piece is with the second.
+  bool parts(Time a, Time b, const KeyValue& end, int depth) {
+    const double needed = std::pow(too_far_ / f_.tolerance, cubic_ ? 0.25 : 0.5);
+    const int n = std::clamp(static_cast<int>(std::ceil(1.02 * needed)), 2, 8);
+    Time from = a;
+    for (int i = 1; i < n; ++i) {
+      const Time to = kept({a.flicks + (b.flicks - a.flicks) / n * i});
+      if (to <= from || to >= b) continue;
+      if (!split(from, to, value(to), depth + (n > 3 ? 2 : 1))) return false;
+      from = to;
+    }
+    return split(from, b, end, depth + 1);
   }
 
   // Between two times, if most of the way is made at once.
@@ -155,7 +169,7 @@ class Follower {
     p.begin = value(a);
     if (!pieces_.empty()) p.begin = near(p.begin, pieces_.back().end);
     const auto steps = static_cast<double>(b.flicks - a.flicks) / static_cast<double>(f_.step.flicks);
-    const int looks = 3 * std::clamp(static_cast<int>(steps / 3), steps < 4 ? 2 : 4, 70);
+    const int looks = 3 * std::clamp(static_cast<int>(steps / 3), steps < 4 ? 2 : 6, 70);
     looks_.clear();
     KeyValue last = p.begin;
     double far = 0, turned = 0;
@@ -177,6 +191,7 @@ class Follower {
     p.shape = KeyPiece::straight;
     const double limit = options_.style == KeyStyle::linear ? most_turned : most_arc;
     if (straight_ && (!f_.turn || 2 * turned < limit) && follows(p)) return p;
+    if (f_.turn && 2 * turned > limit) too_far_ = f_.tolerance * std::pow(2 * turned / limit, cubic_ ? 4 : 2);
     if (!cubic_ || (f_.turn && 2 * turned > most_arc)) return std::nullopt;
     p.shape = KeyPiece::cubic;
     const KeyValue &one_third = looks_[static_cast<std::size_t>(looks / 3 - 1)].value,
@@ -189,10 +204,10 @@ class Follower {
     if (follows(p)) return p;
     return std::nullopt;
   }
-  bool follows(const KeyPiece& p) const {
-    return std::all_of(looks_.begin(), looks_.end(), [&](const Look& look) {
-      return off(piece_at(p, look.share, f_.turn), look.value) <= f_.tolerance;
-    });
+  bool follows(const KeyPiece& p) {
+    too_far_ = 0;
+    for (const Look& look : looks_) too_far_ = std::max(too_far_, off(piece_at(p, look.share, f_.turn), look.value));
+    return too_far_ <= f_.tolerance;
   }
 
   // Neighbours that are one piece as well.
@@ -202,8 +217,8 @@ class Follower {
     for (const KeyPiece& p : all) {
       if (!pieces_.empty()) {
         KeyPiece last = pieces_.back();
-        const bool goes_on = last.shape == p.shape && p.until.flicks - p.from.flicks > shortest / 100 &&
-                             apart(last.end, p.begin) < 1e-3 * f_.tolerance;
+        const bool goes_on =
+            last.shape == p.shape && p.shape != KeyPiece::leap && apart(last.end, p.begin) < 1e-3 * f_.tolerance;
         if (goes_on) {
           pieces_.pop_back();
           if (const auto both = one(last.from, p.until, p.end); both && both->shape == p.shape) {
@@ -227,6 +242,7 @@ class Follower {
   const std::size_t most_;
   const bool straight_, cubic_;
   std::vector<Look> looks_;
+  double too_far_ = 0;  // how far off the last piece was that did not do
   std::vector<KeyPiece> pieces_;
 };
 
@@ -244,6 +260,8 @@ std::vector<KeyPiece> baked(const Followed& f, Time from, Time until) {
   return pieces;
 }
 
+bool is_held(const KeyPiece& p) { return p.shape == KeyPiece::held; }
+
 }  // namespace
 
 bool Channel::constant() const {
@@ -252,15 +270,18 @@ bool Channel::constant() const {
   });
 }
 
+bool Channel::steps() const {
+  return std::all_of(pieces.begin(), pieces.end(),
+                     [](const KeyPiece& p) { return p.shape == KeyPiece::held || p.shape == KeyPiece::leap; });
+}
+
 bool Channel::jumps_behind(std::size_t piece) const {
   return piece + 1 < pieces.size() && apart(pieces[piece].end, pieces[piece + 1].begin) > 1e-9;
 }
 
 std::size_t Channel::keys() const {
   if (constant()) return 1;
-  const bool steps =
-      std::all_of(pieces.begin(), pieces.end(), [](const KeyPiece& p) { return p.shape == KeyPiece::held; });
-  if (steps) return pieces.size();
+  if (steps()) return static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), is_held));
   std::size_t n = pieces.size() + 1;
   for (std::size_t i = 0; i < pieces.size(); ++i) n += jumps_behind(i) ? 1 : 0;
   return n;
@@ -273,6 +294,23 @@ std::array<double, 4> value_at(const Channel& c, Time t) {
   const double length = static_cast<double>((p->until - p->from).flicks);
   const double u = length > 0 ? static_cast<double>((t - p->from).flicks) / length : 0;
   return piece_at(*p, std::clamp(u, 0.0, 1.0), c.turn);
+}
+
+Followed followed(const Document& d, std::size_t width, double tolerance, std::function<KeyValue(Time)> at) {
+  return {width, false, 0.5 * tolerance, std::move(at), Time{std::max<std::int64_t>(d.rate().span(0.5).flicks, 1)}};
+}
+
+std::vector<Time> knots_between(std::vector<Time> all, Time from, Time until) {
+  std::erase_if(all, [&](Time t) { return t <= from || t >= until; });
+  all.push_back(from);
+  all.push_back(std::max(from, until));
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+void add_knots(const Channel& c, std::vector<Time>& to) {
+  for (const KeyPiece& p : c.pieces) to.push_back(p.shape == KeyPiece::leap ? p.until : p.from);
 }
 
 Channel follow(const Followed& f, std::span<const Time> knots, const KeyOptions& options) {

@@ -17,9 +17,16 @@ struct Followed {
   std::size_t width = 3;
   bool turn = false;
   double tolerance = 1e-4;
-  Time step;  // looked at that often at least, so that nothing passes between two looks
   std::function<KeyValue(Time)> at;
+  Time step;  // looked at that often at least, so that nothing passes between two looks
 };
+// Half a frame, and half of what may be off: the rest is for what adds up.
+Followed followed(const Document&, std::size_t width, double tolerance, std::function<KeyValue(Time)> at);
+
+// Each once, in order, between two times, and these.
+std::vector<Time> knots_between(std::vector<Time> all, Time from, Time until);
+// Where channels begin something new.
+void add_knots(const Channel&, std::vector<Time>& to);
 
 // `knots`: in order, from the beginning to the end, both included: where it may jump or have a corner. Other jumps are
 // found, if they last for a step.

@@ -19,16 +19,6 @@ namespace {
 
 using Compiled = Program::Compiled;
 
-// Each once, in order, and both ends.
-std::vector<Time> knots_between(std::vector<Time> all, Time from, Time until) {
-  std::erase_if(all, [&](Time t) { return t <= from || t >= until; });
-  all.push_back(from);
-  all.push_back(std::max(from, until));
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
 // The events of tracks, and where their eases end.
 void add_events(const Document& d, const std::vector<TrackView>& tracks, Time from, Time until,
                 std::vector<Time>& out) {
@@ -75,7 +65,10 @@ class Stage {
   std::vector<ObjectKeys> all() {
     measure();
     std::vector<ObjectKeys> out;
-    for (const ObjectId id : objects(program_.document())) {
+    const std::vector<ObjectId> ids = objects(program_.document());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const ObjectId id = ids[i];
+      if (options_.go_on && !options_.go_on(static_cast<double>(i) / static_cast<double>(ids.size()))) break;
       if (id.index >= compiled_.node_of.size() || compiled_.node_of[id.index] == ObjectId::nothing) continue;
       const Node& n = compiled_.nodes[compiled_.node_of[id.index]];
       if (placed(n.kind)) out.push_back(keys(id));
@@ -100,14 +93,19 @@ class Stage {
     return first != last ? changing : first ? *first : CompiledSpan{};
   }
 
+  static double size_of(const Mat4& m) {
+    return std::max({length(column(m, 0)), length(column(m, 1)), length(column(m, 2))});
+  }
+
   // How near each must be so that what hangs on it is near enough: what is off adds up along a chain, and a turn moves
-  // what is far away by more.
+  // what is far away by more, a
+  // scale what is small.
   void measure() {
     const auto count = static_cast<std::uint32_t>(compiled_.nodes.size());
     std::vector<std::int32_t> above(count, -1);
     for (std::uint32_t i = 0; i < count; ++i)
       if (const CompiledSpan span = held(compiled_.nodes[i]); !span.computed) above[i] = span.parent;
-    links_.assign(count, 1), reach_.assign(count, 1);
+    links_.assign(count, 1), reach_.assign(count, 1), above_.assign(count, 1);
     // Chains that never end are cut by their length.
     const auto each_above = [&](std::uint32_t node, auto&& f) {
       std::int32_t at = above[node];
@@ -121,10 +119,16 @@ class Stage {
     for (int look = 0; look < 5; ++look) {
       const auto poses = betwixt::poses(program_, {from_.flicks + (until_.flicks - from_.flicks) / 4 * look});
       const auto place = [&](std::uint32_t node) { return translation_of(poses[compiled_.nodes[node].object].world); };
-      for (std::uint32_t i = 0; i < count; ++i)
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const double size = size_of(poses[compiled_.nodes[i].object].world);
+        reach_[i] = std::clamp(size, reach_[i], 1e4);
+        if (above[i] >= 0)
+          above_[i] = std::clamp(size_of(poses[compiled_.nodes[static_cast<std::size_t>(above[i])].object].world),
+                                 above_[i], 1e4);
         each_above(i, [&](std::uint32_t a, std::uint32_t) {
           reach_[a] = std::clamp(length(place(i) - place(a)), reach_[a], 1e4);
         });
+      }
     }
   }
 
@@ -257,16 +261,24 @@ class Stage {
     };
     const std::uint32_t node = compiled_.node_of[id.index];
     const auto channel = [&](std::size_t width, bool turn, double tolerance, auto&& part) {
-      Followed f{width, turn, 0.6 / links_[node] * tolerance, {}, [&](Time t) -> KeyValue { return part(place(t)); }};
-      f.step = Time{std::max<std::int64_t>(program_.document().rate().span(0.5).flicks, 1)};
+      Followed f = followed(program_.document(), width, 1.0 / links_[node] * tolerance,
+                            [&](Time t) -> KeyValue { return part(place(t)); });
+      f.turn = turn;
       return follow(f, knots, options_);
     };
     const auto three = [](Vec3 v) { return KeyValue{v.x, v.y, v.z, 0}; };
     ObjectKeys k;
     k.id = id, k.parent = parent;
-    k.translation = channel(3, false, options_.metres, [&](const Place& p) { return three(p.translation); });
+    double least = 1;
+    for (const Time t : {from_, Time{(from_.flicks + until_.flicks) / 2}, until_}) {
+      const Vec3 growth = place(t).scale;
+      least = std::min({least, std::abs(growth.x), std::abs(growth.y), std::abs(growth.z)});
+    }
+    k.translation =
+        channel(3, false, options_.metres / above_[node], [&](const Place& p) { return three(p.translation); });
     k.rotation = channel(4, true, options_.radians / reach_[node], [&](const Place& p) { return p.rotation; });
-    k.scale = channel(3, false, options_.metres / reach_[node], [&](const Place& p) { return three(p.scale); });
+    k.scale = channel(3, false, options_.metres / std::max(reach_[node], above_[node]) * std::max(least, 0.05),
+                      [&](const Place& p) { return three(p.scale); });
     return k;
   }
 
@@ -276,7 +288,8 @@ class Stage {
   const KeyOptions& options_;
   static constexpr std::uint32_t deepest = 100;
   std::vector<std::uint8_t> moved_;    // by node
-  std::vector<double> links_, reach_;  // the same: of the longest chain that it is in, of what hangs on it in metres
+  // The same: of the longest chain that it is in; how far what hangs on it reaches; how much larger all above makes it.
+  std::vector<double> links_, reach_, above_;
   std::vector<Time> everybodys_;
 };
 
@@ -304,17 +317,13 @@ Channel value_keys(const Program& program, const Target& target, Time from, Time
   if (!read(from)) return {0, false, {}};
   until = std::max(until, Time{from.flicks + 1});
   std::unordered_map<std::int64_t, KeyValue> seen;
-  Followed f;
   const Value first = program.read(target, from);
-  f.turn = std::holds_alternative<Quat>(first);
-  f.width = f.turn ? 4 : numbers(first).size();
-  f.tolerance = 0.5 * options.radians;
-  f.step = Time{std::max<std::int64_t>(d.rate().span(0.5).flicks, 1)};
-  f.at = [&](Time t) {
+  Followed f = followed(d, numbers(first).size(), options.radians, [&](Time t) {
     const auto [found, fresh] = seen.try_emplace(t.flicks);
     if (fresh) found->second = read(t).value_or(KeyValue{});
     return found->second;
-  };
+  });
+  f.turn = std::holds_alternative<Quat>(first);
   std::vector<Time> all;
   bool alone = true;
   for (const TrackView& t : tracks(d, target)) {

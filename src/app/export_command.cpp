@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt export: a film as motion, for other programs.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "app/command.h"
+#include "app/subcommand.h"
+#include "betwixt/export.h"
+#include "betwixt/object.h"
+
+namespace betwixt {
+namespace {
+
+struct ExportCall {
+  std::string file, out, frames, keys = "cubic";
+  std::vector<std::string> targets;
+  double tolerance = 1e-4;
+  bool keep_old = false;
+};
+
+// Objects that words of the call name, each once.
+Result<std::vector<ObjectId>> named(const std::vector<std::string>& words, const Document& d) {
+  std::vector<ObjectId> all;
+  for (const std::string& word : words) {
+    const std::vector<ObjectId> found = objects(d, word);
+    if (found.empty()) {
+      const auto target = find_targets(word, d);
+      if (!target) return target.error();
+      return fail(ErrorCode::name, fmt::format("'{}' is no object", word));
+    }
+    for (const ObjectId id : found)
+      if (std::find(all.begin(), all.end(), id) == all.end()) all.push_back(id);
+  }
+  return all;
+}
+
+// How much is done, on a terminal.
+class Percent {
+ public:
+  bool operator()(double done) {
+    const int now = static_cast<int>(100 * done);
+    if (::isatty(STDERR_FILENO) == 1 && now != shown_) {
+      fmt::print(stderr, "\r\x1b[K{} %", shown_ = now);
+      std::fflush(stderr);
+    }
+    return !stop_requested();
+  }
+  ~Percent() {
+    if (shown_ >= 0) fmt::print(stderr, "\r\x1b[K");
+  }
+
+ private:
+  int shown_ = -1;
+};
+
+int export_motion(const ExportCall& call) {
+  const auto document = open_script(call.file);
+  if (!document) return wrong_input;
+  const auto frames = read_frames(call.frames, *document);
+  if (!frames) return complain(frames.error(), wrong_call);
+  const auto chosen = named(call.targets, *document);
+  if (!chosen) return complain(chosen.error(), wrong_input);
+  ExportOptions options;
+  options.path = call.out, options.from = frames->first, options.until = frames->last;
+  options.objects = *chosen, options.overwrite = !call.keep_old;
+  options.keys.style = call.keys == "linear"  ? KeyStyle::linear
+                       : call.keys == "baked" ? KeyStyle::baked
+                                              : KeyStyle::cubic;
+  options.keys.metres = options.keys.radians = call.tolerance;
+  catch_stops();
+  const Result<Exported> made = [&] {
+    Percent percent;
+    options.keys.go_on = std::ref(percent);
+    return export_film(Program::compile(*document), options);
+  }();
+  if (stop_requested() && !made) {
+    fmt::print(stderr, "betwixt: stopped; {} was not made\n", call.out);
+    return interrupted;
+  }
+  if (!made) return complain(made.error(), wrong_call);
+  for (const std::string& sentence : made->left_out) fmt::print(stderr, "betwixt: notice: {}\n", sentence);
+  fmt::print(stderr, "{} object{}, {} keys", made->objects, made->objects == 1 ? "" : "s", made->keys);
+  if (made->baked > 0)
+    fmt::print(stderr, " ({:.0f} % of one a frame)",
+               100.0 * static_cast<double>(made->keys) / static_cast<double>(made->baked));
+  fmt::print(stderr, ", {:.0f} kB, {}\n", std::ceil(static_cast<double>(made->bytes) / 1000), call.out);
+  return all_done;
+}
+
+std::string endings() {
+  std::string all;
+  for (const ExportFormat& f : export_formats())
+    all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", f.ending, f.sentence);
+  return all;
+}
+
+const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand {
+  return {
+      .rank = 17,
+      .name = "export",
+      .sentence = "writes a film's motion for other programs",
+      .takes = {script_parameter(call.file),
+                targets_parameter(call.targets, "the objects whose motion it is; all if none is named"),
+                output_parameter(call.out, "FILE", "what is made; its ending says what: " + endings()),
+                frames_parameter(call.frames),
+                {.name = "--keys",
+                 .value = "WORD",
+                 .sentence = "cubic: as few as there can be; linear: straight ones, for programs that drop tangents; "
+                             "baked: one a frame",
+                 .into = &call.keys,
+                 .words_only = true,
+                 .words = {"cubic", "linear", "baked"}},
+                {.name = "--tolerance",
+                 .value = "NUMBER",
+                 .sentence = "how far off it may be, in metres and radians; 0.0001 if nothing is said",
+                 .into = ReadValue([&call](const std::string& text) -> Status {
+                   std::size_t read = 0;
+                   try {
+                     call.tolerance = std::stod(text, &read);
+                   } catch (...) {
+                     read = 0;
+                   }
+                   if (read != text.size() || !(call.tolerance >= 1e-9 && call.tolerance <= 1))
+                     return fail(ErrorCode::range,
+                                 fmt::format("--tolerance is a number from 1e-9 to 1, not \"{}\"", text));
+                   return Nothing{};
+                 })},
+                flag("--no-overwrite", "leave a file alone that is there already", call.keep_old)},
+      .example = "betwixt export examples/bounce.bx -o bounce.glb",
+      .manual =
+          "Objects keep their names and what they hang on; motion becomes keys that are as many as the tolerance "
+          "needs. "
+          "What the format cannot say is told."};
+});
+
+}  // namespace
+}  // namespace betwixt

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "export/formats.h"
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "base/names.h"
+
+namespace betwixt {
+namespace {
+
+constexpr ExportRow rows[] = {
+    {".glb", "glTF 2.0: for three.js, Blender, Godot, web pages", make_glb},
+    {".gltf", "the same as text", make_gltf},
+};
+
+}  // namespace
+
+std::span<const ExportRow> export_rows() { return rows; }
+
+std::vector<ExportFormat> export_formats() {
+  std::vector<ExportFormat> all;
+  for (const ExportRow& row : rows) all.push_back({row.ending, row.sentence});
+  return all;
+}
+
+Result<Exported> export_film(const Program& program, const ExportOptions& options) {
+  const std::string end = "." + ending(options.path);
+  std::vector<std::string_view> known;
+  std::string list;
+  for (const ExportRow& row : rows) {
+    known.push_back(row.ending);
+    list += (list.empty() ? "" : " ") + std::string(row.ending);
+    if (row.ending != end) continue;
+    if (Status s = check_place(options.path, options.overwrite); !s) return s.error();
+    Exported made;
+    const Result<std::string> bytes = row.make(program, options, made);
+    if (!bytes) return bytes.error();
+    made.bytes = bytes->size();
+    if (Status s = write_whole(options.path, *bytes, options.overwrite); !s) return s.error();
+    return made;
+  }
+  return fail(
+      ErrorCode::range,
+      end == "." ? fmt::format("\"{}\" has no ending that says what to make", options.path)
+                 : fmt::format("motion cannot be written as \"{}\"", end),
+      fmt::format("{}known endings: {}{}", did_you_mean(end, known).empty() ? "" : did_you_mean(end, known) + "; ",
+                  list,
+                  end == ".mp4" || end == ".gif" || end == ".webm" || end == ".mov" ? "; films: betwixt render" : ""));
+}
+
+}  // namespace betwixt

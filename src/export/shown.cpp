@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "export/shown.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "betwixt/evaluation.h"
+#include "exchange/geometry.h"
+#include "export/fit.h"
+#include "program/compiled.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t most_triangles = 20'000'000;
+constexpr std::size_t most_points = 1'000'000, fewest_forms = 24, most_forms = 600;  // of one object
+
+// The frames of the film, and when something may jump in between.
+std::vector<Time> looks_of(const Program& program, Time from, Time until) {
+  const Rate rate = program.document().rate();
+  std::vector<Time> all = program.breaks(from, until);
+  const double first = std::ceil(rate.frame_number(from));
+  for (double n = first; rate.frame(n) <= until; ++n) all.push_back(rate.frame(n));
+  all.push_back(from);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::erase_if(all, [&](Time t) { return t < from; });
+  return all;
+}
+
+class Watch {
+ public:
+  Watch(const Program& program, const ExportOptions& options) : program_(program), options_(options) {}
+
+  Status look(const Evaluation& e, Time t) {
+    for (const std::uint32_t i : e.changed()) {
+      const ObjectId id = e.drawables()[i];
+      const Evaluation::Look& look = e.looks()[i];
+      if (!look.visible) {
+        if (const auto known = at_.find(id.index); known != at_.end()) seen(all_[known->second], t, -1);
+        continue;
+      }
+      const auto [place, fresh] = at_.try_emplace(id.index, all_.size());
+      if (fresh) {
+        all_.emplace_back();
+        all_.back().id = id;
+        forms_.emplace_back();
+        if (t > options_.from) all_.back().when.push_back({options_.from, -1});
+      }
+      Shown& s = all_[place->second];
+      if (s.forms.empty()) {
+        s.material = look.material, s.shininess = look.shininess;
+        if (look.texture != Evaluation::Look::none) s.texture = e.texture(look.texture);
+      }
+      const Shape& shape = *e.shape(look.shape);
+      const Geometry g = look.toward == Evaluation::Look::none
+                             ? realise(shape)
+                             : realise_blend(shape, *e.shape(look.toward), look.blend);
+      if (Status ok = add(s, forms_[place->second], t, g); !ok) return ok;
+    }
+    return Nothing{};
+  }
+
+  // What is only stretched is one form.
+  std::vector<Shown> finish(Exported& made) {
+    for (Shown& s : all_) {
+      s.color = value_keys(program_, {s.id, fn::color}, options_.from, options_.until, options_.keys);
+      s.opacity = value_keys(program_, {s.id, fn::transparency}, options_.from, options_.until, options_.keys);
+      for (KeyPiece& p : s.opacity.pieces) {
+        p.begin[0] = 1 - p.begin[0], p.end[0] = 1 - p.end[0];
+        p.leaving[0] = -p.leaving[0], p.arriving[0] = -p.arriving[0];
+      }
+      const bool one =
+          std::all_of(s.forms.begin(), s.forms.end(), [&](const Shown::Form& f) { return f.mesh == s.forms[0].mesh; });
+      if (one && s.forms.size() > 1) stretch(s);
+      if (s.forms.size() > 1) thin_out(s);
+      if (s.forms.size() > 1)
+        leave_out(made, fmt::format("the shape of {} changes: it is {} meshes, one after the other",
+                                    program_.document().name(s.id), s.forms.size()));
+    }
+    return std::move(all_);
+  }
+
+ private:
+  static void seen(Shown& s, Time t, int form) {
+    if (s.when.empty() || s.when.back().form != form) s.when.push_back({t, form});
+  }
+
+  Status add(Shown& s, std::map<std::pair<const Mesh*, std::array<double, 16>>, int>& forms, Time t,
+             const Geometry& g) {
+    if (g.mesh->triangles.empty() && g.mesh->edges.empty()) {
+      if (!s.when.empty())
+        seen(s, t, -1);
+      else
+        s.when.push_back({t, -1});
+      return Nothing{};
+    }
+    const auto [known, fresh] = forms.try_emplace({g.mesh.get(), g.local.m}, static_cast<int>(s.forms.size()));
+    if (fresh) {
+      const bool another = s.forms.empty() || s.forms.back().mesh != g.mesh;
+      s.forms.push_back({g.mesh, g.local});
+      if (another) triangles_ += g.mesh->triangles.size() / 3;
+      if (triangles_ > most_triangles)
+        return fail(ErrorCode::range,
+                    fmt::format("what is seen takes more than {} million triangles", most_triangles / 1'000'000),
+                    "fewer frames: --frames 1f..24f");
+    }
+    seen(s, t, known->second);
+    return Nothing{};
+  }
+
+  // A shape that grows is too much to have it whole each frame: each n-th form stands for those up to the next.
+  static void thin_out(Shown& s) {
+    std::size_t largest = 1;
+    for (const Shown::Form& f : s.forms) largest = std::max(largest, f.mesh->positions.size());
+    const std::size_t most = std::clamp(most_points / largest, fewest_forms, most_forms);
+    const std::size_t step = (s.forms.size() + most - 1) / most;
+    if (step == 1) return;
+    std::vector<Shown::Form> forms;
+    for (std::size_t i = 0; i < s.forms.size(); i += step)
+      forms.push_back(s.forms[std::min(i + step / 2, s.forms.size() - 1)]);
+    s.forms = std::move(forms);
+    std::vector<Shown::From> when;
+    for (Shown::From w : s.when) {
+      if (w.form >= 0) w.form /= static_cast<int>(step);
+      if (when.empty() || when.back().form != w.form) when.push_back(w);
+    }
+    s.when = std::move(when);
+  }
+
+  void stretch(Shown& s) {
+    const auto& compiled = program_.compiled();
+    Vec3 last{1, 1, 1};
+    const Followed f = followed(program_.document(), 3, options_.keys.metres, [&](Time t) -> KeyValue {
+      Asking asking;
+      const Shape shape = compiled.shape(s.id.index, t, nullptr, asking);
+      if (const Geometry g = realise(shape); !g.mesh->triangles.empty())
+        last = {g.local(0, 0), g.local(1, 1), g.local(2, 2)};
+      return {last.x, last.y, last.z, 0};
+    });
+    const auto knots = knots_between(program_.breaks(options_.from, options_.until), options_.from, options_.until);
+    s.stretch = follow(f, knots, options_.keys);
+    s.forms.resize(1);
+    s.forms[0].local = {};
+    std::vector<Shown::From> when;
+    for (Shown::From w : s.when)
+      if (w.form = std::min(w.form, 0); when.empty() || when.back().form != w.form) when.push_back(w);
+    s.when = std::move(when);
+  }
+
+  const Program& program_;
+  const ExportOptions& options_;
+  std::vector<Shown> all_;
+  std::vector<std::map<std::pair<const Mesh*, std::array<double, 16>>, int>> forms_;  // of each: those it has had
+  std::unordered_map<std::uint32_t, std::size_t> at_;
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace
+
+void leave_out(Exported& made, std::string sentence) {
+  if (std::find(made.left_out.begin(), made.left_out.end(), sentence) == made.left_out.end())
+    made.left_out.push_back(std::move(sentence));
+}
+
+Result<std::vector<Shown>> shown(const Program& program, const ExportOptions& options, Exported& made) {
+  Watch watch(program, options);
+  Evaluation e(program);
+  for (const Time t : looks_of(program, options.from, options.until)) {
+    e.to(t);
+    if (Status s = watch.look(e, t); !s) return s.error();
+  }
+  return watch.finish(made);
+}
+
+}  // namespace betwixt

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is drawn of a film, object by object over time: triangles, and how they look.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "betwixt/export.h"
+#include "betwixt/frame.h"
+
+namespace betwixt {
+
+struct Shown {
+  ObjectId id;
+  // One mesh after the other, where its shape varies beyond being stretched; each in object space but for `stretch`.
+  struct Form {
+    std::shared_ptr<const Mesh> mesh;
+    Mat4 local;  // a scaling
+  };
+  std::vector<Form> forms;
+  struct From {
+    Time time;
+    int form = -1;  // -1: it is not seen
+  };
+  std::vector<From> when;  // by time; the first one is the beginning
+  Channel stretch;         // along its axes; no pieces: it is `local` of its form
+  Channel color, opacity;  // linear light; 1 is solid
+  Material material = Material::plastic;
+  double shininess = 0;
+  std::shared_ptr<const Picture> texture;
+};
+
+// Of all that is ever seen. Shapes are looked at once a frame, and where something may jump. Errors: range (more
+// triangles than anybody can take).
+Result<std::vector<Shown>> shown(const Program&, const ExportOptions&, Exported&);
+
+// Each sentence once.
+void leave_out(Exported&, std::string sentence);
+
+}  // namespace betwixt

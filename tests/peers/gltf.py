@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Every example as glTF, asked of Khronos' validator and three.js.
+#   gltf.py PROGRAM NODE-MODULES [EXAMPLE…]
+import json, os, random, subprocess, sys, tempfile, time
+
+here = os.path.dirname(os.path.abspath(__file__))
+root = os.path.dirname(os.path.dirname(here))
+program, modules, wanted = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
+passed = failed = 0
+
+
+def run(*words):
+    return subprocess.run(words, capture_output=True, text=True)
+
+
+def verdict(good, words):
+    global passed, failed
+    if good: passed += 1
+    else:
+        failed += 1
+        print("FAILED", words)
+
+
+def times_of(film):
+    # The range, by what an exported file says of it.
+    with tempfile.TemporaryDirectory() as folder:
+        run(program, "export", film, "-o", folder + "/x.gltf", "--keys", "baked")
+        extras = json.load(open(folder + "/x.gltf"))["scenes"][0]["extras"]
+    begin = (extras["first_frame"] - 1) / extras["rate"]
+    return begin, (extras["frames"] - 1) / extras["rate"]
+
+
+def check(film, keys):
+    name = os.path.basename(film)[:-3]
+    begin, length = times_of(film)
+    rand = random.Random(name + keys)
+    times = [begin + length * rand.random() for _ in range(40)]
+    with tempfile.TemporaryDirectory() as folder:
+        begun = time.time()
+        made = run(program, "export", film, "-o", folder + "/x.glb", "--keys", keys)
+        took = time.time() - begun
+        if made.returncode != 0:
+            return verdict(False, f"{name} {keys}: {made.stderr}")
+        listed = json.loads(run(program, "eval", film, "--at", f"{times[0]}s", "--json").stdout)
+        names = dict.fromkeys(target.split(".")[0] for target in listed["times"][0]["values"])
+        placed = {node["name"] for node in read_glb(folder + "/x.glb")["nodes"]}
+        worlds = [name + ".world" for name in names if name in placed]
+        said = run(program, "eval", film, "--at", ",".join(f"{t:.9f}s" for t in times), "--json", *worlds).stdout
+        answer = json.loads(said)
+        answer["from"] = begin
+        json.dump(answer, open(folder + "/v.json", "w"))
+        asked = subprocess.run(["node", os.path.join(modules, "..", "gltf.mjs"), folder + "/x.glb", folder + "/v.json"],
+                               capture_output=True, text=True)
+        try:
+            got = json.loads(asked.stdout.splitlines()[-1])
+        except Exception:
+            return verdict(False, f"{name} {keys}: {asked.stdout} {asked.stderr}")
+        good = got["errors"] == 0 and got["warnings"] == 0 and got["most"] is not None and got["most"] <= 1e-4
+        verdict(good, f"{name} {keys}: {got} {asked.stderr[:2000]}")
+        if "-v" in os.environ.get("SAY", "-v"):
+            print(f"{name:14} {keys:7} {got['most'] or -1:.1e}  {made.stderr.splitlines()[-1]}  {took:.1f} s")
+
+
+def read_glb(path):
+    data = open(path, "rb").read()
+    length = int.from_bytes(data[12:16], "little")
+    return json.loads(data[20:20 + length])
+
+
+films = [os.path.join(root, "examples", f) for f in sorted(os.listdir(os.path.join(root, "examples"))) if f.endswith(".bx")]
+for film in films:
+    if wanted and os.path.basename(film)[:-3] not in wanted: continue
+    for keys in ("cubic", "linear", "baked")[:2]:
+        check(film, keys)
+print(f"{passed} passed, {failed} failed")
+sys.exit(failed != 0)
