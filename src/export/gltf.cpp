@@ -8,18 +8,16 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "betwixt/pose.h"
 #include "betwixt/picture.h"
+#include "betwixt/pose.h"
 #include "export/fit.h"
 #include "export/formats.h"
 #include "export/gltf_parts.h"
-#include "export/shown.h"
+#include "export/seen.h"
 #include "program/compiled.h"
 
 namespace betwixt {
 namespace {
-
-using gltf::Json;
 
 Json numbers(const std::array<double, 4>& v, std::size_t width) {
   Json all = Json::array();
@@ -41,11 +39,11 @@ class Maker {
   }
 
   Status make() {
-    Result<std::vector<Shown>> seen = shown(program_, options_, made_);
+    Result<std::vector<Seen>> seen = all_seen(program_, options_, made_);
     if (!seen) return seen.error();
     place_objects();
     if (options_.keys.go_on && !options_.keys.go_on(1)) return fail(ErrorCode::machine, "stopped");
-    for (const Shown& s : *seen)
+    for (const Seen& s : *seen)
       if (Status ok = draw(s); !ok) return ok;
     lights();
     cameras();
@@ -112,7 +110,7 @@ class Maker {
 
   // ---- what is seen
 
-  Status draw(const Shown& s) {
+  Status draw(const Seen& s) {
     if (s.forms.empty() || !inner_of_.contains(s.id.index)) return Nothing{};
     const std::string name = document_.name(s.id);
     const bool always = s.when.size() == 1 && s.when[0].form == 0;
@@ -132,7 +130,7 @@ class Maker {
   }
 
   // How large a form is: nothing, while it is not seen.
-  Channel sizes(const Shown& s, int form) const {
+  Channel sizes(const Seen& s, int form) const {
     Channel c{3, false, {}};
     for (std::size_t i = 0; i < s.when.size(); ++i) {
       const Time from = s.when[i].time, until = i + 1 < s.when.size() ? s.when[i + 1].time : options_.until;
@@ -174,8 +172,8 @@ class Maker {
     return out;
   }
 
-  Result<std::size_t> add_mesh(const Shown& s, std::size_t form, const std::string& name) {
-    const Shown::Form& f = s.forms[form];
+  Result<std::size_t> add_mesh(const Seen& s, std::size_t form, const std::string& name) {
+    const Seen::Form& f = s.forms[form];
     const auto known = meshes_of_.find({f.mesh.get(), f.local.m});
     Json attributes;
     if (known != meshes_of_.end()) {
@@ -235,7 +233,7 @@ class Maker {
     return known->second;
   }
 
-  Result<std::size_t> material(const Shown& s, const MeshPart& part, const std::string& name) {
+  Result<std::size_t> material(const Seen& s, const MeshPart& part, const std::string& name) {
     std::array<double, 4> tint{1, 1, 1, 1};
     for (std::size_t i = 0; i < 3; ++i) tint[i] = part.color[i];
     const bool tinted = part.tinted;
@@ -285,7 +283,7 @@ class Maker {
     return *flat_;
   }
   // Colour and opacity as one channel.
-  Channel colors(const Shown& s, const std::array<double, 4>& tint, bool tinted) const {
+  Channel colors(const Seen& s, const std::array<double, 4>& tint, bool tinted) const {
     const auto at = [&](Time t) {
       std::array<double, 4> v{1, 1, 1, 1};
       if (tinted && !s.color.pieces.empty()) v = value_at(s.color, t);
@@ -326,8 +324,8 @@ class Maker {
       const Target intensity{{index}, fn::intensity}, color{{index}, fn::color};
       Channel power = value_keys(program_, intensity, options_.from, options_.until, options_.keys);
       const Channel tint = value_keys(program_, color, options_.from, options_.until, options_.keys);
-      // As bright as here in the middle of its reach; here light fades to nothing at its end, there by the square.
-      const double unit = l.sun ? pi : pi * l.range * l.range / 4 * 0.5625;
+      // Full light is pi lux; of a lamp a twentieth of that is left where its reach ends, as scenes are read.
+      const double unit = l.sun ? pi : pi * l.range * l.range / 20;
       for (KeyPiece& p : power.pieces)
         for (auto* v : {&p.begin, &p.end, &p.leaving, &p.arriving}) (*v)[0] *= unit;
       Json light{{"type", l.sun ? "directional" : "point"},

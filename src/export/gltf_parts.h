@@ -7,16 +7,14 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "betwixt/keys.h"
+#include "export/json.h"
 
 namespace betwixt::gltf {
-
-using Json = nlohmann::ordered_json;
 
 class Buffer {
  public:

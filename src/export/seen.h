@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-struct Shown {
+struct Seen {
   ObjectId id;
   // One mesh after the other, where its shape varies beyond being stretched; each in object space but for `stretch`.
   struct Form {
@@ -35,7 +35,7 @@ struct Shown {
 
 // Of all that is ever seen. Shapes are looked at once a frame, and where something may jump. Errors: range (more
 // triangles than anybody can take).
-Result<std::vector<Shown>> shown(const Program&, const ExportOptions&, Exported&);
+Result<std::vector<Seen>> all_seen(const Program&, const ExportOptions&, Exported&);
 
 // Each sentence once.
 void leave_out(Exported&, std::string sentence);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "export/shown.h"
+#include "export/seen.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ class Watch {
         forms_.emplace_back();
         if (t > options_.from) all_.back().when.push_back({options_.from, -1});
       }
-      Shown& s = all_[place->second];
+      Seen& s = all_[place->second];
       if (s.forms.empty()) {
         s.material = look.material, s.shininess = look.shininess;
         if (look.texture != Evaluation::Look::none) s.texture = e.texture(look.texture);
@@ -66,8 +66,8 @@ class Watch {
   }
 
   // What is only stretched is one form.
-  std::vector<Shown> finish(Exported& made) {
-    for (Shown& s : all_) {
+  std::vector<Seen> finish(Exported& made) {
+    for (Seen& s : all_) {
       s.color = value_keys(program_, {s.id, fn::color}, options_.from, options_.until, options_.keys);
       s.opacity = value_keys(program_, {s.id, fn::transparency}, options_.from, options_.until, options_.keys);
       for (KeyPiece& p : s.opacity.pieces) {
@@ -75,7 +75,7 @@ class Watch {
         p.leaving[0] = -p.leaving[0], p.arriving[0] = -p.arriving[0];
       }
       const bool one =
-          std::all_of(s.forms.begin(), s.forms.end(), [&](const Shown::Form& f) { return f.mesh == s.forms[0].mesh; });
+          std::all_of(s.forms.begin(), s.forms.end(), [&](const Seen::Form& f) { return f.mesh == s.forms[0].mesh; });
       if (one && s.forms.size() > 1) stretch(s);
       if (s.forms.size() > 1) thin_out(s);
       if (s.forms.size() > 1)
@@ -86,12 +86,11 @@ class Watch {
   }
 
  private:
-  static void seen(Shown& s, Time t, int form) {
+  static void seen(Seen& s, Time t, int form) {
     if (s.when.empty() || s.when.back().form != form) s.when.push_back({t, form});
   }
 
-  Status add(Shown& s, std::map<std::pair<const Mesh*, std::array<double, 16>>, int>& forms, Time t,
-             const Geometry& g) {
+  Status add(Seen& s, std::map<std::pair<const Mesh*, std::array<double, 16>>, int>& forms, Time t, const Geometry& g) {
     if (g.mesh->triangles.empty() && g.mesh->edges.empty()) {
       if (!s.when.empty())
         seen(s, t, -1);
@@ -114,25 +113,25 @@ class Watch {
   }
 
   // A shape that grows is too much to have it whole each frame: each n-th form stands for those up to the next.
-  static void thin_out(Shown& s) {
+  static void thin_out(Seen& s) {
     std::size_t largest = 1;
-    for (const Shown::Form& f : s.forms) largest = std::max(largest, f.mesh->positions.size());
+    for (const Seen::Form& f : s.forms) largest = std::max(largest, f.mesh->positions.size());
     const std::size_t most = std::clamp(most_points / largest, fewest_forms, most_forms);
     const std::size_t step = (s.forms.size() + most - 1) / most;
     if (step == 1) return;
-    std::vector<Shown::Form> forms;
+    std::vector<Seen::Form> forms;
     for (std::size_t i = 0; i < s.forms.size(); i += step)
       forms.push_back(s.forms[std::min(i + step / 2, s.forms.size() - 1)]);
     s.forms = std::move(forms);
-    std::vector<Shown::From> when;
-    for (Shown::From w : s.when) {
+    std::vector<Seen::From> when;
+    for (Seen::From w : s.when) {
       if (w.form >= 0) w.form /= static_cast<int>(step);
       if (when.empty() || when.back().form != w.form) when.push_back(w);
     }
     s.when = std::move(when);
   }
 
-  void stretch(Shown& s) {
+  void stretch(Seen& s) {
     const auto& compiled = program_.compiled();
     Vec3 last{1, 1, 1};
     const Followed f = followed(program_.document(), 3, options_.keys.metres, [&](Time t) -> KeyValue {
@@ -146,15 +145,15 @@ class Watch {
     s.stretch = follow(f, knots, options_.keys);
     s.forms.resize(1);
     s.forms[0].local = {};
-    std::vector<Shown::From> when;
-    for (Shown::From w : s.when)
+    std::vector<Seen::From> when;
+    for (Seen::From w : s.when)
       if (w.form = std::min(w.form, 0); when.empty() || when.back().form != w.form) when.push_back(w);
     s.when = std::move(when);
   }
 
   const Program& program_;
   const ExportOptions& options_;
-  std::vector<Shown> all_;
+  std::vector<Seen> all_;
   std::vector<std::map<std::pair<const Mesh*, std::array<double, 16>>, int>> forms_;  // of each: those it has had
   std::unordered_map<std::uint32_t, std::size_t> at_;
   std::size_t triangles_ = 0;
@@ -167,7 +166,7 @@ void leave_out(Exported& made, std::string sentence) {
     made.left_out.push_back(std::move(sentence));
 }
 
-Result<std::vector<Shown>> shown(const Program& program, const ExportOptions& options, Exported& made) {
+Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& options, Exported& made) {
   Watch watch(program, options);
   Evaluation e(program);
   for (const Time t : looks_of(program, options.from, options.until)) {

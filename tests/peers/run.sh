@@ -1,0 +1,30 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What is exported, asked of the programs that it is for. They are installed by npm into build/peers.
+#   run.sh PROGRAM
+root=$(cd -P -- "$(dirname -- "$0")/../.." && pwd)
+. "$root/tools/setup.sh"
+program=$(realpath -- "$1") peers=$root/build/peers
+command -v npm >/dev/null || need "$root/tools/peers-packages.txt"
+mkdir -p "$peers" && cp "$root"/tests/peers/* "$peers" || exit 3
+if ! cmp -s "$peers/package-lock.json" "$peers/node_modules/.installed"; then
+  (cd "$peers" && npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1) || {
+    tail -n 5 "$peers/npm.log"
+    echo "left out: npm cannot install what these tests ask"
+    echo "0 passed, 0 failed"
+    exit 0
+  }
+  cp "$peers/package-lock.json" "$peers/node_modules/.installed"
+fi
+passed=0 failed=0
+for script in gltf; do
+  said=$(python3 "$root/tests/peers/$script.py" "$program" "$peers" 2>&1)
+  printf '%s\n' "$said" | grep -vE '^[0-9]+ passed, [0-9]+ failed$'
+  counts=$(printf '%s\n' "$said" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' | tail -n 1)
+  [ -n "$counts" ] || counts="0 1"
+  passed=$((passed + ${counts% *})) failed=$((failed + ${counts#* }))
+done
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
