@@ -70,7 +70,7 @@ Object part_object(const Scene& s, const Object& whole, ObjectId id, const TextP
   return o;
 }
 
-bool split_one(Command& k, ObjectId id, Parts into, std::string_view about, std::size_t& made) {
+bool split_one(Command& k, ObjectId id, SplitInto into, std::string_view about, std::size_t& made) {
   auto& [s, c, time, layer, script] = k;
   const Object whole = s.objects[id.index];
   Setting setting;
@@ -113,7 +113,7 @@ bool split(Command& k) {
   Rollback all(s);
   std::size_t made = 0;
   for (const ObjectId id : texts)
-    if (!split_one(k, id, static_cast<Parts>(at - part_names.begin()), word, made)) return false;
+    if (!split_one(k, id, static_cast<SplitInto>(at - part_names.begin()), word, made)) return false;
   all.keep();
   script.touched = made;
   return true;

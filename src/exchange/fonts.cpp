@@ -202,7 +202,7 @@ TextPart part_of(Face& face, const SetLine& whole, std::string_view text) {
 }
 
 // Where the parts of a line begin and end: runs of letters between which nothing is drawn, or each, or all.
-std::vector<std::pair<std::size_t, std::size_t>> part_ends(Face& face, const SetLine& line, Parts into) {
+std::vector<std::pair<std::size_t, std::size_t>> part_ends(Face& face, const SetLine& line, SplitInto into) {
   std::map<std::size_t, std::pair<std::size_t, bool>> letters;  // by their begins: ends, and whether they are seen
   for (const SetGlyph& g : line) {
     auto& [end, seen] = letters[g.begin];
@@ -212,9 +212,9 @@ std::vector<std::pair<std::size_t, std::size_t>> part_ends(Face& face, const Set
   bool open = false;
   for (const auto& [begin, letter] : letters) {
     const auto& [end, seen] = letter;
-    if (seen && (into == Parts::letters || !open)) out.emplace_back(begin, end);
+    if (seen && (into == SplitInto::letters || !open)) out.emplace_back(begin, end);
     if (seen) out.back().second = end;
-    open = into == Parts::lines ? !out.empty() : into == Parts::words && seen;
+    open = into == SplitInto::lines ? !out.empty() : into == SplitInto::words && seen;
   }
   return out;
 }
@@ -252,7 +252,7 @@ SetText set_text(const std::string& text, const std::string& family, const Lette
 }
 
 std::vector<TextPart> text_parts(const std::string& text, const std::string& family, const Letters& letters,
-                                 Parts into) {
+                                 SplitInto into) {
   Machine& m = machine();
   const std::lock_guard lock(m.mutex);
   std::vector<TextPart> out;

@@ -34,11 +34,11 @@ SetText set_text(const std::string& text, const std::string& family, const Lette
 
 // What a text can be taken apart into, each a text of its own, in the order in which they are read; what draws nothing
 // is left out.
-enum class Parts : std::uint8_t { letters, words, lines };
+enum class SplitInto : std::uint8_t { letters, words, lines };
 struct TextPart {
   std::string text;
   Vec3 at;  // where it stands, set by itself and centred, as it stood in the whole
 };
-std::vector<TextPart> text_parts(const std::string& text, const std::string& family, const Letters&, Parts);
+std::vector<TextPart> text_parts(const std::string& text, const std::string& family, const Letters&, SplitInto);
 
 }  // namespace betwixt

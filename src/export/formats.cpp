@@ -13,6 +13,11 @@ namespace {
 constexpr ExportRow rows[] = {
     {".glb", "glTF 2.0: for three.js, Blender, Godot, web pages", make_glb},
     {".gltf", "the same as text", make_gltf},
+    {".usda", "USD as text: for Houdini, Maya, Omniverse, usdview", make_usda},
+    {".json", "Lottie: a flat film for apps and pages", make_lottie},
+    {".css", "keyframes of web pages: how flat things move", make_css},
+    {".js", "the same for element.animate()", make_waapi},
+    {".svg", "a flat film as a picture that moves", make_svg},
 };
 
 }  // namespace

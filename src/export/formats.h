@@ -18,5 +18,10 @@ std::span<const ExportRow> export_rows();
 
 Result<std::string> make_glb(const Program&, const ExportOptions&, Exported&);
 Result<std::string> make_gltf(const Program&, const ExportOptions&, Exported&);
+Result<std::string> make_usda(const Program&, const ExportOptions&, Exported&);
+Result<std::string> make_lottie(const Program&, const ExportOptions&, Exported&);
+Result<std::string> make_css(const Program&, const ExportOptions&, Exported&);
+Result<std::string> make_waapi(const Program&, const ExportOptions&, Exported&);
+Result<std::string> make_svg(const Program&, const ExportOptions&, Exported&);
 
 }  // namespace betwixt

@@ -60,7 +60,7 @@ TEST(Fonts, PartsStandWhereTheyStoodInTheWhole) {
   for (const std::string text : {"AVATAR To", "office affine", "two\nlines, of  words\n\n", "e\u0301a\u0308",
                                  "\u0633\u0644\u0627\u0645 \u0628\u0628\u0628", "a", "WA\tVA"})
     for (const Align align : {Align::left, Align::centre, Align::right})
-      for (const Parts into : {Parts::letters, Parts::words, Parts::lines}) {
+      for (const SplitInto into : {SplitInto::letters, SplitInto::words, SplitInto::lines}) {
         const Letters letters{align, Weight::bold, false};
         std::vector<Contour> parts;
         for (const TextPart& part : text_parts(text, "DejaVu Sans", letters, into))
@@ -70,18 +70,18 @@ TEST(Fonts, PartsStandWhereTheyStoodInTheWhole) {
 }
 
 TEST(Fonts, PartsAreWhatIsReadInItsOrder) {
-  const auto parts = [](const std::string& text, Parts into) {
+  const auto parts = [](const std::string& text, SplitInto into) {
     std::vector<std::string> all;
     for (const TextPart& part : text_parts(text, "DejaVu Sans", {}, into)) all.push_back(part.text);
     return all;
   };
   using Texts = std::vector<std::string>;
-  EXPECT_EQ(parts("a  be\nc", Parts::letters), (Texts{"a", "b", "e", "c"}));
-  EXPECT_EQ(parts(" a  be\nc d ", Parts::words), (Texts{"a", "be", "c", "d"}));
-  EXPECT_EQ(parts(" a  be \n\nc", Parts::lines), (Texts{"a  be", "c"}));
-  EXPECT_EQ(parts(" \n  ", Parts::lines), Texts{});
+  EXPECT_EQ(parts("a  be\nc", SplitInto::letters), (Texts{"a", "b", "e", "c"}));
+  EXPECT_EQ(parts(" a  be\nc d ", SplitInto::words), (Texts{"a", "be", "c", "d"}));
+  EXPECT_EQ(parts(" a  be \n\nc", SplitInto::lines), (Texts{"a  be", "c"}));
+  EXPECT_EQ(parts(" \n  ", SplitInto::lines), Texts{});
   // From right to left what is read first stands last.
-  const auto right_to_left = text_parts("\u05d0\u05d1", "DejaVu Sans", {}, Parts::letters);
+  const auto right_to_left = text_parts("\u05d0\u05d1", "DejaVu Sans", {}, SplitInto::letters);
   ASSERT_EQ(right_to_left.size(), 2U);
   EXPECT_EQ(right_to_left[0].text, "\u05d0");
   EXPECT_GT(right_to_left[0].at.x, right_to_left[1].at.x);
