@@ -28,6 +28,9 @@ constexpr HelpEntry other_words[] = {
     {function, "touching", "The names of what it touches; it can be asked for, not set.", "", ""},
     {function, "in-view", "Whether any of it is in view; it can be asked for, not set.", "", ""},
 
+    {kind, "scene", "What a file holds (glTF, BVH, FBX, Collada, SVG): each node an object, its animation as tracks.",
+     "file=\"…\" animation=… start=TIME, then what the whole is told", ""},
+
     {option, "cut", "A jump: the track comes to the first value and goes on from the second.", "VALUE cut VALUE",
      "at 12f ball.radius 2 cut 1"},
     {option, "keep", "The twerper changes, the value is what it would have been.", "keep TWERPER",

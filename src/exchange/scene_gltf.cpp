@@ -245,6 +245,8 @@ class GltfScene {
     if (m.normalTexture.index >= 0) leave_out("pictures of bumps (normal maps) are left out");
     if (m.occlusionTexture.index >= 0) leave_out("pictures of shadows (occlusion) are left out");
     if (m.emissiveTexture.index >= 0) leave_out("pictures of light (emission) are left out");
+    if (pbr.baseColorTexture.extensions.contains("KHR_texture_transform"))
+      leave_out("pictures on surfaces that are moved or turned (KHR_texture_transform) lie as they are");
     glow(m, to, look);
     for (const auto& [name, value] : m.extensions)
       if (name != "KHR_materials_unlit" && name != "KHR_materials_emissive_strength")
