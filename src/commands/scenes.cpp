@@ -272,6 +272,17 @@ class SceneMaker {
   std::vector<std::int32_t> parents_, object_of_;  // of each object; of each node
 };
 
+// What makes the same again, whatever animation is the first by then.
+std::string command_of(const Wanted& w, const SceneFile& file, const SceneClip* clip) {
+  std::string out = "scene file=" + write_text(w.path);
+  if (clip)
+    out += fmt::format(" animation={}", clip - file.clips.data() + 1);
+  else if (!file.clips.empty())
+    out += " animation=none";
+  if (w.start != Time{}) out += " start=" + write_seconds(w.start);
+  return out;
+}
+
 // The weights of morph targets are display functions, which every object has.
 bool define_weights(Command& k, const SceneFile& file, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
@@ -318,10 +329,15 @@ bool create_scene(Command& k, const std::vector<std::string>& names, const std::
       return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), about);
     for (const Object& o : all)
       if (!free_name(k, o.name, about)) return false;
+    FromFile made{{}, names[i], command_of(wanted, file, clip), {}};
     std::vector<ObjectId> ids;
-    for (std::size_t n = 0; n < all.size(); ++n)
+    for (std::size_t n = 0; n < all.size(); ++n) {
       ids.push_back(
           add_child(s, std::move(all[n]), n == 0 ? parents[i] : ids[static_cast<std::size_t>(maker.parents()[n])]));
+      if (n > 0) made.parts.push_back(s.objects[ids[n].index]);
+    }
+    made.root = ids[0];
+    s.from_files.edit().push_back(std::move(made));
   }
   for (const std::string& sentence : file.left_out)
     script.note(Severity::warning, fmt::format("of {}: {}", wanted.path, sentence), about);

@@ -10,6 +10,7 @@
 #include "betwixt/language.h"
 #include "language/formula.h"
 #include "language/values.h"
+#include "language/written_scenes.h"
 #include "scene/names.h"
 #include "scene/power.h"
 
@@ -217,18 +218,23 @@ struct Writer {
   }
 
   void objects() {
+    const FilesObjects files(s);
     std::vector<std::uint32_t> living;
     for (std::uint32_t i = 0; i < s.objects.size(); ++i)
       if (!s.objects[i].removed && !s.objects[i].derived) living.push_back(i);
     for (std::uint32_t i : living) {
       const Object& o = s.objects[i];
+      if (files.makes(i)) continue;
       if (o.environment) {
         out += write_environment(flat_name(o.name), *o.environment);
         continue;
       }
       const bool layer = o.kind == Kind::layer;
       out += (layer ? "layer " : "create ") + flat_name(o.name) + " ";
-      out += layer ? *std::get<Text>(*o.find(fn::mode)->set) : std::string(betwixt::name_of(o.kind));
+      const std::string* command = files.command(i);
+      out += layer     ? *std::get<Text>(*o.find(fn::mode)->set)
+             : command ? *command
+                       : std::string(betwixt::name_of(o.kind));
       for (const Slot& slot : o.slots) {
         if (!slot.set || refers(slot) || slot.function == fn::mode) continue;
         const FunctionSpec& spec = spec_of(s, slot.function);
@@ -239,18 +245,20 @@ struct Writer {
     // A name with a slash may belong to anything by now, and its namesake above may be gone: such objects get their
     // names last.
     for (std::uint32_t i : living)
-      if (flat_name(s.objects[i].name) != s.objects[i].name)
+      if (!files.makes(i) && flat_name(s.objects[i].name) != s.objects[i].name)
         out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
     lists();
     // What speaks of other objects waits until all are there.
     for (std::uint32_t i : living)
       for (const Slot& slot : s.objects[i].slots)
-        if (slot.set && refers(slot)) late(i, slot);
+        if (slot.set && (refers(slot) || files.makes(i)) && !files.sets(i, slot)) late(i, slot);
     for (std::uint32_t i : living)
       for (const Slot& slot : s.objects[i].slots) {
         Target t{{i}, slot.function};
         t.layer = slot.layer;
-        strand(slot, t);
+        if (const auto old = files.outdated(i, slot))
+          out += fmt::format("clear {} {}..{}\n", document.name(t), point(old->first), point(old->second));
+        if (!files.tracks(i, slot)) strand(slot, t);
         t.velocity = true;
         strand(slot.velocity, t);
         for (const Filter& f : slot.filters) filter(f, {{i}, slot.function, f.component}, slot.layer);

@@ -134,6 +134,13 @@ struct Dial {
   bool mapped = false;  // else the numbers go as they come
 };
 
+// What a file of a scene has made, as it was then: written, it is that command and what differs from it by now.
+struct FromFile {
+  ObjectId root;              // those that follow it are its parts
+  std::string name, command;  // the root's name then; `scene file="truck.glb" animation=1`
+  std::vector<Object> parts;
+};
+
 struct Scene {
   Rate rate, ticks{30, 1};
   std::optional<std::pair<Time, Time>> range;
@@ -162,6 +169,7 @@ struct Scene {
   Cow<std::map<Time, ObjectId>> cuts;     // which camera is looked through from when on
   // What files held when they were named, by the path as the author wrote it.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
+  Cow<std::vector<FromFile>> from_files;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;
   Cow<std::map<std::string, std::shared_ptr<const Sound>>> sounds;
   Cow<std::map<std::string, std::shared_ptr<const Outline>>> formulas;  // what TeX made of them, by their own words
