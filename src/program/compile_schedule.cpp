@@ -55,6 +55,9 @@ std::size_t hash_of(const Shape& s) {
   for (const double x : {s.size.x, s.size.y, s.size.z, s.radius, s.height, s.tube, s.width, s.depth})
     h = h * 0x9e3779b97f4a7c15u + std::hash<double>{}(x);
   h = h * 31 + std::hash<std::string>{}(*s.text);
+  // Drawings have many outlines with as many points.
+  for (std::size_t i = 0; i < s.points->size(); i += 1 + s.points->size() / 4)
+    h = h * 31 + std::hash<double>{}((*s.points)[i].x) + 7 * std::hash<double>{}((*s.points)[i].y);
   return h * 31 + s.points->size() + std::hash<const void*>{}(s.mesh.get());
 }
 
