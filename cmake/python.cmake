@@ -22,7 +22,8 @@ add_custom_target(betwixt_python_texts COMMAND ${CMAKE_COMMAND} -E make_director
 add_dependencies(betwixt_python betwixt_python_texts)
 # What it reads files of others with stands beside it.
 add_custom_command(TARGET betwixt_python POST_BUILD
-                   COMMAND ${CMAKE_COMMAND} -E create_symlink $<TARGET_FILE:betwixt_parser> ${python_package}/betwixt-parser)
+                   COMMAND ${CMAKE_COMMAND} -E create_symlink $<TARGET_FILE:betwixt_parser>
+                           ${python_package}/betwixt-parser)
 
 # Where Debian's Python looks below /usr/local. (Below ~/.local it is site-packages.)
 set(BETWIXT_PYTHON_FOLDER lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/dist-packages

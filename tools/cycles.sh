@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# cycles.sh FILM.bx -o OUT [--samples N] [--size WxH] [--frames A..B]: the film as Blender's Cycles renders it. OUT is whatever
-# betwixt join makes (.mp4, .webm, …), or numbered pictures (frame-%04d.png). Installs Blender where it is missing and
-# builds the Python module first.
+# cycles.sh FILM.bx -o OUT [--samples N] [--size WxH] [--frames A..B]: the film as Blender's Cycles renders it. OUT is
+# whatever betwixt join makes (.mp4, .webm, …), or numbered pictures (frame-%04d.png). Installs Blender where it is
+# missing and builds the Python module first.
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/tools/setup.sh"
 usage() {
@@ -27,7 +27,7 @@ done
 [ -n "$film" ] && [ -n "$out" ] || usage 2 >&2
 [ -f "$film" ] || die "there is no script $film"
 if [ -z "${BETWIXT_PYTHON-}" ]; then
-  need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/python-packages.txt" "$root/tools/blender-packages.txt"
+  need "$root/tools/packages.txt" "$root"/tools/{run,python,blender}-packages.txt
   build_with python release betwixt_command betwixt_python
   export BETWIXT_PYTHON=$root/build/release/python
 fi

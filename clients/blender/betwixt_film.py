@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Betwixt in Blender: a script comes in as objects with F-curves of Blender's own, and follows its file or a server live.
+"""Betwixt in Blender: a script comes in as objects with F-curves of Blender's own, and follows its file or a server.
 
-An add-on of one file: Edit > Preferences > Add-ons > Install, then File > Import > Betwixt (.bx). It needs the Python module
-`betwixt` (docs/python.md): where that is installed, in the folder that the add-on's preferences name, or in the one that the
-variable BETWIXT_PYTHON does. docs/exchange.md says what comes through.
+An add-on of one file: Edit > Preferences > Add-ons > Install, then File > Import > Betwixt (.bx). It needs the Python
+module `betwixt` (docs/python.md): where that is installed, in the folder that the add-on's preferences name, or in the
+one that the variable BETWIXT_PYTHON does. docs/exchange.md says what comes through.
 """
 
 import importlib
@@ -16,7 +16,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
-from mathutils import Matrix, Quaternion, Vector
+from mathutils import Matrix, Vector
 
 bl_info = {
     "name": "Betwixt",
@@ -49,13 +49,9 @@ def betwixt():
 
 def pieces_of(channel, rate):
     """(shape, first, last, begin, end, leaving, arriving) in frames; jumps have their moment."""
-    given, made = channel.pieces, []
-    for k, p in enumerate(given):
-        shape, first, last = ("held", "straight", "cubic").index(p.shape), p.first, p.last
-        begin, end, leaving, arriving = p.begin, p.end, p.leaving / rate, p.arriving / rate
-        if last <= first:
-            continue
-        jumps = k + 1 < len(given) and not np.allclose(given[k + 1].begin, end, rtol=1e-7, atol=1e-7)
+    given, made = without_corners(channel, rate), []
+    for k, (shape, first, last, begin, end, leaving, arriving) in enumerate(given):
+        jumps = k + 1 < len(given) and not alike(given[k + 1][3], end)
         if not jumps or shape == HELD:
             made.append((shape, first, last, begin, end, leaving, arriving))
             continue
@@ -66,11 +62,39 @@ def pieces_of(channel, rate):
             there, speed = begin + u * (end - begin), arriving
         else:
             a, b = length * leaving, length * arriving
-            there = ((2 * u - 3) * u * u + 1) * begin + (3 - 2 * u) * u * u * end + ((u - 2) * u + 1) * u * a + (u - 1) * u * u * b
+            there = (((2 * u - 3) * u * u + 1) * begin + (3 - 2 * u) * u * u * end
+                     + ((u - 2) * u + 1) * u * a + (u - 1) * u * u * b)
             speed = ((6 * u - 6) * u * (begin - end) + ((3 * u - 4) * u + 1) * a + (3 * u - 2) * u * b) / length
         made.append((shape, first, first + u * length, begin, there, leaving, speed))
         made.append((HELD, first + u * length, last, there, there, 0 * there, 0 * there))
     return made
+
+
+def without_corners(channel, rate):
+    """[shape, first, last, begin, end, leaving, arriving] in frames. A corner may be a piece of next to no time, and close
+    to a key Blender takes the key's value: so it becomes one key, on the frame where it is at one, where both sides of it
+    lead to."""
+    given = [[("held", "straight", "cubic").index(p.shape), p.first, p.last, p.begin, p.end, p.leaving / rate,
+              p.arriving / rate] for p in channel.pieces if p.last > p.first]
+    for p in given:
+        if p[0] == STRAIGHT:
+            p[5] = p[6] = (p[4] - p[3]) / (p[2] - p[1])
+    made = given[:1]
+    for p, after in zip(given[1:], given[2:] + [None]):
+        before, (_, first, last, begin, end, _, _) = made[-1], p
+        if after is not None and last - first < 2 * MOMENT and alike(before[4], begin) and alike(end, after[3]):
+            corner = (first + last) / 2
+            corner = round(corner) if abs(corner - round(corner)) < 2 * MOMENT else corner
+            there = begin + (corner - first) * before[6]
+            if np.abs(there - (end + (corner - last) * after[5])).max() < 1e-5:
+                before[2], before[4], after[1], after[3] = corner, there, corner, there
+                continue
+        made.append(p)
+    return made
+
+
+def alike(a, b):
+    return np.allclose(a, b, rtol=1e-7, atol=1e-7)
 
 
 def curve(action, path, index, points):
@@ -440,7 +464,8 @@ def bring_in(film, name, scene, tolerance=2e-6):
             sun = bpy.data.objects.new(name + " light", light_of(name, all_of_it, when, None))
             collection.objects.link(sun)
             sun.parent = root
-            pose_samples(sun, when, [np.array(Vector(l.direction).to_track_quat("-Z", "Y").to_matrix().to_4x4()) for l in all_of_it])
+            turns = [Vector(l.direction).to_track_quat("-Z", "Y") for l in all_of_it]
+            pose_samples(sun, when, [np.array(t.to_matrix().to_4x4()) for t in turns])
         shown = sun if all_of_it[0].sun else holds.get(name)
         hidden = [f not in when for f in frames]
         for path in ("hide_render", "hide_viewport"):
@@ -557,8 +582,8 @@ class IMPORT_OT_betwixt(bpy.types.Operator, ImportHelper):
     bl_options = {"UNDO"}
     filename_ext = ".bx"
     filter_glob: StringProperty(default="*.bx", options={"HIDDEN"})
-    tolerance: FloatProperty(name="Tolerance", description="How far off a curve may be, in metres and radians", default=2e-6,
-                             min=1e-9, max=0.1, precision=7)
+    tolerance: FloatProperty(name="Tolerance", description="How far off a curve may be, in metres and radians",
+                             default=2e-6, min=1e-9, max=0.1, precision=7)
     live: BoolProperty(name="Live", description="Follow the file: what is saved in it is brought in", default=False)
 
     def execute(self, context):
@@ -570,7 +595,7 @@ class IMPORT_OT_betwixt(bpy.types.Operator, ImportHelper):
         try:
             film = betwixt().load(self.filepath)
         except ImportError:
-            self.report({"ERROR"}, "the Python module betwixt is not found: name its folder in the add-on's preferences")
+            self.report({"ERROR"}, "the Python module betwixt is not found: the add-on's preferences name its folder")
             return {"CANCELLED"}
         except Exception as why:
             self.report({"ERROR"}, str(why))

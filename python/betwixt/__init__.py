@@ -37,8 +37,9 @@ from ._core import (
 from ._errors import Error, Warning
 from ._player import Player
 
-__all__ = ["Camera", "Channel", "Diagnostic", "Error", "Event", "Film", "Frame", "Item", "KeyPiece", "Light", "Made", "Mesh",
-           "MeshPart", "ObjectKeys", "Picture", "Player", "Poses", "Track", "Warning", "load", "loads", "styles"]
+__all__ = ["Camera", "Channel", "Diagnostic", "Error", "Event", "Film", "Frame", "Item", "KeyPiece", "Light", "Made",
+           "Mesh", "MeshPart", "ObjectKeys", "Picture", "Player", "Poses", "Track", "Warning", "load", "loads",
+           "styles"]
 __version__ = _core.version
 
 def load(path: str | os.PathLike[str], *, read_anywhere: bool = False, tex: bool = False) -> Film:

@@ -287,7 +287,8 @@ class Channel:
     def at(self, time: Time) -> Floats: ...
 
 class ObjectKeys:
-    """How an object moves: its parent's matrix times translation, rotation and scale, and `inner`, a turn, where it is sheared."""
+    """How an object moves: its parent's matrix times translation, rotation and scale, and `inner`, a further rotation,
+    where it is sheared."""
 
     @property
     def name(self) -> str: ...
@@ -321,7 +322,9 @@ class Made:
 class Film:
     """A film: what a script says. Any thread may ask it, and change it."""
 
-    def __init__(self, text: str | bytes, name: str = "", *, read_anywhere: bool = False, tex: bool = False) -> None: ...
+    def __init__(
+        self, text: str | bytes, name: str = "", *, read_anywhere: bool = False, tex: bool = False
+    ) -> None: ...
     @property
     def name(self) -> str: ...
     @property

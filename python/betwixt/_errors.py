@@ -11,11 +11,11 @@ if TYPE_CHECKING:
 
 
 class Error(Exception):
-    """What is wrong, in plain words. `str` says it as the program does: with the line, a caret below the place and a hint.
+    """What is wrong, in plain words. `str` says it as the program does: with the line, a caret below the place, a hint.
 
-    `message`, `hint`, `file`, `line`, `column` (both from 1; line 0: no place is known), `text` (of the line) and `code`
-    ("syntax", "name", "type", "range", "file" or "machine") are those of the first error; `diagnostics` has all there is to
-    say, warnings too.
+    `message`, `hint`, `file`, `line`, `column` (both from 1; line 0: no place is known), `text` (of the line) and
+    `code` ("syntax", "name", "type", "range", "file" or "machine") are those of the first error; `diagnostics` has all
+    there is to say, warnings too.
     """
 
     def __init__(self, diagnostics: Sequence[Diagnostic]) -> None:

@@ -23,7 +23,8 @@ _PAGE = """<div id="{id}" class="betwixt-player" style="display:inline-block">
 <output style="min-width:5em;text-align:right">{label}</output></div>
 <script>(function () {{
   var player = document.getElementById("{id}"), image = player.querySelector("img");
-  var button = player.querySelector("button"), slider = player.querySelector("input"), said = player.querySelector("output");
+  var button = player.querySelector("button"), slider = player.querySelector("input");
+  var said = player.querySelector("output");
   var pictures = [{pictures}], labels = [{labels}], wait = {wait}, timer = null;
   function show(k) {{ image.src = "data:image/png;base64," + pictures[k]; slider.value = k; said.value = labels[k]; }}
   function pause() {{ clearInterval(timer); timer = null; button.innerHTML = "&#9654;"; }}

@@ -18,8 +18,76 @@ from betwixt_client import Server
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 betwixt = betwixt_film.betwixt()
 UP = np.array(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1.0)))  # y up to z up
-FILMS = ["bounce", "grab", "four-balls", "menagerie", "title", "clockwork", "gears", "letters", "mirror", "bars", "funnel",
-         "potter", "blur", "chain"]
+FILMS = ["bounce", "grab", "four-balls", "menagerie", "title", "clockwork", "gears", "letters", "mirror", "bars",
+         "funnel", "potter", "blur", "chain", "figure", "eclipse"]
+EASED = "rate 24\nrange 1f 25f\ncreate b box\nb.position\n  1f (0 0 0)\n  9f (4 1 0)\n  25f (-2 5 3)\n"
+JUMPING = """rate 24
+range 1f 25f
+create b box
+b.position
+  1f (0 0 0) linear
+  9f (8 0 0) cut (20 0 0)
+  17f (28 0 0) hold
+  21f (1 1 1)
+"""
+SHEARED = """rate 24
+range 1f 25f
+create a box
+create b box position=(1 0 0)
+create c box position=(0 1 0)
+couple b to a
+couple c to b
+set a.scale (1 4 1)
+b.rotation.z
+  1f 0deg linear
+  25f 180deg
+b.scale
+  1f (1 1 1)
+  25f (3 1 1)
+"""
+TURNING = """rate 24
+range 1f 25f
+create a box
+create b box position=(2 0 0)
+couple b to a
+a.rotation.z
+  1f 0deg linear
+  25f 720deg
+"""
+CAMERAS = """rate 24
+range 1f 25f
+size 320x180
+create b box
+create a camera position=(0 0 9) lens=35mm
+create c camera position=(5 5 5) look-at=b height=4
+at 1f a.lens 35mm linear
+at 25f a.lens 70mm
+at 1f look through a
+at 13f look through c
+"""
+LIGHTS = """range 1f 9f
+create b box
+create lamp light position=(0 3 0) range=12 intensity=2
+create sun light shines=sun position=(3 4 0) intensity=1.5
+"""
+MATERIALS = """rate 24
+range 1f 25f
+create b box color=#ff8000 material=metal shininess=0.5
+create g box material=glow color=#00ff00
+at 1f b.color #ff8000 linear
+at 25f b.color #0000ff
+set g.transparency 0.25
+"""
+SMALL = """rate 24
+range 1f 9f
+size 64x36
+background #0000ff
+create r rectangle size=(3 3) material=glow color=#ff8000
+create eye camera position=(0 0 9)
+r.position
+  1f (-9 0 0)
+  5f (0 0 0)
+"""
 
 
 def example(name):
@@ -53,6 +121,8 @@ class Places(Case):
                 self.scene.frame_set(int(frame))
                 seen = bpy.context.evaluated_depsgraph_get()
                 for thing, place in ((t, poses.names.index(n)) for n, t in objects.items()):
+                    if thing.evaluated_get(seen).hide_viewport:
+                        continue  # where it is nobody works out
                     there = np.array(thing.evaluated_get(seen).matrix_world)
                     should = UP @ poses.world[k, place]
                     worst = max(worst, np.abs(there - should).max() / max(1, np.abs(should).max()))
@@ -60,36 +130,30 @@ class Places(Case):
             self.assertLess(worst, 1e-5, name)
 
     def test_cubics_are_blenders_own_and_right_between_frames(self):
-        objects = self.bring("rate 24\nrange 1f 25f\ncreate b box\nb.position\n  1f (0 0 0)\n  9f (4 1 0)\n  25f (-2 5 3)\n")
-        film = betwixt.loads("rate 24\nrange 1f 25f\ncreate b box\nb.position\n  1f (0 0 0)\n  9f (4 1 0)\n  25f (-2 5 3)\n")
+        objects, film = self.bring(EASED), betwixt.loads(EASED)
         for frame in np.linspace(1, 25, 97):
-            np.testing.assert_allclose(self.world(objects["b"], frame)[:3, 3], (UP @ film.eval("b.world", frame))[:3, 3], atol=5e-6)
+            np.testing.assert_allclose(self.world(objects["b"], frame), UP @ film.eval("b.world", frame), atol=5e-6)
         curves = objects["b"].animation_data.action.fcurves
         self.assertEqual([len(c.keyframe_points) for c in curves], [3, 3, 3])
         self.assertEqual({p.interpolation for c in curves for p in list(c.keyframe_points)[:-1]}, {"BEZIER"})
         self.assertEqual({p.handle_left_type for c in curves for p in c.keyframe_points}, {"FREE"})
 
     def test_what_jumps_jumps_on_its_frame(self):
-        objects = self.bring("rate 24\nrange 1f 25f\ncreate b box\nb.position\n  1f (0 0 0) linear\n  9f (8 0 0) cut (20 0 0)\n"
-                             "  17f (28 0 0) hold\n  21f (1 1 1)\n")
-        film = betwixt.loads("rate 24\nrange 1f 25f\ncreate b box\nb.position\n  1f (0 0 0) linear\n  9f (8 0 0) cut (20 0 0)\n"
-                             "  17f (28 0 0) hold\n  21f (1 1 1)\n")
+        objects, film = self.bring(JUMPING), betwixt.loads(JUMPING)
         for frame in list(range(1, 26)) + [8.5, 8.9, 9.1, 20.9]:
-            np.testing.assert_allclose(self.world(objects["b"], frame)[:3, 3], (UP @ film.eval("b.world", frame))[:3, 3], atol=2e-5)
+            np.testing.assert_allclose(self.world(objects["b"], frame), UP @ film.eval("b.world", frame), atol=2e-5)
 
     def test_turns_keep_to_the_tolerance_between_frames(self):
-        text = "rate 24\nrange 1f 25f\ncreate a box\ncreate b box position=(2 0 0)\ncouple b to a\na.rotation.z\n  1f 0deg linear\n  25f 720deg\n"
-        objects, film = self.bring(text, tolerance=1e-4), betwixt.loads(text)
+        objects, film = self.bring(TURNING, tolerance=1e-4), betwixt.loads(TURNING)
         for frame in np.linspace(1, 25, 49):
             np.testing.assert_allclose(self.world(objects["b"], frame), UP @ film.eval("b.world", frame), atol=5e-4)
 
     def test_a_stretched_thing_that_turns_within_another_is_sheared_alike(self):
-        text = ("rate 24\nrange 1f 25f\ncreate a box\ncreate b box position=(1 0 0)\ncreate c box position=(0 1 0)\ncouple b to a\ncouple c to b\n"
-                "set a.scale (1 4 1)\nb.rotation.z\n  1f 0deg linear\n  25f 180deg\nb.scale\n  1f (1 1 1)\n  25f (3 1 1)\n")
-        objects, film = self.bring(text), betwixt.loads(text)
+        objects, film = self.bring(SHEARED), betwixt.loads(SHEARED)
         for frame in range(1, 26):
             for name in "abc":
-                np.testing.assert_allclose(self.world(objects[name], frame), UP @ film.eval(f"{name}.world", frame), atol=2e-5)
+                should = UP @ film.eval(f"{name}.world", frame)
+                np.testing.assert_allclose(self.world(objects[name], frame), should, atol=2e-5)
 
 
 class Looks(Case):
@@ -97,7 +161,8 @@ class Looks(Case):
         self.bring("rate 30000/1001\nrange 5f 40f\nsize 640x360\ncreate b box\n")
         r = self.scene.render
         self.assertAlmostEqual(r.fps / r.fps_base, 30000 / 1001, 5)
-        self.assertEqual((self.scene.frame_start, self.scene.frame_end, r.resolution_x, r.resolution_y), (5, 40, 640, 360))
+        self.assertEqual((self.scene.frame_start, self.scene.frame_end), (5, 40))
+        self.assertEqual((r.resolution_x, r.resolution_y), (640, 360))
 
     def test_meshes_are_the_films(self):
         text = "create s sphere radius=2\ncreate b box size=(1 2 3)\ncreate w text text=\"ab\" depth=0.2\n"
@@ -135,22 +200,22 @@ class Looks(Case):
             self.assertEqual((there.hide_render, there.hide_viewport), (9 <= frame < 20,) * 2)
 
     def test_materials(self):
-        text = ("rate 24\nrange 1f 25f\ncreate b box color=#ff8000 material=metal shininess=0.5\ncreate g box material=glow color=#00ff00\n"
-                "at 1f b.color #ff8000 linear\nat 25f b.color #0000ff\nset g.transparency 0.25\n")
-        objects, film = self.bring(text), betwixt.loads(text)
+        objects, film = self.bring(MATERIALS), betwixt.loads(MATERIALS)
         metal = objects["b"].data.materials[0].node_tree
         shader = metal.nodes["Principled BSDF"]
-        self.assertEqual((shader.inputs["Metallic"].default_value, round(shader.inputs["Roughness"].default_value, 6)), (1, 0.5))
+        self.assertEqual([shader.inputs[i].default_value for i in ("Metallic", "Roughness")], [1, 0.5])
         for frame in (1, 8, 25):
             self.scene.frame_set(frame)
-            there = metal.evaluated_get(bpy.context.evaluated_depsgraph_get()).nodes["Principled BSDF"].inputs["Base Color"].default_value
-            np.testing.assert_allclose(there[:3], film.frame(frame).items[0].color, atol=1e-6)
+            there = metal.evaluated_get(bpy.context.evaluated_depsgraph_get()).nodes["Principled BSDF"]
+            color = there.inputs["Base Color"].default_value[:3]
+            np.testing.assert_allclose(color, film.frame(frame).items[0].color, atol=1e-6)
         glow = objects["g"].data.materials[0].node_tree.nodes["Principled BSDF"].inputs
         self.assertEqual((tuple(glow["Emission"].default_value), glow["Alpha"].default_value), ((0, 1, 0, 1), 0.75))
 
     def test_textures_are_upright(self):
         with tempfile.TemporaryDirectory() as folder:
-            betwixt.loads("film flat\nsize 8x8\nbackground #ff0000 to #0000ff").picture(1).write(os.path.join(folder, "a.png"))
+            picture = betwixt.loads("film flat\nsize 8x8\nbackground #ff0000 to #0000ff").picture(1)
+            picture.write(os.path.join(folder, "a.png"))
             film = betwixt.loads("create p plane size=(2 2) texture=\"a.png\"\n", os.path.join(folder, "a.bx"))
             _, objects = betwixt_film.bring_in(film, "film", self.scene)
         item = film.frame(1).items[0]
@@ -163,32 +228,32 @@ class Looks(Case):
             np.testing.assert_allclose((uv.uv[0], 1 - uv.uv[1]), mesh.uvs[loop.vertex_index], atol=1e-6)
 
     def test_cameras_cuts_and_lenses(self):
-        text = ("rate 24\nrange 1f 25f\nsize 320x180\ncreate b box\ncreate a camera position=(0 0 9) lens=35mm\ncreate c camera position=(5 5 5) look-at=b height=4\n"
-                "at 1f a.lens 35mm linear\nat 25f a.lens 70mm\nat 1f look through a\nat 13f look through c\n")
-        objects, film = self.bring(text), betwixt.loads(text)
+        objects, film = self.bring(CAMERAS), betwixt.loads(CAMERAS)
         self.assertEqual([(m.frame, m.camera.name) for m in self.scene.timeline_markers], [(1, "a"), (13, "c")])
         for frame in (1, 7, 12):
             self.scene.frame_set(frame)
             there = objects["a"].evaluated_get(bpy.context.evaluated_depsgraph_get()).data
             self.assertAlmostEqual(there.angle_x, film.frame(frame).camera.fov, 5)
-        self.assertEqual((objects["c"].data.type, round(objects["c"].data.ortho_scale, 5)), ("ORTHO", round(4 * 16 / 9, 5)))
+        self.assertEqual(objects["c"].data.type, "ORTHO")
+        self.assertAlmostEqual(objects["c"].data.ortho_scale, 4 * 16 / 9, 5)
         np.testing.assert_allclose(self.world(objects["c"], 20), UP @ film.frame(20).camera.world, atol=1e-5)
 
     def test_a_film_without_a_camera_is_seen_as_ours_is(self):
         self.bring("range 1f 9f\ncreate b box\nb.position\n  1f (0 0 0)\n  9f (9 0 0)\n")
         film = betwixt.loads("range 1f 9f\ncreate b box\nb.position\n  1f (0 0 0)\n  9f (9 0 0)\n")
         for frame in (1, 5, 9):
-            np.testing.assert_allclose(self.world(self.scene.camera, frame), UP @ film.frame(frame).camera.world, atol=1e-5)
+            should = UP @ film.frame(frame).camera.world
+            np.testing.assert_allclose(self.world(self.scene.camera, frame), should, atol=1e-5)
 
     def test_lights(self):
-        text = "range 1f 9f\ncreate b box\ncreate lamp light position=(0 3 0) range=12 intensity=2\ncreate sun light shines=sun position=(3 4 0) intensity=1.5\n"
-        objects, film = self.bring(text), betwixt.loads(text)
+        objects, film = self.bring(LIGHTS), betwixt.loads(LIGHTS)
         lamp = objects["lamp"].data
         self.assertEqual(lamp.type, "POINT")
         self.assertAlmostEqual(lamp.energy, 4 * math.pi**2 * 9 * 2 * (1 - (3 / 12) ** 2) ** 2, 3)
         sun = bpy.data.objects["sun light"]
         self.assertAlmostEqual(sun.data.energy, 1.5 * math.pi, 5)
-        np.testing.assert_allclose(-self.world(sun, 1)[:3, 2], UP[:3, :3] @ film.frame(1).lights[1].direction, atol=1e-6)
+        should = UP[:3, :3] @ film.frame(1).lights[1].direction
+        np.testing.assert_allclose(-self.world(sun, 1)[:3, 2], should, atol=1e-6)
 
 
 class Live(Case):
@@ -254,32 +319,30 @@ class AddOn(Case):
 
 
 class Cycles(Case):
+    def cycles(self, *words):
+        return subprocess.run([os.path.join(ROOT, "tools", "cycles.sh"), *words], capture_output=True, text=True)
+
     def test_one_command_renders_a_film(self):
         with tempfile.TemporaryDirectory() as folder:
-            script = os.path.join(folder, "a.bx")
-            with open(script, "w") as film:
-                film.write("rate 24\nrange 1f 9f\nsize 64x36\nbackground #0000ff\ncreate r rectangle size=(3 3) material=glow color=#ff8000\n"
-                           "create eye camera position=(0 0 9)\nr.position\n  1f (-9 0 0)\n  5f (0 0 0)\n")
-            said = subprocess.run([os.path.join(ROOT, "tools", "cycles.sh"), script, "-o", os.path.join(folder, "f-%d.png"),
-                                   "--samples", "4", "--frames", "4..5"], capture_output=True, text=True)
-            self.assertEqual((said.returncode, sorted(os.listdir(folder))), (0, ["a.bx", "f-4.png", "f-5.png"]), said.stderr)
+            script, film = os.path.join(folder, "a.bx"), os.path.join(folder, "a.mp4")
+            betwixt.loads(SMALL).write(script)
+            said = self.cycles(script, "-o", os.path.join(folder, "f-%d.png"), "--samples", "4", "--frames", "4..5")
+            self.assertEqual((said.returncode, sorted(os.listdir(folder))), (0, ["a.bx", "f-4.png", "f-5.png"]), said)
             image = bpy.data.images.load(os.path.join(folder, "f-5.png"))
             pixels = np.array(image.pixels[:]).reshape(36, 64, 4)
             np.testing.assert_allclose(pixels[18, 32], (1, 128 / 255, 0, 1), atol=0.01)
             np.testing.assert_allclose(pixels[2, 2], (0, 0, 1, 1), atol=0.01)
             ours = betwixt.load(script).picture(5).pixels[::-1] / 255
             self.assertLess(np.abs(pixels - ours).mean(), 0.02)  # but for the edges
-            said = subprocess.run([os.path.join(ROOT, "tools", "cycles.sh"), script, "-o", os.path.join(folder, "a.mp4"),
-                                   "--samples", "1", "--size", "32x18"], capture_output=True, text=True)
-            self.assertEqual(said.returncode, 0, said.stderr)
-            self.assertGreater(os.path.getsize(os.path.join(folder, "a.mp4")), 500)
+            said = self.cycles(script, "-o", film, "--samples", "1", "--size", "32x18")
+            self.assertEqual(said.returncode, 0, said)
+            self.assertGreater(os.path.getsize(film), 500)
 
     def test_what_is_wrong_is_said(self):
         with tempfile.TemporaryDirectory() as folder:
             script = os.path.join(folder, "a.bx")
             with open(script, "w") as film:
                 film.write("create b bxo\n")
-            said = subprocess.run([os.path.join(ROOT, "tools", "cycles.sh"), script, "-o", os.path.join(folder, "a.mp4")],
-                                  capture_output=True, text=True)
+            said = self.cycles(script, "-o", os.path.join(folder, "a.mp4"))
         self.assertEqual(said.returncode, 1)
         self.assertIn("did you mean 'box'?", said.stderr)

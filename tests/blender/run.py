@@ -7,7 +7,8 @@ import sys
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.join(HERE, "..", "..", "clients", "blender"), os.path.join(HERE, "..", "..", "clients", "python")]
+CLIENTS = os.path.join(HERE, "..", "..", "clients")
+sys.path[:0] = [HERE, os.path.join(CLIENTS, "blender"), os.path.join(CLIENTS, "python")]
 
 
 def main():

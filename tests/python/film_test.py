@@ -28,7 +28,8 @@ class Values(unittest.TestCase):
         film = betwixt.loads(LINE + "at 9f hide ball\nat 5f ball.geometry shape(ball)\n")
         frames = np.arange(1, 26)
         for times in (frames, list(frames), tuple(frames), (f"{k}f" for k in frames), range(1, 26)):
-            np.testing.assert_allclose(film.eval("ball.position", times), np.outer(frames - 1, (1, 0.5, -0.25)), atol=1e-12)
+            there = film.eval("ball.position", times)
+            np.testing.assert_allclose(there, np.outer(frames - 1, (1, 0.5, -0.25)), atol=1e-12)
         self.assertEqual(film.eval("ball.position.x", frames).shape, (25,))
         self.assertEqual(film.eval("ball.world", frames).shape, (25, 4, 4))
         np.testing.assert_allclose(film.eval("ball.world", frames)[:, 0, 3], frames - 1, atol=1e-12)
@@ -127,7 +128,8 @@ class Errors(unittest.TestCase):
         self.assertEqual((e.file, e.line, e.column, e.text), ("film.bx", 2, 12, "create box spere"))
         self.assertEqual([d.line for d in e.diagnostics], [2, 3])
         self.assertTrue(str(e).startswith("film.bx:2:12: error: there is no kind 'spere'\n  create box spere\n"
-                                          "             ^~~~~\n  did you mean 'sphere'?\nfilm.bx:3:17: error: "), str(e))
+                                          "             ^~~~~\n  did you mean 'sphere'?\n"
+                                          "film.bx:3:17: error: "), str(e))
 
     def test_warnings_are_pythons(self):
         with self.assertWarnsRegex(betwixt.Warning, "warning: ") as caught:

@@ -38,7 +38,8 @@ class Poses(unittest.TestCase):
         for k, world in enumerate(poses["tip"]):
             a, share = 2 * math.pi * k / 24, k / 24
             turn = np.array(((math.cos(a), -math.sin(a), 0), (math.sin(a), math.cos(a), 0), (0, 0, 1)))
-            np.testing.assert_allclose(world[:3, :3], turn @ np.diag((1 + share, 1 + 3 * share, 1 + 5 * share)), atol=1e-9)
+            scale = np.diag((1 + share, 1 + 3 * share, 1 + 5 * share))
+            np.testing.assert_allclose(world[:3, :3], turn @ scale, atol=1e-9)
             np.testing.assert_allclose(world[:3, 3], turn @ (2, 0, 0), atol=1e-9)
             np.testing.assert_array_equal(world[3], (0, 0, 0, 1))
         np.testing.assert_array_equal(poses.parents, [[-1, 0, -1, -1]] * 25)
@@ -143,7 +144,8 @@ class Frames(unittest.TestCase):
 class Tracks(unittest.TestCase):
     def test_events_are_as_they_were_written(self):
         film = betwixt.loads("rate 24\ncreate ball sphere\nball.position\n  1f (0 0 0) linear ease-out=4f\n"
-                             "  9f (1 2 3) bezier(0.1 0.2 0.3 0.4)\n  13f (0 0 0) cut (5 5 5)\nextend ball.position cycle\n")
+                             "  9f (1 2 3) bezier(0.1 0.2 0.3 0.4)\n  13f (0 0 0) cut (5 5 5)\n"
+                             "extend ball.position cycle\n")
         (track,) = film.tracks("ball")
         self.assertEqual((track.name, track.object, len(track), track.after), ("ball.position", "ball", 3, "cycle"))
         first, middle, last = track.events

@@ -29,7 +29,8 @@ ACTS = """<script>
     slider.value = 1; slider.oninput();
     var pictures = Array.from(new Set(shown)).length, label = player.querySelector("output").value;
     document.title = "done";
-    document.body.insertAdjacentHTML("beforeend", "<p id=said>" + pictures + " " + label + " " + (image.src === shown[1]) + "</p>");
+    var said = pictures + " " + label + " " + (image.src === shown[1]);
+    document.body.insertAdjacentHTML("beforeend", "<p>" + said + "</p>");
   }).observe(image, {attributes: true, attributeFilter: ["src"]});
   player.querySelector("button").click();
 })();

@@ -7,9 +7,11 @@ import inspect
 import os
 import subprocess
 import tempfile
+import tomllib
 import unittest
 
 from pages_test import blocks
+from support import ROOT
 
 import betwixt
 from betwixt import _core
@@ -18,8 +20,8 @@ PACKAGE = os.path.dirname(betwixt.__file__)
 
 
 def mypy(*arguments):
-    said = subprocess.run(["/usr/bin/mypy", "--strict", "--python-executable", "/usr/bin/python3", "--cache-dir", os.devnull,
-                           *arguments], capture_output=True, text=True, cwd=os.path.dirname(PACKAGE))
+    said = subprocess.run(["/usr/bin/mypy", "--strict", "--python-executable", "/usr/bin/python3", "--cache-dir",
+                           os.devnull, *arguments], capture_output=True, text=True, cwd=os.path.dirname(PACKAGE))
     return said.stdout + said.stderr if said.returncode else ""
 
 
@@ -37,6 +39,10 @@ class Types(unittest.TestCase):
             with open(path, "w") as page:
                 page.write("import betwixt\nfilm = betwixt.load(3)\nfilm.eval('x')\nfilm.nothing\n")
             self.assertEqual(mypy(path).count(": error: "), 3)
+
+    def test_the_wheel_has_the_version_of_the_module(self):
+        with open(os.path.join(ROOT, "python", "pyproject.toml"), "rb") as said:
+            self.assertEqual(tomllib.load(said)["project"]["version"], betwixt.__version__)
 
     def test_the_stubs_say_what_there_is(self):
         with open(os.path.join(PACKAGE, "_core.pyi")) as stubs:
