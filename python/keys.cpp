@@ -37,7 +37,8 @@ py::array_t<double> numbers(const PieceOf& p, const std::array<double, 4>& all) 
 }
 
 KeyOptions options_of(const std::string& style, double metres, double radians, bool arcs) {
-  KeyOptions made{.metres = metres, .radians = radians, .arcs = arcs};
+  KeyOptions made;
+  made.metres = metres, made.radians = radians, made.arcs = arcs;
   if (style == "linear")
     made.style = KeyStyle::linear;
   else if (style == "baked")

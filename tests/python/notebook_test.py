@@ -21,9 +21,10 @@ BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "
 ACTS = """<script>
 (function () {
   var player = document.querySelector(".betwixt-player"), image = player.querySelector("img"), shown = [image.src];
-  new MutationObserver(function () {
+  var looks = new MutationObserver(function () {
     shown.push(image.src);
     if (shown.length < 5) return;
+    looks.disconnect();
     player.querySelector("button").click();
     var slider = player.querySelector("input");
     slider.value = 1; slider.oninput();
@@ -31,7 +32,8 @@ ACTS = """<script>
     document.title = "done";
     var said = pictures + " " + label + " " + (image.src === shown[1]);
     document.body.insertAdjacentHTML("beforeend", "<p>" + said + "</p>");
-  }).observe(image, {attributes: true, attributeFilter: ["src"]});
+  });
+  looks.observe(image, {attributes: true, attributeFilter: ["src"]});
   player.querySelector("button").click();
 })();
 </script>"""
@@ -105,5 +107,6 @@ class Notebook(unittest.TestCase):
                 page.write("<!DOCTYPE html><body>" + self.film.player(1, 3, size=(32, 18))._repr_html_() + ACTS)
             said = subprocess.run(
                 [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile",
-                 "--virtual-time-budget=5000", "--dump-dom", "file://" + path], capture_output=True, text=True)
+                 "--virtual-time-budget=5000", "--dump-dom", "file://" + path],
+                capture_output=True, text=True, timeout=100)
         self.assertIn("3 2f true", said.stdout, said.stderr[-2000:])
