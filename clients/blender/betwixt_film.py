@@ -75,9 +75,10 @@ def without_corners(channel, rate):
     to a key Blender takes the key's value: so it becomes one key, on the frame where it is at one, where both sides of it
     lead to."""
     given = [[("held", "straight", "cubic").index(p.shape), p.first, p.last, p.begin, p.end, p.leaving / rate,
-              p.arriving / rate] for p in channel.pieces if p.last > p.first]
+              p.arriving / rate] for p in channel.pieces]
+    given = [p for p in given[:-1] if p[2] > p[1]] + given[-1:]  # the last may be a moment, to which it jumps
     for p in given:
-        if p[0] == STRAIGHT:
+        if p[0] == STRAIGHT and p[2] > p[1]:
             p[5] = p[6] = (p[4] - p[3]) / (p[2] - p[1])
     made = given[:1]
     for p, after in zip(given[1:], given[2:] + [None]):
@@ -132,6 +133,8 @@ def animate(owner, path, channel, rate, order=None):
     for place, i in enumerate(order):
         points, arriving = [], 0
         for shape, first, last, begin, end, leaving, at_end in pieces:
+            if last == first:
+                continue
             points.append((first, begin[i], shape, leaving[i], arriving))
             arriving = at_end[i]
         points.append((pieces[-1][2], pieces[-1][4][i], HELD, 0, arriving))

@@ -28,7 +28,8 @@ b.position
   1f (0 0 0) linear
   9f (8 0 0) cut (20 0 0)
   17f (28 0 0) hold
-  21f (1 1 1)
+  21f (1 1 1) hold
+  25f (2 2 2)
 """
 SHEARED = """rate 24
 range 1f 25f
