@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace betwixt {
@@ -76,23 +77,36 @@ class Follower {
   }
 
  private:
-  KeyValue value(Time t) const { return f_.at(t); }
+  // A leap may be over a little before its time: then what comes holds already.
+  Time meant(Time t) const {
+    const auto next = early_.upper_bound(t);
+    return next == early_.begin() ? t : std::max(t, std::prev(next)->second);
+  }
+  KeyValue value(Time t) const { return f_.at(meant(t)); }
   KeyValue near(const KeyValue& v, const KeyValue& other) const {
     return f_.turn && dot(v, other) < 0 ? plus({}, -1, v) : v;
   }
   double off(const KeyValue& a, const KeyValue& b) const { return f_.turn ? 2 * apart(a, near(b, a)) : apart(a, b); }
-  bool jumps_at(Time t) { return off(value({t.flicks - 1}), value(t)) > 0.02 * f_.tolerance; }
+  bool jumps_at(Time t) { return off(f_.at({t.flicks - 1}), f_.at(t)) > 0.02 * f_.tolerance; }
 
   // The time a file would keep: the nearest.
   Time kept(Time t) const { return options_.in_floats ? in_flicks(static_cast<float>((t - beginning_).seconds())) : t; }
-  // The last one that it can keep before a time, and the first one from then on.
-  std::pair<Time, Time> kept_around(Time t) const {
+  // The last one that it can keep up to a time, where the new value has to be there, and the one before.
+  std::pair<Time, Time> kept_around(Time t) {
     if (!options_.in_floats) return {t, t};
-    float f = static_cast<float>((t - beginning_).seconds());
-    while (in_flicks(f) < t) f = std::nextafter(f, 1e30F);
+    const double seconds = (t - beginning_).seconds();
+    float f = static_cast<float>(seconds);
+    if (static_cast<double>(f) > seconds) f = std::nextafter(f, -1e30F);
     const Time after = in_flicks(f);
-    while (in_flicks(f) >= t) f = std::nextafter(f, -1e30F);
+    // Blender takes keys for one that are nearer than a hundredth of a frame.
+    if (options_.style == KeyStyle::linear) f = static_cast<float>(seconds - 0.021 * f_.step.seconds());
+    while (in_flicks(f) >= after) f = std::nextafter(f, -1e30F);
+    early_[after] = t;
     return {in_flicks(f), after};
+  }
+  // What a piece comes to that ends before a jump.
+  KeyValue just_before(Time end, Time jump) const {
+    return options_.style == KeyStyle::linear && options_.in_floats ? value(end) : f_.at({jump.flicks - 1});
   }
   Time in_flicks(float seconds) const { return beginning_ + from_seconds(static_cast<double>(seconds)); }
 
@@ -100,7 +114,7 @@ class Follower {
   bool stretch(Time from, Time until) {
     const bool jump = jumps_at(until);
     const auto [end, next] = jump ? kept_around(until) : std::pair(kept(until), kept(until));
-    if (end > from && !split(from, end, jump ? value({until.flicks - 1}) : value(end), 0)) return false;
+    if (end > from && !split(from, end, jump ? just_before(end, until) : value(end), 0)) return false;
     if (jump) leap(end, next);
     return true;
   }
@@ -122,7 +136,7 @@ class Follower {
     if (depth > 3 && depth < 60)
       if (const auto jump = find_jump(a, b)) {
         const auto [before, after] = kept_around(*jump);
-        if (before > a && !split(a, before, value({jump->flicks - 1}), depth + 1)) return false;
+        if (before > a && !split(a, before, just_before(before, *jump), depth + 1)) return false;
         if (before > a) leap(before, after);
         return after >= b || split(after, b, end, depth + 1);
       }
@@ -152,13 +166,14 @@ class Follower {
 
   // Between two times, if most of the way is made at once.
   std::optional<Time> find_jump(Time a, Time b) {
-    const double whole = off(value(a), value({b.flicks - 1}));
+    std::int64_t low = meant(a).flicks, high = b.flicks - 1;
+    if (low >= high) return std::nullopt;
+    const double whole = off(f_.at({low}), f_.at({high}));
     if (whole < f_.tolerance) return std::nullopt;
-    std::int64_t low = a.flicks, high = b.flicks - 1;
     while (high - low > 1) {
       const std::int64_t middle = low + (high - low) / 2;
-      off(value({low}), value({middle})) > off(value({middle}), value({high})) ? high = middle : low = middle;
-      if (off(value({low}), value({high})) < 0.3 * whole) return std::nullopt;
+      off(f_.at({low}), f_.at({middle})) > off(f_.at({middle}), f_.at({high})) ? high = middle : low = middle;
+      if (off(f_.at({low}), f_.at({high})) < 0.3 * whole) return std::nullopt;
     }
     return Time{high};
   }
@@ -207,6 +222,10 @@ class Follower {
   bool follows(const KeyPiece& p) {
     too_far_ = 0;
     for (const Look& look : looks_) too_far_ = std::max(too_far_, off(piece_at(p, look.share, f_.turn), look.value));
+    // Who drops tangents may blend the four numbers of a turn, too.
+    if (f_.turn && options_.style == KeyStyle::linear)
+      for (const auto& [share, v] : looks_)
+        too_far_ = std::max(too_far_, off(unit(plus(plus({}, 1 - share, p.begin), share, p.end)), v));
     return too_far_ <= f_.tolerance;
   }
 
@@ -242,6 +261,7 @@ class Follower {
   const std::size_t most_;
   const bool straight_, cubic_;
   std::vector<Look> looks_;
+  std::map<Time, Time> early_;  // where leaps end that are over too early, and their times
   double too_far_ = 0;  // how far off the last piece was that did not do
   std::vector<KeyPiece> pieces_;
 };
