@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "betwixt/picture.h"
@@ -39,10 +40,11 @@ class Maker {
   }
 
   Status make() {
-    Result<std::vector<Seen>> seen = all_seen(program_, options_, made_);
-    if (!seen) return seen.error();
     place_objects();
     if (options_.keys.go_on && !options_.keys.go_on(1)) return fail(ErrorCode::machine, "stopped");
+    Result<std::vector<Seen>> seen =
+        all_seen(program_, options_, made_, [&](const Skin& skin) { return one_tree(skin); });
+    if (!seen) return seen.error();
     for (const Seen& s : *seen)
       if (Status ok = draw(s); !ok) return ok;
     lights();
@@ -61,10 +63,10 @@ class Maker {
     children_.emplace_back();
     return nodes_.size() - 1;
   }
-  void animate(const Channel& c, Json target) {
-    const gltf::Sampled s = gltf::sampled(c, options_.from);
+  void animate(const Channel& c, Json target) { animate(gltf::sampled(c, options_.from), c.width, std::move(target)); }
+  void animate(const gltf::Sampled& s, std::size_t width, Json target) {
     const std::size_t input = buffer_.floats(s.times, 1, gltf::Buffer::plain, true);
-    const std::size_t output = buffer_.floats(s.values, c.width, gltf::Buffer::plain, false);
+    const std::size_t output = buffer_.floats(s.values, width, gltf::Buffer::plain, false);
     channels_.push_back({{"sampler", samplers_.size()}, {"target", std::move(target)}});
     samplers_.push_back({{"input", input}, {"output", output}, {"interpolation", s.way}});
     ++made_.channels;
@@ -106,6 +108,98 @@ class Maker {
                                 : children_[parent->second].push_back(node_of_[k.id.index]);
     }
     made_.objects = all.size();
+    parent_.assign(nodes_.size(), nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      for (const std::size_t child : children_[i]) parent_[child] = i;
+  }
+
+  // ---- what is deformed
+
+  std::size_t joint(const Skin& skin, std::size_t i) const {
+    const std::int32_t node = skin.joints[i];
+    const std::uint32_t object =
+        program_.compiled().nodes[node < 0 ? skin.drawable : static_cast<std::uint32_t>(node)].object;
+    return inner_of_.at(object);
+  }
+  // Whether all joints hang on one node in the end, as glTF wants it.
+  bool one_tree(const Skin& skin) const {
+    std::optional<std::size_t> root;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      std::size_t top = joint(skin, i);
+      while (parent_[top] < parent_.size()) top = parent_[top];
+      if (root.value_or(top) != top) return false;
+      root = top;
+    }
+    return true;
+  }
+  // Of a mesh with joints the node counts for nothing: it is the scene's own. The node that has it.
+  std::size_t add_skin(const Seen& s, const std::string& name) {
+    const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
+    if (skin.joints.empty()) return inner_of_[s.id.index];
+    std::vector<float> inverse_bind;
+    Json joints = Json::array();
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      const Mat4 m = skin.joints[i] < 0 ? Mat4{} : s.forms[0].mesh->rig->inverse_bind[i];
+      for (const double x : m.m) inverse_bind.push_back(static_cast<float>(x));
+      joints.push_back(joint(skin, i));
+    }
+    const std::size_t node = add_node({{"name", name + " skin"}});
+    roots_.push_back(node);
+    nodes_[node]["skin"] = skins_.size();
+    skins_.push_back({{"name", name},
+                      {"joints", joints},
+                      {"inverseBindMatrices", buffer_.floats(inverse_bind, 16, gltf::Buffer::plain, false)}});
+    if (s.when.size() > 1)
+      leave_out(made_, fmt::format("{} is hidden at times: with its joints it is always seen", name));
+    return node;
+  }
+  void add_rig(const Rig& rig, bool joints, Json& attributes, Json& targets) {
+    if (joints) {
+      std::vector<float> weights;
+      for (const auto& w : rig.weights) weights.insert(weights.end(), w.begin(), w.end());
+      attributes["JOINTS_0"] = buffer_.joints(rig.joints, rig.weights);
+      attributes["WEIGHTS_0"] = buffer_.floats(weights, 4, gltf::Buffer::vertices, false);
+    }
+    for (const Rig::Target& t : rig.targets) {
+      Json one = Json::object();
+      const auto add = [&](const char* path, const Rig::Vectors& vectors) {
+        std::vector<float> all;
+        for (const auto& v : vectors) all.insert(all.end(), v.begin(), v.end());
+        if (!all.empty()) one[path] = buffer_.floats(all, 3, gltf::Buffer::vertices, true);
+      };
+      add("POSITION", t.positions), add("NORMAL", t.normals);
+      targets.push_back(one);
+    }
+  }
+  // All weights of a mesh have their keys at the same times: what each is at the times of all.
+  void add_weights(const Seen& s, std::size_t node) {
+    const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
+    const auto& targets = s.forms[0].mesh->rig->targets;
+    KeyOptions straight = options_.keys;
+    straight.style = straight.style == KeyStyle::baked ? KeyStyle::baked : KeyStyle::linear;
+    std::vector<Channel> all;
+    std::set<Time> times;
+    bool still = true;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      all.push_back(held({}, 1, options_.from, options_.until));
+      if (skin.weights[i])
+        all.back() = value_keys(program_, {s.id, skin.weights[i]->function}, options_.from, options_.until, straight);
+      still = still && all.back().constant();
+      for (const KeyPiece& p : all.back().pieces) times.insert(p.from), times.insert(p.until);
+    }
+    if (all.empty()) return;
+    Json first = Json::array();
+    for (const Channel& c : all) first.push_back(static_cast<float>(c.pieces.front().begin[0]));
+    nodes_[node]["weights"] = first;
+    if (still) return;
+    gltf::Sampled keys{"LINEAR", {}, {}};
+    for (const Time t : times) {
+      const auto seconds = static_cast<float>((t - options_.from).seconds());
+      if (!keys.times.empty() && seconds <= keys.times.back()) continue;
+      keys.times.push_back(seconds);
+      for (const Channel& c : all) keys.values.push_back(static_cast<float>(value_at(c, t)[0]));
+    }
+    animate(keys, 1, {{"node", node}, {"path", "weights"}});
   }
 
   // ---- what is seen
@@ -118,8 +212,9 @@ class Maker {
     for (std::size_t form = 0; form < s.forms.size(); ++form) {
       const Result<std::size_t> mesh = add_mesh(s, form, name);
       if (!mesh) return mesh.error();
-      std::size_t node = inner_of_[s.id.index];
-      if (!always || stretched) {
+      std::size_t node = s.skin >= 0 ? add_skin(s, name) : inner_of_[s.id.index];
+      if (s.skin >= 0) add_weights(s, node);
+      if (s.skin < 0 && (!always || stretched)) {
         node = add_node({{"name", s.forms.size() > 1 ? fmt::format("{} shape {}", name, form + 1) : name + " shape"}});
         children_[inner_of_[s.id.index]].push_back(node);
         put(node, "scale", always ? s.stretch : sizes(s, static_cast<int>(form)), {1, 1, 1});
@@ -175,7 +270,7 @@ class Maker {
   Result<std::size_t> add_mesh(const Seen& s, std::size_t form, const std::string& name) {
     const Seen::Form& f = s.forms[form];
     const auto known = meshes_of_.find({f.mesh.get(), f.local.m});
-    Json attributes;
+    Json attributes, targets = Json::array();
     if (known != meshes_of_.end()) {
       attributes = known->second;
     } else {
@@ -204,6 +299,9 @@ class Maker {
       parts.emplace_back();
       parts[0].count = static_cast<std::uint32_t>(f.mesh->triangles.size());
     }
+    if (s.skin >= 0)
+      add_rig(*f.mesh->rig, !program_.compiled().skins[static_cast<std::size_t>(s.skin)].joints.empty(), attributes,
+              targets);
     for (const MeshPart& part : parts) {
       if (part.count == 0) continue;
       const auto first = f.mesh->triangles.begin() + part.first;
@@ -211,6 +309,7 @@ class Maker {
       if (!look) return look.error();
       primitives.push_back(
           {{"attributes", attributes}, {"indices", indices({first, first + part.count})}, {"material", *look}});
+      if (!targets.empty()) primitives.back()["targets"] = targets;
     }
     if (primitives.empty()) {  // lines
       MeshPart line;
@@ -225,6 +324,11 @@ class Maker {
     if (fresh)
       meshes_.push_back(
           {{"name", s.forms.size() > 1 ? fmt::format("{} {}", name, form + 1) : name}, {"primitives", primitives}});
+    if (fresh && !targets.empty()) {
+      Json names = Json::array();
+      for (const Rig::Target& t : f.mesh->rig->targets) names.push_back(t.name);
+      meshes_.back()["extras"] = {{"targetNames", names}};
+    }
     return same->second;
   }
   std::size_t indices(std::vector<std::uint32_t> all) {
@@ -449,7 +553,7 @@ class Maker {
     add("nodes", nodes_), add("meshes", meshes_), add("materials", materials_), add("textures", textures_),
         add("images", images_);
     if (!textures_.empty()) file_["samplers"] = Json::array({{{"wrapS", 10497}, {"wrapT", 10497}}});
-    add("cameras", cameras_);
+    add("skins", skins_), add("cameras", cameras_);
     if (!lights_.empty()) file_["extensions"] = {{"KHR_lights_punctual", {{"lights", lights_}}}};
     if (!channels_.empty())
       file_["animations"] = Json::array({{{"name", "film"}, {"channels", channels_}, {"samplers", samplers_}}});
@@ -466,11 +570,11 @@ class Maker {
 
   gltf::Buffer buffer_;
   Json file_, nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(), textures_ = Json::array(),
-              images_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array(), channels_ = Json::array(),
-              samplers_ = Json::array();
+              images_ = Json::array(), skins_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array(),
+              channels_ = Json::array(), samplers_ = Json::array();
   std::vector<std::string> used_;
   std::vector<std::vector<std::size_t>> children_;
-  std::vector<std::size_t> roots_;
+  std::vector<std::size_t> roots_, parent_;                            // parents of objects' nodes; their number: none
   std::unordered_map<std::uint32_t, std::size_t> node_of_, inner_of_;  // by object: its node, and what hangs on it
   std::map<std::pair<const Mesh*, std::array<double, 16>>, Json> meshes_of_;
   std::map<std::vector<std::uint32_t>, std::size_t> indices_;

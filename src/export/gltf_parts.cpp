@@ -18,7 +18,7 @@ std::string_view raw(const std::vector<T>& all) {
 }
 
 const char* type_of(std::size_t width) {
-  return width == 1 ? "SCALAR" : width == 2 ? "VEC2" : width == 3 ? "VEC3" : "VEC4";
+  return width == 1 ? "SCALAR" : width == 2 ? "VEC2" : width == 3 ? "VEC3" : width == 4 ? "VEC4" : "MAT4";
 }
 
 void add(std::vector<float>& to, const std::array<double, 4>& v, std::size_t width) {
@@ -68,6 +68,18 @@ std::size_t Buffer::whole(const std::vector<std::uint32_t>& all) {
   }
   a["count"] = all.size(), a["type"] = "SCALAR";
   accessors.push_back(std::move(a));
+  return accessors.size() - 1;
+}
+
+std::size_t Buffer::joints(const std::vector<std::array<std::uint16_t, 4>>& all,
+                           const std::vector<std::array<float, 4>>& weights) {
+  std::vector<std::uint16_t> flat;
+  for (std::size_t v = 0; v < all.size(); ++v)
+    for (std::size_t i = 0; i < 4; ++i) flat.push_back(weights[v][i] > 0 ? all[v][i] : std::uint16_t{0});
+  accessors.push_back({{"bufferView", view(raw(flat), vertices)},
+                       {"componentType", short_type},
+                       {"count", all.size()},
+                       {"type", "VEC4"}});
   return accessors.size() - 1;
 }
 

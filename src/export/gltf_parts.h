@@ -22,6 +22,9 @@ class Buffer {
   // `bounds`: the file says the least and the most of each number. Equal numbers are kept once. The accessor's number.
   std::size_t floats(const std::vector<float>& all, std::size_t width, Use use, bool bounds);
   std::size_t whole(const std::vector<std::uint32_t>& all);  // of triangles
+  // Of vertices: four numbers each; one that counts for nothing is 0.
+  std::size_t joints(const std::vector<std::array<std::uint16_t, 4>>&,
+                     const std::vector<std::array<float, 4>>& weights);
   std::size_t picture(std::string_view png);                 // the view's number
 
   Json views = Json::array(), accessors = Json::array();

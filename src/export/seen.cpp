@@ -34,7 +34,10 @@ std::vector<Time> looks_of(const Program& program, Time from, Time until) {
 
 class Watch {
  public:
-  Watch(const Program& program, const ExportOptions& options) : program_(program), options_(options) {}
+  Watch(const Program& program, const ExportOptions& options, const std::function<bool(const Skin&)>& as_skin)
+      : program_(program), options_(options) {
+    for (const Skin& skin : program.compiled().skins) as_skin_.push_back(as_skin && as_skin(skin));
+  }
 
   Status look(const Evaluation& e, Time t) {
     for (const std::uint32_t i : e.changed()) {
@@ -57,9 +60,13 @@ class Watch {
         if (look.texture != Evaluation::Look::none) s.texture = e.texture(look.texture);
       }
       const Shape& shape = *e.shape(look.shape);
-      const Geometry g = look.toward == Evaluation::Look::none
+      const std::int32_t skin = program_.compiled().drawables[i].skin;
+      const bool rests = skin >= 0 && as_skin_[static_cast<std::size_t>(skin)];
+      const Geometry g = rests ? Geometry{program_.compiled().skins[static_cast<std::size_t>(skin)].rest, {}}
+                         : look.toward == Evaluation::Look::none
                              ? realise(shape)
                              : realise_blend(shape, *e.shape(look.toward), look.blend);
+      if (rests) s.skin = skin;
       if (Status ok = add(s, forms_[place->second], t, g); !ok) return ok;
     }
     return Nothing{};
@@ -153,6 +160,7 @@ class Watch {
 
   const Program& program_;
   const ExportOptions& options_;
+  std::vector<bool> as_skin_;  // by skin
   std::vector<Seen> all_;
   std::vector<std::map<std::pair<const Mesh*, std::array<double, 16>>, int>> forms_;  // of each: those it has had
   std::unordered_map<std::uint32_t, std::size_t> at_;
@@ -166,8 +174,9 @@ void leave_out(Exported& made, std::string sentence) {
     made.left_out.push_back(std::move(sentence));
 }
 
-Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& options, Exported& made) {
-  Watch watch(program, options);
+Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& options, Exported& made,
+                                   const std::function<bool(const Skin&)>& as_skin) {
+  Watch watch(program, options, as_skin);
   Evaluation e(program);
   for (const Time t : looks_of(program, options.from, options.until)) {
     e.to(t);

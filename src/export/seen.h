@@ -13,6 +13,8 @@
 
 namespace betwixt {
 
+struct Skin;  // program/compiled.h
+
 struct Seen {
   ObjectId id;
   // One mesh after the other, where its shape varies beyond being stretched; each in object space but for `stretch`.
@@ -31,11 +33,14 @@ struct Seen {
   Material material = Material::plastic;
   double shininess = 0;
   std::shared_ptr<const Picture> texture;
+  std::int32_t skin = -1;  // of Compiled::skins: its one form is the mesh at rest
 };
 
 // Of all that is ever seen. Shapes are looked at once a frame, and where something may jump. Errors: range (more
 // triangles than anybody can take).
-Result<std::vector<Seen>> all_seen(const Program&, const ExportOptions&, Exported&);
+// `as_skin`: whether a mesh that is deformed is told as that; else it is a form after the other.
+Result<std::vector<Seen>> all_seen(const Program&, const ExportOptions&, Exported&,
+                                   const std::function<bool(const Skin&)>& as_skin = {});
 
 // Each sentence once.
 void leave_out(Exported&, std::string sentence);
