@@ -90,6 +90,7 @@ class Maker {
 
   void place_objects() {
     std::vector<ObjectKeys> all = motion_keys(program_, options_.from, options_.until, options_.keys);
+    if (!options_.objects.empty()) keep_asked(all);
     for (const ObjectKeys& k : all) {
       const std::size_t node = add_node({{"name", document_.name(k.id)}});
       inner_of_[k.id.index] = node_of_[k.id.index] = node;
@@ -113,6 +114,19 @@ class Maker {
       for (const std::size_t child : children_[i]) parent_[child] = i;
   }
 
+  // Those that are asked for, and what they hang on.
+  void keep_asked(std::vector<ObjectKeys>& all) {
+    std::map<std::uint32_t, ObjectId> above;
+    for (const ObjectKeys& k : all) above[k.id.index] = k.parent;
+    std::set<std::uint32_t> kept;
+    for (ObjectId id : options_.objects) {
+      asked_.insert(id.index);
+      while (id && kept.insert(id.index).second) id = above[id.index];
+    }
+    std::erase_if(all, [&](const ObjectKeys& k) { return !kept.contains(k.id.index); });
+  }
+  bool asked(ObjectId id) const { return asked_.empty() || asked_.contains(id.index); }
+
   // ---- what is deformed
 
   std::size_t joint(const Skin& skin, std::size_t i) const {
@@ -123,6 +137,9 @@ class Maker {
   }
   // Whether all joints hang on one node in the end, as glTF wants it.
   bool one_tree(const Skin& skin) const {
+    for (const std::int32_t joint : skin.joints)
+      if (joint >= 0 && !inner_of_.contains(program_.compiled().nodes[static_cast<std::uint32_t>(joint)].object))
+        return false;
     std::optional<std::size_t> root;
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
       std::size_t top = joint(skin, i);
@@ -205,7 +222,7 @@ class Maker {
   // ---- what is seen
 
   Status draw(const Seen& s) {
-    if (s.forms.empty() || !inner_of_.contains(s.id.index)) return Nothing{};
+    if (s.forms.empty() || !inner_of_.contains(s.id.index) || !asked(s.id)) return Nothing{};
     const std::string name = document_.name(s.id);
     const bool always = s.when.size() == 1 && s.when[0].form == 0;
     const bool stretched = !s.stretch.pieces.empty();
@@ -424,7 +441,7 @@ class Maker {
                .lights)
         if (l.id) all.try_emplace(l.id.index, l);
     for (const auto& [index, l] : std::map(all.begin(), all.end())) {
-      if (!inner_of_.contains(index)) continue;
+      if (!inner_of_.contains(index) || !asked({index})) continue;
       const Target intensity{{index}, fn::intensity}, color{{index}, fn::color};
       Channel power = value_keys(program_, intensity, options_.from, options_.until, options_.keys);
       const Channel tint = value_keys(program_, color, options_.from, options_.until, options_.keys);
@@ -470,7 +487,7 @@ class Maker {
     const double aspect = document_.aspect();
     bool any = false;
     for (const ObjectId id : objects(document_)) {
-      if (kind(document_, id) != Kind::camera || !inner_of_.contains(id.index)) continue;
+      if (kind(document_, id) != Kind::camera || !inner_of_.contains(id.index) || !asked(id)) continue;
       const auto number = [&](FunctionId f) { return betwixt::numbers(program_.read({id, f}, options_.from))[0]; };
       any = true;
       if (const double height = number(fn::camera_height); height > 0) {
@@ -492,7 +509,7 @@ class Maker {
       point(fmt::format("/cameras/{}/perspective/yfov", number_of),
             follow(f, knots({&lens, &fov}, options_.from, options_.until), options_.keys));
     }
-    if (!any) {
+    if (!any && asked_.empty()) {
       const Camera& c = first.camera();
       const std::size_t node = add_node({{"name", "camera"}});
       roots_.push_back(node);
@@ -573,6 +590,7 @@ class Maker {
               images_ = Json::array(), skins_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array(),
               channels_ = Json::array(), samplers_ = Json::array();
   std::vector<std::string> used_;
+  std::set<std::uint32_t> asked_;  // objects; none: all
   std::vector<std::vector<std::size_t>> children_;
   std::vector<std::size_t> roots_, parent_;                            // parents of objects' nodes; their number: none
   std::unordered_map<std::uint32_t, std::size_t> node_of_, inner_of_;  // by object: its node, and what hangs on it
