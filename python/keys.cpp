@@ -61,11 +61,16 @@ std::vector<KeysOf> motion(const Film& film, py::handle first, py::handle last, 
                            double radians, bool arcs) {
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
-  const KeyOptions options = options_of(style, metres, radians, arcs);
+  KeyOptions options = options_of(style, metres, radians, arcs);
+  options.go_on = [](double) {  // Ctrl-C is heard
+    const py::gil_scoped_acquire held;
+    return PyErr_CheckSignals() == 0;
+  };
   const auto [from, until] = segment_of(first, last, document);
   std::vector<KeysOf> made;
   for (ObjectKeys& k : unlocked([&, from = from, until = until] { return motion_keys(program, from, until, options); }))
     made.push_back({document, std::move(k)});
+  if (PyErr_Occurred()) throw py::error_already_set();
   return made;
 }
 
@@ -85,7 +90,7 @@ ChannelOf keys(const Film& film, const std::string& name, py::handle first, py::
 }
 
 std::string_view word_of(KeyPiece::Shape shape) {
-  static constexpr std::string_view words[] = {"held", "straight", "cubic"};
+  static constexpr std::string_view words[] = {"held", "straight", "cubic", "leap"};
   return words[static_cast<std::size_t>(shape)];
 }
 

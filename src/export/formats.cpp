@@ -10,6 +10,8 @@
 namespace betwixt {
 namespace {
 
+constexpr int most_frames = 1'000'000;
+
 constexpr ExportRow rows[] = {
     {".glb", "glTF 2.0: for three.js, Blender, Godot, web pages", make_glb},
     {".gltf", "the same as text", make_gltf},
@@ -38,6 +40,11 @@ Result<Exported> export_film(const Program& program, const ExportOptions& option
     known.push_back(row.ending);
     list += (list.empty() ? "" : " ") + std::string(row.ending);
     if (row.ending != end) continue;
+    const Rate rate = program.document().rate();
+    if (const double frames = rate.frame_number(options.until) - rate.frame_number(options.from); frames > most_frames)
+      return fail(ErrorCode::range,
+                  fmt::format("{:.0f} frames are more than the {} that can be written", frames, most_frames),
+                  "fewer: --frames 1f..240f");
     if (Status s = check_place(options.path, options.overwrite); !s) return s.error();
     Exported made;
     const Result<std::string> bytes = row.make(program, options, made);

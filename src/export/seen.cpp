@@ -178,9 +178,16 @@ Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& 
                                    const std::function<bool(const Skin&)>& as_skin) {
   Watch watch(program, options, as_skin);
   Evaluation e(program);
-  for (const Time t : looks_of(program, options.from, options.until)) {
-    e.to(t);
-    if (Status s = watch.look(e, t); !s) return s.error();
+  const std::vector<Time> looks = looks_of(program, options.from, options.until);
+  std::optional<Time> next = options.from;  // before it nothing differs
+  for (std::size_t i = 0; i < looks.size() && next; ++i) {
+    if (options.keys.go_on && i % 64 == 0 &&
+        !options.keys.go_on(static_cast<double>(i) / static_cast<double>(looks.size())))
+      return fail(ErrorCode::machine, "stopped");
+    if (looks[i] < *next) continue;
+    e.to(looks[i]);
+    if (Status s = watch.look(e, looks[i]); !s) return s.error();
+    next = program.next_change(looks[i]);
   }
   return watch.finish(made);
 }

@@ -8,13 +8,6 @@ tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
 export LC_ALL=C.UTF-8
 
-check() { # NAME EXIT-CODE TEXT ARGUMENT…
-  local name=$1 code=$2 text=$3
-  shift 3
-  said=$("$program" "$@" 2>&1 </dev/null)
-  local got=$?
-  verdict "$name" "$([ $got = "$code" ] && [[ $said == *"$text"* ]] && echo yes)" "exit code $got (not $code?), said: $said"
-}
 reads() { is "$1" "$(python3 "$tests/alpha.py" "${@:2}" 2>&1 | tail -1)" well; } # NAME COMMAND FILE…
 probe() { ffprobe -v error -select_streams v:0 -show_entries "stream=$2" -of default=nw=1:nk=1 "$1" | xargs; }
 same_pictures() { # NAME A B: to the bit, as they are decoded

@@ -8,13 +8,6 @@ tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
 export LC_ALL=C.UTF-8
 
-check() { # NAME EXIT-CODE TEXT ARGUMENT…
-  local name=$1 code=$2 text=$3
-  shift 3
-  said=$("$program" "$@" 2>&1 </dev/null)
-  local got=$?
-  verdict "$name" "$([ $got = "$code" ] && [[ $said == *"$text"* ]] && echo yes)" "exit code $got (not $code?), said: $said"
-}
 # What a file of JSON has: nodes, channels, and the like.
 ask() { python3 -c 'import json, sys; f = json.load(open(sys.argv[1])); print(eval(sys.argv[2]))' "$1" "$2"; }
 
@@ -65,6 +58,7 @@ check 'no such way' 2 'linear' export film.bx -o x.glb --keys lineer
 check 'no tolerance' 2 '--tolerance is a number from 1e-9 to 1, not "0"' export film.bx -o x.glb --tolerance 0
 check 'words for a tolerance' 2 'not "1mm"' export film.bx -o x.glb --tolerance 1mm
 check 'a file that is there' 2 'a.gltf' export film.bx -o a.gltf --no-overwrite
+check 'a film without end' 2 'more than the 1000000 that can be written' export <(echo 'range 1f 5000000f') -o x.glb
 check 'a broken script' 1 'error' export <(echo 'creat ball') -o x.glb
 check 'no script' 1 'none.bx' export none.bx -o x.glb
 is 'nothing is left of what failed' "$(ls x.glb .*.glb* 2>/dev/null)" ''

@@ -22,6 +22,14 @@ verdict() { # NAME yes|… EXPLANATION
 }
 is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }                       # NAME VALUE WANTED
 has() { verdict "$1" "$([[ $2 == *"$3"* ]] && echo yes)" "'$3' is not in: $(tail -c 600 <<<"$2")"; } # NAME TEXT PART
+# What the program says, and its exit code.
+check() { # NAME EXIT-CODE TEXT ARGUMENT…
+  local name=$1 code=$2 text=$3
+  shift 3
+  said=$("$program" "$@" 2>&1 </dev/null)
+  local got=$?
+  verdict "$name" "$([ $got = "$code" ] && [[ $said == *"$text"* ]] && echo yes)" "exit code $got (not $code?), said: $said"
+}
 begin() { # OPTIONS…: a server, once it listens
   : >log
   "$program" serve "$@" 2>log &
