@@ -125,8 +125,7 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
                      read = 0;
                    }
                    if (read != text.size() || !(call.tolerance >= 1e-9 && call.tolerance <= 1))
-                     return fail(ErrorCode::range,
-                                 fmt::format("--tolerance is a number from 1e-9 to 1, not \"{}\"", text));
+                     return fail(ErrorCode::range, fmt::format("it is a number from 1e-9 to 1, not \"{}\"", text));
                    return Nothing{};
                  })},
                 flag("--no-overwrite", "leave a file alone that is there already", call.keep_old)},

@@ -18,6 +18,14 @@
 namespace betwixt {
 namespace {
 
+// Files keep times as floats: what is the nearest one to a frame's time is meant to be that.
+Time at_frames(double seconds, Rate rate) {
+  const Time t = from_seconds(seconds), frame = rate.frame(std::round(rate.frame_number(t)));
+  const auto f = static_cast<float>(std::abs(seconds));
+  const double half = 0.51 * static_cast<double>(std::nextafter(f, 1e30F) - f);
+  return std::abs((t - frame).seconds()) <= half ? frame : t;
+}
+
 constexpr double sun_away = 1e6;  // metres: from there its rays are parallel, whatever its node's place
 
 // What stands behind the word `scene`.
@@ -49,7 +57,9 @@ bool read_wanted(Command& k, Wanted& w, std::string_view about) {
     if (key == "animation" && !clip_said(k, w.animation)) return false;
     if (key == "start" && !c.time(w.start)) return false;
   }
-  if (w.path.empty()) return c.fail(ErrorCode::syntax, "a scene needs its file", about, "as in file=\"truck.glb\"");
+  if (w.path.empty())
+    return c.fail(ErrorCode::syntax, "a scene needs its file first", about,
+                  "as in create truck scene file=\"truck.glb\"");
   return parameters(k, w.root);
 }
 
@@ -181,7 +191,7 @@ class SceneMaker {
       if (i % 4096 == 0) StillWanted::ask();
       const double* here = &t.values[i * width * per + first];
       Event e;
-      e.time = wanted_.start + from_seconds(t.times[i]);
+      e.time = wanted_.start + at_frames(t.times[i], s_.rate);
       e.value = (value == turn ? unit_turn : value)(here + (per == 3 ? width : 0));
       e.twerper = t.way == SceneTrack::step     ? Twerper::hold
                   : t.way == SceneTrack::linear ? (value == turn ? Twerper::slerp : Twerper::linear)

@@ -270,6 +270,8 @@ Status GltfModel::look(int i, MeshPart& look, std::string& uv_set) {
   const gltf::Image* image = texture == nullptr ? nullptr : gltf_at(model_.images, texture->source);
   if (image == nullptr) return error(fmt::format("material {} has a texture that is not there", i));
   auto& known = pictures_[texture->source];
+  if (!known && image->image.empty() && !image->uri.empty())
+    return fail(ErrorCode::file, fmt::format("there is no picture {}, which {} asks for", image->uri, path_));
   if (!known) {
     auto picture =
         decode_picture(image->image, image->uri.empty() ? fmt::format("picture {} in {}", texture->source, path_)

@@ -26,6 +26,12 @@ class GltfScene {
   Result<std::shared_ptr<const SceneFile>> read() && {
     for (const auto& step : {&GltfScene::nodes, &GltfScene::seen, &GltfScene::animations})
       if (const Status s = (this->*step)(); !s) return s.error();
+    const auto& used = model_.extensionsUsed;
+    if (std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end())
+      leave_out("colours, opacity and lenses that change (KHR_animation_pointer) stay as they are at the beginning");
+    if (const auto* shown = gltf_at(model_.scenes, std::max(model_.defaultScene, 0));
+        shown && shown->extras.Has("cuts"))
+      leave_out("cuts from camera to camera are left out: look through CAMERA");
     if (model_.scenes.size() > 1)
       leave_out("of several scenes only the first one, or the one that the file shows, is here");
     if (!sound(out_)) return file_.error("its numbers make no sense");
@@ -294,7 +300,8 @@ class GltfScene {
     made.intensity = made.sun ? intensity / pi : 1;
     made.range = l->range > 0 ? std::min(l->range, 1e6) : std::max(std::sqrt(20 * intensity / pi), 1e-3);
     if (l->type == "spot") leave_out("a spotlight shines in all directions");
-    if (!made.sun) leave_out("lamps fade to nothing at their range, not with the square of the distance");
+    if (!made.sun && model_.asset.generator != "Betwixt")
+      leave_out("lamps fade to nothing at their range, not with the square of the distance");
     to.light = static_cast<std::int32_t>(out_.lights.size());
     out_.lights.push_back(made);
     return Nothing{};

@@ -90,7 +90,7 @@ class Maker {
 
   void place_objects() {
     std::vector<ObjectKeys> all = motion_keys(program_, options_.from, options_.until, options_.keys);
-    if (!options_.objects.empty()) keep_asked(all);
+    keep_asked(all, options_.objects);
     for (const ObjectKeys& k : all) {
       const std::size_t node = add_node({{"name", document_.name(k.id)}});
       inner_of_[k.id.index] = node_of_[k.id.index] = node;
@@ -114,18 +114,7 @@ class Maker {
       for (const std::size_t child : children_[i]) parent_[child] = i;
   }
 
-  // Those that are asked for, and what they hang on.
-  void keep_asked(std::vector<ObjectKeys>& all) {
-    std::map<std::uint32_t, ObjectId> above;
-    for (const ObjectKeys& k : all) above[k.id.index] = k.parent;
-    std::set<std::uint32_t> kept;
-    for (ObjectId id : options_.objects) {
-      asked_.insert(id.index);
-      while (id && kept.insert(id.index).second) id = above[id.index];
-    }
-    std::erase_if(all, [&](const ObjectKeys& k) { return !kept.contains(k.id.index); });
-  }
-  bool asked(ObjectId id) const { return asked_.empty() || asked_.contains(id.index); }
+  bool asked(ObjectId id) const { return is_asked(id, options_.objects); }
 
   // ---- what is deformed
 
@@ -509,7 +498,7 @@ class Maker {
       point(fmt::format("/cameras/{}/perspective/yfov", number_of),
             follow(f, knots({&lens, &fov}, options_.from, options_.until), options_.keys));
     }
-    if (!any && asked_.empty()) {
+    if (!any && options_.objects.empty()) {
       const Camera& c = first.camera();
       const std::size_t node = add_node({{"name", "camera"}});
       roots_.push_back(node);
@@ -590,7 +579,6 @@ class Maker {
               images_ = Json::array(), skins_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array(),
               channels_ = Json::array(), samplers_ = Json::array();
   std::vector<std::string> used_;
-  std::set<std::uint32_t> asked_;  // objects; none: all
   std::vector<std::vector<std::size_t>> children_;
   std::vector<std::size_t> roots_, parent_;                            // parents of objects' nodes; their number: none
   std::unordered_map<std::uint32_t, std::size_t> node_of_, inner_of_;  // by object: its node, and what hangs on it

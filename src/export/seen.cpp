@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include "betwixt/evaluation.h"
+#include "betwixt/object.h"
 #include "exchange/geometry.h"
 #include "export/fit.h"
 #include "program/compiled.h"
@@ -174,9 +176,45 @@ void leave_out(Exported& made, std::string sentence) {
     made.left_out.push_back(std::move(sentence));
 }
 
+bool is_asked(ObjectId id, const std::vector<ObjectId>& asked) {
+  return asked.empty() || std::find(asked.begin(), asked.end(), id) != asked.end();
+}
+
+void keep_asked(std::vector<ObjectKeys>& all, const std::vector<ObjectId>& asked) {
+  if (asked.empty()) return;
+  std::unordered_map<std::uint32_t, ObjectId> above;
+  for (const ObjectKeys& k : all) above[k.id.index] = k.parent;
+  std::set<std::uint32_t> kept;
+  for (ObjectId id : asked)
+    while (id && kept.insert(id.index).second) id = above[id.index];
+  std::erase_if(all, [&](const ObjectKeys& k) { return !kept.contains(k.id.index); });
+}
+
+namespace {
+
+// What is around the things, and what no file of motion has.
+void leave_out_surroundings(const Program& program, Time t, Exported& made) {
+  const Frame frame = program.frame(t);
+  const Surroundings& s = frame.surroundings;
+  std::string words;
+  const auto add = [&](bool there, const char* word) {
+    if (there) words += (words.empty() ? "" : ", ") + std::string(word);
+  };
+  add(frame.background || s.below, "the background");
+  add(s.fog.has_value(), "fog"), add(s.sky, "the sky"), add(s.ground.has_value(), "the ground");
+  add(frame.camera.shutter > 0, "blur"), add(frame.camera.aperture > 0, "depth of field");
+  const std::vector<ObjectId> all = objects(program.document());
+  add(std::any_of(all.begin(), all.end(), [&](ObjectId id) { return kind(program.document(), id) == Kind::sound; }),
+      "sounds");
+  if (!words.empty()) leave_out(made, "left out: " + words);
+}
+
+}  // namespace
+
 Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& options, Exported& made,
                                    const std::function<bool(const Skin&)>& as_skin) {
   Watch watch(program, options, as_skin);
+  leave_out_surroundings(program, options.from, made);
   Evaluation e(program);
   const std::vector<Time> looks = looks_of(program, options.from, options.until);
   std::optional<Time> next = options.from;  // before it nothing differs

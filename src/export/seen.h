@@ -42,6 +42,10 @@ struct Seen {
 Result<std::vector<Seen>> all_seen(const Program&, const ExportOptions&, Exported&,
                                    const std::function<bool(const Skin&)>& as_skin = {});
 
+// Those of the objects that are asked for, and what they hang on; all, where nobody is asked for.
+void keep_asked(std::vector<ObjectKeys>&, const std::vector<ObjectId>& asked);
+bool is_asked(ObjectId, const std::vector<ObjectId>& asked);
+
 // Each sentence once.
 void leave_out(Exported&, std::string sentence);
 

@@ -35,8 +35,10 @@ class UsdMaker {
   Result<std::string> make() {
     Result<std::vector<Seen>> seen = all_seen(program_, options_, made_);
     if (!seen) return seen.error();
-    for (Seen& s : *seen) seen_[s.id.index] = &s;
+    for (Seen& s : *seen)
+      if (is_asked(s.id, options_.objects)) seen_[s.id.index] = &s;
     keys_ = motion_keys(program_, options_.from, options_.until, options_.keys);
+    keep_asked(keys_, options_.objects);
     made_.objects = keys_.size();
     std::set<std::uint32_t> known;
     for (const ObjectKeys& k : keys_) known.insert(k.id.index);
@@ -280,7 +282,7 @@ class UsdMaker {
     const auto found =
         std::find_if(frame.lights.begin(), frame.lights.end(), [&](const Light& l) { return l.id == id; });
     if (found == frame.lights.end()) return;
-    if (found->sun) return leave_out(made_, fmt::format("the light of {}, a sun", document_.name(id)));
+    if (found->sun) return leave_out(made_, fmt::format("{} is a sun, and is left out", document_.name(id)));
     line(depth, "def SphereLight \"light\"");
     line(depth, "{");
     line(depth + 1, "float inputs:radius = 0.1");

@@ -11,6 +11,7 @@
 #include "export/formats.h"
 #include "export/json.h"
 #include "export/planar.h"
+#include "export/seen.h"
 #include "track/track.h"
 
 namespace betwixt {
@@ -96,11 +97,20 @@ Result<WebFilm> web_film(const Program& program, const ExportOptions& options, E
   return film;
 }
 
+// Keyframes are of motion alone.
+void say_motion_only(const Program& program, const ExportOptions& options, const WebFilm& film, Exported& made) {
+  for (const PlanarMotion& m : film.motions)
+    if (!planar_color(program, options, m.id).constant() || !planar_opacity(program, options, m.id).constant())
+      leave_out(made, fmt::format("how {} changes its colour or opacity is left out: keyframes say how it moves",
+                                  program.document().name(m.id)));
+}
+
 }  // namespace
 
 Result<std::string> make_css(const Program& program, const ExportOptions& options, Exported& made) {
   const auto film = web_film(program, options, made);
   if (!film) return film.error();
+  say_motion_only(program, options, *film, made);
   std::string out = fmt::format(
       "/* Made by Betwixt. An element of class \"{}\" moves as the object does, from the middle of a picture {} px "
       "high. */\n",
@@ -127,6 +137,7 @@ Result<std::string> make_css(const Program& program, const ExportOptions& option
 Result<std::string> make_waapi(const Program& program, const ExportOptions& options, Exported& made) {
   const auto film = web_film(program, options, made);
   if (!film) return film.error();
+  say_motion_only(program, options, *film, made);
   Json objects = Json::object();
   for (std::size_t i = 0; i < film->motions.size(); ++i) {
     auto steps = Json::array();
@@ -192,7 +203,9 @@ std::string path_of(const Contours& contours, double pixels, bool closed = true)
   return d;
 }
 
-void animate(std::string& out, const PlanarStep& step, const ExportOptions& options, const WebFilm& film) {
+// `additive`: the first one takes the place of the rest, the others are added to it.
+void animate(std::string& out, const PlanarStep& step, const ExportOptions& options, const WebFilm& film,
+             std::string_view additive) {
   constexpr std::string_view types[] = {"translate", "translate", "rotate", "scale", "scale"};
   const auto value = [&](double v) {
     const std::string n = short_number(on_page(step.what, v, film.pixels));
@@ -218,9 +231,24 @@ void animate(std::string& out, const PlanarStep& step, const ExportOptions& opti
   }
   splines.pop_back();
   out += fmt::format(
-      "    <animateTransform attributeName=\"transform\" type=\"{}\" additive=\"sum\" dur=\"{}s\" fill=\"freeze\" "
+      "    <animateTransform attributeName=\"transform\" type=\"{}\" additive=\"{}\" dur=\"{}s\" fill=\"freeze\" "
       "calcMode=\"spline\" keyTimes=\"{}\" values=\"{}\" keySplines=\"{}\"/>\n",
-      types[step.what], short_number(film.seconds), times, values, splines);
+      types[step.what], additive, short_number(film.seconds), times, values, splines);
+}
+
+// Where it is at the beginning: for those who show it at rest.
+std::string rest(const PlanarMotion& m, const WebFilm& film) {
+  std::string all;
+  for (const PlanarStep& step : m.steps) {
+    const std::string n = short_number(on_page(step.what, step.curves.front().begin, film.pixels));
+    all += (all.empty() ? "" : " ");
+    all += step.what == PlanarStep::move_x   ? fmt::format("translate({})", n)
+           : step.what == PlanarStep::move_y ? fmt::format("translate(0 {})", n)
+           : step.what == PlanarStep::turn   ? fmt::format("rotate({})", n)
+           : step.what == PlanarStep::grow_x ? fmt::format("scale({} 1)", n)
+                                             : fmt::format("scale(1 {})", n);
+  }
+  return all.empty() ? "" : fmt::format(" transform=\"{}\"", all);
 }
 
 }  // namespace
@@ -240,8 +268,12 @@ Result<std::string> make_svg(const Program& program, const ExportOptions& option
     const PlanarMotion& m = film->motions[i];
     const auto look = planar_look(program, options, m.id);
     if (!look) return look.error();
-    std::string group = fmt::format("  <g id=\"{}\" opacity=\"{}\">\n", film->names[i], short_number(look->opacity));
-    for (const PlanarStep& step : m.steps) animate(group, step, options, *film);
+    std::string group =
+        fmt::format("  <g id=\"{}\" opacity=\"{}\"{}>\n", film->names[i], short_number(look->opacity), rest(m, *film));
+    const bool still =
+        std::all_of(m.steps.begin(), m.steps.end(), [](const PlanarStep& s) { return constant(s.curves); });
+    for (const PlanarStep& step : m.steps)
+      if (!still) animate(group, step, options, *film, &step == m.steps.data() ? "replace" : "sum");
     animate_plain(group, "opacity", planar_opacity(program, options, m.id), options,
                   [](const auto& v) { return short_number(v[0]); });
     const Channel color = planar_color(program, options, m.id);

@@ -41,6 +41,9 @@ is 'the rest of it' "$(ask a.gltf 'f["scenes"][0]["extras"]["frames"]')" 49
 is 'what is hidden has steps' "$(ask a.gltf '[f["animations"][0]["samplers"][c["sampler"]]["interpolation"] for c in f["animations"][0]["channels"] if c["target"]["path"] == "scale"]')" "['STEP']"
 check 'one object, and what it hangs on' 0 '2 objects' export film.bx finger -o f.gltf
 is 'nothing else' "$(ask f.gltf '[n["name"] for n in f["nodes"]]')" "['hand', 'finger']"
+check 'the same as USD' 0 '2 objects' export film.bx finger -o f.usda
+verdict 'nothing else there' "$(grep -q '"ball"' f.usda || echo yes)" "$(grep 'def Xform' f.usda)"
+check 'what is around is told of' 0 'left out: the background, fog, the ground' export <(printf 'ground on\nfog gray from 1 to 20\ncreate s box\n') -o s.glb
 check 'patterns' 0 '3 objects' export film.bx '{ball,word,hand}' -o f.gltf
 check 'keys of each frame' 0 '100 % of one a frame' export film.bx hand -o b.gltf --keys baked
 check 'a part of the film' 0 'objects' export film.bx -o p.gltf --frames 25f..49f
@@ -55,7 +58,7 @@ check 'no such object' 1 "did you mean 'ball'" export film.bx bal -o x.glb
 check 'a target that is no object' 1 "'ball.position' is no object" export film.bx ball.position -o x.glb
 check 'no such folder' 2 'nowhere' export film.bx -o nowhere/x.glb
 check 'no such way' 2 'linear' export film.bx -o x.glb --keys lineer
-check 'no tolerance' 2 '--tolerance is a number from 1e-9 to 1, not "0"' export film.bx -o x.glb --tolerance 0
+check 'no tolerance' 2 '--tolerance: it is a number from 1e-9 to 1, not "0"' export film.bx -o x.glb --tolerance 0
 check 'words for a tolerance' 2 'not "1mm"' export film.bx -o x.glb --tolerance 1mm
 check 'a file that is there' 2 'a.gltf' export film.bx -o a.gltf --no-overwrite
 check 'a film without end' 2 'more than the 1000000 that can be written' export <(echo 'range 1f 5000000f') -o x.glb
