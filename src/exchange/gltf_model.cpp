@@ -31,10 +31,11 @@ bool read_file(std::vector<unsigned char>* out, std::string* error, const std::s
   return static_cast<bool>(bytes);
 }
 bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
-// Pictures are decoded when a part needs them.
+// Pictures are decoded when a part needs them. Those in the file's own buffers are looked for then: what the file says
+// of where they are has not been checked here.
 bool keep_encoded(gltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
                   void*) {
-  image->image.assign(bytes, bytes + size);
+  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   return true;
 }
 
@@ -270,12 +271,17 @@ Status GltfModel::look(int i, MeshPart& look, std::string& uv_set) {
   const gltf::Image* image = texture == nullptr ? nullptr : gltf_at(model_.images, texture->source);
   if (image == nullptr) return error(fmt::format("material {} has a texture that is not there", i));
   auto& known = pictures_[texture->source];
-  if (!known && image->image.empty() && !image->uri.empty())
+  if (!known && image->bufferView < 0 && image->image.empty() && !image->uri.empty())
     return fail(ErrorCode::file, fmt::format("there is no picture {}, which {} asks for", image->uri, path_));
   if (!known) {
-    auto picture =
-        decode_picture(image->image, image->uri.empty() ? fmt::format("picture {} in {}", texture->source, path_)
-                                                        : fmt::format("{} of {}", image->uri, path_));
+    std::span<const std::uint8_t> bytes = image->image;
+    if (const auto* view = gltf_at(model_.bufferViews, image->bufferView)) {
+      const auto there = elements(image->bufferView, 0, 1, 1, view->byteLength);
+      if (!there) return there.error();
+      bytes = {there->first, view->byteLength};
+    }
+    auto picture = decode_picture(bytes, image->uri.empty() ? fmt::format("picture {} in {}", texture->source, path_)
+                                                            : fmt::format("{} of {}", image->uri, path_));
     if (!picture) return fail(ErrorCode::file, picture.error().message, picture.error().hint);
     known = *picture;
   }

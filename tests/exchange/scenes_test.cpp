@@ -85,6 +85,25 @@ TEST(SceneFiles, ThatLieAreRefusedByTheirLie) {
   refused(with("morph", "\"weights\":[0.25,0]", "\"weights\":[0.25,0,1,2,3]"), "more weights than targets");
   refused(with("stage", "\"camera\":0", "\"camera\":7"), "there is no camera 7");
   refused(with("stage", "{\"light\":0}", "{\"light\":7}"), "a light that is not there");
+  // A picture that is said to lie beyond its buffer: nobody looks at it, and then somebody does.
+  const auto picture = [](const std::string& material) {
+    return "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
+           "octet-stream;base64," +
+           std::string(48, 'A') +
+           "\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":30,\"byteLength\":"
+           "900000}],"
+           "\"images\":[{\"bufferView\":1,\"mimeType\":\"image/png\"}],\"textures\":[{\"source\":0}],\"materials\":[" +
+           material +
+           "],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+           "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"nodes\":[{\"mesh\":0}]}";
+  };
+  const auto left = parsed(picture("{}"), "gltf");  // its triangle is a point
+  ASSERT_FALSE(left);
+  EXPECT_NE(left.error().message.find("it holds no triangles"), std::string::npos) << left.error().message;
+  const auto looked_at = parsed(picture("{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}"), "gltf");
+  ASSERT_FALSE(looked_at);
+  EXPECT_NE(looked_at.error().message.find("buffer view 1 ends before its data does"), std::string::npos)
+      << looked_at.error().message;
   refused("{\"asset\":{\"version\":\"1.0\"}}", "it is glTF 1.0, and only glTF 2 can be read");
   refused(std::string("glTF\1\0\0\0\24\0\0\0\0\0\0\0", 16), "it is glTF 1.0, and only glTF 2 can be read");
 }
