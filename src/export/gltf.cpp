@@ -13,29 +13,24 @@
 #include "betwixt/pose.h"
 #include "export/fit.h"
 #include "export/formats.h"
-#include "export/gltf_parts.h"
+#include "export/gltf_surfaces.h"
 #include "export/seen.h"
 #include "program/compiled.h"
 
 namespace betwixt {
 namespace {
 
-Json numbers(const std::array<double, 4>& v, std::size_t width) {
-  Json all = Json::array();
-  for (std::size_t i = 0; i < width; ++i) all.push_back(static_cast<float>(v[i]));
-  return all;
-}
-
-Channel held(std::array<double, 4> v, std::size_t width, Time from, Time until) {
-  return {width, false, {{KeyPiece::held, from, until, v, v, {}, {}}}};
-}
-
 class Maker {
  public:
   Maker(const Program& program, ExportOptions options, Exported& made)
-      : program_(program), document_(program.document()), options_(std::move(options)), made_(made) {
+      : program_(program),
+        document_(program.document()),
+        options_(std::move(options)),
+        made_(made),
+        film_{options_.from, 1, made, {}},
+        surfaces_(program, options_, film_) {
     options_.keys.in_floats = true;
-    frames_ = static_cast<std::size_t>(std::max(
+    film_.frames = static_cast<std::size_t>(std::max(
         1.0, document_.rate().frame_number(options_.until) - document_.rate().frame_number(options_.from) + 1));
   }
 
@@ -55,7 +50,7 @@ class Maker {
 
   const Json& json() const { return file_; }
   Json& json() { return file_; }
-  const std::string& bytes() const { return buffer_.bytes; }
+  const std::string& bytes() const { return film_.buffer.bytes; }
 
  private:
   std::size_t add_node(Json node) {
@@ -63,31 +58,14 @@ class Maker {
     children_.emplace_back();
     return nodes_.size() - 1;
   }
-  void animate(const Channel& c, Json target) { animate(gltf::sampled(c, options_.from), c.width, std::move(target)); }
-  void animate(const gltf::Sampled& s, std::size_t width, Json target) {
-    const std::size_t input = buffer_.floats(s.times, 1, gltf::Buffer::plain, true);
-    const std::size_t output = buffer_.floats(s.values, width, gltf::Buffer::plain, false);
-    channels_.push_back({{"sampler", samplers_.size()}, {"target", std::move(target)}});
-    samplers_.push_back({{"input", input}, {"output", output}, {"interpolation", s.way}});
-    ++made_.channels;
-    made_.keys += s.times.size(), made_.baked += frames_;
-  }
   // A property of a node: for good, or with keys. `rest`: what it is where nothing is said.
   void put(std::size_t node, const char* path, const Channel& c, const std::array<double, 4>& rest) {
     const auto& first = c.pieces.front().begin;
     const auto same = [&](double a, double b) { return static_cast<float>(a) == static_cast<float>(b); };
     if (!std::equal(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(c.width), rest.begin(), same))
-      nodes_[node][path] = numbers(first, c.width);
-    if (!c.constant()) animate(c, {{"node", node}, {"path", path}});
+      nodes_[node][path] = gltf::numbers(first, c.width);
+    if (!c.constant()) film_.animate(c, {{"node", node}, {"path", path}});
   }
-  void point(const std::string& pointer, const Channel& c) {
-    use("KHR_animation_pointer");
-    animate(c, {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}});
-  }
-  void use(const char* extension) {
-    if (std::find(used_.begin(), used_.end(), extension) == used_.end()) used_.push_back(extension);
-  }
-
   void place_objects() {
     std::vector<ObjectKeys> all = motion_keys(program_, options_.from, options_.until, options_.keys);
     keep_asked(all, options_.objects);
@@ -154,28 +132,10 @@ class Maker {
     nodes_[node]["skin"] = skins_.size();
     skins_.push_back({{"name", name},
                       {"joints", joints},
-                      {"inverseBindMatrices", buffer_.floats(inverse_bind, 16, gltf::Buffer::plain, false)}});
+                      {"inverseBindMatrices", film_.buffer.floats(inverse_bind, 16, gltf::Buffer::plain, false)}});
     if (s.when.size() > 1)
       leave_out(made_, fmt::format("{} is hidden at times: with its joints it is always seen", name));
     return node;
-  }
-  void add_rig(const Rig& rig, bool joints, Json& attributes, Json& targets) {
-    if (joints) {
-      std::vector<float> weights;
-      for (const auto& w : rig.weights) weights.insert(weights.end(), w.begin(), w.end());
-      attributes["JOINTS_0"] = buffer_.joints(rig.joints, rig.weights);
-      attributes["WEIGHTS_0"] = buffer_.floats(weights, 4, gltf::Buffer::vertices, false);
-    }
-    for (const Rig::Target& t : rig.targets) {
-      Json one = Json::object();
-      const auto add = [&](const char* path, const Rig::Vectors& vectors) {
-        std::vector<float> all;
-        for (const auto& v : vectors) all.insert(all.end(), v.begin(), v.end());
-        if (!all.empty()) one[path] = buffer_.floats(all, 3, gltf::Buffer::vertices, true);
-      };
-      add("POSITION", t.positions), add("NORMAL", t.normals);
-      targets.push_back(one);
-    }
   }
   // All weights of a mesh have their keys at the same times: what each is at the times of all.
   void add_weights(const Seen& s, std::size_t node) {
@@ -187,7 +147,7 @@ class Maker {
     std::set<Time> times;
     bool still = true;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-      all.push_back(held({}, 1, options_.from, options_.until));
+      all.push_back({1, false, {{KeyPiece::held, options_.from, options_.until, {}, {}, {}, {}}}});
       if (skin.weights[i])
         all.back() = value_keys(program_, {s.id, skin.weights[i]->function}, options_.from, options_.until, straight);
       still = still && all.back().constant();
@@ -205,7 +165,7 @@ class Maker {
       keys.times.push_back(seconds);
       for (const Channel& c : all) keys.values.push_back(static_cast<float>(value_at(c, t)[0]));
     }
-    animate(keys, 1, {{"node", node}, {"path", "weights"}});
+    film_.animate(keys, 1, {{"node", node}, {"path", "weights"}});
   }
 
   // ---- what is seen
@@ -216,7 +176,7 @@ class Maker {
     const bool always = s.when.size() == 1 && s.when[0].form == 0;
     const bool stretched = !s.stretch.pieces.empty();
     for (std::size_t form = 0; form < s.forms.size(); ++form) {
-      const Result<std::size_t> mesh = add_mesh(s, form, name);
+      const Result<std::size_t> mesh = surfaces_.add_mesh(s, form, name);
       if (!mesh) return mesh.error();
       std::size_t node = s.skin >= 0 ? add_skin(s, name) : inner_of_[s.id.index];
       if (s.skin >= 0) add_weights(s, node);
@@ -248,14 +208,10 @@ class Maker {
         continue;
       }
       const Followed f = followed(document_, 3, options_.keys.metres, [&](Time t) { return value_at(s.stretch, t); });
-      for (const KeyPiece& p : follow(f, knots({&s.stretch}, from, until), options_.keys).pieces) c.pieces.push_back(p);
+      for (const KeyPiece& p : follow(f, gltf::keys_of({&s.stretch}, from, until), options_.keys).pieces)
+        c.pieces.push_back(p);
     }
     return with_leaps(c);
-  }
-  static std::vector<Time> knots(std::initializer_list<const Channel*> channels, Time from, Time until) {
-    std::vector<Time> all;
-    for (const Channel* c : channels) add_knots(*c, all);
-    return knots_between(std::move(all), from, until);
   }
   // Where pieces that were put together jump, a leap of one float.
   Channel with_leaps(Channel c) const {
@@ -271,151 +227,6 @@ class Maker {
       out.pieces.push_back(p);
     }
     return out;
-  }
-
-  Result<std::size_t> add_mesh(const Seen& s, std::size_t form, const std::string& name) {
-    const Seen::Form& f = s.forms[form];
-    const auto known = meshes_of_.find({f.mesh.get(), f.local.m});
-    Json attributes, targets = Json::array();
-    if (known != meshes_of_.end()) {
-      attributes = known->second;
-    } else {
-      std::vector<float> places, normals, uvs;
-      const Mat4 turn =
-          Mat4{{1 / f.local(0, 0), 0, 0, 0, 0, 1 / f.local(1, 1), 0, 0, 0, 0, 1 / f.local(2, 2), 0, 0, 0, 0, 1}};
-      for (const auto& p : f.mesh->positions) {
-        const Vec3 at = transform_point(f.local, {p[0], p[1], p[2]});
-        places.insert(places.end(), {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});
-      }
-      for (const auto& n : f.mesh->normals) {
-        const Vec3 at = normalize(transform_vector(turn, {n[0], n[1], n[2]}));
-        normals.insert(normals.end(), {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});
-      }
-      for (const auto& uv : f.mesh->uvs) uvs.insert(uvs.end(), {uv[0], uv[1]});
-      attributes["POSITION"] = buffer_.floats(places, 3, gltf::Buffer::vertices, true);
-      if (normals.size() == places.size())
-        attributes["NORMAL"] = buffer_.floats(normals, 3, gltf::Buffer::vertices, false);
-      if (!uvs.empty()) attributes["TEXCOORD_0"] = buffer_.floats(uvs, 2, gltf::Buffer::vertices, false);
-      meshes_of_[{f.mesh.get(), f.local.m}] = attributes;
-      kept_.push_back(f.mesh);  // no other mesh comes to lie where it was
-    }
-    Json primitives = Json::array();
-    std::vector<MeshPart> parts = f.mesh->parts;
-    if (parts.empty()) {
-      parts.emplace_back();
-      parts[0].count = static_cast<std::uint32_t>(f.mesh->triangles.size());
-    }
-    if (s.skin >= 0)
-      add_rig(*f.mesh->rig, !program_.compiled().skins[static_cast<std::size_t>(s.skin)].joints.empty(), attributes,
-              targets);
-    for (const MeshPart& part : parts) {
-      if (part.count == 0) continue;
-      const auto first = f.mesh->triangles.begin() + part.first;
-      const Result<std::size_t> look = material(s, part, name);
-      if (!look) return look.error();
-      primitives.push_back(
-          {{"attributes", attributes}, {"indices", indices({first, first + part.count})}, {"material", *look}});
-      if (!targets.empty()) primitives.back()["targets"] = targets;
-    }
-    if (primitives.empty()) {  // lines
-      MeshPart line;
-      const Result<std::size_t> look = material(s, line, name);
-      if (!look) return look.error();
-      Json only{{"POSITION", attributes["POSITION"]}};
-      primitives.push_back(
-          {{"attributes", only}, {"indices", indices(f.mesh->edges)}, {"material", *look}, {"mode", 1}});
-    }
-    // Meshes that are the same in all are one.
-    const auto [same, fresh] = meshes_known_.try_emplace(primitives.dump(), meshes_.size());
-    if (fresh)
-      meshes_.push_back(
-          {{"name", s.forms.size() > 1 ? fmt::format("{} {}", name, form + 1) : name}, {"primitives", primitives}});
-    if (fresh && !targets.empty()) {
-      Json names = Json::array();
-      for (const Rig::Target& t : f.mesh->rig->targets) names.push_back(t.name);
-      meshes_.back()["extras"] = {{"targetNames", names}};
-    }
-    return same->second;
-  }
-  std::size_t indices(std::vector<std::uint32_t> all) {
-    const auto [known, fresh] = indices_.try_emplace(all, 0);
-    if (fresh) known->second = buffer_.whole(all);
-    return known->second;
-  }
-
-  Result<std::size_t> material(const Seen& s, const MeshPart& part, const std::string& name) {
-    std::array<double, 4> tint{1, 1, 1, 1};
-    for (std::size_t i = 0; i < 3; ++i) tint[i] = part.color[i];
-    const bool tinted = part.tinted;
-    const Channel color = colors(s, tint, tinted);
-    const bool flat = document_flat();
-    Json pbr{{"baseColorFactor", numbers(within_one(color.pieces.front().begin), 4)},
-             {"metallicFactor", s.material == Material::metal ? 1 : 0},
-             {"roughnessFactor",
-              s.material == Material::matte ? 1 : static_cast<float>(1 - std::clamp(s.shininess, 0.0, 1.0))}};
-    const auto& picture = s.texture ? s.texture : part.texture;
-    if (picture) {
-      const Result<std::size_t> texture = add_texture(picture);
-      if (!texture) return texture.error();
-      pbr["baseColorTexture"] = {{"index", *texture}};
-    }
-    Json m{{"pbrMetallicRoughness", pbr}, {"doubleSided", true}};
-    const bool clear = std::any_of(color.pieces.begin(), color.pieces.end(),
-                                   [](const KeyPiece& p) { return p.begin[3] < 1 || p.end[3] < 1; });
-    if (clear || (picture && see_through(*picture))) m["alphaMode"] = "BLEND";
-    if (s.material == Material::glow || flat) {
-      m["extensions"] = {{"KHR_materials_unlit", Json::object()}};
-      use("KHR_materials_unlit");
-    }
-    // One that varies is its object's own; all meshes of that share it.
-    std::string key = m.dump();
-    if (!color.constant()) key += fmt::format(" {} {} {} {}", s.id.index, tint[0], tint[1], tint[2]);
-    const auto [known, fresh] = materials_known_.try_emplace(key, materials_.size());
-    if (!fresh) return known->second;
-    Json named{{"name", name}};
-    named.update(m);
-    materials_.push_back(named);
-    if (!color.constant())
-      point(fmt::format("/materials/{}/pbrMetallicRoughness/baseColorFactor", known->second), color);
-    return known->second;
-  }
-  static std::array<double, 4> within_one(std::array<double, 4> v) {
-    for (double& x : v) x = std::clamp(x, 0.0, 1.0);
-    return v;
-  }
-  static bool see_through(const Picture& p) {
-    for (std::size_t i = 3; i < p.rgba.size(); i += 4)
-      if (p.rgba[i] != 255) return true;
-    return false;
-  }
-  bool document_flat() {
-    if (!flat_) flat_ = program_.frame(options_.from).surroundings.flat;
-    return *flat_;
-  }
-  // Colour and opacity as one channel.
-  Channel colors(const Seen& s, const std::array<double, 4>& tint, bool tinted) const {
-    const auto at = [&](Time t) {
-      std::array<double, 4> v{1, 1, 1, 1};
-      if (tinted && !s.color.pieces.empty()) v = value_at(s.color, t);
-      for (std::size_t i = 0; i < 3; ++i) v[i] *= tint[i];
-      v[3] = s.opacity.pieces.empty() ? 1 : value_at(s.opacity, t)[0];
-      return within_one(v);
-    };
-    if ((!tinted || s.color.pieces.empty() || s.color.constant()) && (s.opacity.pieces.empty() || s.opacity.constant()))
-      return held(at(options_.from), 4, options_.from, options_.until);
-    return follow(followed(document_, 4, options_.keys.radians, at),
-                  knots({&s.color, &s.opacity}, options_.from, options_.until), options_.keys);
-  }
-
-  Result<std::size_t> add_texture(const std::shared_ptr<const Picture>& picture) {
-    const auto [known, fresh] = textures_known_.try_emplace(picture.get(), textures_.size());
-    if (!fresh) return known->second;
-    const Result<std::string> png = to_png(*picture);
-    if (!png) return png.error();
-    images_.push_back({{"bufferView", buffer_.picture(*png)}, {"mimeType", "image/png"}});
-    textures_.push_back({{"sampler", 0}, {"source", images_.size() - 1}});
-    pictures_.push_back(picture);
-    return known->second;
   }
 
   // ---- lights and cameras
@@ -439,17 +250,18 @@ class Maker {
       for (KeyPiece& p : power.pieces)
         for (auto* v : {&p.begin, &p.end, &p.leaving, &p.arriving}) (*v)[0] *= unit;
       Json light{{"type", l.sun ? "directional" : "point"},
-                 {"color", numbers(within_one(tint.pieces.front().begin), 3)},
+                 {"color", gltf::numbers(gltf::within_one(tint.pieces.front().begin), 3)},
                  {"intensity", static_cast<float>(power.pieces.front().begin[0])}};
       if (!l.sun && l.range > 0) light["range"] = static_cast<float>(l.range);
       const std::size_t number = lights_.size();
       lights_.push_back(light);
-      use("KHR_lights_punctual");
+      film_.use("KHR_lights_punctual");
       std::size_t node = inner_of_[index];
       if (l.sun) node = sun(l.id);
       nodes_[node]["extensions"] = {{"KHR_lights_punctual", {{"light", number}}}};
-      if (!power.constant()) point(fmt::format("/extensions/KHR_lights_punctual/lights/{}/intensity", number), power);
-      if (!tint.constant()) point(fmt::format("/extensions/KHR_lights_punctual/lights/{}/color", number), tint);
+      if (!power.constant())
+        film_.point(fmt::format("/extensions/KHR_lights_punctual/lights/{}/intensity", number), power);
+      if (!tint.constant()) film_.point(fmt::format("/extensions/KHR_lights_punctual/lights/{}/color", number), tint);
     }
   }
   // A sun shines to the middle of the world, whichever way it is turned.
@@ -495,8 +307,8 @@ class Maker {
       Channel fov = value_keys(program_, {id, fn::fov}, options_.from, options_.until, options_.keys);
       if (lens.constant() && fov.constant()) continue;
       const Followed f = followed(document_, 1, options_.keys.radians, [&](Time t) -> KeyValue { return {view(t)}; });
-      point(fmt::format("/cameras/{}/perspective/yfov", number_of),
-            follow(f, knots({&lens, &fov}, options_.from, options_.until), options_.keys));
+      film_.point(fmt::format("/cameras/{}/perspective/yfov", number_of),
+                  follow(f, gltf::keys_of({&lens, &fov}, options_.from, options_.until), options_.keys));
     }
     if (!any && options_.objects.empty()) {
       const Camera& c = first.camera();
@@ -504,8 +316,8 @@ class Maker {
       roots_.push_back(node);
       const Quat q = from_matrix(c.world);
       const Vec3 at = translation_of(c.world);
-      nodes_[node]["translation"] = numbers({at.x, at.y, at.z}, 3);
-      nodes_[node]["rotation"] = numbers({q.x, q.y, q.z, q.w}, 4);
+      nodes_[node]["translation"] = gltf::numbers({at.x, at.y, at.z}, 3);
+      nodes_[node]["rotation"] = gltf::numbers({q.x, q.y, q.z, q.w}, 4);
       add_camera(node, "camera",
                  c.orthographic ? orthographic(c.height, aspect)
                                 : perspective(2 * std::atan(std::tan(c.fov / 2) / aspect), aspect));
@@ -548,46 +360,37 @@ class Maker {
                {"extras",
                 {{"rate", document_.rate().per_second()},
                  {"first_frame", document_.rate().frame_number(options_.from)},
-                 {"frames", frames_}}}};
+                 {"frames", film_.frames}}}};
     if (!cuts.empty()) scene["extras"]["cuts"] = cuts;
     if (roots_.empty()) scene.erase("nodes");
     file_ = {{"asset", {{"version", "2.0"}, {"generator", "Betwixt"}}}, {"scene", 0}, {"scenes", Json::array({scene})}};
     const auto add = [&](const char* name, const Json& all) {
       if (!all.empty()) file_[name] = all;
     };
-    add("extensionsUsed", used_);
-    add("nodes", nodes_), add("meshes", meshes_), add("materials", materials_), add("textures", textures_),
-        add("images", images_);
-    if (!textures_.empty()) file_["samplers"] = Json::array({{{"wrapS", 10497}, {"wrapT", 10497}}});
+    add("extensionsUsed", film_.used);
+    add("nodes", nodes_), add("meshes", surfaces_.meshes), add("materials", surfaces_.materials);
+    add("textures", surfaces_.textures), add("images", surfaces_.images);
+    if (!surfaces_.textures.empty()) file_["samplers"] = Json::array({{{"wrapS", 10497}, {"wrapT", 10497}}});
     add("skins", skins_), add("cameras", cameras_);
     if (!lights_.empty()) file_["extensions"] = {{"KHR_lights_punctual", {{"lights", lights_}}}};
-    if (!channels_.empty())
-      file_["animations"] = Json::array({{{"name", "film"}, {"channels", channels_}, {"samplers", samplers_}}});
-    add("accessors", buffer_.accessors), add("bufferViews", buffer_.views);
-    if (!buffer_.bytes.empty()) file_["buffers"] = Json::array({{{"byteLength", buffer_.bytes.size()}}});
+    if (!film_.channels.empty())
+      file_["animations"] =
+          Json::array({{{"name", "film"}, {"channels", film_.channels}, {"samplers", film_.samplers}}});
+    add("accessors", film_.buffer.accessors), add("bufferViews", film_.buffer.views);
+    if (!film_.buffer.bytes.empty()) file_["buffers"] = Json::array({{{"byteLength", film_.buffer.bytes.size()}}});
   }
 
   const Program& program_;
   const Document& document_;
   ExportOptions options_;
   Exported& made_;
-  std::size_t frames_ = 1;
-  std::optional<bool> flat_;
+  gltf::Timeline film_;
+  gltf::Surfaces surfaces_;
 
-  gltf::Buffer buffer_;
-  Json file_, nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(), textures_ = Json::array(),
-              images_ = Json::array(), skins_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array(),
-              channels_ = Json::array(), samplers_ = Json::array();
-  std::vector<std::string> used_;
+  Json file_, nodes_ = Json::array(), skins_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array();
   std::vector<std::vector<std::size_t>> children_;
   std::vector<std::size_t> roots_, parent_;                            // parents of objects' nodes; their number: none
   std::unordered_map<std::uint32_t, std::size_t> node_of_, inner_of_;  // by object: its node, and what hangs on it
-  std::map<std::pair<const Mesh*, std::array<double, 16>>, Json> meshes_of_;
-  std::map<std::vector<std::uint32_t>, std::size_t> indices_;
-  std::unordered_map<std::string, std::size_t> meshes_known_, materials_known_;
-  std::unordered_map<const Picture*, std::size_t> textures_known_;
-  std::vector<std::shared_ptr<const Mesh>> kept_;
-  std::vector<std::shared_ptr<const Picture>> pictures_;
 };
 
 void put_word(std::string& to, std::uint32_t word) {

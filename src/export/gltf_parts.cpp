@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstring>
 
+#include "export/fit.h"
+
 namespace betwixt::gltf {
 namespace {
 
@@ -128,6 +130,43 @@ Sampled sampled(const Channel& c, Time beginning) {
   cubic ? key(c.pieces.back().until, c.pieces.back().end, &arriving, &none)
         : key(c.pieces.back().until, c.pieces.back().end);
   return s;
+}
+
+void Timeline::animate(const Channel& c, Json target) { animate(sampled(c, beginning), c.width, std::move(target)); }
+
+void Timeline::animate(const Sampled& s, std::size_t width, Json target) {
+  const std::size_t input = buffer.floats(s.times, 1, Buffer::plain, true);
+  const std::size_t output = buffer.floats(s.values, width, Buffer::plain, false);
+  channels.push_back({{"sampler", samplers.size()}, {"target", std::move(target)}});
+  samplers.push_back({{"input", input}, {"output", output}, {"interpolation", s.way}});
+  ++made.channels;
+  made.keys += s.times.size(), made.baked += frames;
+}
+
+void Timeline::point(const std::string& pointer, const Channel& c) {
+  use("KHR_animation_pointer");
+  animate(c, {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}});
+}
+
+void Timeline::use(const char* extension) {
+  if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+}
+
+Json numbers(const std::array<double, 4>& v, std::size_t width) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < width; ++i) all.push_back(static_cast<float>(v[i]));
+  return all;
+}
+
+std::array<double, 4> within_one(std::array<double, 4> v) {
+  for (double& x : v) x = std::clamp(x, 0.0, 1.0);
+  return v;
+}
+
+std::vector<Time> keys_of(std::initializer_list<const Channel*> channels, Time from, Time until) {
+  std::vector<Time> all;
+  for (const Channel* c : channels) add_knots(*c, all);
+  return knots_between(std::move(all), from, until);
 }
 
 }  // namespace betwixt::gltf

@@ -6,12 +6,13 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "betwixt/keys.h"
+#include "betwixt/export.h"
 #include "export/json.h"
 
 namespace betwixt::gltf {
@@ -41,5 +42,26 @@ struct Sampled {
   std::vector<float> times, values;  // CUBICSPLINE: three values a key: how it comes, what it is, how it goes
 };
 Sampled sampled(const Channel&, Time beginning);
+
+// What varies of a file, and the numbers of all of it.
+struct Timeline {
+  Time beginning;
+  std::size_t frames = 1;  // of the film
+  Exported& made;          // counts its keys
+  Buffer buffer;
+  Json channels = Json::array(), samplers = Json::array();
+  std::vector<std::string> used = {};  // extensions
+
+  void animate(const Channel&, Json target);
+  void animate(const Sampled&, std::size_t width, Json target);
+  // By KHR_animation_pointer: "/materials/0/…".
+  void point(const std::string& pointer, const Channel&);
+  void use(const char* extension);
+};
+
+Json numbers(const std::array<double, 4>&, std::size_t width);
+std::array<double, 4> within_one(std::array<double, 4>);
+// Where channels have something new, and both ends.
+std::vector<Time> keys_of(std::initializer_list<const Channel*>, Time from, Time until);
 
 }  // namespace betwixt::gltf
