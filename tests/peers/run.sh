@@ -16,6 +16,13 @@ if ! cmp -s "$peers/package-lock.json" "$peers/node_modules/.installed"; then
     echo "0 passed, 0 failed"
     exit 0
   }
+  # It is a module, and does not say so: older node asks.
+  python3 - "$peers/node_modules/tinyusdz/package.json" <<'PY'
+import json, sys
+package = json.load(open(sys.argv[1]))
+package["type"] = "module"
+json.dump(package, open(sys.argv[1], "w"))
+PY
   cp "$peers/package-lock.json" "$peers/node_modules/.installed"
 fi
 passed=0 failed=0
