@@ -8,6 +8,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
   const timeupdate_every = 250;  // ms, as videos do
   const tries_again = 1000;      // ms, where drawing failed
   const speeds = [-2, -1, -0.5, 0.25, 0.5, 1, 1.5, 2, 4];
+  const script_query = 'script[type="text/betwixt"]';
   const files_query = 'script[type="application/json"][data-betwixt-files]';
 
   const text_of = (script) =>
@@ -372,7 +373,11 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     }
 
     // The text. Another one is another film at the same time; where it is wrong, the one before stays.
-    get script() { return this.#given_text ?? (this.#source ? this.#source.text : ""); }
+    get script() {
+      if (this.#given_text !== null) return this.#given_text;
+      const inline = this.#source || this.hasAttribute("src") ? null : this.querySelector(script_query);
+      return this.#source ? this.#source.text : inline ? text_of(inline) : "";
+    }
     set script(text) {
       this.#given_text = String(text);
       if (!this.#engine || !this.#source || this.#loading) {
@@ -416,7 +421,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       // What stands within is there when the page is.
       if (!this.hasAttribute("src") && this.#given_text === null && document.readyState === "loading")
         await new Promise((done) => document.addEventListener("DOMContentLoaded", done, { once: true, signal }));
-      const inline = this.querySelector('script[type="text/betwixt"]');
+      const inline = this.querySelector(script_query);
       const src = this.getAttribute("src");
       const here = { failed: [], base: folder_of(document.baseURI), name: "film.bx", url: "" };
       const held = { ...(src === null ? this.#inline_files() : {}), ...this.#given_files };
@@ -595,7 +600,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
 
     // ---- Time
 
-    get #frames() { return this.#film.lastFrame - this.#film.firstFrame + 1; }
+    get #frames() { return Math.max(1, Math.floor(this.#film.lastFrame - this.#film.firstFrame + 1 + 1e-6)); }
     get #last() { return (this.#frames - 1) / this.#film.fps; }
     // How many whole frames are behind a time.
     #frames_at(time) { return clamp(Math.floor(time * this.#film.fps + 1e-6), 0, this.#frames - 1); }
@@ -702,8 +707,8 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #measure(entry) {
       const box = entry.devicePixelContentBoxSize && entry.devicePixelContentBoxSize[0];
       const ratio = devicePixelRatio || 1;
-      this.#stage_size = box ? [box.inlineSize, box.blockSize]
-                             : [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
+      const size = box ? [box.inlineSize, box.blockSize] : [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
+      this.#stage_size = size.map(Math.round);
       this.#parts.stage.classList.toggle("narrow", entry.contentRect.width < 360);
       BetwixtPlayer.#wake(this);
     }
@@ -723,7 +728,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       const scale = Math.min(w / width, h / height);
       let fitted = [Math.round(width * scale), Math.round(height * scale)];
       if (Math.abs(w - fitted[0]) <= 1 && Math.abs(h - fitted[1]) <= 1) fitted = [w, h];
-      return fitted.map(Math.round);
+      return fitted;
     }
 
     #draw() {
@@ -739,8 +744,8 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       const width = Math.max(1, Math.floor(w * down)), height = Math.max(1, Math.floor(h * down));
       try {
         if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-        canvas.style.width = `${w / ratio}px`;
-        canvas.style.height = `${h / ratio}px`;
+        canvas.style.width = w === this.#stage_size[0] ? "100%" : `${w / ratio}px`;
+        canvas.style.height = h === this.#stage_size[1] ? "100%" : `${h / ratio}px`;
         film.draw(canvas, seconds);
         this.#drawn = { film, seconds, w, h, count: (drawn.count ?? 0) + 1 };
         if (this.#trouble) {

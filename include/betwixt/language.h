@@ -6,6 +6,7 @@
 // Room: language
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,8 @@ struct LoadOptions {
   // own) is not the host's: it happens as it stands.
   std::optional<Time> now = {};
   bool read_nothing = false;  // no files at all
+  // Told the real path of each file that is asked for and may be read, whether it is there or not; some more than once.
+  std::function<void(const std::string& path)> asked_for = {};
   bool tex = false;           // formulas are set by the programs latex and dvisvgm; else they are errors
   bool counts = false;        // a notice says of each command how many its pattern named, where that is more than one
 };

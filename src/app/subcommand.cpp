@@ -22,8 +22,8 @@ std::vector<std::function<Subcommand()>>& enlisted() {
   return all;
 }
 
-Status read_size(const std::string& text, PictureCall& to) {
-  if (const auto size = parse_size(text)) return to.size = size, Nothing{};
+Status read_size(const std::string& text, std::optional<std::pair<int, int>>& to) {
+  if (const auto size = parse_size(text)) return to = size, Nothing{};
   return fail(ErrorCode::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
 }
 
@@ -119,6 +119,14 @@ Parameter flag(const std::string& name, const std::string& sentence, bool& given
   return {.name = name, .sentence = sentence, .into = &given};
 }
 
+Parameter size_parameter(std::optional<std::pair<int, int>>& size, const std::string& sentence) {
+  return {.name = "--size",
+          .value = "WxH",
+          .sentence = sentence,
+          .into = ReadValue([&size](const std::string& text) { return read_size(text, size); }),
+          .words = {"320x180", "640x360", "960x540", "1280x720", "1920x1080", "3840x2160"}};
+}
+
 RenderOptions PictureCall::of(const Document& document) const {
   return options_for(document, otherwise, size, samples);
 }
@@ -127,7 +135,7 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
                                    const std::string& value) {
   PictureCall made = to;
   if (what == "size" && !value.empty())
-    if (Status s = read_size(value, made); !s) return s.error();
+    if (Status s = read_size(value, made.size); !s) return s.error();
   if (what == "style" && !value.empty()) {
     std::vector<std::string_view> names;
     for (const Style& s : styles()) names.push_back(s.name);
@@ -183,23 +191,19 @@ Parameter bits_parameter(int& bits) {
 std::vector<Parameter> picture_parameters(PictureCall& to) {
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);
-  return {
-      {.name = "--size",
-       .value = "WxH",
-       .sentence = fmt::format("pixels; the script's if not said, or {}x{}", to.otherwise.width, to.otherwise.height),
-       .into = ReadValue([&to](const std::string& text) { return read_size(text, to); }),
-       .words = {"320x180", "640x360", "960x540", "1280x720", "1920x1080", "3840x2160"}},
-      {.name = "--style",
-       .value = "STYLE",
-       .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.otherwise.style),
-       .into = &to.otherwise.style,
-       .words = names},
-      {.name = "--samples",
-       .value = "N",
-       .sentence = fmt::format("samples a pixel: {}; the script's if not said, or {}, traced {}", sample_counts(),
-                               to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
-       .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
-       .words = {"1", "4", "9", "16", "64", "256", "1024"}}};
+  return {size_parameter(to.size, fmt::format("pixels; the script's if not said, or {}x{}", to.otherwise.width,
+                                              to.otherwise.height)),
+          {.name = "--style",
+           .value = "STYLE",
+           .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.otherwise.style),
+           .into = &to.otherwise.style,
+           .words = names},
+          {.name = "--samples",
+           .value = "N",
+           .sentence = fmt::format("samples a pixel: {}; the script's if not said, or {}, traced {}", sample_counts(),
+                                   to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
+           .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
+           .words = {"1", "4", "9", "16", "64", "256", "1024"}}};
 }
 
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>> parts) {

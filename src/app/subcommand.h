@@ -93,6 +93,7 @@ Parameter file_option(const std::string& name, const std::string& value, const s
 Parameter option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
                  const std::string& excludes = {});
 Parameter flag(const std::string& name, const std::string& sentence, bool& given);
+Parameter size_parameter(std::optional<std::pair<int, int>>& size, const std::string& sentence);
 
 // What is asked for of pictures; the rest is the script's to say, then `otherwise`.
 struct PictureCall {

@@ -59,12 +59,12 @@ fs::path real_path(const fs::path& path, std::error_code& why) {
 
 bool Script::may_read(const fs::path& path) const {
   if (options.read_nothing) return false;
-  if (options.read_anywhere) return true;
   std::error_code why;
   const fs::path real = real_path(path, why);
-  if (why) return false;
-  const auto [end, _] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
-  return end == root.end();
+  const bool below = !why && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+  if (!below && !options.read_anywhere) return false;
+  if (options.asked_for) options.asked_for(why ? path.string() : real.string());
+  return true;
 }
 
 // The path as people know it: relative to the first script's folder.
@@ -194,7 +194,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
   fs::path where;
   if (!may_use(k, path, about, where)) return false;
-  const auto failed = [&](const Error& e) { return c.fail(e.code, e.message, about, e.hint); };
+  const auto failed = [&](const Error& e) { return k.cursor.fail(e.code, e.message, about, e.hint); };
   if (f == fn::file) {
     if (s.meshes->contains(path)) return true;
     auto mesh = load_mesh(where.string(), [&](const std::string& p) { return k.script.may_read(p); });

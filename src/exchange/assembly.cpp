@@ -215,11 +215,15 @@ Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, Shelf& s
   const std::string kind = ending(path);
   if (kind == "gltf" || kind == "glb") return load_gltf(path, shelf);
   if (kind == "ply") return load_ply(path, shelf);
+  {
+    const auto bytes = shelf.read(path);  // a missing file is told before an odd ending
+    if (!bytes) return bytes.error();
+    // Pages have as glTF, under its own name, what they could not read.
+    if (bytes->starts_with("glTF")) return load_gltf(path, shelf);
+  }
   // Of what assimp reads that which falls over broken files least.
   for (const char* known : {"obj", "stl", "dae", "fbx", "3ds"})
     if (kind == known) return load_by_assimp(path, shelf);
-  const auto bytes = shelf.read(path);  // a missing file is told before an odd ending
-  if (!bytes) return bytes.error();
   return fail(ErrorCode::file, fmt::format("{} is not a kind of mesh that can be read", path),
               "glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds can be");
 }

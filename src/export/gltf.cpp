@@ -9,6 +9,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "base/base64.h"
 #include "betwixt/picture.h"
 #include "betwixt/pose.h"
 #include "export/fit.h"
@@ -395,18 +396,6 @@ class Maker {
 
 void put_word(std::string& to, std::uint32_t word) {
   for (int i = 0; i < 4; ++i) to += static_cast<char>(word >> 8 * i & 255);
-}
-
-std::string base64(std::string_view bytes) {
-  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-  }
-  return out;
 }
 
 }  // namespace

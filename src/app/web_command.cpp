@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt web: a page that plays films, and in which they are edited.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/command.h"
+#include "app/player_file.h"
+#include "app/subcommand.h"
+#include "app/web_page.h"
+#include "base/files.h"
+#include "commands/plugins.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct WebCall {
+  std::vector<std::string> files;
+  std::string out, title;
+  std::optional<std::pair<int, int>> size;
+  bool no_edit = false, link = false, keep_old = false;
+};
+
+Status ready(const WebCall& call) {
+  if (const std::string end = ending(call.out); end != "html" && end != "htm")
+    return fail(ErrorCode::range, fmt::format("a page is a .html, not \"{}\"", call.out));
+  if (!plugins_loaded().empty())
+    return fail(ErrorCode::range, "a page loads no plug-ins: they are programs", "without --load");
+  std::error_code ignored;
+  for (const std::string& file : call.files)
+    if (fs::exists(file, ignored) && !fs::is_directory(file, ignored) && !fs::is_regular_file(file, ignored))
+      return fail(ErrorCode::file, fmt::format("'{}': only a file can stand in a page", file));
+  return check_place(call.out, !call.keep_old);
+}
+
+// One page has one file of each name.
+Status no_two_of_one_name(const std::vector<PageFilm>& films) {
+  PageFiles all;
+  for (const PageFilm& film : films)
+    for (const auto& [name, bytes] : film.files)
+      if (const auto [there, fresh] = all.try_emplace(name, bytes); !fresh && there->second != bytes)
+        return fail(ErrorCode::file, fmt::format("two films mean two different files by '{}'", name),
+                    "make a page of each, or put the films in one folder");
+  return Nothing{};
+}
+
+Status put_player(const fs::path& page, const std::string& player, bool overwrite) {
+  const std::string path = (page.parent_path() / "betwixt-player.js").string();
+  if (const auto there = read_contents(path); there.hindrance == Hindrance::none && there.text == player)
+    return Nothing{};
+  return write_whole(path, player, overwrite);
+}
+
+int web(const WebCall& call) {
+  if (const Status s = ready(call); !s) return complain(s.error(), wrong_call);
+  const auto player = read_player();
+  if (!player) return complain(player.error(), machine_failed);
+  std::vector<PageFilm> films;
+  std::size_t files = 0;
+  for (const std::string& file : call.files) {
+    auto film = film_for_page(file);
+    if (!film) return wrong_input;
+    if (!*film) return complain(film->error(), wrong_input);
+    films.push_back(**std::move(film));
+    files += films.back().files.size();
+  }
+  if (const Status s = no_two_of_one_name(films); !s) return complain(s.error(), wrong_input);
+  PageOptions options;
+  options.title = !call.title.empty() ? call.title
+                  : films.size() == 1 ? fs::path(films[0].name).stem().string()
+                                      : fs::path(call.out).stem().string();
+  options.size = call.size, options.edit = !call.no_edit;
+  if (!call.link) options.player = *player;
+  const std::string page = web_page(films, options);
+  if (const Status s = write_whole(call.out, page, !call.keep_old); !s) return complain(s.error(), wrong_call);
+  if (call.link)
+    if (const Status s = put_player(call.out, *player, !call.keep_old); !s) return complain(s.error(), wrong_call);
+  fmt::print(stderr, "{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
+             files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000), call.out);
+  return all_done;
+}
+
+const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
+  return {.rank = 18,
+          .name = "web",
+          .sentence = "makes a page that plays films in any browser, where they can be edited too",
+          .takes = {{.name = "FILE",
+                     .sentence = "the scripts, in the order in which they stand on the page",
+                     .into = &call.files,
+                     .required = true,
+                     .offer = Offer::scripts},
+                    output_parameter(call.out, "PAGE.html", "the page"),
+                    option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
+                    size_parameter(call.size, "how large the pictures are; else as wide as there is room"),
+                    flag("--no-edit", "the films alone, without their texts beside them", call.no_edit),
+                    flag("--link", "what plays lies beside the page as betwixt-player.js, for many pages", call.link),
+                    flag("--no-overwrite", "leave a page alone that is there already", call.keep_old)},
+          .note = "What plays is built when ./betwixt web is called for the first time.",
+          .example = "betwixt web examples/bounce.bx -o bounce.html",
+          .manual =
+              "The page is one file and needs no other: it plays offline, from a folder too. The script stands in "
+              "it as text, with the files that it uses. Whoever types in it changes the film at once."};
+});
+
+}  // namespace
+}  // namespace betwixt

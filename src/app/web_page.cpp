@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The page's words stand in web/page.html. Everything in it can be read; only files and the player are packed.
+#include "app/web_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "app/command.h"
+#include "app/markup.h"
+#include "app/player_file.h"
+#include "app/web_page_text.h"
+#include "base/base64.h"
+#include "base/files.h"
+#include "betwixt/language.h"
+#include "betwixt/program.h"
+#include "exchange/typefaces.h"
+#include "export/formats.h"
+#include "language/json.h"
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_looks = 60;                               // at a film, for its fonts
+constexpr std::string_view always_there = "DejaVu Sans";     // with every page
+constexpr std::size_t most_packed = std::size_t{256} << 20;  // bytes; no browser likes more
+
+// What the comment says that a script begins with, without the file's name in front.
+std::string first_comment(std::string_view text) {
+  std::string said;
+  while (text.starts_with("# ")) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(2, end - 2);
+    said += (said.empty() ? "" : " ") + std::string(line.substr(0, line.find_last_not_of("\r \t") + 1));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  const std::size_t word = said.find(' ');
+  if (word == said.npos || !std::string_view(said).substr(0, word).ends_with(".bx")) return said;
+  const std::size_t begin = said.find_first_not_of(" -:", word);
+  if (begin == said.npos) return {};
+  return said.substr(said.compare(begin, 3, "—") == 0 ? std::min(begin + 4, said.size()) : begin);
+}
+
+bool only_the_program_reads(const std::string& path) {
+  static constexpr std::string_view endings[] = {"stl", "dae", "fbx", "3ds", "bvh"};
+  return std::find(std::begin(endings), std::end(endings), ending(path)) != std::end(endings);
+}
+
+// The mesh of a file as glTF.
+Result<std::string> as_gltf(const std::string& script, const std::string& name) {
+  LoadOptions how = load_options();
+  how.asked_for = {};
+  const Loaded one = load_text("create it mesh file=" + json_text(name) + " color=white\n", script, how);
+  if (has_errors(one.diagnostics)) return one.diagnostics.front().what;
+  Exported made;
+  return make_glb(Program::compile(one.document), {}, made);
+}
+
+Status add(PageFiles& to, const std::string& script, const std::string& name, const fs::path& path) {
+  auto bytes = only_the_program_reads(name) ? as_gltf(script, name) : read_whole(path.string());
+  if (!bytes) return bytes.error();
+  to[name] = *std::move(bytes);
+  return Nothing{};
+}
+
+// Which a page has to bring along: those of all texts that are seen some time.
+void add_fonts(PageFiles& to, const Document& document) {
+  const Program program = Program::compile(document);
+  const auto [first, last] = document.range();
+  std::set<std::string> paths;
+  const auto look = [&](const std::shared_ptr<const Shape>& shape) {
+    if (!shape || shape->kind != Kind::text || shape->formula) return;
+    const Typeface face{*shape->font, shape->letters.weight, shape->letters.italic};
+    if (face == Typeface{std::string(always_there)} || !find_font(face.family)) return;
+    if (const FontFile file = font_file(face); file.index == 0 && !file.path.empty()) paths.insert(file.path);
+  };
+  const int count = last > first ? most_looks : 1;
+  for (int i = 0; i < count; ++i) {
+    const Time t{first.flicks + (last.flicks - first.flicks) / count * i};
+    for (const Item& item : program.frame(t).items) look(item.shape), look(item.toward);
+  }
+  for (const std::string& path : paths)
+    if (auto bytes = read_whole(path)) to["fonts/" + fs::path(path).filename().string()] = *std::move(bytes);
+}
+
+Status add_files(PageFiles& to, const std::string& script, const Document& document,
+                 const std::set<std::string>& asked) {
+  std::error_code ignored;
+  const fs::path real = fs::weakly_canonical(script, ignored), folder = real.parent_path();
+  const Scene& scene = document.scene();
+  std::size_t sum = 0;
+  for (const std::string& path : asked) {
+    if (path == real || !fs::is_regular_file(path, ignored)) continue;
+    const std::string name = fs::path(path).lexically_relative(folder).generic_string();
+    if (name.empty() || name == ".." || name.starts_with("../"))
+      return fail(ErrorCode::file, fmt::format("'{}' lies outside the folder of {}", path, script),
+                  "a page has the files that lie below its film; put it there");
+    if (scene.sounds->contains(name)) continue;  // pages are silent
+    if (only_the_program_reads(name) && !scene.meshes->contains(name))
+      return fail(ErrorCode::type, fmt::format("a page cannot read the scene '{}'", name),
+                  "scenes of glTF (.glb .gltf) and drawings (.svg) it can");
+    if (Status s = add(to, script, name, path); !s) return s;
+    if ((sum += to[name].size()) > most_packed)
+      return fail(ErrorCode::range, fmt::format("the files of {} are larger than {} MiB", script, most_packed >> 20));
+  }
+  return Nothing{};
+}
+
+std::string player_markup(const PageFilm& film, const PageOptions& options, bool alone) {
+  const auto [width, height] = options.size.value_or(film.size);
+  const std::string fixed = options.size ? fmt::format(" style=\"width: {}px; height: {}px\"", width, height) : "";
+  const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));
+  // What begins with a line's end loses it when a page is read, and so nothing else is lost.
+  return fmt::format(
+      "<betwixt-player controls loop{}{} width=\"{}\" height=\"{}\"{}>\n"
+      "<script type=\"text/betwixt\" data-name=\"{}\">\n{}</script>\n</betwixt-player>\n",
+      alone ? " autoplay" : "", fixed, width, height, alt, escaped(film.name), as_script_text(film.text));
+}
+
+std::string film_markup(const PageFilm& film, const PageOptions& options, bool alone) {
+  std::string out;
+  if (!alone) out += fmt::format("<h2>{}</h2>\n", escaped(fs::path(film.name).stem().string()));
+  if (!film.about.empty()) out += fmt::format("<p>{}</p>\n", escaped(film.about));
+  const std::string player = player_markup(film, options, alone);
+  return out + (options.edit ? "<betwixt-editor>\n" + player + "</betwixt-editor>\n" : player);
+}
+
+std::string files_markup(const PageFiles& files) {
+  if (files.empty()) return {};
+  std::string all;
+  for (const auto& [name, bytes] : files)
+    all += fmt::format("{}{}: \"{}\"", all.empty() ? "" : ",\n", json_text(name), base64(bytes));
+  return "<script type=\"application/json\" data-betwixt-files>\n{" + as_script_text(all) + "}</script>\n";
+}
+
+}  // namespace
+
+std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
+  std::set<std::string> asked;
+  load_options().asked_for = [&](const std::string& path) { asked.insert(path); };
+  const auto document = open_script(script);
+  load_options().asked_for = {};
+  if (!document) return std::nullopt;
+  if (!document->scene().formulas->empty())
+    return fail(ErrorCode::type, fmt::format("{} has formulas of TeX, which no page can set", script));
+  const auto text = read_whole(script);
+  if (!text) return text.error();
+  PageFilm film;
+  film.name = fs::path(script).filename().string();
+  film.text = *text + (text->ends_with('\n') ? "" : "\n");
+  film.about = first_comment(*text);
+  film.size = document->size().value_or(film.size);
+  if (Status s = add_files(film.files, script, *document, asked); !s) return s.error();
+  add_fonts(film.files, *document);
+  return film;
+}
+
+std::string web_page(const std::vector<PageFilm>& films, const PageOptions& options) {
+  const bool alone = films.size() == 1;
+  std::string all;
+  PageFiles files;
+  for (const PageFilm& film : films) {
+    all += film_markup(film, options, alone);
+    files.insert(film.files.begin(), film.files.end());
+  }
+  const std::string player = options.player.empty() ? "<script src=\"betwixt-player.js\"></script>"
+                                                    : "<script>\n" + options.player + "</script>";
+  return filled(page_html, {{"version", BETWIXT_VERSION},
+                            {"title", escaped(options.title)},
+                            {"css", page_css},
+                            {"class", options.edit ? "edited" : "alone"},
+                            {"films", std::move(all)},
+                            {"files", files_markup(files)},
+                            {"player", player}});
+}
+
+}  // namespace betwixt

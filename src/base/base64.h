@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Bytes as letters, for files that are text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace betwixt {
+
+std::string base64(std::string_view bytes);
+
+}  // namespace betwixt

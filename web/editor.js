@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// <betwixt-editor>: around a <betwixt-player>, the film's text beside its picture. Who types sees the film change; what
+// is wrong stands below with its caret, and the last good film goes on. docs/web.md says how it is used.
+if (globalThis.customElements && !customElements.get("betwixt-editor")) {
+  const longest_coloured = 200_000;  // characters; beyond, colours would come late
+
+  const as_html = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
+
+  // The pieces of a line that are told apart: texts, comments, colours, numbers with their units, keys, what opens it.
+  const pieces =
+    /("(?:[^"\\]|\\.)*"?)|(#(?=\s|$).*)|(#(?:[0-9a-f]{6}|[0-9a-f]{3})\b)|((?<![\w.])[+-]?(?:\d+\.?\d*|\.\d+)(?:[a-z°%]+)?)|([A-Za-z][\w-]*)(?==)|([A-Za-z_][\w/*{}.-]*)/gi;
+  const coloured_line = (line, bad) => {
+    let out = "", at = 0;
+    for (const piece of line.matchAll(pieces)) {
+      const [word, text, comment, colour, number, key, name] = piece;
+      const opens = name && piece.index === 0;
+      const kind = text ? "t" : comment ? "c" : colour || number ? "n" : key ? "k" : opens ? (name.includes(".") ? "s" : "v") : "";
+      out += as_html(line.slice(at, piece.index));
+      const style = colour ? ` style="text-decoration-color:${colour}"` : "";
+      out += kind ? `<i class="${kind}${colour ? " h" : ""}"${style}>${as_html(word)}</i>` : as_html(word);
+      at = piece.index + word.length;
+    }
+    out += as_html(line.slice(at));
+    return bad ? `<i class="bad">${out || " "}</i>` : out;
+  };
+
+  // Columns count characters, texts of JavaScript half of some.
+  const utf16_column = (line, column) => [...line].slice(0, column - 1).join("").length;
+
+  const shadow = `<style>
+:host { display: block; container-type: inline-size; color: CanvasText;
+  font: var(--betwixt-font, 14px/1.5 system-ui, sans-serif);
+  --edge: color-mix(in srgb, CanvasText 16%, Canvas); --quiet: color-mix(in srgb, CanvasText 62%, Canvas);
+  --paper: color-mix(in srgb, CanvasText 3%, Canvas); --wrong: color-mix(in srgb, #d9261c 78%, CanvasText); }
+:host([hidden]) { display: none; }
+.both { display: grid; gap: 1rem; align-items: start; }
+@container (min-width: 46rem) { .both { grid-template-columns: minmax(0, 1.25fr) minmax(0, 1fr); }
+  .picture { position: sticky; top: 1rem; } }
+.side { min-width: 0; border: 1px solid var(--edge); border-radius: 8px; background: var(--paper); overflow: hidden; }
+.side:has(textarea:focus-visible) { border-color: color-mix(in srgb, Highlight 70%, CanvasText); }
+.bar { display: flex; align-items: center; gap: 0.25rem; padding: 0.3rem 0.4rem 0.3rem 0.9rem;
+  border-bottom: 1px solid var(--edge); }
+.name { flex: 1; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; color: var(--quiet); }
+.bar button { font: inherit; color: inherit; background: none; border: 1px solid transparent; border-radius: 5px;
+  padding: 0.1rem 0.55rem; cursor: pointer; }
+.bar button:hover:enabled { background: color-mix(in srgb, CanvasText 9%, Canvas); }
+.bar button:disabled { color: var(--quiet); opacity: 0.5; cursor: default; }
+button:focus-visible { outline: 2px solid Highlight; outline-offset: -1px; }
+.text { display: grid; grid-template-columns: auto 1fr; overflow: auto; min-height: 6rem;
+  max-height: var(--betwixt-text-height, 70vh); font: 13px/1.55 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace;
+  tab-size: 4; }
+.lines { position: sticky; left: 0; z-index: 1; padding: 0.6rem 0.6rem 0.6rem 0.9rem; text-align: right; white-space: pre;
+  color: var(--quiet); opacity: 0.7; background: var(--paper); user-select: none; -webkit-user-select: none; }
+.area { display: grid; min-width: 0; }
+.area > * { grid-area: 1 / 1; font: inherit; margin: 0; padding: 0.6rem 1rem 0.6rem 0.3rem; white-space: pre; border: 0;
+  letter-spacing: inherit; tab-size: inherit; }
+.colours { pointer-events: none; min-width: max-content; }
+textarea { resize: none; overflow: hidden; background: none; color: transparent; caret-color: CanvasText; outline: none;
+  width: 100%; box-sizing: border-box; }
+.plain textarea { color: inherit; }
+.plain .colours { visibility: hidden; }
+textarea::selection { background: color-mix(in srgb, Highlight 45%, transparent); }
+i { font-style: normal; }
+.c { color: var(--quiet); font-style: italic; }
+.t { color: light-dark(#1d6b39, #93d8a5); }
+.n { color: light-dark(#94480a, #f0b673); }
+.h { text-decoration: underline 3px; text-underline-offset: 2px; }
+.k { color: light-dark(#5d4a9c, #c1b2f2); }
+.v { color: light-dark(#0b5394, #8fc3f5); font-weight: 600; }
+.s { color: light-dark(#0b5394, #8fc3f5); }
+.bad { text-decoration: underline wavy 1px var(--wrong); text-underline-offset: 3px; }
+.said { border-top: 1px solid var(--edge); max-height: 16rem; overflow: auto; }
+.said:empty { display: none; }
+.said button { display: block; width: 100%; box-sizing: border-box; text-align: left; font: inherit; color: inherit;
+  background: none; border: 0; border-bottom: 1px solid var(--edge); padding: 0.5rem 0.9rem; cursor: pointer; }
+.said button:last-child { border-bottom: 0; }
+.said button:hover { background: color-mix(in srgb, CanvasText 6%, Canvas); }
+.said b { color: var(--wrong); font-weight: 600; }
+.said .warning b, .said .notice b { color: light-dark(#8a5a00, #e8b04b); }
+.said code { display: block; white-space: pre; overflow: auto; margin: 0.25rem 0; font: 12.5px/1.4 ui-monospace, monospace; }
+.said code i { color: var(--wrong); font-weight: 700; }
+.said small { display: block; font-size: inherit; color: var(--quiet); }
+.how { padding: 0.25rem 0.9rem; margin: 0; color: var(--quiet); font-size: 12px; border-top: 1px solid var(--edge);
+  display: none; }
+.side:has(textarea:focus) .how { display: block; }
+.heard { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+</style>
+<div class="both" part="both">
+<div class="picture" part="picture"><slot></slot></div>
+<div class="side" part="text">
+<div class="bar"><span class="name"></span>
+<button type="button" data-do="revert" title="The text as it was at first; undo brings yours back" disabled>As it was</button>
+<button type="button" data-do="copy" title="The text to the clipboard">Copy</button>
+<button type="button" data-do="save" title="The text as a file (Ctrl-S)">Save</button></div>
+<div class="text"><div class="lines" aria-hidden="true"></div>
+<div class="area"><pre class="colours" aria-hidden="true"></pre>
+<textarea spellcheck="false" autocapitalize="off" autocomplete="off" autocorrect="off" wrap="off" aria-describedby="how"
+></textarea></div></div>
+<div class="said" part="said"></div>
+<p class="how" id="how">Ctrl-Enter plays. Tab indents; Escape, then Tab leaves the text.</p>
+<span class="heard" role="status"></span>
+</div></div>`;
+
+  class BetwixtEditor extends HTMLElement {
+    #root;
+    #parts;
+    #player = null;
+    #first = null;      // the text as it was
+    #due = 0;
+    #leaves = false;    // Escape was the last key
+    #wrong = new Set(); // lines
+    #hears = new AbortController();
+
+    constructor() {
+      super();
+      this.#root = this.attachShadow({ mode: "open" });
+      this.#root.innerHTML = shadow;
+      const part = (name) => this.#root.querySelector(name);
+      this.#parts = { name: part(".name"), area: part(".area"), lines: part(".lines"), colours: part(".colours"),
+                      text: part("textarea"), said: part(".said"), heard: part(".heard"), slot: part("slot") };
+      const { text, slot } = this.#parts;
+      for (const button of this.#root.querySelectorAll("[data-do]"))
+        button.addEventListener("click", () => this.#act(button));
+      text.addEventListener("input", () => this.#changed());
+      text.addEventListener("keydown", (event) => this.#key(event));
+      text.addEventListener("blur", () => (this.#leaves = false));
+      slot.addEventListener("slotchange", () => this.#find_player());
+    }
+
+    connectedCallback() {
+      // What stands within is there when the page is.
+      if (document.readyState === "loading")
+        document.addEventListener("DOMContentLoaded", () => this.#find_player(), { once: true });
+      this.#find_player();
+    }
+
+    get player() { return this.#player; }
+    get text() { return this.#parts.text.value; }
+    set text(text) {
+      this.#parts.text.value = text;
+      this.#changed();
+    }
+
+    #find_player() {
+      const player = this.querySelector("betwixt-player");
+      if (player !== this.#player) {
+        this.#hears.abort();
+        this.#hears = new AbortController();
+        this.#player = player;
+        this.#first = null;
+        player?.setAttribute("editing", "");
+        player?.addEventListener("diagnostics", (event) => this.#say(event.detail.diagnostics), this.#hears);
+        player?.addEventListener("error", () => this.#take_text(), this.#hears);
+      }
+      this.#take_text();
+    }
+
+    // The player's, as long as nobody has typed.
+    #take_text() {
+      const { text, name } = this.#parts, script = this.#player?.script ?? "";
+      if (this.#first !== null || !script) return;
+      this.#first = text.value = script;
+      name.textContent = this.#name();
+      text.setAttribute("aria-label", `The film's text, ${this.#name()}`);
+      this.#colour();
+    }
+    #name() {
+      const inline = this.#player?.querySelector("script[data-name]")?.dataset.name;
+      return inline ?? (this.#player?.currentSrc.split("/").pop() || "film.bx");
+    }
+
+    // At most once a frame: more is not seen.
+    #changed() {
+      this.#colour();
+      this.#root.querySelector("[data-do=revert]").disabled = this.text === this.#first;
+      this.#due ||= requestAnimationFrame(() => {
+        this.#due = 0;
+        if (this.#player) this.#player.script = this.text;
+      });
+    }
+
+    #colour() {
+      const { text, area, lines, colours } = this.#parts, all = text.value.split("\n");
+      const plain = text.value.length > longest_coloured;
+      area.classList.toggle("plain", plain);
+      // The last line has its height only where something follows it.
+      if (plain) colours.textContent = text.value + "\n ";
+      else colours.innerHTML = all.map((line, i) => coloured_line(line, this.#wrong.has(i + 1))).join("\n") + " ";
+      if (lines.dataset.count !== String(all.length)) {
+        lines.dataset.count = all.length;
+        lines.textContent = all.map((_, i) => i + 1).join("\n");
+      }
+    }
+
+    #say(diagnostics) {
+      this.#take_text();
+      const { said, heard } = this.#parts;
+      const told = diagnostics.filter((d) => d.severity !== "notice");
+      const wrong = told.filter((d) => d.severity === "error");
+      this.#wrong = new Set(wrong.filter((d) => this.#is_here(d)).map((d) => d.line));
+      said.replaceChildren(...told.slice(0, 50).map((d) => this.#item(d)));
+      heard.textContent = wrong.length ? `Line ${wrong[0].line}: ${wrong[0].text}` : "";
+      this.#colour();
+    }
+    #is_here(d) { return !d.file || d.file.split("/").pop() === this.#name(); }
+
+    #item(d) {
+      const item = document.createElement("button");
+      item.type = "button";
+      item.className = d.severity;
+      const add = (tag, text) => {
+        const made = document.createElement(tag);
+        made.textContent = text;
+        item.append(made);
+        return made;
+      };
+      const here = this.#is_here(d);
+      if (d.line) add("b", `${here ? "line" : `${d.file},`} ${d.line}: `);
+      item.append(d.text);
+      if (d.line && d.source) {
+        // What stands before the caret keeps its tabs, so that the caret is below its place.
+        const before = [...d.source].slice(0, d.column - 1).map((c) => (c === "\t" ? c : " ")).join("");
+        const code = add("code", `${d.source}\n${before}`);
+        code.append(Object.assign(document.createElement("i"), { textContent: "^" }));
+      }
+      if (d.hint) add("small", d.hint);
+      if (here && d.line) item.addEventListener("click", () => this.go(d.line, d.column));
+      return item;
+    }
+
+    // Puts the cursor there; lines and columns begin at 1.
+    go(line, column = 1) {
+      const { text } = this.#parts, all = text.value.split("\n");
+      const before = all.slice(0, line - 1).reduce((sum, l) => sum + l.length + 1, 0);
+      const at = Math.min(before + utf16_column(all[line - 1] ?? "", column), text.value.length);
+      text.focus({ preventScroll: true });
+      text.setSelectionRange(at, at);
+      const scroller = text.closest(".text"), height = parseFloat(getComputedStyle(text).lineHeight) || 20;
+      const top = (line - 1) * height;
+      if (top < scroller.scrollTop || top > scroller.scrollTop + scroller.clientHeight - 3 * height)
+        scroller.scrollTop = top - scroller.clientHeight / 3;
+      scroller.scrollLeft = 0;
+      if (scroller.getBoundingClientRect().top < 0) scroller.scrollIntoView({ block: "nearest" });
+    }
+
+    // As if it had been typed: the browser's undo takes it back.
+    #type(words) {
+      if (!document.execCommand("insertText", false, words)) {
+        const { text } = this.#parts;
+        text.setRangeText(words, text.selectionStart, text.selectionEnd, "end");
+        this.#changed();
+      }
+    }
+
+    #key(event) {
+      const { key } = event, ctrl = event.ctrlKey || event.metaKey;
+      if (ctrl && key === "s") {
+        event.preventDefault();
+        this.#save();
+      } else if (ctrl && key === "Enter") {
+        event.preventDefault();
+        if (this.#player?.paused) this.#player.play().catch(() => {});
+        else this.#player?.pause();
+      } else if (key === "Tab" && !this.#leaves && !ctrl && !event.altKey && !event.shiftKey) {
+        event.preventDefault();
+        this.#type("  ");
+      } else if (key === "Enter" && !event.isComposing && !event.shiftKey) {
+        const { text } = this.#parts, from = text.value.lastIndexOf("\n", text.selectionStart - 1) + 1;
+        const indent = text.value.slice(from, text.selectionStart).match(/^[ \t]*/)[0];
+        if (indent) {
+          event.preventDefault();
+          this.#type("\n" + indent);
+        }
+      }
+      this.#leaves = key === "Escape" || (this.#leaves && key === "Shift");
+    }
+
+    #act(button) {
+      if (button.dataset.do === "save") this.#save();
+      if (button.dataset.do === "copy") this.#copy(button);
+      if (button.dataset.do === "revert") {
+        const { text } = this.#parts;
+        text.focus();
+        text.select();
+        this.#type(this.#first);
+      }
+    }
+
+    #save() {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(new Blob([this.text], { type: "text/plain;charset=utf-8" }));
+      link.download = this.#name();
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    }
+
+    async #copy(button) {
+      try {
+        await navigator.clipboard.writeText(this.text);
+      } catch {
+        this.#parts.text.select();
+        document.execCommand("copy");
+      }
+      button.textContent = "Copied";
+      setTimeout(() => (button.textContent = "Copy"), 1500);
+    }
+  }
+
+  globalThis.Betwixt = globalThis.Betwixt ?? {};
+  Betwixt.Editor = BetwixtEditor;
+  customElements.define("betwixt-editor", BetwixtEditor);
+}
