@@ -166,15 +166,17 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         if (one.isIntersecting) one.target.#comes_near();
     }, { rootMargin: "100% 25%" });
     static #sizes = new ResizeObserver((all) => {
-      for (const one of all) one.target.getRootNode().host.#measure(one);
+      for (const one of all) one.target.getRootNode().host.#measure(one.contentRect);
     });
-    static #observe_size(stage) {
-      try {
-        this.#sizes.observe(stage, { box: "device-pixel-content-box" });
-      } catch {
-        this.#sizes.observe(stage);
-      }
+    // Another screen, or another zoom: pixels are as many as before on the page, not on the screen.
+    static #all = new Set();
+    static #watch_pixels() {
+      matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
+        for (const player of this.#all) this.#wake(player);
+        this.#watch_pixels();
+      }, { once: true });
     }
+    static { this.#watch_pixels(); }
 
     // ---- What one is
 
@@ -203,7 +205,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #updated = 0;
     #promises = [];
     #posing = true;       // the poster stands, until it is played or sought
-    #stage_size = [0, 0]; // in device pixels
+    #stage_size = [0, 0]; // in pixels of the page
     #drawn = {};
     #trouble = "";        // drawing
     #retry = 0;
@@ -227,7 +229,8 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     connectedCallback() {
       BetwixtPlayer.#seen.observe(this);
       BetwixtPlayer.#near.observe(this);
-      BetwixtPlayer.#observe_size(this.#parts.stage);
+      BetwixtPlayer.#sizes.observe(this.#parts.stage);
+      BetwixtPlayer.#all.add(this);
       this.#show_attributes();
       if (this.loading === "eager") this.#comes_near();
     }
@@ -239,6 +242,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         BetwixtPlayer.#seen.unobserve(this);
         BetwixtPlayer.#near.unobserve(this);
         BetwixtPlayer.#sizes.unobserve(this.#parts.stage);
+        BetwixtPlayer.#all.delete(this);
         BetwixtPlayer.#awake.delete(this);
         this.#visible = false;
         this.pause();
@@ -704,12 +708,9 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       BetwixtPlayer.#wake(this);
     }
 
-    #measure(entry) {
-      const box = entry.devicePixelContentBoxSize && entry.devicePixelContentBoxSize[0];
-      const ratio = devicePixelRatio || 1;
-      const size = box ? [box.inlineSize, box.blockSize] : [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
-      this.#stage_size = size.map(Math.round);
-      this.#parts.stage.classList.toggle("narrow", entry.contentRect.width < 360);
+    #measure({ width, height }) {
+      this.#stage_size = [width, height];
+      this.#parts.stage.classList.toggle("narrow", width < 360);
       BetwixtPlayer.#wake(this);
     }
 
@@ -723,35 +724,28 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     }
 
     // As large as fits, in whole pixels of the screen.
-    #fit() {
-      const { width, height } = this.#film, [w, h] = this.#stage_size;
-      const scale = Math.min(w / width, h / height);
-      let fitted = [Math.round(width * scale), Math.round(height * scale)];
-      if (Math.abs(w - fitted[0]) <= 1 && Math.abs(h - fitted[1]) <= 1) fitted = [w, h];
-      return fitted;
-    }
-
     #draw() {
-      const [w, h] = this.#fit();
+      const { canvas } = this.#parts, film = this.#film, drawn = this.#drawn, ratio = devicePixelRatio || 1;
+      const [w, h] = this.#stage_size.map((side) => Math.round(side * ratio));
       if (w < 1 || h < 1) return;
+      const scale = Math.min(w / film.width, h / film.height);
+      const [wide, high] = [Math.round(film.width * scale), Math.round(film.height * scale)];
+      const fills = w - wide <= 1 && h - high <= 1;
+      const down = Math.min(1, longest_side / Math.max(w, h));
+      const width = Math.max(1, Math.floor((fills ? w : wide) * down));
+      const height = Math.max(1, Math.floor((fills ? h : high) * down));
       const time = Math.min(this.#time, this.#last);
-      const shown = this.stepped ? this.#frames_at(time) / this.#film.fps : time;
-      const seconds = this.#film.start + shown;
-      const { film, drawn } = { film: this.#film, drawn: this.#drawn };
-      if (drawn.film === film && drawn.seconds === seconds && drawn.w === w && drawn.h === h) return;
-      const { canvas } = this.#parts;
-      const down = Math.min(1, longest_side / Math.max(w, h)), ratio = devicePixelRatio || 1;
-      const width = Math.max(1, Math.floor(w * down)), height = Math.max(1, Math.floor(h * down));
+      const seconds = film.start + (this.stepped ? this.#frames_at(time) / film.fps : time);
+      if (drawn.film === film && drawn.seconds === seconds && drawn.width === width && drawn.height === height) return;
       try {
         if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-        canvas.style.width = w === this.#stage_size[0] ? "100%" : `${w / ratio}px`;
-        canvas.style.height = h === this.#stage_size[1] ? "100%" : `${h / ratio}px`;
+        canvas.style.width = fills ? "100%" : `${wide / ratio}px`;
+        canvas.style.height = fills ? "100%" : `${high / ratio}px`;
         film.draw(canvas, seconds);
-        this.#drawn = { film, seconds, w, h, count: (drawn.count ?? 0) + 1 };
-        if (this.#trouble) {
-          this.#trouble = "";
-          this.#show();
-        }
+        this.#drawn = { film, seconds, width, height, count: (drawn.count ?? 0) + 1 };
+        if (!this.#trouble) return;
+        this.#trouble = "";
+        this.#show();
       } catch (error) {
         this.#cannot_draw(error);
       }

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What a test of pages counts: check(what, whether) and same(what, is, wanted); done() says how many there were.
+import sys
+
+passed = failed = 0
+
+
+def check(what, good, found=""):
+    global passed, failed
+    passed, failed = passed + bool(good), failed + (not good)
+    if not good:
+        print(f"FAILED {what}{': ' if found != '' else ''}{found}")
+    return good
+
+
+def same(what, found, wanted):
+    return check(what, found == wanted, f"{found!r} instead of {wanted!r}")
+
+
+def done():
+    print(f"{passed} passed, {failed} failed")
+    sys.exit(failed > 0)
