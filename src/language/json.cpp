@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/json.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "base/utf8.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -19,30 +14,6 @@ std::string list(const std::vector<double>& numbers) {
 }
 
 }  // namespace
-
-std::string json_text(std::string_view s) {
-  std::string out = "\"";
-  for (std::size_t i = 0; i < s.size();) {
-    const std::size_t n = character_length(s, i);
-    const char c = s[i];
-    if (n == 0)
-      out += "\uFFFD";
-    else if (n > 1)
-      out += s.substr(i, n);
-    else if (c == '"' || c == '\\')
-      out += '\\', out += c;
-    else if (c == '\n')
-      out += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-    i += n == 0 ? 1 : n;
-  }
-  return out + "\"";
-}
-
-std::string json_number(double n) { return std::isfinite(n) ? write_number(n) : "null"; }
 
 std::string json(const Value& r, const Target& target, const Document& d) {
   if (const auto* n = std::get_if<double>(&r)) return json_number(*n);

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/utf8.h"
+
+namespace betwixt {
+
+std::string json_text(std::string_view s) {
+  std::string out = "\"";
+  for (std::size_t i = 0; i < s.size();) {
+    const std::size_t n = character_length(s, i);
+    const char c = s[i];
+    if (n == 0)
+      out += "\uFFFD";
+    else if (n > 1)
+      out += s.substr(i, n);
+    else if (c == '"' || c == '\\')
+      out += '\\', out += c;
+    else if (c == '\n')
+      out += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+    i += n == 0 ? 1 : n;
+  }
+  return out + "\"";
+}
+
+std::string json_number(double n) { return std::isfinite(n) ? fmt::format("{}", n == 0 ? 0.0 : n) : "null"; }
+
+}  // namespace betwixt

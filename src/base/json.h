@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Texts and numbers as JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace betwixt {
+
+// In double quotes. What is not UTF-8 becomes the replacement character, so that the answer can always be read.
+std::string json_text(std::string_view);
+std::string json_number(double);  // JSON knows no numbers beyond all numbers: those are null
+
+}  // namespace betwixt
