@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A page that teaches one motion: what it does, factor by factor, and what the methods cost and lose.
+// A page that teaches motions: one to begin with, which is edited there.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,16 @@
 
 namespace betwixt {
 
+inline constexpr std::int64_t most_lesson_steps = 2'000;
+
 struct LessonOptions {
-  std::int64_t steps = 60;   // for the counts
+  std::int64_t steps = 60;   // of the methods
   std::vector<Vec3> points;  // shown beside the figure
 };
 
-// One HTML file that needs nothing else; written whole or not at all. Errors: those of `check`; type (a motion that
-// leaves the plane); range (a path that does not end in .html or .htm; steps below 1; more factors, points or larger
-// numbers than a page can show); file, machine.
+// One HTML file that needs nothing else, the engine in it; written whole or not at all. Errors: those of `check`; range
+// (a path that does not end in .html or .htm; steps below 1 or too many; more factors, points or larger numbers than a
+// page can show); file; machine (the engine for pages is not here).
 Status write_lesson(const std::string& path, const Motion&, const LessonOptions&);
 
 }  // namespace betwixt
