@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ struct LoadOptions {
   std::function<void(const std::string& path)> asked_for = {};
   bool tex = false;           // formulas are set by the programs latex and dvisvgm; else they are errors
   bool counts = false;        // a notice says of each command how many its pattern named, where that is more than one
+  // What a script that is used (its real path) says by now, where somebody is writing it; none: what is in the file.
+  std::function<std::optional<std::string>(const std::string& path)> written = {};
 };
 
 // Loads a plug-in (include/betwixt/plugin.h) for good: from now on its twerpers, filters, commands and functions are

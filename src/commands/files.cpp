@@ -127,7 +127,8 @@ bool use(Command& k) {
   if (script.included >= most_included)
     return c.fail(ErrorCode::file, fmt::format("more than {} files are included", most_included), about);
   ++script.included;
-  auto text = contents(path, false);
+  const auto written = script.options.written ? script.options.written(real.string()) : std::nullopt;
+  auto text = written ? Result(*written) : contents(path, false);
   if (!text) return c.fail(text.error().code, text.error().message, about);
   script.open_files.push_back(real);
   const std::size_t said = script.diagnostics.size();

@@ -13,8 +13,7 @@ namespace betwixt {
 namespace {
 
 template <class Read>
-Loaded load(const LoadOptions& options, Read&& read) {
-  Scene scene;
+Loaded load(const LoadOptions& options, Read&& read, Scene scene = {}) {
   Diagnostics diagnostics;
   Script script(scene, diagnostics, options);
   read(scene, script);
@@ -30,6 +29,15 @@ Loaded load_file(const std::string& path, const LoadOptions& options) {
 
 Loaded load_text(std::string_view text, const std::string& name, const LoadOptions& options) {
   return load(options, [&](Scene& s, Script& script) { read_text(s, script, text, name); });
+}
+
+Loaded load_text_again(std::string_view text, const std::string& name, const LoadOptions& options,
+                       const Document& before) {
+  Scene scene;
+  const Scene& was = before.scene();
+  scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
+  return load(
+      options, [&](Scene& s, Script& script) { read_text(s, script, text, name); }, std::move(scene));
 }
 
 namespace {

@@ -17,6 +17,10 @@ namespace betwixt {
 void read_file(Scene&, Script&, const std::string& path);
 void read_text(Scene&, Script&, std::string_view text, const std::string& name);
 
+// load_text of a text that somebody is writing: meshes, pictures and sounds that the film before named too are as they
+// were when they were read for that.
+Loaded load_text_again(std::string_view text, const std::string& name, const LoadOptions&, const Document& before);
+
 // One logical line of a live author: a command, or a row of the sheet that an earlier one left open.
 void read_line(Scene&, Script&, std::string_view line, const std::string& name);
 

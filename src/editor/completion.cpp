@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the last word of a line can become.
-#include <algorithm>
-#include <filesystem>
+#include "editor/completion.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/command.h"
 #include "commands/verbs.h"
 #include "editor/help.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
+#include "language/line_words.h"
 #include "scene/colors.h"
 #include "scene/names.h"
 #include "track/filter.h"
@@ -150,9 +155,9 @@ void filters(const Scene& s, Words& all) {
   own_words(s, Role::filter, all);
 }
 
-void files(Words& all) {
+void files(const std::filesystem::path& folder, Words& all) {
   std::error_code why;
-  for (const auto& e : std::filesystem::directory_iterator(".", why)) all.push_back(e.path().filename().string());
+  for (const auto& e : std::filesystem::directory_iterator(folder, why)) all.push_back(e.path().filename().string());
 }
 
 void objects_of(const Scene& s, Kind kind, Words& all) {
@@ -232,10 +237,10 @@ void parameters(const Document& d, const Begun& b, Words& all) {
 }
 
 // The word that a command, or a word of the shell, begins with.
-void first_words(const Begun& b, Words& all) {
+void first_words(const Begun& b, bool in_shell, Words& all) {
   const unsigned wanted = (b.timed ? Verb::timed : 0u) | (b.layered && !b.timed ? Verb::layered : 0u);
   for (const std::string_view w : verb_words(wanted)) all.emplace_back(w);
-  if (b.timed || b.layered) return;
+  if (b.timed || b.layered || !in_shell) return;
   for (const HelpEntry& e : help_entries())
     if (e.group == HelpGroup::shell) all.emplace_back(e.word);
 }
@@ -251,7 +256,7 @@ bool takes_color(const Begun& b) {
 }
 
 // Whether the verb's words are said by it alone; else names of objects may stand there too.
-bool by_verb(const Document& d, const Begun& b, const Session::Doors& doors, Words& all) {
+bool by_verb(const Document& d, const Begun& b, const LineAround& around, Words& all) {
   const Scene& s = d.scene();
   const std::size_t before = all.size();
   for (const Following& f : following)
@@ -265,9 +270,9 @@ bool by_verb(const Document& d, const Begun& b, const Session::Doors& doors, Wor
   if (b.verb == "twerper" && b.place() == 1) ways(s, Type::vector, all), all.emplace_back("none");
   if (b.verb == "look" && b.place() == 1) objects_of(s, Kind::camera, all);
   if (b.verb == "on" && b.place() == 0) objects_of(s, Kind::layer, all);
-  if (b.verb == "style") all.insert(all.end(), doors.styles.begin(), doors.styles.end());
+  if (b.verb == "style") all.insert(all.end(), around.styles.begin(), around.styles.end());
   if (b.verb == "help") words_of_help(all);
-  if (b.verb == "save" || b.verb == "open" || b.verb == "use" || b.verb == "load") files(all);
+  if (b.verb == "save" || b.verb == "open" || b.verb == "use" || b.verb == "load") files(around.folder, all);
   parameters(d, b, all);
   return all.size() > before || (b.verb == "create" && b.place() < 2);
 }
@@ -281,20 +286,20 @@ bool nothing_known(const Begun& b) {
          std::find(std::begin(of_numbers), std::end(of_numbers), b.verb) != std::end(of_numbers);
 }
 
-void offered(const Document& d, const Begun& b, const std::string& sheet, const Session::Doors& doors, Words& all) {
+void offered(const Document& d, const Begun& b, const LineAround& around, Words& all) {
   if (!b.key.empty()) return behind_key(d, b, all);
   if (b.in_list && b.words.empty()) {
     for (const HelpEntry& e : help_entries())
       if (e.group == HelpGroup::row) all.emplace_back(e.word);
     return;
   }
-  if (b.row && !b.in_list && !b.words.empty()) return event_words(d, sheet, b.words.size() == 1, all);
+  if (b.row && !b.in_list && !b.words.empty()) return event_words(d, around.sheet, b.words.size() == 1, all);
   if (nothing_known(b)) return;
-  if (b.words.empty()) first_words(b, all);
+  if (b.words.empty()) first_words(b, around.in_shell, all);
   const bool target = b.verb.find('.') != std::string::npos;
   if (b.timed && target) return event_words(d, b.verb, b.words.size() == 1, all);
   if (b.verb == "set" && b.place() >= 1) return event_words(d, b.words[1], b.place() == 1, all);
-  if (by_verb(d, b, doors, all)) return;
+  if (by_verb(d, b, around, all)) return;
   for (const std::string& name : d.names()) all.push_back(name);
 }
 
@@ -308,32 +313,43 @@ void take_off(Begun& b) {
 
 }  // namespace
 
-std::vector<std::string> Session::complete(std::string_view line) const {
-  Begun b;
+std::size_t begun_word(std::string_view line) {
   const std::size_t blank_at = line.find_last_of(" \t,(=");
-  b.last = blank_at == std::string_view::npos ? line : line.substr(blank_at + 1);
+  return blank_at == std::string_view::npos ? 0 : blank_at + 1;
+}
+
+std::vector<std::string> completions(std::string_view line, const Document& d, const LineAround& around) {
+  Begun b;
+  b.last = line.substr(begun_word(line));
   const std::string_view before = line.substr(0, line.size() - b.last.size());
   b.words = whole_words(before);
   if (before.ends_with('=') && !b.words.empty()) {
     b.key = b.words.back().substr(0, b.words.back().size() - 1);
     b.words.pop_back();
   }
-  const auto& sheet = state_->editor.now().script.left;
-  b.row = sheet && !line.empty() && (indented(line) || starts_like_time(line[0]));
-  b.in_list = b.row && !sheet->sheet.list.empty();
+  // At a shell a row need not be indented.
+  b.row = around.sheet_open && !line.empty() && (indented(line) || (around.in_shell && starts_like_time(line[0])));
+  b.in_list = b.row && around.list;
   if (!b.row) take_off(b);
   if (!b.words.empty()) b.verb = b.words[0];
   static constexpr std::string_view askers[] = {"eval", "plot", "describe"};
   const bool asking = std::find(std::begin(askers), std::end(askers), b.verb) != std::end(askers);
   Words all;
   if (b.last.find('.') != std::string_view::npos)
-    parts_of_target(document(), b.last, asking, all);
+    parts_of_target(d, b.last, asking, all);
   else
-    offered(document(), b, sheet ? sheet->pattern : "", state_->doors, all);
+    offered(d, b, around, all);
   std::erase_if(all, [&](const std::string& w) { return !w.starts_with(b.last); });
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
+}
+
+std::vector<std::string> Session::complete(std::string_view line) const {
+  const auto& sheet = state_->editor.now().script.left;
+  LineAround around{.in_shell = true, .styles = state_->doors.styles};
+  if (sheet) around.sheet_open = true, around.list = !sheet->sheet.list.empty(), around.sheet = sheet->pattern;
+  return completions(line, document(), around);
 }
 
 }  // namespace betwixt

@@ -141,6 +141,13 @@ std::vector<std::string_view> words_with_help() {
   return all;
 }
 
+std::string_view sentence_of(std::string_view word) {
+  if (word.ends_with('=')) word.remove_suffix(1);
+  for (const HelpEntry& e : help_entries())
+    if (e.word == word) return e.sentence;
+  return {};
+}
+
 std::string help_overview(const Scene& scene, bool of_the_shell) {
   std::string out =
       "A line is a command; a line that is only a target (ball.position) opens a sheet, whose rows are indented:\n"

@@ -26,6 +26,8 @@ std::span<const HelpEntry> help_entries();
 std::vector<std::string_view> words_with_help();  // and those that lead to them: for near misses
 std::vector<HelpEntry> shell_entries();  // beside their bodies
 
+// Of a word, or of a key with its sign; empty where nothing is known.
+std::string_view sentence_of(std::string_view word);
 // All words by groups, a line each; the film's own words too.
 std::string help_overview(const Scene&, bool of_the_shell = true);
 // All that is known about a word; empty where nothing is.

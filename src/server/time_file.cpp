@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t place = 512;  // there are two, written in turns, each with a checksum: one is always whole
+constexpr std::size_t half = 512;  // there are two, written in turns, each with a checksum: one is always whole
 
 Error time_not_kept(const std::string& path) {
   return fail(ErrorCode::machine, fmt::format("'{}' cannot be written: {}", path, std::strerror(errno)));
@@ -34,9 +34,9 @@ Result<TimeFile> TimeFile::open(const std::string& script) {
 
 void TimeFile::read() {
   std::string all;
-  if (read_all(file_.fd(), all, 2 * place) != 0) return;
+  if (read_all(file_.fd(), all, 2 * half) != 0) return;
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::string one = all.substr(std::min(k * place, all.size()), place);
+    const std::string one = all.substr(std::min(k * half, all.size()), half);
     const std::size_t check = one.rfind(' ', one.find('\n'));
     std::uint64_t number = 0, sum = 0;
     int running = 0;
@@ -60,7 +60,7 @@ Status TimeFile::write(const KeptTime& kept, const Fingerprint& of) {
   ++number_;
   std::string text = fmt::format("betwixt-time 1 {} {:d} {} {}", number_, kept.running, kept.at.flicks, to_string(of));
   text += fmt::format(" {:016x}\n", fingerprint(text).hash);
-  if (const int reason = write_all(file_.fd(), text, static_cast<off_t>(number_ % 2 * place))) {
+  if (const int reason = write_all(file_.fd(), text, static_cast<off_t>(number_ % 2 * half))) {
     errno = reason;
     return time_not_kept(path_);
   }

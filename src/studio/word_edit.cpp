@@ -17,13 +17,6 @@ namespace {
 
 constexpr int most_rows = 12;
 
-QString sentence_of(std::string_view word) {
-  for (const HelpEntry& e : help_entries())
-    if (e.word == word || (word.ends_with('=') && word.substr(0, word.size() - 1) == e.word))
-      return text_of(e.sentence);
-  return {};
-}
-
 }  // namespace
 
 WordEdit::WordEdit(Desk& desk, QWidget* parent) : QPlainTextEdit(parent), desk_(desk), words_(new QTreeWidget(this)) {
@@ -54,7 +47,7 @@ void WordEdit::offer_words() {
   if (all.size() == 1) return put(QString::fromStdString(all[0]));
   words_->clear();
   for (const std::string& word : all) {
-    auto* item = new QTreeWidgetItem(words_, {QString::fromStdString(word), sentence_of(word)});
+    auto* item = new QTreeWidgetItem(words_, {QString::fromStdString(word), text_of(sentence_of(word))});
     item->setForeground(1, colors().dim);
   }
   words_->setCurrentItem(words_->topLevelItem(0));

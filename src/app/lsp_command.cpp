@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt lsp: a language server on standard input and output. One thread reads, so that what is said of a text while
+// nothing waits is left off as soon as more comes; the other one does all the work.
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "app/command.h"
+#include "app/subcommand.h"
+#include "base/files.h"
+#include "server/lsp.h"
+
+namespace betwixt {
+namespace {
+
+// What has come and was not taken yet.
+class Inbox {
+ public:
+  const std::atomic<bool>& any() const { return any_; }
+
+  // Reads until there is no more.
+  void read_all() {
+    std::array<char, 65536> bytes;
+    for (;;) {
+      const ssize_t n = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+      if (n < 0 && errno == EINTR) continue;
+      const std::lock_guard lock(mutex_);
+      if (n > 0) bytes_.append(bytes.data(), static_cast<std::size_t>(n));
+      if (n <= 0) ended_ = true;
+      any_ = true;
+      came_.notify_one();
+      if (n <= 0) return;
+    }
+  }
+
+  // Waits for some where `wait`. False: there is no more.
+  bool take(std::string& out, bool wait) {
+    std::unique_lock lock(mutex_);
+    if (wait) came_.wait(lock, [&] { return any_.load(); });
+    out = std::exchange(bytes_, {});
+    const bool more = !ended_ || !out.empty();
+    any_ = ended_;
+    return more;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::string bytes_;
+  bool ended_ = false;
+  std::atomic<bool> any_ = false;
+};
+
+struct LspCall {
+  bool stdio = false;
+};
+
+int lsp(const LspCall&) {
+  std::signal(SIGPIPE, SIG_IGN);  // who does not listen any more ends the input too
+  static Inbox inbox;             // the thread may wait for it longer than this function lives
+  std::thread([] { inbox.read_all(); }).detach();
+  LanguageServer server(load_options(), &inbox.any());
+  std::string bytes;
+  for (bool did = false; !server.over();) {
+    if (!inbox.take(bytes, !did)) break;
+    server.come(bytes);
+    did = server.work();
+    if (const std::string out = server.take_out(); !out.empty() && write_all(STDOUT_FILENO, out) != 0) break;
+  }
+  return server.exit_code();
+}
+
+const Enlisted enlisted_lsp(lsp, [](LspCall& call) -> Subcommand {
+  return {
+      .rank = 105,
+      .name = "lsp",
+      .sentence = "tells an editor what there is to say of a script, as a language server on standard input and output",
+      .takes = {{.name = "--stdio",
+                 .sentence = "what it does anyhow: some editors say it",
+                 .into = &call.stdio,
+                 .hidden = true}},
+      .example = "betwixt lsp",
+      .manual =
+          "It is started by an editor and speaks the Language Server Protocol: errors and warnings while one "
+          "types, completion, help, definitions, references, renaming, colours, folding and tidying. It "
+          "runs no other programs, and reads only what the scripts may read."};
+});
+
+}  // namespace
+}  // namespace betwixt

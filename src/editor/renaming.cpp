@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/renaming.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+
+#include "base/names.h"
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+bool is_taken(const Scene& s, const NameAt& of, const std::string& name) {
+  const auto called = [&](const auto& one) { return one.name == name; };
+  switch (of.kind) {
+    case NameKind::thing:
+      return s.names.find(name) || s.aliases->contains(name) || s.lists->contains(name);
+    case NameKind::let:
+      return s.lets->contains(name);
+    case NameKind::function:
+      return std::ranges::any_of(*s.defined, called);
+    case NameKind::procedure:
+      return find_procedure(s, name) != nullptr;
+  }
+  return false;
+}
+
+bool can_be_name(NameKind kind, const std::string& name) {
+  if (kind == NameKind::let) return is_name(name) && name.find_first_of("-/") == std::string::npos;
+  return is_name(name) && (kind == NameKind::thing || name.find('/') == std::string::npos);
+}
+
+std::size_t errors_in(const Loaded& film) {
+  return static_cast<std::size_t>(std::ranges::count(film.diagnostics, Severity::error, &Diagnostic::severity));
+}
+
+std::vector<std::string> with_name(std::span<const FilmText> texts, std::span<const TextSpan> places,
+                                   const std::string& to) {
+  std::vector<std::string> all;
+  for (std::size_t t = 0; t < texts.size(); ++t) {
+    std::vector<Span> here;
+    for (const TextSpan& p : places)
+      if (p.text == t) here.push_back(p.span);
+    all.push_back(with_others(texts[t].lines.text(), here, to));
+  }
+  return all;
+}
+
+// The language can rename what stands in a document. What comes of it is what the changed texts have to make.
+bool makes_the_same(std::span<const FilmText> texts, const NameAt& name, const std::string& to, const Loaded& then,
+                    const LoadTexts& load) {
+  std::vector<std::string> said;
+  for (const FilmText& t : texts) said.push_back(t.lines.text());
+  said[0] += fmt::format("\nrename {} {}\n", name.name, to);
+  return load(said).document == then.document;
+}
+
+}  // namespace
+
+std::string with_others(std::string text, std::span<const Span> places, std::string_view others) {
+  for (const Span& s : std::views::reverse(places)) text.replace(s.at, s.size, others);
+  return text;
+}
+
+Result<NameAt> to_rename(const TextNames& names, std::size_t text, std::size_t place) {
+  const auto found = names.at(text, place);
+  if (!found) return fail(ErrorCode::name, "no name of this film stands here");
+  if (found->pattern)
+    return fail(ErrorCode::name, fmt::format("'{}' is a pattern: what it names has names of its own", found->name));
+  const std::vector<TextSpan> made = names.made(*found);
+  const auto is_made = [&](const MadeName& m) { return !made.empty() && m.word == made[0]; };
+  const auto by = std::ranges::find_if(names.all(), is_made);
+  if (by == names.all().end())
+    return fail(ErrorCode::name, fmt::format("no line of these texts makes '{}'", found->name));
+  const std::vector<TextSpan> uses = names.uses(*found);
+  if (by->many || std::ranges::find(uses, made[0]) == uses.end())
+    return fail(ErrorCode::name,
+                fmt::format("'{}' is made together with others, by a pattern or from something else", found->name));
+  return *found;
+}
+
+Result<std::vector<TextSpan>> renaming(std::span<const FilmText> texts, const TextNames& names, const Loaded& film,
+                                       const NameAt& name, const std::string& to, const LoadTexts& load) {
+  if (!can_be_name(name.kind, to)) return fail(ErrorCode::syntax, fmt::format("'{}' can be no name here", to));
+  if (to == name.name) return std::vector<TextSpan>();
+  const Scene& scene = film.document.scene();
+  if (is_taken(scene, name, to)) return fail(ErrorCode::name, fmt::format("there is a '{}' already", to));
+  std::vector<TextSpan> places = names.uses(name);
+  const Loaded then = load(with_name(texts, places, to));
+  const bool alias = scene.aliases->contains(name.name);
+  const bool stands = scene.names.find(name.name) || scene.lists->contains(name.name);
+  const bool same =
+      errors_in(then) <= errors_in(film) &&
+      (name.kind != NameKind::thing || alias ||
+       (stands ? makes_the_same(texts, name, to, then, load) : then.document == film.document));  // it was removed
+  if (same) return places;
+  return fail(
+      ErrorCode::name,
+      has_errors(film.diagnostics)
+          ? fmt::format("whether '{}' can be called '{}' cannot be told while the film has errors", name.name, to)
+          : fmt::format("the film would not be the same: a pattern or code speaks of '{}' in another way", name.name));
+}
+
+}  // namespace betwixt

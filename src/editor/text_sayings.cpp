@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/text_sayings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "betwixt/language.h"
+#include "editor/describe.h"
+#include "editor/help.h"
+#include "editor/speaking.h"
+#include "language/formula.h"
+#include "language/line_words.h"
+#include "language/values.h"
+#include "scene/colors.h"
+#include "scene/document.h"
+#include "scene/names.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t most_named = 20;  // by a pattern, that are said
+
+// The piece of a line that a place is in.
+std::optional<LinePiece> piece_at(const TextLines& lines, std::size_t place, const Document& d) {
+  const std::size_t number = lines.line_of(place), in_line = place - lines.start(number);
+  LineState state = lines.state_above(number);
+  std::optional<LinePiece> found;
+  for (const LinePiece& p : line_pieces(lines.line(number), state, d))
+    if (p.at <= in_line && in_line <= p.at + p.length) found = p;
+  return found;
+}
+
+std::string said_of_pattern(const std::string& pattern, const Document& d) {
+  const std::vector<ObjectId> all = select(d.scene(), pattern);
+  std::string said = fmt::format("{}, a pattern: {}\n", pattern, counted(all.size(), "object"));
+  for (std::size_t i = 0; i < std::min(all.size(), most_named); ++i) said += fmt::format("  {}\n", d.name(all[i]));
+  return all.size() > most_named ? said + fmt::format("  … {} more\n", all.size() - most_named) : said;
+}
+
+std::string said_of_name(const NameAt& name, const Document& d) {
+  const Scene& s = d.scene();
+  if (name.pattern) return said_of_pattern(name.name, d);
+  if (name.kind == NameKind::let) {
+    const auto value = s.lets->find(name.name);
+    return value == s.lets->end() ? "" : fmt::format("{} = {}\n", name.name, write_let(value->second));
+  }
+  if (name.kind != NameKind::thing) return help_text(name.name, s);
+  if (const auto alias = s.aliases->find(name.name); alias != s.aliases->end())
+    return fmt::format("{}, an alias: {}\n", name.name, fmt::join(alias->second, " "));
+  return describe(d, name.name) ? *describe(d, name.name) : "";
+}
+
+// A word of a line, up to what ends names.
+Span word_around(std::string_view line, std::size_t place) {
+  constexpr std::string_view ends = " \t\r,()=\"@.{}[]*";
+  std::size_t from = place, to = place;
+  while (from > 0 && ends.find(line[from - 1]) == std::string_view::npos) --from;
+  while (to < line.size() && ends.find(line[to]) == std::string_view::npos) ++to;
+  return {from, to - from};
+}
+
+std::string said_of_time(std::string_view word, const Document& d) {
+  const auto t = parse_time(word, d);
+  if (!t) return {};
+  std::vector<std::string> ways{format_time(*t, d), write_seconds(*t)};
+  ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+  std::erase(ways, word);
+  return ways.empty() ? "" : fmt::format("{} is {}\n", word, fmt::join(ways, ", "));
+}
+
+bool is_remark(std::string_view line) {
+  const std::size_t at = line.find_first_not_of(" \t");
+  return at != std::string_view::npos && line[at] == '#' && line_words(line).empty();
+}
+
+// The line behind the rows that stand below a line; what is empty at their end is not theirs.
+std::size_t behind_rows(const TextLines& lines, std::size_t opener) {
+  std::size_t end = lines.behind(opener);
+  for (std::size_t i = end; i < lines.count() && below_opener(lines.line(i)); i = lines.behind(i))
+    if (indented(lines.line(i)) && !line_words(lines.line(i)).empty()) end = lines.behind(i);
+  return end;
+}
+
+}  // namespace
+
+std::optional<Saying> said_at(const TextNames& names, const FilmText& in, std::size_t text, std::size_t place,
+                              const Document& d) {
+  const TextLines& lines = in.lines;
+  if (const auto name = names.at(text, place))
+    if (std::string said = said_of_name(*name, d); !said.empty()) return Saying{name->span, std::move(said)};
+  const auto piece = piece_at(lines, place, d);
+  if (!piece || piece->meaning == Meaning::comment || piece->meaning == Meaning::text) return std::nullopt;
+  const std::size_t number = lines.line_of(place), from = lines.start(number);
+  const std::string_view line = lines.line(number);
+  const Span there = word_around(line, place - from);
+  const std::string_view word = line.substr(there.at, there.size);
+  if (piece->meaning == Meaning::time) {
+    const std::string_view whole = line.substr(piece->at, piece->length);
+    if (std::string said = said_of_time(whole, d); !said.empty())
+      return Saying{{from + piece->at, piece->length}, std::move(said)};
+  }
+  std::string said = help_text(word, d.scene());
+  if (said.empty()) return std::nullopt;
+  return Saying{{from + there.at, there.size}, std::move(said)};
+}
+
+std::optional<Usage> usage_at(const TextLines& lines, std::size_t place) {
+  const std::string_view line = lines.line(lines.first_of(lines.line_of(place)));
+  std::vector<std::string> words = line_words(line);
+  while (words.size() > 2 && (words[0] == "at" || words[0] == "on")) words.erase(words.begin(), words.begin() + 2);
+  const HelpGroup group = indented(line) ? HelpGroup::row : HelpGroup::verb;
+  for (const HelpEntry& e : help_entries())
+    if (!words.empty() && e.group == group && e.word == words[0]) return Usage{e.usage, e.sentence};
+  return std::nullopt;
+}
+
+std::optional<std::string> used_at(const TextLines& lines, std::size_t place) {
+  const std::size_t number = lines.line_of(place);
+  const std::string_view line = lines.line(number);
+  if (indented(line) || lines.state_above(number).goes_on()) return std::nullopt;
+  Cursor c(line);
+  if (c.next_word() != "use") return std::nullopt;
+  c.space();
+  const char* const from = c.at;
+  std::string file;
+  if (c.peek() == '"' ? !c.text(file) : (file = c.word()).empty()) return std::nullopt;
+  const char* const there = lines.text().data() + place;
+  return there >= from && there <= c.at ? std::optional(file) : std::nullopt;
+}
+
+Completions completions_at(const TextLines& lines, std::size_t place, const Document& d,
+                           const std::filesystem::path& folder) {
+  const std::size_t first = lines.first_of(lines.line_of(place)), start = lines.start(first);
+  const auto piece = piece_at(lines, place, d);
+  Completions out{place, {}};
+  if (piece && piece->meaning == Meaning::comment) return out;
+  const std::size_t here = lines.start(lines.line_of(place));
+  const bool inside = piece && piece->meaning == Meaning::text && place > here + piece->at &&
+                      (place < here + piece->at + piece->length || lines.text()[place - 1] != '"');
+  if (inside) return out;
+  std::string line = lines.text().substr(start, place - start);
+  std::ranges::replace(line, '\n', ' ');
+  LineAround around{.folder = folder};
+  if (const std::size_t opener = lines.opener_of(first); opener < lines.count()) {
+    std::vector<std::string> words = line_words(lines.line(opener));
+    if (words.size() > 2 && words[0] == "at") words.erase(words.begin(), words.begin() + 2);
+    around.sheet_open = true, around.list = words[0] == "make" || words[0] == "edit";
+    if (!around.list) around.sheet = words.back();
+  }
+  out.from = start + begun_word(line);
+  out.words = completions(line, d, around);
+  return out;
+}
+
+std::vector<TextSymbol> symbols(const TextLines& lines) {
+  std::vector<TextSymbol> all;
+  for (std::size_t i = 0; i < lines.count(); i = lines.behind(i)) {
+    const std::string_view line = lines.line(i);
+    if (line.empty() || indented(line)) continue;
+    const auto made = making(line);
+    const bool sheet = opens_sheet(line);
+    if (!made && !sheet) continue;
+    const std::size_t end = sheet ? behind_rows(lines, i) : lines.behind(i);
+    const std::size_t stop = lines.start(end - 1) + lines.line(end - 1).size();
+    TextSymbol symbol{{}, {}, {}, {}, {lines.start(i), stop - lines.start(i)}};
+    std::string_view word;
+    if (made) {
+      const std::vector<std::string> words = line_words(line);
+      word = made->word, symbol.made = made->kind;
+      symbol.detail = made->verb == "create" && words.size() > 2 ? words[2] : std::string(made->verb);
+    } else {
+      const std::string last = line_words(line).back();  // no remark in front of it has the same words
+      word = line.substr(line.find(last, line.size() > last.size() && line.starts_with("on ") ? 3 : 0), last.size());
+    }
+    symbol.name = word;
+    symbol.word = {static_cast<std::size_t>(word.data() - lines.text().data()), word.size()};
+    all.push_back(std::move(symbol));
+  }
+  return all;
+}
+
+std::vector<Fold> folds(const TextLines& lines) {
+  std::vector<Fold> all;
+  const auto put = [&](std::size_t first, std::size_t end, bool remark) {
+    if (end > first + 1) all.push_back({first, end - 1, remark});
+  };
+  for (std::size_t i = 0; i < lines.count();) {
+    const std::string_view line = lines.line(i);
+    std::size_t end = lines.behind(i);
+    const bool remark = is_remark(line);
+    if (remark)
+      while (end < lines.count() && is_remark(lines.line(end))) ++end;
+    else if (opens_sheet(line))
+      end = behind_rows(lines, i);
+    put(i, end, remark);
+    i = end;
+  }
+  return all;
+}
+
+std::string tidied_in(const TextLines& lines, Span part) {
+  const auto sheet_or_line = [&](std::size_t line) {
+    const std::size_t opener = lines.opener_of(line);
+    return opener < lines.count() ? opener : lines.first_of(line);
+  };
+  const std::size_t last = lines.line_of(part.size > 0 ? part.end() - 1 : part.at);
+  const std::size_t first = sheet_or_line(lines.line_of(part.at));
+  std::size_t end = behind_rows(lines, sheet_or_line(last));
+  end = std::max(end, lines.behind(last));
+  while (end > first && line_words(lines.line(end - 1)).empty() && !is_remark(lines.line(end - 1))) --end;
+  // Rows are sorted by what frames and ticks are there.
+  std::string above = "# \n";
+  for (std::size_t i = 0; i < first; ++i) {
+    const std::string_view word = first_word(lines.line(i));
+    if (word == "rate" || word == "ticks" || word == "use") above += std::string(lines.line(i)) + "\n";
+  }
+  const std::string& text = lines.text();
+  const std::size_t from = lines.start(first), to = end < lines.count() ? lines.start(end) : text.size();
+  const std::string known = tidy(above), both = tidy(above + text.substr(from, std::max(from, to) - from));
+  if (!both.starts_with(known)) return text;
+  return text.substr(0, from) + both.substr(known.size()) + text.substr(std::max(from, to));
+}
+
+std::vector<ColorAt> colors_in(const TextLines& lines, const Document& d) {
+  const auto may_begin = [](std::string_view line) {
+    if (line.find('#') != std::string_view::npos || line.find("rgb") != std::string_view::npos ||
+        line.find("hsv") != std::string_view::npos)
+      return true;
+    for (std::size_t i = 0; i < line.size();) {
+      const std::size_t from = i;
+      while (i < line.size() && line[i] >= 'a' && line[i] <= 'z') ++i;
+      if (i > from + 2 && named_color(line.substr(from, i - from))) return true;
+      if (i == from) ++i;
+    }
+    return false;
+  };
+  std::vector<ColorAt> all;
+  for (std::size_t i = 0; i < lines.count(); ++i) {
+    const std::string_view line = lines.line(i);
+    if (!may_begin(line)) continue;
+    LineState state = lines.state_above(i);
+    const auto made = state.goes_on() ? std::nullopt : making(line);
+    for (const LinePiece& p : line_pieces(line, state, d)) {
+      const std::string_view word = line.substr(p.at, p.length);
+      if (p.meaning != Meaning::color && word != "rgb" && word != "hsv") continue;
+      if (made && made->word.data() == word.data()) continue;  // an object that is called gold
+      Cursor c(line.substr(p.at));
+      Color color;
+      if (ValueReader{c, d.scene(), {}, {}, {}}.color(color))
+        all.push_back({{lines.start(i) + p.at, c.since(word.data()).size()}, color});
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> ways_to_write(Color c) {
+  const auto byte = [](double v) { return static_cast<unsigned>(std::lround(std::clamp(v, 0.0, 1.0) * 255)); };
+  const unsigned r = byte(c.r), g = byte(c.g), b = byte(c.b);
+  const auto share = [](double v) { return write_number(std::round(v * 1000) / 1000); };
+  std::vector<std::string> all;
+  if (const std::string_view name = name_of_color(r << 16 | g << 8 | b); !name.empty()) all.emplace_back(name);
+  all.push_back(fmt::format("#{:02x}{:02x}{:02x}", r, g, b));
+  all.push_back(fmt::format("rgb({} {} {})", share(c.r), share(c.g), share(c.b)));
+  return all;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "server/lsp.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/files.h"
+#include "base/still_wanted.h"
+#include "commands/reader.h"
+#include "server/lsp_state.h"
+
+namespace betwixt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_used = std::size_t{64} << 20;  // bytes of a file in which names are looked for
+
+int severity_of(Severity s) { return s == Severity::error ? 1 : s == Severity::warning ? 2 : 3; }
+
+Json diagnostic(const Diagnostic& d, const TextLines& lines) {
+  return {{"range", range_of(lines, span_of(lines, d.what.place))},
+          {"severity", severity_of(d.severity)},
+          {"source", "betwixt"},
+          {"message", d.what.hint.empty() ? d.what.message : d.what.message + "\n" + d.what.hint}};
+}
+
+}  // namespace
+
+const Json& member(const Json& object, const char* key) {
+  static const Json nothing;
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return !object.is_object() || found == object.end() ? nothing : *found;
+}
+
+std::string text_member(const Json& object, const char* key) {
+  const Json& there = member(object, key);
+  return there.is_string() ? there.get<std::string>() : std::string();
+}
+
+std::string real_path(const std::string& path) {
+  std::error_code why;
+  const fs::path real = fs::weakly_canonical(path, why);
+  return why ? path : real.string();
+}
+
+void LanguageServer::State::answer(const Json& id, const LspAnswer& answer) {
+  Json message{{"jsonrpc", "2.0"}, {"id", id}};
+  if (const auto* refusal = std::get_if<LspRefusal>(&answer))
+    message["error"] = {{"code", refusal->code}, {"message", refusal->message}};
+  else
+    message["result"] = std::get<Json>(answer);
+  send(message);
+}
+
+// The editor does not want the answer any more.
+bool LanguageServer::State::cancelled(const Json& id) {
+  const auto asks = [&](const Json& m) {
+    return text_member(m, "method") == "$/cancelRequest" && member(member(m, "params"), "id") == id;
+  };
+  const auto found = std::ranges::find_if(waiting, asks);
+  if (found == waiting.end()) return false;
+  waiting.erase(found);
+  return true;
+}
+
+void LanguageServer::State::handle(const Json& message) {
+  if (!message.is_object()) return answer(nullptr, LspRefusal{LspRefusal::bad_request, "this is no request"});
+  const std::string method = text_member(message, "method");
+  const auto id = message.find("id");
+  const Json& params = member(message, "params");
+  if (id == message.end()) return notified(method, params);
+  if (method.empty() && (message.contains("result") || message.contains("error"))) return;  // nobody has asked
+  if (!id->is_string() && !id->is_number_integer())
+    return answer(nullptr, LspRefusal{LspRefusal::bad_request, "a request has a number or a text for its id"});
+  if (cancelled(*id)) return answer(*id, LspRefusal{LspRefusal::cancelled, "the request was cancelled"});
+  if (shut) return answer(*id, LspRefusal{LspRefusal::bad_request, "the server is shut down"});
+  if (!begun && method != "initialize")
+    return answer(*id, LspRefusal{LspRefusal::not_begun, "the first request is 'initialize'"});
+  const auto row = std::ranges::find(lsp_requests(), method, &LspRequest::method);
+  if (row == lsp_requests().end())
+    return answer(*id, LspRefusal{LspRefusal::unknown, fmt::format("there is no request '{}'", method)});
+  answer(*id, row->answer(*this, params));
+}
+
+void LanguageServer::State::notified(const std::string& method, const Json& params) {
+  if (method == "exit") over = true;
+  if (!begun || shut || !params.is_object()) return;
+  if (method == "textDocument/didOpen") did_open(params);
+  if (method == "textDocument/didChange") did_change(params);
+  if (method == "textDocument/didClose") did_close(params);
+  if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") files_changed();
+}
+
+OpenScript* LanguageServer::State::find(const Json& params) {
+  const auto found = open.find(text_member(member(params, "textDocument"), "uri"));
+  return found == open.end() ? nullptr : &found->second;
+}
+
+OpenScript* LanguageServer::State::find_real(const std::string& real) {
+  const auto found = std::ranges::find_if(open, [&](const auto& o) { return o.second.real == real; });
+  return real.empty() || found == open.end() ? nullptr : &found->second;
+}
+
+void LanguageServer::State::did_open(const Json& params) {
+  const Json& document = member(params, "textDocument");
+  const std::string uri = text_member(document, "uri");
+  if (uri.empty()) return;
+  open.erase(uri);
+  OpenScript& script = open[uri];
+  script.uri = uri, script.path = path_of_uri(uri).value_or(""), script.version = member(document, "version");
+  if (!script.path.empty()) script.real = real_path(script.path);
+  script.lines.take(text_member(document, "text"));
+  changed(script.real);
+}
+
+void LanguageServer::State::did_change(const Json& params) {
+  OpenScript* const script = find(params);
+  if (!script) return;
+  for (const Json& change : member(params, "contentChanges")) {
+    const std::string text = text_member(change, "text");
+    if (member(change, "range").is_null())
+      script->lines.take(text);
+    else if (const auto span = span_of(script->lines, member(change, "range")))
+      script->lines.replace(*span, text);
+  }
+  script->version = member(member(params, "textDocument"), "version");
+  script->stale = script->unsaid = true;
+  changed(script->real);
+}
+
+void LanguageServer::State::did_close(const Json& params) {
+  OpenScript* const script = find(params);
+  if (!script) return;
+  const std::string uri = script->uri, real = script->real;
+  for (auto& [_, other] : open)
+    if (script->uses.contains(other.real)) other.unsaid = true;  // it may be a film of its own now
+  open.erase(uri);
+  const auto said = published.extract(uri);
+  if (!said.empty())
+    for (const auto& [file, _] : said.mapped()) publish(file);
+  changed(real);  // what is on the disk counts again
+}
+
+// Of all that scripts name the files are what they are now.
+void LanguageServer::State::files_changed() {
+  for (auto& [_, script] : open) script.film = {}, script.stale = script.unsaid = true;
+}
+
+// The films of all that use a text are others.
+void LanguageServer::State::changed(const std::string& real) {
+  if (real.empty()) return;
+  for (auto& [_, script] : open)
+    if (script.uses.contains(real)) script.stale = script.unsaid = true;
+}
+
+// The film of a script where some texts, by their real paths, are others than in the editor.
+Loaded LanguageServer::State::load(const OpenScript& script,
+                                   const std::vector<std::pair<std::string, std::string>>& said,
+                                   std::set<std::string>* uses) {
+  LoadOptions how = options;
+  if (script.path.empty()) how.read_nothing = true;
+  const auto other = [&](const std::string& real) {
+    const auto found = std::ranges::find(said, real, &std::pair<std::string, std::string>::first);
+    return found == said.end() ? nullptr : &found->second;
+  };
+  how.written = [&](const std::string& real) -> std::optional<std::string> {
+    if (uses) uses->insert(real);
+    if (const std::string* text = other(real)) return *text;
+    const OpenScript* const there = find_real(real);
+    return there ? std::optional(there->lines.text()) : std::nullopt;
+  };
+  const std::string* text = other(script.real);
+  return load_text_again(text ? *text : script.lines.text(), script.path.empty() ? script.uri : script.path, how,
+                         script.film.document);
+}
+
+void LanguageServer::State::refresh(OpenScript& script) {
+  if (!script.stale) return;
+  std::set<std::string> uses;
+  Loaded film = load(script, {}, &uses);
+  for (auto& [_, other] : open)  // it has become a part of this film, or is one of its own now
+    if (uses.contains(other.real) != script.uses.contains(other.real)) other.unsaid = true;
+  script.names.reset(), script.texts.clear();
+  script.film = std::move(film), script.uses = std::move(uses), script.stale = false;
+}
+
+// Whether another script that is open uses it. Of two that use each other the one counts that comes first.
+bool LanguageServer::State::is_part(const OpenScript& script) const {
+  return std::ranges::any_of(open, [&](const auto& o) {
+    const OpenScript& other = o.second;
+    return &other != &script && other.uses.contains(script.real) &&
+           !(script.uses.contains(other.real) && script.uri < other.uri);
+  });
+}
+
+OpenScript& LanguageServer::State::root_of(OpenScript& script) {
+  for (auto& [_, other] : open) refresh(other);
+  OpenScript* root = &script;
+  for (auto& [_, other] : open)
+    if (!script.real.empty() && other.uses.contains(script.real) && !is_part(other)) root = &other;
+  return *root;
+}
+
+const TextNames& LanguageServer::State::names_of(OpenScript& root) {
+  if (root.names) return *root.names;
+  root.texts.push_back({root.path, root.lines});
+  for (const std::string& real : root.uses) {
+    const OpenScript* const there = find_real(real);
+    if (there == &root) continue;
+    root.texts.push_back({there ? there->path : real, there ? there->lines : TextLines()});
+    if (!there) root.texts.back().lines.take(read_contents(real, {.largest = longest_used}).text);
+  }
+  root.names = std::make_unique<TextNames>(root.texts, root.film.document);
+  return *root.names;
+}
+
+std::size_t LanguageServer::State::text_in(const OpenScript& root, const OpenScript& script) const {
+  for (std::size_t i = 1; i < root.texts.size(); ++i)
+    if (root.texts[i].path == script.path) return i;
+  return 0;
+}
+
+std::string LanguageServer::State::uri_of(const std::string& path) const {
+  const std::string real = real_path(path);
+  for (const auto& [uri, script] : open)
+    if (script.real == real || (script.path.empty() && uri == path)) return uri;
+  return uri_of_path(fs::path(path).lexically_normal().string());
+}
+
+// Says what there is to say of one text of which nothing was said. False: there is none.
+bool LanguageServer::State::say_one() {
+  for (auto& [_, script] : open) {
+    if (!script.unsaid) continue;
+    refresh(script);
+    script.unsaid = false;
+    say(script);
+    return true;
+  }
+  return false;
+}
+
+void LanguageServer::State::say(OpenScript& script) {
+  std::map<std::string, std::vector<Json>> now{{script.uri, {}}};
+  std::map<std::string, TextLines> read;  // files that are not open
+  const std::string own = script.path.empty() ? script.uri : script.path;
+  for (const Diagnostic& d : is_part(script) ? Diagnostics() : script.film.diagnostics) {
+    const std::string& file = d.what.place.file;
+    const bool here = file.empty() || file == own;
+    OpenScript* const there = here ? &script : find_real(real_path(file));
+    if (!there && !read.contains(file)) read[file].take(read_contents(file, {.largest = longest_used}).text);
+    now[there ? there->uri : uri_of(file)].push_back(diagnostic(d, there ? there->lines : read[file]));
+  }
+  std::set<std::string> files;
+  for (const auto& [file, _] : published[script.uri]) files.insert(file);
+  for (const auto& [file, _] : now) files.insert(file);
+  published[script.uri] = std::move(now);
+  for (const std::string& file : files) publish(file);
+}
+
+// All that scripts have said of a file.
+void LanguageServer::State::publish(const std::string& uri) {
+  Json all = Json::array();
+  for (const auto& [_, files] : published) {
+    const auto found = files.find(uri);
+    if (found == files.end()) continue;
+    const auto others = static_cast<std::ptrdiff_t>(all.size());  // two that use one say the same of it
+    for (const Json& d : found->second)
+      if (std::find(all.begin(), all.begin() + others, d) == all.begin() + others) all.push_back(d);
+  }
+  Json params{{"uri", uri}};
+  if (const auto script = open.find(uri); script != open.end() && script->second.version.is_number_integer())
+    params["version"] = script->second.version;
+  params["diagnostics"] = std::move(all);
+  send({{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}});
+}
+
+LanguageServer::LanguageServer(const LoadOptions& options, const std::atomic<bool>* called_off)
+    : state_(std::make_unique<State>()) {
+  state_->options = options, state_->called_off = called_off;
+  state_->options.tex = false;  // a script that is only written runs no programs
+}
+LanguageServer::~LanguageServer() = default;
+
+void LanguageServer::come(std::string_view bytes) {
+  State& s = *state_;
+  s.frames.take(bytes);
+  std::string refused;
+  while (const auto message = s.frames.next(&refused)) {
+    Json read = Json::parse(*message, nullptr, false);
+    if (read.is_discarded())
+      s.answer(nullptr, LspRefusal{LspRefusal::bad_message, "this is no JSON"});
+    else
+      s.waiting.push_back(std::move(read));
+  }
+  if (!refused.empty()) s.answer(nullptr, LspRefusal{LspRefusal::bad_message, refused});
+}
+
+bool LanguageServer::work() {
+  State& s = *state_;
+  if (s.over) return false;
+  if (!s.waiting.empty()) {
+    const Json message = std::move(s.waiting.front());
+    s.waiting.pop_front();
+    s.handle(message);
+    return true;
+  }
+  static const std::atomic<bool> never = false;
+  static const std::atomic<int> none = 0;
+  try {
+    const StillWanted wanted(s.called_off ? *s.called_off : never, never, none, {});
+    return s.say_one();
+  } catch (const NotWanted&) {
+    return false;
+  }
+}
+
+bool LanguageServer::idle() const { return state_->waiting.empty(); }
+std::string LanguageServer::take_out() { return std::exchange(state_->out, {}); }
+bool LanguageServer::over() const { return state_->over; }
+int LanguageServer::exit_code() const { return state_->shut ? 0 : 1; }
+
+}  // namespace betwixt
