@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How the player is used in TypeScript. A line behind "wrong:" must be refused.
+import { engine, BetwixtEditor, BetwixtPlayer, type Diagnostic } from "betwixt-player";
+
+const player = document.createElement("betwixt-player");
+player.script = "create ball sphere\n";
+player.files = { "words.txt": "words", "spot.obj": new Uint8Array(4), "more.glb": new ArrayBuffer(8) };
+player.loop = player.controls = true;
+player.playbackRate = -1;
+player.addEventListener("diagnostics", (event) => {
+  const all: Diagnostic[] = event.detail.diagnostics;
+  for (const d of all) console.log(`${d.file}:${d.line}:${d.column}: ${d.severity}: ${d.text}`);
+});
+player.addEventListener("note", function (event) { console.log(this.currentTime, event.detail.text); });
+player.addEventListener("ended", () => player.load());
+const played: Promise<void> = player.play();
+const value: string = player.eval("ball.position", 1.5);
+const found: BetwixtPlayer | null = document.querySelector("betwixt-player");
+const editor: BetwixtEditor | null = document.querySelector("betwixt-editor");
+editor?.go(3, 2);
+const frames: number = player.film ? player.film.lastFrame - player.film.firstFrame + 1 : 0;
+const made = (await engine()).open("create ball sphere\n", { name: "ball.bx", files: player.files });
+if (made.ok) made.draw(new OffscreenCanvas(640, 360), made.start);
+const classic = new globalThis.Betwixt.Player();
+export { played, value, found, frames, classic };
+
+// wrong:
+player.paused = true;
+// wrong:
+player.playbackRate = "fast";
+// wrong:
+player.eval();
+// wrong:
+player.addEventListener("note", (event) => event.detail.words);
