@@ -16,6 +16,7 @@
 #include "app/web_page_text.h"
 #include "base/base64.h"
 #include "base/files.h"
+#include "base/utf8.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
 #include "exchange/typefaces.h"
@@ -28,8 +29,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_looks = 60;                               // at a film, for its fonts
-constexpr std::string_view always_there = "DejaVu Sans";     // with every page
+constexpr int most_looks = 60;  // at a film, for its fonts
+// The font of every page, and letters that it has there (web/CMakeLists.txt): first and last ones. As bytes they come
+// in the order of their numbers.
+constexpr std::string_view usual_font = "DejaVu Sans";
+constexpr std::pair<std::string_view, std::string_view> usual_letters[] = {
+    {"\n", "ſ"}, {"Α", "ω"}, {"Ѐ", "џ"}, {"‐", "‧"}, {"←", "↙"}};
 constexpr std::size_t most_packed = std::size_t{256} << 20;  // bytes; no browser likes more
 
 // What the comment says that a script begins with, without the file's name in front.
@@ -70,6 +75,17 @@ Status add(PageFiles& to, const std::string& script, const std::string& name, co
   return Nothing{};
 }
 
+bool has_only_usual_letters(std::string_view text) {
+  for (std::size_t i = 0, n = 0; i < text.size(); i += std::max<std::size_t>(1, n)) {
+    n = character_length(text, i);
+    const std::string_view c = text.substr(i, n);
+    if (n > 0 && std::none_of(std::begin(usual_letters), std::end(usual_letters),
+                              [&](const auto& range) { return range.first <= c && c <= range.second; }))
+      return false;
+  }
+  return true;
+}
+
 // Which a page has to bring along: those of all texts that are seen some time.
 void add_fonts(PageFiles& to, const Document& document) {
   const Program program = Program::compile(document);
@@ -78,7 +94,8 @@ void add_fonts(PageFiles& to, const Document& document) {
   const auto look = [&](const std::shared_ptr<const Shape>& shape) {
     if (!shape || shape->kind != Kind::text || shape->formula) return;
     const Typeface face{*shape->font, shape->letters.weight, shape->letters.italic};
-    if (face == Typeface{std::string(always_there)} || !find_font(face.family)) return;
+    if (face == Typeface{std::string(usual_font)} && has_only_usual_letters(*shape->text)) return;
+    if (!find_font(face.family)) return;
     if (const FontFile file = font_file(face); file.index == 0 && !file.path.empty()) paths.insert(file.path);
   };
   const int count = last > first ? most_looks : 1;

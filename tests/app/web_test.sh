@@ -81,6 +81,12 @@ has 'each below its name' "$(cat both.html)" '<h2>ball</h2>'
 echo 'set ball.color red' >other/gold.bx
 check 'one name, two files' 1 "two different files by 'gold.bx'" web full.bx other/full.bx -o x.html
 
+printf 'create a text text="Größe → Ωμέγα"\ncreate b text text="Москва"' >usual.bx
+check 'letters that every page has' 0 '1 film, 0 files' web usual.bx -o usual.html
+echo 'create a text text="שלום"' >more.bx
+check 'and others' 0 '1 film, 1 file,' web more.bx -o more.html
+is 'come with their font' "$(ask more.html files)" fonts/DejaVuSans.ttf
+
 # Many pages, one player.
 check 'what plays may lie beside' 0 '' web ball.bx -o linked.html --link
 has 'the page refers to it' "$(cat linked.html)" '<script src="betwixt-player.js"></script>'
