@@ -48,6 +48,7 @@ if (globalThis.customElements && !customElements.get("betwixt-editor")) {
 .bar button:hover:enabled { background: color-mix(in srgb, CanvasText 9%, Canvas); }
 .bar button:disabled { color: var(--quiet); opacity: 0.5; cursor: default; }
 button:focus-visible { outline: 2px solid Highlight; outline-offset: -1px; }
+.text, .said, .said code { scrollbar-width: thin; scrollbar-color: var(--edge) transparent; }
 .text { display: grid; grid-template-columns: auto 1fr; overflow: auto; min-height: 6rem;
   max-height: var(--betwixt-text-height, 70vh); font: 13px/1.55 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace;
   tab-size: 4; }

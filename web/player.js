@@ -7,6 +7,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
   const longest_side = 4096;   // of a picture, in pixels
   const timeupdate_every = 250;  // ms, as videos do
   const tries_again = 1000;      // ms, where drawing failed
+  const flags = ["autoplay", "loop", "controls", "muted", "stepped"];
   const speeds = [-2, -1, -0.5, 0.25, 0.5, 1, 1.5, 2, 4];
   const script_query = 'script[type="text/betwixt"]';
   const files_query = 'script[type="application/json"][data-betwixt-files]';
@@ -14,6 +15,10 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
   const text_of = (script) =>
     script.textContent.replace(/^\r?\n/, "").replace(/<\\(\\*(?:\/script|script|!--))/gi, "<$1");
   const bytes_of = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const as_bytes = (held) =>
+    typeof held === "string" ? new TextEncoder().encode(held)
+    : ArrayBuffer.isView(held) ? new Uint8Array(held.buffer, held.byteOffset, held.byteLength)
+    : new Uint8Array(held);
   const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
   const has_words = (error) => (error && error.message) || String(error);
   const wants_calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -227,6 +232,13 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     }
 
     connectedCallback() {
+      // What was set before the element was known stands in the way of what it means.
+      for (const name of ["files", "script", "currentTime", "playbackRate", "src", ...flags])
+        if (Object.hasOwn(this, name)) {
+          const said = this[name];
+          delete this[name];
+          this[name] = said;
+        }
       BetwixtPlayer.#seen.observe(this);
       BetwixtPlayer.#near.observe(this);
       BetwixtPlayer.#sizes.observe(this.#parts.stage);
@@ -383,6 +395,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       return this.#source ? this.#source.text : inline ? text_of(inline) : "";
     }
     set script(text) {
+      if (this.#given_text === String(text)) return;
       this.#given_text = String(text);
       if (!this.#engine || !this.#source || this.#loading) {
         this.#load_source();
@@ -396,9 +409,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     get files() { return { ...(this.#source ? Object.fromEntries(this.#source.files) : this.#given_files) }; }
     set files(all) {
       this.#given_files = {};
-      for (const [name, held] of Object.entries(all ?? {}))
-        this.#given_files[name] =
-          typeof held === "string" ? new TextEncoder().encode(held) : new Uint8Array(held.buffer ?? held);
+      for (const [name, held] of Object.entries(all ?? {})) this.#given_files[name] = as_bytes(held);
       if (this.#source && this.#engine && !this.#loading) {
         this.#source.files = new Map(Object.entries(this.#given_files));
         this.#open_again();
@@ -941,7 +952,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
   }
 
   // Attributes that are there or not, as properties.
-  for (const name of ["autoplay", "loop", "controls", "muted", "stepped"])
+  for (const name of flags)
     Object.defineProperty(BetwixtPlayer.prototype, name, {
       configurable: true,
       enumerable: true,

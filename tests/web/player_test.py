@@ -286,6 +286,16 @@ def many(browser, served):
     page.close()
 
 
+def before_it_is_known(browser, served):
+    page = browser.page(f"{served}/later.html")
+    page.do("window.p = document.createElement('betwixt-player'); p.script = 'rate 12\\n'; p.loop = true; p.currentTime = 1;"
+            "document.body.append(p); const all = document.querySelectorAll('[type=\\'text/later\\']');"
+            "for (const t of all) { const s = document.createElement('script'); s.textContent = t.textContent; document.body.append(s); }")
+    page.until("p.readyState === 4")
+    same("what was set before the element was known", page.ask("[p.film.fps, p.hasAttribute('loop'), p.currentTime]"), [12, True, 1])
+    page.close()
+
+
 def from_a_folder(browser, folder):
     page = browser.page(f"file://{folder}/one.html")
     page.until("p.readyState === 4")
@@ -315,6 +325,7 @@ with tempfile.TemporaryDirectory() as folder:
     files = {
         "both.html": f"{head}{scripts}<video id=video width=320 muted></video><betwixt-player id=player width=320></betwixt-player>",
         "one.html": f"{head}{scripts}<betwixt-player id=p controls>{inline()}</betwixt-player>",
+        "later.html": head + scripts.replace("<script>", "<script type='text/later'>"),
         "moving.html": f"{head}{scripts}<betwixt-player id=p autoplay loop>{inline()}</betwixt-player>",
         "poster.html": f"{head}{scripts}<betwixt-player id=p poster=\"data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E\">{inline()}</betwixt-player>",
         "many.html": f"{head}{scripts}" + f"<betwixt-player controls>{inline()}</betwixt-player>" * 20,
@@ -325,7 +336,7 @@ with tempfile.TemporaryDirectory() as folder:
         with open(f"{folder}/{name}", "w") as out:
             out.write(text)
     with Browser("--autoplay-policy=no-user-gesture-required") as browser, Served(folder) as served:
-        for part in (beside_a_video, time_of_films, texts_and_files, hands, pictures, what_goes_wrong, many, calmly):
+        for part in (beside_a_video, time_of_films, texts_and_files, hands, pictures, what_goes_wrong, many, calmly, before_it_is_known):
             try:
                 part(browser, served)
             except Exception as e:

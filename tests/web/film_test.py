@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Pages with films of the engine itself: what is typed is seen, what is wrong is said as the program says it, memory stays as
+# it is, the graphics may go and come back. Left out where what plays has not been built (./betwixt web does that).
+#   film_test.py PROGRAM
+import json, os, re, subprocess, sys, tempfile
+from browser import Browser, Served
+from checks import check, done, same
+
+program = os.path.abspath(sys.argv[1])
+root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+folder_of_test = tempfile.TemporaryDirectory()
+folder = folder_of_test.name
+player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
+if not os.path.exists(player):
+    print("left out: what plays is not built (./betwixt web)\n0 passed, 0 failed")
+    sys.exit()
+environment = {**os.environ, "BETWIXT_PLAYER": player}
+
+ball = "# ball.bx — a ball\nrate 24\nrange 1f 48f\nsize 320x180\nfilm flat\ncreate ball circle radius=3 color=red\nball.position\n  1f (0 0 0) linear\n  25f (4 0 0)\n"
+memory = """const real = WebAssembly.instantiate; WebAssembly.instantiate = async function (...all) {
+    const made = await real.apply(this, all), e = (made.instance ?? made).exports;
+    window.memories = [...(window.memories ?? []), Object.values(e).find((x) => x instanceof WebAssembly.Memory)]; return made; };
+  const get = OffscreenCanvas.prototype.getContext; OffscreenCanvas.prototype.getContext = function (kind, how) {
+    const made = get.call(this, kind, how); if (kind.startsWith("webgl")) window.graphics = made; return made; };"""
+helpers = """window.until = (m, name) => new Promise((r) => m.addEventListener(name, r, { once: true }));
+  window.calm = () => new Promise((r) => setTimeout(r, 150)); window.p = document.querySelector("betwixt-player");
+  window.e = document.querySelector("betwixt-editor"); window.t = e && e.shadowRoot.querySelector("textarea");
+  window.pixel = (p, x = 0.5, y = 0.5) => { const c = p.shadowRoot.querySelector("canvas"), d = document.createElement("canvas");
+    d.width = c.width, d.height = c.height; const k = d.getContext("2d"); k.drawImage(c, 0, 0);
+    return [...k.getImageData(c.width * x, c.height * y, 1, 1).data].slice(0, 3); };
+  window.colours = (p) => { const c = p.shadowRoot.querySelector("canvas"), d = document.createElement("canvas"); d.width = 64, d.height = 36;
+    const k = d.getContext("2d"); k.drawImage(c, 0, 0, 64, 36); return new Set(new Uint32Array(k.getImageData(0, 0, 64, 36).data.buffer)).size; };"""
+
+
+def write(name, words):
+    os.makedirs(os.path.dirname(f"{folder}/{name}"), exist_ok=True)
+    with open(f"{folder}/{name}", "w", encoding="utf-8") as out:
+        out.write(words)
+    return f"{folder}/{name}"
+
+
+def run(*words):
+    return subprocess.run([program, *words], capture_output=True, text=True, cwd=folder, env=environment)
+
+
+def web(*words):
+    said = run("web", *words)
+    if said.returncode != 0:
+        sys.exit(said.stderr)
+
+
+def opened(browser, url, **how):
+    page = browser.page(**how)
+    page.call("Page.addScriptToEvaluateOnNewDocument", source=memory)
+    page.go(url)
+    page.do(helpers)
+    return page
+
+
+def typed(browser):
+    page = opened(browser, f"file://{folder}/ball.html", size=(1200, 800))
+    page.until("p.readyState === 4")
+    page.do("p.pause(); p.currentTime = 0; await calm();")
+    same("a red ball", page.ask("pixel(p)"), [255, 0, 0])
+    page.do("p.currentTime = 1; await calm();")
+    check("which goes away", page.ask("pixel(p)") != [255, 0, 0], page.ask("pixel(p)"))
+    same("a value is that of the program", page.ask("p.eval('ball.position', 0.3)"), run("eval", "ball.bx", "--at", "0.3s", "ball.position").stdout.split(maxsplit=1)[-1].strip())
+    page.do("p.currentTime = 0; t.focus(); const at = t.value.indexOf('red'); t.setSelectionRange(at, at + 3);")
+    page.type("lime")
+    check("typed, it is seen", page.until("pixel(p)[1] > 200 && pixel(p)[0] < 50"))
+    page.do("t.setSelectionRange(t.value.length, t.value.length)")
+    page.type("ball.positon")
+    page.do("await calm()")
+    script = page.ask("t.value")
+    check("what is wrong leaves the picture", page.ask("pixel(p)[1] > 200"))
+    said = run("check", write("wrong/ball.bx", script))
+    wanted = [line for line in (said.stdout + said.stderr).replace(f"{folder}/wrong/", "").split("\n")
+              if line and not re.match(r"\d+ error", line)]
+    found = [line for line in page.ask("p.message").split("\n") if line]
+    same("it is said as the program says it", found, wanted)
+    shown = page.ask("e.shadowRoot.querySelector('.said').innerText")
+    check("and stands below, with its caret and a hint", "ball.positon" in shown and "^" in shown and "did you mean 'position'?" in shown, shown)
+    page.close()
+
+
+def wrong(browser, served):
+    page = opened(browser, f"{served}/empty.html")
+    said = lambda: page.do("await calm(); const m = p.shadowRoot.querySelector('[part=message]'); return m.hidden ? '' : m.innerText")
+    page.do("p.src = 'none.bx'; await until(p, 'error');")
+    check("a film that is not there", "none.bx cannot be fetched: the server answered 404" in said(), said())
+    page.do("p.src = 'wants.bx'; await until(p, 'error');")
+    check("a mesh that is not there", "meshes/none.obj" in said() and "404" in said() and "^" in said(), said())
+    page.do("p.src = 'mesh.bx'; await until(p, 'loadeddata'); await calm();")
+    check("one that is there is fetched", page.ask("colours(p)") > 20, page.ask("[colours(p), p.message]"))
+    page.close()
+
+
+def many(browser, served):
+    page = opened(browser, f"{served}/empty.html")
+    page.do(f"""window.ball = {json.dumps(ball)}; window.one = async () => {{ const p = document.createElement("betwixt-player");
+        p.loading = "eager"; p.width = 320; p.script = ball; document.body.append(p); await until(p, "loadeddata"); p.scrollIntoView();
+        for (let i = 0; !p.getVideoPlaybackQuality().totalVideoFrames && i < 50; ++i) await new Promise(requestAnimationFrame); return p; }};
+        for (let i = 0; i < 20; ++i) (await one()).remove(); await calm(); window.before = memories.map((m) => m.buffer.byteLength);""", patience=120)
+    page.do("for (let i = 0; i < 100; ++i) (await one()).remove(); await calm();", patience=300)
+    same("memory after a hundred films", page.ask("memories.map((m) => m.buffer.byteLength)"), page.ask("before"))
+    same("and one memory", page.ask("memories.length"), 1)
+    print(f"memory of the engine: {page.ask('before')[0] / 1e6:.1f} MB", file=sys.stderr)
+    page.do("window.all = []; for (let i = 0; i < 12; ++i) { const p = await one(); p.style.width = '200px'; p.style.display = 'inline-block'; all.push(p); } scrollTo(0, 0);"
+            "for (const p of all) { p.loop = true; p.play(); } await calm();", patience=120)
+    same("twelve players play", page.do("await calm(); return all.filter((p) => !p.paused && p.currentTime > 0).length"), 12)
+    page.do("for (const p of all) { p.pause(); p.currentTime = 0; } await calm(); await calm();")
+    same("each has its picture", page.ask("all.filter((p) => pixel(p)[0] === 255).length"), 12)
+    page.close()
+
+
+def graphics_go(browser):
+    page = opened(browser, f"file://{folder}/ball.html", size=(1200, 800))
+    page.until("p.readyState === 4")
+    page.do("p.pause(); p.currentTime = 0; await calm(); window.gone = graphics.getExtension('WEBGL_lose_context'); gone.loseContext(); await calm();")
+    page.do("p.currentTime = 1; await calm();")
+    same("without graphics the last picture stays", page.ask("[p.shadowRoot.querySelector('[part=message]').hidden, pixel(p)]"), [True, [255, 0, 0]])
+    page.do("gone.restoreContext()")
+    check("and it goes on when they are back", page.until("pixel(p)[0] !== 255"))
+    page.close()
+
+
+def without_graphics():
+    with Browser(webgl=False) as browser:
+        page = opened(browser, f"file://{folder}/ball.html", size=(1200, 800))
+        page.until("!p.shadowRoot.querySelector('[part=message]').hidden")
+        said = page.ask("p.shadowRoot.querySelector('[part=message]').innerText")
+        check("without WebGL 2 there is a message", "WebGL 2" in said, said)
+        check("and the text is there", page.ask("t.value").startswith("# ball.bx"))
+        page.close()
+
+
+# All films of the gallery and of the tutorial, from a folder.
+def pages(browser):
+    made = subprocess.run([f"{root}/tools/pages.sh", program, f"{folder}/pages"], capture_output=True, text=True, env=environment)
+    if not check("the pages are made", made.returncode == 0, made.stderr):
+        return
+    for name, count in (("gallery", 12), ("tutorial", 20)):
+        page = opened(browser, f"file://{folder}/pages/{name}.html", size=(1200, 900))
+        page.do("window.all = [...document.querySelectorAll('betwixt-player')]")
+        same(f"films of the {name}", page.ask("all.length"), count)
+        page.do("""for (const p of all) { p.scrollIntoView(); for (let i = 0; p.readyState < 4 && !p.error && i < 100; ++i) await calm();
+            if (p.film) { p.currentTime = p.duration / 2; await calm(); } }""", patience=300)
+        bad = page.ask("all.filter((p) => !p.film).map((p) => p.error && p.error.message)")
+        same(f"{name}: those with mistakes", len(bad), 1 if name == "tutorial" else 0)
+        check(f"{name}: none but the one that is meant", all("positon" in (b or "") for b in bad), bad)
+        same(f"{name}: those that show nothing", page.ask("all.filter((p) => p.film && colours(p) < 3).length"), 0)
+        same(f"{name}: what the page complains of", page.said, [])
+        page.close()
+
+
+write("ball.bx", ball)
+write("wants.bx", ball + 'create m mesh file="meshes/none.obj"\n')
+write("mesh.bx", 'size 320x180\ncreate m mesh file="meshes/one.obj" color=gold\n')
+write("meshes/one.obj", "v -1 0 0\nv 1 0 0\nv 0 1.5 0\nv 0 0 1\nf 1 2 3\nf 1 4 3\nf 4 2 3\n")
+web("ball.bx", "-o", "ball.html")
+with open(player, encoding="utf-8") as source:
+    write("betwixt-player.js", source.read())
+write("empty.html", '<!DOCTYPE html><meta charset="utf-8"><body><script src="betwixt-player.js"></script><betwixt-player></betwixt-player>')
+with Browser() as browser, Served(folder) as served:
+    for part in (typed, graphics_go, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
+        try:
+            part(browser)
+        except Exception as e:
+            check(part.__name__, False, e)
+without_graphics()
+done()
