@@ -76,11 +76,18 @@ const partly = (f, part) => {
 // ---- Asking the engine
 
 const kept = new Map();  // frames of some factors, as long as the string is the same
+const keptNow = { t: -1, of: new Map() };  // and at one moment, which many pictures ask for
 const framesOf = (texts, from, to, count, linear = false) => {
   const text = texts.join(" "), key = [text, from, to, count, linear].join();
-  if (count === 0) return algebra.frames(text, from, to, 0, linear);
+  if (count === 0) return [momentOf(text, from, linear)];
   if (!kept.has(key)) kept.set(key, algebra.frames(text, from, to, count, linear));
   return kept.get(key);
+};
+const momentOf = (text, t, linear) => {
+  const key = linear + text;
+  if (t !== keptNow.t) keptNow.of.clear(), keptNow.t = t;
+  if (!keptNow.of.has(key)) keptNow.of.set(key, algebra.frames(text, t, t, 0, linear)[0]);
+  return keptNow.of.get(key);
 };
 const textsOf = (factors) => factors.map((f) => f.text);
 const matrixOf = (factors, linear) => {
@@ -861,7 +868,8 @@ const fromAddress = () => {
     text = said.has("m") ? decodeURIComponent(said.get("m")) : text;
   } catch { /* no text of an address: the string stays */ }
   stop();
-  if (!lesson || other || text !== shownText) change(text);
+  if (!lesson) change(given.text, "address");  // whatever the address says, there is a string
+  if (other || text !== shownText) change(text, "address");
   else drawStage();
   show(state.t);
 };

@@ -31,6 +31,16 @@ std::string json_rows(const Mat4& m) {
   return json_list(numbers);
 }
 
+// A motion of a text, whether it can be shown or not.
+Result<Motion> understood(std::string_view text) {
+  auto motion = parse_motion(text);
+  if (!motion) return motion;
+  for (const Factor& f : motion->factors)
+    if (!f.about.empty())
+      return fail(ErrorCode::name, fmt::format("there is no object '{}' here", f.about), "a centre is a place: @ 0 1");
+  return motion;
+}
+
 std::string refused(const Error& e) {
   const int column = e.place.line > 0 ? e.place.column : 0;
   return fmt::format("{{\"error\":{{\"message\":{},\"hint\":{},\"column\":{},\"length\":{}}}}}", json_text(e.message),
@@ -147,11 +157,8 @@ std::string method_json(const Taught& way, const Motion& motion, std::int64_t st
 }  // namespace
 
 Result<Motion> read(std::string_view text, const Places& points) {
-  auto motion = parse_motion(text);
+  auto motion = understood(text);
   if (!motion) return motion;
-  for (const Factor& f : motion->factors)
-    if (!f.about.empty())
-      return fail(ErrorCode::name, fmt::format("there is no object '{}' here", f.about), "a centre is a place: @ 0 1");
   if (auto bad = can_be_shown(*motion, points); !bad) return bad.error();
   return motion;
 }
@@ -168,7 +175,7 @@ std::string string_answer(std::string_view text, const Places& points) {
 }
 
 std::string frames_answer(std::string_view text, double from, double to, int count, bool linear_law) {
-  const auto motion = read(text);
+  const auto motion = understood(text);
   if (!motion) return refused(motion.error());
   const Motion shown = linear_law ? by_linear_law(*motion) : *motion;
   std::vector<Mat4> frames;
@@ -177,7 +184,7 @@ std::string frames_answer(std::string_view text, double from, double to, int cou
 }
 
 std::string moment_answer(std::string_view text, double t) {
-  const auto motion = read(text);
+  const auto motion = understood(text);
   if (!motion) return refused(motion.error());
   const auto symbols = in_symbols(*motion);
   return fmt::format("{{\"matrix\":{},\"letters\":{},\"parts\":{},\"alone\":{}}}", json_rows(at(*motion, t)),

@@ -23,7 +23,8 @@ Result<Motion> read(std::string_view text, const Places& points = {});
 
 // The string as it is: its text, factors, unit, and the matrices in letters, of each factor and of all.
 std::string string_answer(std::string_view text, const Places& points);
-// {"frames": [A(t)]} at `count` + 1 even times.
+// {"frames": [A(t)]} at `count` + 1 even times. This and the next are asked for every picture: whether the string can
+// be shown is not looked at again.
 std::string frames_answer(std::string_view text, double from, double to, int count, bool linear_law);
 // A(t), the letters' values, and of each factor what of it is done by t.
 std::string moment_answer(std::string_view text, double t);

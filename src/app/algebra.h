@@ -18,7 +18,7 @@ struct Call {
   std::optional<std::string> points, lesson;
   std::vector<std::string> at;
   std::int64_t steps = 24;
-  bool count = false, json = false, inverse = false, css = false, to_css = false, accumulate = false;
+  bool count = false, json = false, inverse = false, css = false, to_css = false, accumulate = false, symbols = false;
 };
 
 struct Point {
@@ -57,6 +57,9 @@ std::string count_json(const Call&, const Asked&);
 bool end_only(const Motion&);
 // How far from where they belong such a scheme has the points, at its worst.
 double off_the_way(const Call&, const Asked&);
+
+// The matrix in letters, as text or JSON. The exit code.
+int show_symbols(const Call&, const Asked&);
 
 // Whether what is asked is more than what a browser shows from `none` to a list of moving, turning and scaling.
 bool beyond_motions(const Call&);

@@ -168,6 +168,7 @@ int algebra(Call& call) {
   if (call.css && algebra_command::beyond_motions(call)) return algebra_command::show_css(call, *asked);
   if (const int code = read_motion(call, *asked); code != all_done) return code;
   if (call.lesson) return teach(call, *asked);
+  if (call.symbols) return algebra_command::show_symbols(call, *asked);
   const bool planar = is_planar(asked->motion);
   if (!planar)
     for (Point& p : asked->points) p.numbers = 3;
@@ -200,6 +201,7 @@ std::vector<Parameter> algebra_parameters(Call& call) {
        .into = ReadValue([&call](const std::string& name) { return known_method(name, call.method); }),
        .words = {"matrix", "geometric", "differences", "best"}},
       flag("--count", "operations per step, as the source prints them and as they are", call.count),
+      flag("--symbols", "the matrix of A(t) in letters, and what they stand for", call.symbols),
       flag("--css", "MOTION is a list of CSS transforms: \"translate(10px, 0) rotate(90deg)\"", call.css),
       {.name = "--to",
        .value = "LIST",
@@ -228,7 +230,8 @@ std::vector<Parameter> algebra_parameters(Call& call) {
       flag("--to-css", "the motion as two lists of CSS transforms, to animate from one to the other", call.to_css),
       flag("--inverse", "the motion that undoes this one", call.inverse),
       flag("--json", "one JSON object", call.json),
-      file_option("--lesson", "OUT.html", "writes a page that teaches the string", &call.lesson, "--json")};
+      file_option("--lesson", "OUT.html", "writes a page that teaches the string, and in which it is edited",
+                  &call.lesson, "--json")};
 }
 
 const Enlisted enlisted_algebra(algebra, [](Call& call) -> Subcommand {

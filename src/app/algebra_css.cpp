@@ -99,10 +99,11 @@ Result<std::optional<CssSize>> read_size(const Call& call) {
 int show_css(const Call& call, const Asked& given) {
   Lists lists;
   if (const int code = read_lists(call, lists); code != all_done) return code;
-  if (call.lesson || call.count || call.inverse || call.to_css || given.method)
-    return complain(fail(ErrorCode::type, "these lists are no motion, and have frames only",
-                         "methods, counts, inverses and lessons are of translations, rotations and scalings"),
-                    wrong_call);
+  if (call.lesson || call.symbols || call.count || call.inverse || call.to_css || given.method)
+    return complain(
+        fail(ErrorCode::type, "these lists are no motion, and have frames only",
+             "methods, counts, inverses, matrices in letters and lessons are of translations, rotations and scalings"),
+        wrong_call);
   Asked asked = given;
   if (!planar(lists.from) || !planar(lists.to))
     for (Point& p : asked.points) p.numbers = 3;

@@ -90,6 +90,23 @@ same 'accumulated' 0 3 0  1 4 0
 algebra --css 'scale(1)' --to 'scale(3)' --origin 10,0 --steps 1 --at 1 --points 11,0 --json
 is 'as JSON' "$out" '{"steps":1,"frames":[{"k":1,"points":[[13,0]],"matrix":[3,0,0,0,0,3,0,0,0,0,1,0,-20,0,0,1]}]}'
 
+# The matrix in letters, by hand.
+algebra 'T(5 3) R(1rad @ 1 4)' --symbols
+is 'in letters' "$out" '  c2  -s2  u1 + (1 - c2) x2 + s2 y2
+  s2  c2   v1 - s2 x2 + (1 - c2) y2
+
+  u1 = 5 t
+  v1 = 3 t
+  c2 = cos(1rad t)
+  s2 = sin(1rad t)
+  x2 = 1
+  y2 = 4'
+algebra 'S(2 @ 0 0 1)  R(90deg axis y)' --symbols --json
+is 'in letters, in space, as JSON' "$out" '{"motion":"S(2 @ 0 0 1) R(90deg axis 0 1 0)","matrix":[["g1 c2","0","g1 s2","0"],["0","g1","0","0"],["-g1 s2","0","g1 c2","(1 - g1) z1"]],"letters":[{"name":"g1","factor":1,"means":"2^t"},{"name":"z1","factor":1,"means":"1"},{"name":"c2","factor":2,"means":"cos(90deg t)"},{"name":"s2","factor":2,"means":"sin(90deg t)"}]}'
+algebra '' --symbols
+is 'no letters' "$out" '  1  0  0
+  0  1  0'
+
 algebra 'T(5 3) R(1rad @ 1 4)' --json --steps 2 --at 0,2 --points 1,4 --count
 verdict 'JSON' "$(python3 - "$out" <<'P' && echo yes
 import json, sys
@@ -136,6 +153,8 @@ refused 'no points' 2 '--points: there is no point' 'T(1 0)' --points ''
 refused 'a lesson as JSON' 2 '--json excludes --lesson' 'T(1 0)' --lesson x.html --json
 refused 'a lesson as a plot' 1 'a lesson is a .html, not "x.svg"' 'T(1 0)' --lesson x.svg
 refused 'no origin' 2 "--origin: 'x' is no point" 'rotate(90deg)' --css --origin x
+refused 'lists in letters' 2 'these lists are no motion, and have frames only' --css none --to 'scale(2)' --symbols
+refused 'too long in letters' 1 'has more than 64 terms' "$(printf 'R(1rad @ 1 2) %.0s' {1..12})" --symbols
 refused 'counts in space' 1 'operations are counted in the plane only' 'T(1 0 1)' --count
 refused 'no CSS of growth' 1 'S' 'S(2)' --to-css
 refused 'no CSS' 1 'motion:1:8: error:' --css 'skew(10em)'
