@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Looks for texts that break what reads them.
-#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, drawing, language, protocol, scene
+#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, drawing, language, protocol, scene, lsp
 #   tools/fuzz.sh keep [TARGET…]             what was learnt becomes the corpus in tests/fuzz/corpus
 # It begins with that corpus, the examples and the tests' scripts. What is found lies in build/fuzz/found, what was said in
 # build/fuzz/TARGET.log; what was learnt is kept in build/fuzz/corpus, so that the next run goes on from there.
@@ -13,7 +13,7 @@ keep=
 if [ "${1-}" = keep ]; then keep=1 && set -- 0 1 "${@:2}"; fi
 seconds=${1:-60} jobs=${2:-1}
 targets=("${@:3}")
-[ ${#targets[@]} != 0 ] || targets=(motion drawing language protocol scene)
+[ ${#targets[@]} != 0 ] || targets=(motion drawing language protocol scene lsp)
 need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/test-packages.txt"
 build fuzz "${targets[@]/#/fuzz_}"
 
@@ -22,7 +22,7 @@ cd "$folder" || die "there is no $folder"
 mkdir -p found
 # Leaks are looked for at the end: after each execution that would take more than all the rest. Texts are short, as most
 # of what is to be found lies in few lines.
-declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024 [scene]=8192)
+declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024 [scene]=8192 [lsp]=1024)
 options=(-artifact_prefix=found/ -detect_leaks=0 -entropic=0 -timeout=120 -rss_limit_mb=3000)
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0
 

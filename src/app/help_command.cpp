@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/command_line.h"
 #include "app/completion.h"
+#include "app/editor_words.h"
 #include "app/manual.h"
 #include "base/names.h"
 #include "commands/plugins.h"
@@ -33,6 +34,8 @@ std::string to_print(const std::string& what) {
   if (what == "bash") return bash_completion();
   if (what == "zsh") return zsh_completion();
   if (what == "fish") return fish_completion();
+  if (what == "vim") return vim_syntax();
+  if (what == "textmate") return textmate_grammar();
   return manual_page();
 }
 
@@ -73,11 +76,11 @@ const Enlisted enlisted_help(help, [](HelpCall& call) -> Subcommand {
                      .offer = Offer::commands},
                     {.name = "--print",
                      .value = "WHAT",
-                     .sentence = "a completion or the manual page",
+                     .sentence = "a completion, the manual page, or how an editor colours scripts",
                      .into = &call.print,
                      .hidden = true,
                      .words_only = true,
-                     .words = {"bash", "zsh", "fish", "manual"}}},
+                     .words = {"bash", "zsh", "fish", "manual", "vim", "textmate"}}},
           .example = "betwixt help copy"};
 });
 

@@ -73,14 +73,7 @@ void each_part(std::string_view line, LineState& state, F&& f) {
   }
 }
 
-bool is_option(std::string_view w) {
-  static constexpr std::string_view prepositions[] = {"to",      "on",    "by",     "from", "until",
-                                                      "into",    "times", "shift",  "like", "through",
-                                                      "next-to", "in",    "before", "after"};
-  if (std::ranges::find(prepositions, w) != std::end(prepositions)) return true;
-  return std::ranges::any_of(help_entries(),
-                             [&](const HelpEntry& e) { return e.group == HelpGroup::option && e.word == w; });
-}
+bool is_option(std::string_view w) { return std::ranges::binary_search(option_words(), w); }
 bool is_function(std::string_view w, const Scene& s) {
   const auto called = [&](const FunctionSpec& f) { return f.name == w; };
   return std::ranges::any_of(built_in_functions(), called) || std::ranges::any_of(*s.defined, called);
@@ -130,6 +123,18 @@ struct Reading {
 };
 
 }  // namespace
+
+const std::vector<std::string_view>& option_words() {
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> words{"to",   "on",      "by",  "from",   "until", "into", "times", "shift",
+                                        "like", "through", "in",  "before", "after", "next-to"};
+    for (const HelpEntry& e : help_entries())
+      if (e.group == HelpGroup::option) words.push_back(e.word);
+    std::ranges::sort(words);
+    return words;
+  }();
+  return all;
+}
 
 void pass_line(std::string_view line, LineState& state) {
   each_part(line, state, [](std::size_t, std::size_t, Meaning) {});

@@ -36,6 +36,9 @@ std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, cons
 // The state alone.
 void pass_line(std::string_view line, LineState& state);
 
+// Words that are options, wherever they stand in a line: to, by, keep-world …
+const std::vector<std::string_view>& option_words();
+
 // The number that stands at a place of a line, with its sign, without its unit: "-0.50" of "(1 -0.50deg 3)".
 struct NumberAt {
   std::size_t at = 0, length = 0;

@@ -31,9 +31,9 @@ Result<std::function<Status(int, Made&)>> painter(const Program& program, const 
   const auto easel = std::make_shared<Easel>(*std::move(renderer), Evaluation(program));
   return std::function([easel, problems, frames = shoot.frames, exposure = shoot.exposure](int k, Made& out) -> Status {
     Status drawn = Nothing{};
-    bool exposed = false;
+    const bool exposed = std::is_same_v<Made, DeepPicture> && exposure;
     if constexpr (std::is_same_v<Made, DeepPicture>)
-      if (exposure) exposed = true, drawn = easel->renderer->expose(easel->evaluation, frames.time(k), *exposure, out);
+      if (exposed) drawn = easel->renderer->expose(easel->evaluation, frames.time(k), *exposure, out);
     if (!exposed) {
       easel->evaluation.to(frames.time(k));
       drawn = easel->renderer->render(easel->evaluation, out);

@@ -76,7 +76,8 @@ Diagnostic Source::diagnose(Severity severity, Error error, std::string_view abo
   at.file = name;
   at.line = lines_;
   at.column = characters(start, spot) + 1;
-  at.length = std::max(1, characters(spot, std::min(spot + about.size(), std::max(spot, stop))));
+  const auto rest = static_cast<std::size_t>(std::max(spot, stop) - spot);
+  at.length = std::max(1, characters(spot, spot + std::min(about.size(), rest)));
   const auto [from, to] = around(start, stop, spot);
   d.line = std::string(from, to);
   d.caret = characters(from, spot);

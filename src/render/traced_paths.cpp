@@ -84,7 +84,6 @@ struct Paths::Surface {
 Paths::Paths(const World& world, const View& view, const Scenery& scenery)
     : world_(world),
       view_(view),
-      scenery_(scenery),
       around_(scenery.surroundings),
       lighting_(lighting_of(scenery.lights, view, {}, around_)),
       top_(scenery.background.value_or(Lighting::above)),

@@ -49,7 +49,6 @@ class Paths {
 
   const World& world_;
   const View& view_;
-  const Scenery& scenery_;
   const Surroundings& around_;
   const Lighting lighting_;
   Vec3 top_, bottom_;  // of the background

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What `betwixt lsp` answers, from outside: lsp_cases.py PROGRAM FOLDER. Each case is a line: its name, yes or no, why."""
+"""What `betwixt lsp` answers: lsp_cases.py PROGRAM FOLDER. Each case is a line: its name, yes or no, why."""
 import os
 import subprocess
 import sys
