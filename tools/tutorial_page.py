@@ -7,11 +7,12 @@
 #   <!-- live: above LINE -->                 they stand above that line
 #   <!-- live: in place of LINE -->           in place of that line and what is indented below it (a time: of that row)
 #   <!-- live: with WORDS for WORDS -->       a mistake, which the next film has not
-#   tutorial_page.py PROGRAM PAGE.html     PROGRAM checks each film; betwixt-player.js lies beside the page
+#   tutorial_page.py PROGRAM PAGE.html     PROGRAM checks each film; betwixt-player.js is put beside the page
 import html, os, re, subprocess, sys, tempfile
 
 program, out = sys.argv[1:]
 root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+films = []  # of the page
 read = lambda path: open(os.path.join(root, path), encoding="utf-8").read()
 as_script_text = lambda text: re.sub(r"<(\\*(?:/script|script|!--))", r"<\\\1", text, flags=re.I)
 
@@ -41,14 +42,32 @@ def checked(film, wrong):
     with tempfile.NamedTemporaryFile("w", suffix=".bx") as script:
         script.write(film), script.flush()
         said = subprocess.run([program, "check", script.name], capture_output=True, text=True)
-    if (said.returncode != 0) != wrong:
+    if (said.returncode != 0 or "warning:" in said.stdout + said.stderr) != wrong:
         sys.exit(f"docs/tutorial.md: this film {'has no mistake' if wrong else 'has one'}:\n{film}\n{said.stdout}{said.stderr}")
 
 
 def player(film, wrong):
     checked(film, wrong)
+    if not wrong:
+        films.append(film)
     return ("<betwixt-editor>\n<betwixt-player controls loop width=\"1280\" height=\"720\">\n"
             f"<script type=\"text/betwixt\" data-name=\"hop.bx\">\n{as_script_text(film)}\n</script>\n</betwixt-player>\n</betwixt-editor>\n")
+
+
+# What the films need besides: the program knows, and makes a page of all of them.
+def files_of(films):
+    with tempfile.TemporaryDirectory() as folder:
+        scripts = [f"{folder}/{i}.bx" for i in range(len(films))]
+        for path, film in zip(scripts, films):
+            with open(path, "w", encoding="utf-8") as script:
+                script.write(film + "\n")
+        made = subprocess.run([program, "web", *scripts, "-o", f"{folder}/all.html", "--link"], capture_output=True, text=True)
+        if made.returncode != 0:
+            sys.exit(made.stderr)
+        os.replace(f"{folder}/betwixt-player.js", os.path.join(os.path.dirname(out) or ".", "betwixt-player.js"))
+        page = open(f"{folder}/all.html", encoding="utf-8").read()
+    found = re.search(r'<script type="application/json" data-betwixt-files>.*?</script>\n', page, re.S)
+    return found[0] if found else ""
 
 
 def inline(text):
@@ -77,25 +96,25 @@ def parts_of(markdown):  # with blank lines between; those within blocks are the
 
 
 def body(markdown):
-    out, film, live = [], "", None
+    written, film, live = [], "", None
     for part in parts_of(markdown):
         if mark := re.match(r"<!-- live: (.*?) -->\n?", part):
             live, part = mark[1], part[mark.end():]
         block = re.fullmatch(r"```\w*\n(.*)\n```", part, re.S)
         if block and live != "new":
-            out.append(f"<pre>{html.escape(block[1], quote=False)}</pre>")
+            written.append(f"<pre>{html.escape(block[1], quote=False)}</pre>")
         elif heading := re.fullmatch(r"(#+) (.*)", part):
             if len(heading[1]) > 1:
-                out.append(f"<h2>{inline(heading[2])}</h2>")
+                written.append(f"<h2>{inline(heading[2])}</h2>")
         elif part and not block and (words := inline(part)).strip():
-            out.append(f"<p>{words}</p>")
+            written.append(f"<p>{words}</p>")
         if live and (mistake := re.fullmatch(r"with (.*) for (.*)", live)):
-            out.append(player(film.replace(mistake[2], mistake[1]), True))
+            written.append(player(film.replace(mistake[2], mistake[1]), True))
         elif live:
             film = changed(film, live, block[1] if block else "")
-            out.append(player(film, False))
+            written.append(player(film, False))
         live = None
-    return "\n".join(out) + "\n"
+    return "\n".join(written) + "\n"
 
 
 style = read("web/page.css") + """pre, code { font: 0.86em/1.55 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
@@ -105,8 +124,8 @@ a { color: light-dark(#0b5394, #8fc3f5); }
 betwixt-editor { margin: 0 0 1.8rem; --betwixt-text-height: 26rem; }
 """
 version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout.split()[-1]
-parts = {"version": version, "title": "The tutorial", "css": style, "class": "edited", "films": body(read("docs/tutorial.md")), "files": "",
-         "player": '<script src="betwixt-player.js"></script>'}
+parts = {"version": version, "title": "The tutorial", "css": style, "class": "edited", "films": body(read("docs/tutorial.md")),
+         "files": files_of(films), "player": '<script src="betwixt-player.js"></script>'}
 page = re.sub(r"\{\{(\w+)\}\}", lambda m: parts[m[1]], read("web/page.html"))
 with open(out + ".new", "w", encoding="utf-8") as file:
     file.write(page)

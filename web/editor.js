@@ -23,7 +23,9 @@ if (globalThis.customElements && !customElements.get("betwixt-editor")) {
       at = piece.index + word.length;
     }
     out += as_html(line.slice(at));
-    return bad ? `<i class="bad">${out || " "}</i>` : out;
+    if (!bad) return out;
+    const blanks = out.match(/^\s*/)[0];
+    return `${blanks}<i class="bad">${out.slice(blanks.length) || " "}</i>`;
   };
 
   // Columns count characters, texts of JavaScript half of some.
@@ -222,9 +224,10 @@ i { font-style: normal; }
       item.append(d.text);
       if (d.line && d.source) {
         // What stands before the caret keeps its tabs, so that the caret is below its place.
-        const before = [...d.source].slice(0, d.column - 1).map((c) => (c === "\t" ? c : " ")).join("");
-        const code = add("code", `${d.source}\n${before}`);
-        code.append(Object.assign(document.createElement("i"), { textContent: "^" }));
+        const all = [...d.source], at = d.caret ?? d.column - 1;  // of a long line there is a part
+        const before = all.slice(0, at).map((c) => (c === "\t" ? c : " ")).join("");
+        const caret = "^".padEnd(Math.min(d.length ?? 1, all.length - at), "~");
+        add("code", `${d.source}\n${before}`).append(Object.assign(document.createElement("i"), { textContent: caret }));
       }
       if (d.hint) add("small", d.hint);
       if (here && d.line) item.addEventListener("click", () => this.go(d.line, d.column));

@@ -55,7 +55,7 @@ def typing(browser):
     same("the last good picture stays", page.do("await calm(); return [colour(), p.error];"), ["255 99 71", None])
     same("what is wrong stands below", page.ask("inside('.said').innerText.split('\\n').filter((l) => l)"),
          ["line 6: this is broken", "  it is broken 🎈 broken", "        ^", "mend it"])
-    same("its line is underlined", page.ask("inside('.bad').textContent"), "  it is broken 🎈 broken")
+    same("its line is underlined", page.ask("inside('.bad').textContent"), "it is broken 🎈 broken")
     same("and spoken", page.ask("inside('.heard').textContent"), "Line 6: this is broken")
     page.do("t.setSelectionRange(0, 0); inside('.said button').click()")
     same("a click goes there", page.ask("[t.selectionStart, e.shadowRoot.activeElement === t]"), [len(text) + len('tomato') - len('gold') + 8, True])
