@@ -10,7 +10,7 @@ if (globalThis.customElements && !customElements.get("betwixt-editor")) {
 
   // The pieces of a line that are told apart: texts, comments, colours, numbers with their units, keys, what opens it.
   const pieces =
-    /("(?:[^"\\]|\\.)*"?)|(#(?=\s|$).*)|(#(?:[0-9a-f]{6}|[0-9a-f]{3})\b)|((?<![\w.])[+-]?(?:\d+\.?\d*|\.\d+)(?:[a-z°%]+)?)|([A-Za-z][\w-]*)(?==)|([A-Za-z_][\w/*{}.-]*)/gi;
+    /("(?:[^"\\]|\\.)*"?)|(#(?=\s|$).*)|(#(?:[0-9a-f]{6}|[0-9a-f]{3})\b)|((?<![\w.])[+-]?(?:\d+x\d+|(?:\d+\.?\d*|\.\d+)(?:[a-z°%]+)?))|([A-Za-z][\w-]*)(?==)|([A-Za-z_][\w/*{}.-]*)/gi;
   const coloured_line = (line, bad) => {
     let out = "", at = 0;
     for (const piece of line.matchAll(pieces)) {
