@@ -9,7 +9,7 @@ let algebra = null;
 let shownText = "";  // the last string that was one
 let lesson = null;   // what there is to know of it
 let before = [];     // strings, to undo
-const updates = { stage: [], rest: [] };  // what is drawn anew when t changes
+const updates = { stage: [], rest: [], methods: [] };  // what is drawn anew when t changes
 
 // ---- Words
 
@@ -187,6 +187,18 @@ const swap = (i, j) => {
   const again = byId("chips").querySelectorAll(".swap")[Math.min(i, j)];
   if (again && Math.abs(i - j) === 1) again.focus();
 };
+const takeOut = (i) => {
+  join(texts().filter((_, k) => k !== i));
+  const left = byId("chips").querySelectorAll(".out");
+  (left[Math.min(i, left.length - 1)] || byId("add-T")).focus();
+};
+// Equal factors in equal times, or equal amounts.
+const changeLaw = (i) => {
+  const answer = algebra.changed(shownText, i, "linear", [+!lesson.factors[i].linear]);
+  if (answer.error) complain(shownText, answer.error);
+  else change(answer.text);
+  byId("chips").querySelector(`[data-factor="${i}"] .law`)?.focus();
+};
 const showChips = () => {
   const list = byId("chips");
   list.textContent = "";
@@ -194,8 +206,11 @@ const showChips = () => {
     const item = put(list, "li");
     const chip = put(item, "div", { class: "chip factor", "data-factor": i, style: `border-color: ${factorColour(i)}` });
     put(chip, "span", { style: `color: ${factorColour(i)}` }, f.text);
-    put(chip, "button", { type: "button", "aria-label": `Take ${f.text} out` }, "×")
-      .addEventListener("click", () => join(texts().filter((_, k) => k !== i)));
+    if (f.kind === "S")
+      put(chip, "button", { type: "button", class: "law", "aria-pressed": f.linear, title: "by equal amounts, as in CSS, and not by equal factors" }, "linear")
+        .addEventListener("click", () => changeLaw(i));
+    put(chip, "button", { type: "button", class: "out", "aria-label": `Take ${f.text} out` }, "×")
+      .addEventListener("click", () => takeOut(i));
     chip.addEventListener("pointerdown", (e) => dragChip(e, chip, i));
     if (i + 1 === lesson.factors.length) return;
     const name = `Swap ${f.text} and ${lesson.factors[i + 1].text}`;
@@ -297,13 +312,15 @@ const orbit = (svg) => {
     if (!by || e.target !== svg) return;
     e.preventDefault();
     turn(state.yaw + by[0], state.pitch + by[1]);
-    byId("stage").firstChild.focus({ preventScroll: true });
+    stage.w.svg.focus({ preventScroll: true });
     showLater();
   });
 };
-// What was pressed is followed wherever it goes: the elements under it are drawn anew meanwhile.
+// What was pressed is followed wherever it goes. The elements under it are drawn anew meanwhile, so that the box around
+// them is what a finger holds.
 const follow = (down, moves, ends) => {
   down.preventDefault();
+  byId("stage").setPointerCapture(down.pointerId);
   const move = (e) => { if (e.pointerId === down.pointerId) moves(e); };
   const end = (e) => {
     if (e.pointerId !== down.pointerId) return;
@@ -375,6 +392,7 @@ const showGrip = (svg, grip, k) => {
   put(g, "path", { class: "grip factor", d: shapes[grip.shape], stroke });
   stand(g, w.on(grip.at));
   g.addEventListener("pointerdown", (down) => { if (down.button === 0) dragGrip(down, grip); });
+  g.addEventListener("touchstart", (e) => e.preventDefault(), { passive: false });  // or the page would be scrolled
   g.addEventListener("keydown", (e) => moveGrip(e, grip));
 };
 // In the plane of the paper, through where the grip stood.
@@ -619,7 +637,7 @@ const showMethod = (list, w) => {
   cell("Before:", w.before, w.functions ? `and ${counted(w.functions, "sine or the like", "sines and the like")}` : "");
   printed("before");
   const exact = w.gap <= 1e-7 * lesson.unit;
-  cell("Farthest:", tiny(w.gap), exact ? "of rounding alone" : `at t = ${number(w.at, 3)}${w.linear ? ", from the motion by the linear law" : ""}`);
+  cell("Farthest:", exact ? tiny(w.gap) : number(w.gap, 3), exact ? "of rounding alone" : `at t = ${number(w.at, 3)}${w.linear ? ", from the motion by the linear law" : ""}`);
 };
 const showBars = ({ ways, countedFor }) => {
   const able = ways.filter((w) => !w.refused), bars = byId("bars");
@@ -643,6 +661,7 @@ const showBars = ({ ways, countedFor }) => {
 const showMethodPictures = (ways) => {
   const box = byId("ways-pictures"), tip = wholeFigure().followed[0], most = 240;
   box.textContent = "";
+  updates.methods = [];
   for (const w of ways) {
     const figure = put(box, "figure");
     const caption = put(put(figure, "figcaption"), "b", {}, w.name).parentNode;
@@ -655,6 +674,10 @@ const showMethodPictures = (ways) => {
     const { svg, on, path: drawn } = windowOn(figure, seen, look(), `The marked corner, step by step, by the method ${w.name}`, 300, [0.5, 0.9], true);
     put(svg, "path", { class: "path", d: drawn(path), fill: "none", stroke: pathColour(0), "stroke-width": 3, "stroke-opacity": 0.6 });
     for (const p of steps) stand(put(svg, "circle", { class: "path", r: steps.length > 100 ? 2 : 3, fill: pathColour(1) }), on(p));
+    const mark = put(svg, "circle", { r: 6, fill: "none", stroke: "var(--ink)", "stroke-width": 2 });
+    const update = (t) => stand(mark, on(steps[Math.min(steps.length - 1, Math.round(t * (w.frames.length - 1)))]));
+    update(state.t);
+    updates.methods.push(update);
     caption.append(`: ${w.step}; ${w.gap <= 1e-7 * lesson.unit ? "on the path" : `up to ${number(w.gap, 3)} beside it`}`);
     figure.append(caption);
   }
@@ -883,7 +906,7 @@ const show = (to) => {
   slider.value = state.t;
   shown.textContent = `t = ${state.t.toFixed(3)}`;
   slider.setAttribute("aria-valuetext", `t = ${state.t.toFixed(3)}`);
-  for (const update of [...updates.stage, ...updates.rest]) update(state.t);
+  for (const update of Object.values(updates).flat()) update(state.t);
   document.documentElement.dataset.t = state.t;
 };
 const stop = () => {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any text at all, as a motion and as a list of CSS transforms.
+// Any text at all, as a motion, as a list of CSS transforms, and in the field of a lesson.
 #include <cstdint>
 
+#include "algebra/lesson.h"
 #include "betwixt/css.h"
 #include "fuzz.h"
 
@@ -30,6 +31,18 @@ static void motion(std::string_view text) {
   }
 }
 
+// Whatever stands in the field of a lesson, all answers are objects.
+static void lesson_of(std::string_view text) {
+  using namespace betwixt::algebra::lesson;
+  const algebra::Places points{{0, 0, 0}, {1, 1.5, 0}};
+  const auto shown = read(text, points);
+  if (shown && shown->factors.size() > 12) return;  // it would take long
+  for (const std::string& answer :
+       {string_answer(text, points), frames_answer(text, 0, 1, 3, true), moment_answer(text, 0.3),
+        methods_answer(text, 5, points), ways_answer(text, points), changed_answer(text, 0, "centre", {1, 2, 0})})
+    insist(answer.starts_with("{\"") && answer.ends_with("}"), "an answer is an object");
+}
+
 // A list of CSS is read, mixed and accumulated, whatever it is.
 static void css(std::string_view text) {
   const auto list = parse_css(text, CssSize{100, 50});
@@ -42,5 +55,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   motion(text);
   css(text);
+  lesson_of(text);
   return 0;
 }

@@ -206,7 +206,11 @@ def check_swapping(page):
     verdict("dragged nowhere, it stays", field(page) == "S(2) T(3 0) R(1turn)", field(page))
     page.click(*box(page, "#undo")[:2])
     verdict("undone", field(page) == "R(1turn) T(3 0) S(2)", field(page))
-    page.click(*box(page, "li:nth-child(2) .chip button")[:2])
+    page.click(*box(page, ".law")[:2])
+    verdict("the other law", field(page) == "R(1turn) T(3 0) S(2 linear)", field(page))
+    page.key("Enter")
+    verdict("and back", field(page) == "R(1turn) T(3 0) S(2)", field(page))
+    page.click(*box(page, "li:nth-child(2) .out")[:2])
     verdict("taken out", field(page) == "R(1turn) S(2)", field(page))
     page.click(*box(page, "#add-T")[:2])
     verdict("put in", re.fullmatch(r"T\(\S+ 0\) R\(1turn\) S\(2\)", field(page)), field(page))
@@ -260,6 +264,32 @@ def check_dragging(page):
     for _ in range(3):
         page.click(*box(page, "#undo")[:2])
     verdict("undone, drag by drag", field(page).endswith("R(855deg @ 1 1) S(2 @ 0 1)"), field(page))
+
+
+def swipe(page, x, y, dx, dy):
+    page.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+    for k in range(1, 9):
+        page.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": x + dx * k / 8, "y": y + dy * k / 8}])
+        page.do("await new Promise(requestAnimationFrame)")
+    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    settled(page)
+    page.call("Emulation.setTouchEmulationEnabled", enabled=False)
+
+
+def check_touch(page):
+    write(page, "R(90deg @ 1 1) T(4 0)")
+    settled(page)
+    swipe(page, *box(page, "[data-grip='0-centre'] .grip")[:2], -80, 64)
+    to = re.search(r"R\(90deg @ (\S+) (\S+)\)", field(page))
+    verdict("a centre is dragged by a finger", to and float(to[1]) < 0.6 and float(to[2]) < 0.7, field(page))
+    write(page, "R(1turn @ 1 0 0 axis y) T(0 2 1)")
+    settled(page)
+    yaw = page.ask("new Promise((done) => setTimeout(() => done(location.hash.split('v=')[1]), 300))")
+    x, y, wide, high = box(page, "#stage svg")
+    swipe(page, x - wide * 0.4, y + high * 0.4, 150, 0)
+    now = page.ask("new Promise((done) => setTimeout(() => done(location.hash.split('v=')[1]), 300))")
+    verdict("space is turned by a finger", float(yaw.split(",")[0]) - float(now.split(",")[0]) > 1, f"{yaw} {now}")
 
 
 def check_space(page):
@@ -356,7 +386,7 @@ def check_silent(browser, folder):
 with tempfile.TemporaryDirectory() as folder, Browser(webgl=False) as browser:
     page = open_lesson(browser, folder, strings[0], "--points", "1,0", size=(1200, 900))
     same_numbers(page)
-    for part in (check_typing, check_swapping, check_dragging, check_space, check_methods, check_figures):
+    for part in (check_typing, check_swapping, check_dragging, check_touch, check_space, check_methods, check_figures):
         part(page)
         verdict(f"{part.__name__} says nothing wrong", not page.said, page.said)
     check_address(page, browser)
