@@ -4,11 +4,12 @@
 // <betwixt-player>: a film in a page, made from its text and used as <video> is. It draws by the engine of engine.js;
 // the build puts both together. docs/web.md says what it does.
 if (globalThis.customElements && !customElements.get("betwixt-player")) {
-  const longest_side = 4096;   // of a picture, in pixels
+  const longest_side = 4096;     // of a picture, in pixels
   const timeupdate_every = 250;  // ms, as videos do
   const tries_again = 1000;      // ms, where drawing failed
   const flags = ["autoplay", "loop", "controls", "muted", "stepped"];
   const speeds = [-2, -1, -0.5, 0.25, 0.5, 1, 1.5, 2, 4];
+  let upgrading = false;         // the elements that the page has already
   const script_query = 'script[type="text/betwixt"]';
   const files_query = 'script[type="application/json"][data-betwixt-files]';
 
@@ -244,7 +245,9 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       BetwixtPlayer.#sizes.observe(this.#parts.stage);
       BetwixtPlayer.#all.add(this);
       this.#show_attributes();
-      if (this.loading === "eager") this.#comes_near();
+      // Of what is there already it is known at once where it is, without waiting for an observer.
+      const { top, bottom } = upgrading || document.readyState !== "loading" ? this.getBoundingClientRect() : { top: Infinity };
+      if (this.loading === "eager" || (top < 2 * innerHeight && bottom > -innerHeight)) this.#comes_near();
     }
 
     // One that is only moved comes back before the microtask.
@@ -965,5 +968,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
 
   globalThis.Betwixt = globalThis.Betwixt ?? {};
   Betwixt.Player = BetwixtPlayer;
+  upgrading = true;
   customElements.define("betwixt-player", BetwixtPlayer);
+  upgrading = false;
 }
