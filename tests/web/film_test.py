@@ -4,7 +4,7 @@
 # Pages with films of the engine itself: what is typed is seen, what is wrong is said as the program says it, memory stays as
 # it is, the graphics may go and come back. Left out where what plays has not been built (./betwixt web does that).
 #   film_test.py PROGRAM
-import json, os, re, subprocess, sys, tempfile
+import json, os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
 from checks import check, done, same
 
@@ -25,7 +25,7 @@ memory = """const real = WebAssembly.instantiate; WebAssembly.instantiate = asyn
   const get = OffscreenCanvas.prototype.getContext; OffscreenCanvas.prototype.getContext = function (kind, how) {
     const made = get.call(this, kind, how); if (kind.startsWith("webgl")) window.graphics = made; return made; };"""
 helpers = """window.until = (m, name) => new Promise((r) => m.addEventListener(name, r, { once: true }));
-  window.calm = () => new Promise((r) => setTimeout(r, 150)); window.p = document.querySelector("betwixt-player");
+  window.calm = async () => { await new Promise((r) => setTimeout(r, 150)); for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame); }; window.p = document.querySelector("betwixt-player");
   window.e = document.querySelector("betwixt-editor"); window.t = e && e.shadowRoot.querySelector("textarea");
   window.pixel = (p, x = 0.5, y = 0.5) => { const c = p.shadowRoot.querySelector("canvas"), d = document.createElement("canvas");
     d.width = c.width, d.height = c.height; const k = d.getContext("2d"); k.drawImage(c, 0, 0);
@@ -160,6 +160,25 @@ def pages(browser):
         page.close()
 
 
+# The package: imported by a page, and by a program that has no page.
+def package(browser):
+    there = f"{os.path.dirname(player)}/package"
+    if not os.path.exists(there):
+        return
+    with Served(there) as served:
+        page = browser.page(f"{served}/package.json")
+        page.do(f"""document.body.innerHTML = "<betwixt-player></betwixt-player>"; {helpers}
+            window.imported = await import("./betwixt-player.mjs"); p.script = {json.dumps(ball)}; await until(p, "loadeddata"); await calm();""")
+        same("the module draws", page.ask("pixel(p)"), [255, 0, 0])
+        same("and hands out what it has", page.ask("[imported.BetwixtPlayer === p.constructor, typeof imported.BetwixtEditor]"), [True, "function"])
+        same("one engine", page.ask("(async () => (await imported.engine()) === (await Betwixt.engine()))()"), True)
+        page.close()
+    if shutil.which("node"):
+        said = subprocess.run(["node", "--input-type=module", "-e", f"const m = await import('{there}/betwixt-player.mjs'); console.log(typeof m.engine)"],
+                              capture_output=True, text=True)
+        same("without a page it can be imported", said.stdout.strip(), "function")
+
+
 write("ball.bx", ball)
 write("wants.bx", ball + 'create m mesh file="meshes/none.obj"\n')
 write("mesh.bx", 'size 320x180\ncreate m mesh file="meshes/one.obj" color=gold\n')
@@ -169,7 +188,7 @@ with open(player, encoding="utf-8") as source:
     write("betwixt-player.js", source.read())
 write("empty.html", '<!DOCTYPE html><meta charset="utf-8"><body><script src="betwixt-player.js"></script><betwixt-player></betwixt-player>')
 with Browser() as browser, Served(folder) as served:
-    for part in (typed, graphics_go, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
+    for part in (typed, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
         try:
             part(browser)
         except Exception as e:

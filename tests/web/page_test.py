@@ -33,7 +33,7 @@ def opened(browser, name, **how):
     page = browser.page(f"file://{folder}/{name}", **how)
     page.do("window.e = document.querySelector('betwixt-editor'); window.p = document.querySelector('betwixt-player');"
             "window.t = e && e.shadowRoot.querySelector('textarea'); window.inside = (what) => e.shadowRoot.querySelector(what);"
-            "window.calm = () => new Promise((r) => setTimeout(r, 120));"
+            "window.calm = async () => { await new Promise((r) => setTimeout(r, 120)); for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame); };"
             "window.place = (m) => { const r = m.getBoundingClientRect(); return [r.left, r.top, r.width, r.height] };"
             "window.colour = () => { const c = p.shadowRoot.querySelector('canvas'), x = c.getContext('2d');"
             "  return [...x.getImageData(c.width / 10, c.height / 2, 1, 1).data].slice(0, 3).join(' ') };")
