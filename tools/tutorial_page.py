@@ -102,7 +102,7 @@ def body(markdown):
             live, part = mark[1], part[mark.end():]
         block = re.fullmatch(r"```\w*\n(.*)\n```", part, re.S)
         if block and live != "new":
-            written.append(f"<pre>{html.escape(block[1], quote=False)}</pre>")
+            written.append(f"<pre tabindex=\"0\">{html.escape(block[1], quote=False)}</pre>")
         elif heading := re.fullmatch(r"(#+) (.*)", part):
             if len(heading[1]) > 1:
                 written.append(f"<h2>{inline(heading[2])}</h2>")

@@ -55,7 +55,7 @@ button:focus-visible { outline: 2px solid Highlight; outline-offset: -1px; }
   max-height: var(--betwixt-text-height, 70vh); font: 13px/1.55 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace;
   tab-size: 4; }
 .lines { position: sticky; left: 0; z-index: 1; padding: 0.6rem 0.6rem 0.6rem 0.9rem; text-align: right; white-space: pre;
-  color: var(--quiet); opacity: 0.7; background: var(--paper); user-select: none; -webkit-user-select: none; }
+  color: var(--quiet); background: var(--paper); user-select: none; -webkit-user-select: none; }
 .area { display: grid; min-width: 0; }
 .area > * { grid-area: 1 / 1; font: inherit; margin: 0; padding: 0.6rem 1rem 0.6rem 0.3rem; white-space: pre; border: 0;
   letter-spacing: inherit; tab-size: inherit; }
