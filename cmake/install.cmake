@@ -45,5 +45,7 @@ if(TARGET betwixt_command)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples clients/vim clients/vscode DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt)
+# What plays in pages, where it has been built (tools/web.sh).
+install(FILES ${CMAKE_BINARY_DIR}/../web/betwixt-player.js DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt/web OPTIONAL)
 install(PROGRAMS clients/slurm/betwixt-farm DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES clients/python/betwixt_client.py DESTINATION ${CMAKE_INSTALL_DATADIR}/betwixt/python)
