@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/names.h"
+#include "base/still_wanted.h"
 #include "betwixt/program.h"
 #include "commands/command.h"
 #include "commands/plugins.h"
@@ -64,8 +65,35 @@ bool procedure(Command& k) {
 // What the author's code can do to the film: its lines are carried out as if they stood in place of the command.
 struct Hosting : Host {
   Command& k;
+  bool called_off =
+      false;  // the work is not wanted any more: that is thrown when the code is left, which must not see it
   explicit Hosting(Command& command) : k(command) {}
   Status run(std::string_view line) override {
+    return or_called_off([&] { return run_line(line); });
+  }
+  Result<Value> value(std::string_view target, double seconds) override {
+    return or_called_off([&] { return value_of(target, seconds); });
+  }
+  std::vector<std::string> objects(std::string_view pattern) override {
+    std::vector<std::string> names;
+    (void)or_called_off([&]() -> Status {
+      for (ObjectId id : select(k.scene, pattern)) names.push_back(k.scene.objects[id.index].name);
+      return Nothing{};
+    });
+    return names;
+  }
+
+ private:
+  template <class Work>
+  auto or_called_off(Work&& work) -> decltype(work()) {
+    try {
+      return work();
+    } catch (const NotWanted&) {
+      called_off = true;
+      return fail(ErrorCode::machine, "this is not wanted any more");
+    }
+  }
+  Status run_line(std::string_view line) {
     Diagnostics said;
     LoadOptions options = k.script.options;
     options.now.reset();  // they are not in a history
@@ -80,16 +108,11 @@ struct Hosting : Host {
         return fail(d.what.code, fmt::format("{} (in \"{}\")", d.what.message, line.substr(0, 80)), d.what.hint);
     return Nothing{};
   }
-  Result<Value> value(std::string_view target, double seconds) override {
+  Result<Value> value_of(std::string_view target, double seconds) {
     if (!(std::abs(seconds) <= longest_seconds)) return fail(ErrorCode::range, "there is no such time");
     const auto t = find_target(k.scene, target);
     if (!t) return t.error();
     return Program::compile(Document(std::make_shared<const Scene>(k.scene))).read(*t, from_seconds(seconds));
-  }
-  std::vector<std::string> objects(std::string_view pattern) override {
-    std::vector<std::string> names;
-    for (ObjectId id : select(k.scene, pattern)) names.push_back(k.scene.objects[id.index].name);
-    return names;
   }
 };
 
@@ -163,6 +186,7 @@ bool own_command(Command& k, const NamedProcedure& p) {
   const NamedProcedure own = p;  // its lines may make another of this name
   Hosting host(k);
   const Status done = own.code->command(host, words);
+  if (host.called_off) throw NotWanted{};
   if (done) return all.keep(), true;
   return c.fail(done.error().code, fmt::format("{}: {}", own.name, done.error().message),
                 {start - own.name.size(), own.name.size()}, done.error().hint);

@@ -9,6 +9,7 @@
 
 #include "base/names.h"
 #include "scene/document.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -49,13 +50,28 @@ std::vector<std::string> with_name(std::span<const FilmText> texts, std::span<co
   return all;
 }
 
+// Whether aliases name the same things, however they say it.
+bool same_aliases(const Scene& a, const Scene& b) {
+  const auto names = [](const Scene& s, const std::string& alias) {
+    std::vector<std::string> all;
+    for (const ObjectId id : select(s, alias)) all.push_back(object_name(s, id));
+    return all;
+  };
+  return std::ranges::equal(*a.aliases, *b.aliases, [&](const auto& x, const auto& y) {
+    return x.first == y.first && (x.second == y.second || names(a, x.first) == names(b, y.first));
+  });
+}
+
 // The language can rename what stands in a document. What comes of it is what the changed texts have to make.
 bool makes_the_same(std::span<const FilmText> texts, const NameAt& name, const std::string& to, const Loaded& then,
                     const LoadTexts& load) {
   std::vector<std::string> said;
   for (const FilmText& t : texts) said.push_back(t.lines.text());
   said[0] += fmt::format("\nrename {} {}\n", name.name, to);
-  return load(said).document == then.document;
+  const Document wanted = load(said).document;
+  Scene made = then.document.scene();
+  if (same_aliases(made, wanted.scene())) made.aliases = wanted.scene().aliases;
+  return same(made, wanted.scene());
 }
 
 }  // namespace

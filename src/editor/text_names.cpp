@@ -36,6 +36,35 @@ Span path_around(std::string_view line, std::size_t place) {
   return path;
 }
 
+// Whether the place is in a text of the code that begins at `from`: 'so', or \"so\" where that is in quotes itself.
+bool in_quotes(std::string_view line, std::size_t from, std::size_t place) {
+  char open = 0;
+  for (; from < place; ++from)
+    if (line[from] == open)
+      open = 0;
+    else if (open == 0 && (line[from] == '"' || line[from] == '\''))
+      open = line[from];
+  return open != 0;
+}
+
+// Whether a word is one that the function of the key, or of the target, in front of it has for its values: shines=sun.
+bool is_value_word(std::string_view line, std::size_t word_at, std::string_view word) {
+  std::size_t end = word_at;
+  while (end > 0 && (blank(line[end - 1]) || line[end - 1] == '=')) --end;
+  if (end == word_at) return false;
+  const Span before = run_around(line.substr(0, end), end, of_function);
+  const std::string_view name = part(line, before);
+  const auto has = [&](const FunctionSpec& f) {
+    for (std::string_view rest = f.words; f.name == name && !rest.empty();) {
+      const std::size_t bar = std::min(rest.find('|'), rest.size());
+      if (rest.substr(0, bar) == word) return true;
+      rest.remove_prefix(std::min(rest.size(), bar + 1));
+    }
+    return false;
+  };
+  return std::ranges::any_of(built_in_functions(), has);
+}
+
 // The last character in front of a place that is no blank.
 char before(std::string_view line, std::size_t place) {
   while (place > 0 && blank(line[place - 1])) --place;
@@ -119,11 +148,17 @@ std::optional<NameAt> TextNames::word_at(std::string_view line, std::size_t from
     return NameAt{std::move(name), kind, {from + s.at, s.size}};
   };
   const std::string_view whole = line.substr(piece.at, piece.length);
+  const bool named = must || piece.meaning == Meaning::name;
+  // What a pattern begins with may be a name: man of man/finger{1..5}.
+  const Span path = path_around(line, place);
+  const bool above = path.end() < line.size() && line[path.end()] == '/';
+  if (named && above && is_pattern(whole) && path.at == piece.at)
+    if (auto thing = found(path, NameKind::thing)) return thing;
   if (must && is_pattern(whole)) return NameAt{std::string(whole), *must, {from + piece.at, piece.length}, true};
   if (piece.meaning == Meaning::function || must == NameKind::function)
     return found(run_around(line, place, of_function), NameKind::function);
-  if (!must || must == NameKind::thing)
-    if (auto thing = found(path_around(line, place), NameKind::thing)) return thing;
+  if (must == NameKind::thing || (!must && named && !is_value_word(line, path.at, part(line, path))))
+    if (auto thing = found(path, NameKind::thing)) return thing;
   if (!must || must == NameKind::let)
     if (auto let = found(run_around(line, place, of_word), NameKind::let)) return let;
   if (!must || must == NameKind::procedure)
@@ -154,6 +189,8 @@ std::optional<NameAt> TextNames::in_text(const TextLines& lines, std::size_t at,
   if ((left == '"' && path.at != piece.at + 1) || left == '\'') return found(path, NameKind::thing);
   const Span word = run_around(line, place, of_function);
   if (word.at > 0 && line[word.at - 1] == '.') return found(word, NameKind::function);
+  const std::size_t code = opened == at ? opens + (line.substr(opens).starts_with("\"\"\"") ? 3 : 1) : 0;
+  if (in_quotes(line, code, path.at)) return std::nullopt;
   const Span bare = run_around(line, place, of_word);
   if (auto let = found(bare, NameKind::let)) return let;
   return found(bare, NameKind::procedure);
@@ -181,6 +218,7 @@ std::vector<TextSpan> TextNames::made(const NameAt& asked) const {
   std::vector<std::string> names{asked.name};
   if (asked.pattern) {
     if (const auto all = expand_braces(asked.name, most_made)) names = *all;
+    std::erase_if(names, [&](const std::string& name) { return !by_name_.contains(name); });
     for (const ObjectId id : select(film_.scene(), asked.name)) names.push_back(film_.name(id));
   }
   std::vector<TextSpan> all;

@@ -98,6 +98,26 @@ TEST(TextNames, WhatComesFromSomethingElseIsMadeWhereThatIs) {
             "'twin/arm' is made together with others, by a pattern or from something else");
 }
 
+TEST(TextNames, APatternBeginsWithANameAboveIt) {
+  const FilmTexts f({"create man group\ncreate man/leg{1..2} box\nset man/leg*.color red\nset man/*.color red\n"});
+  EXPECT_EQ(uses(f, "man group"), "0:7 1:7 2:4 3:4");
+  EXPECT_EQ(f.renamed(0, f.place("man"), "carl")[0],
+            "create carl group\ncreate carl/leg{1..2} box\nset carl/leg*.color red\nset carl/*.color red\n");
+  EXPECT_EQ(made(f, "man/leg*", 5), "1:7") << "behind that it is the pattern";
+}
+
+TEST(TextNames, WordsOfOtherSortsAreNoNames) {
+  const FilmTexts f(
+      {"create sun light shines=sun\nset sun.shines sun\ncreate look camera\nlook through look\n"
+       "create box box\nprocedure tick lua \"1 -- tick\"\n"
+       "set sun.intensity = \"tick() + #'tick' + #\\\"tick\\\"\"\n"});
+  ASSERT_FALSE(has_errors(f.film().diagnostics)) << to_string(f.film().diagnostics[0]);
+  EXPECT_EQ(uses(f, "sun light"), "0:7 1:4 6:4");
+  EXPECT_EQ(uses(f, "look camera"), "2:7 3:13");
+  EXPECT_EQ(uses(f, "box box"), "4:7");
+  EXPECT_EQ(uses(f, "tick lua"), "5:10 5:25 6:21");
+}
+
 TEST(TextNames, OtherTextsOfTheFilmCount) {
   const FilmTexts f({"use 0.bx\nset ball.radius 3\n", "create ball sphere\nball.color\n  1f red\n"});
   ASSERT_TRUE(f.film().diagnostics.empty()) << to_string(f.film().diagnostics[0]);
