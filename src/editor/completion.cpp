@@ -31,6 +31,7 @@ struct Begun {
   std::string key;  // a value is due behind key=
   bool timed = false, layered = false;
   bool row = false, in_list = false;
+  bool timed_next() const { return !words.empty() && words.back() == "at"; }
   std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }  // among the words behind the verb
 };
 
@@ -165,6 +166,12 @@ void objects_of(const Scene& s, Kind kind, Words& all) {
     if (!s.objects[i].removed && s.objects[i].kind == kind) all.push_back(s.objects[i].name);
 }
 
+// Names that `let` gave, of colours or of all else.
+void let_names(const Scene& s, bool colors, Words& all) {
+  for (const auto& [name, value] : *s.lets)
+    if (std::holds_alternative<Color>(value) == colors) all.push_back(name);
+}
+
 // A word that a value of a function can begin with.
 void value_words(const Document& d, const FunctionSpec& spec, Words& all) {
   const auto words = [&](std::string_view these) { split(these, ' ', all); };
@@ -173,6 +180,7 @@ void value_words(const Document& d, const FunctionSpec& spec, Words& all) {
     case Type::color: {
       const auto named = color_names();
       all.insert(all.end(), named.begin(), named.end());
+      let_names(d.scene(), true, all);
       return words("rgb hsv");
     }
     case Type::boolean:
@@ -193,8 +201,10 @@ void value_words(const Document& d, const FunctionSpec& spec, Words& all) {
       words("none");
       for (const std::string& name : d.names()) all.push_back(name);
       return;
-    default:
+    case Type::text:
       return;
+    default:
+      return let_names(d.scene(), false, all);
   }
 }
 
@@ -282,8 +292,7 @@ bool nothing_known(const Begun& b) {
   static constexpr std::string_view of_numbers[] = {"at",   "rate", "ticks", "range", "note",    "play",
                                                     "undo", "redo", "exit",  "quit",  "exposure"};
   if (b.row || b.words.empty()) return false;
-  return b.words.back() == "at" ||
-         std::find(std::begin(of_numbers), std::end(of_numbers), b.verb) != std::end(of_numbers);
+  return std::find(std::begin(of_numbers), std::end(of_numbers), b.verb) != std::end(of_numbers);
 }
 
 void offered(const Document& d, const Begun& b, const LineAround& around, Words& all) {
@@ -294,6 +303,7 @@ void offered(const Document& d, const Begun& b, const LineAround& around, Words&
     return;
   }
   if (b.row && !b.in_list && !b.words.empty()) return event_words(d, around.sheet, b.words.size() == 1, all);
+  if ((b.row && !b.in_list) || b.timed_next()) return let_names(d.scene(), false, all);
   if (nothing_known(b)) return;
   if (b.words.empty()) first_words(b, around.in_shell, all);
   const bool target = b.verb.find('.') != std::string::npos;

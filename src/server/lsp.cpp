@@ -19,10 +19,21 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_used = std::size_t{64} << 20;  // bytes of a file in which names are looked for
 
+// Where a diagnostic stands. One that says no place is about the whole film, and begins with what it is about: it stands
+// where that is made.
+Span place_of(const Diagnostic& d, const TextLines& lines) {
+  if (d.what.place.line > 0) return span_of(lines, d.what.place);
+  const std::string_view name = std::string_view(d.what.message).substr(0, d.what.message.find_first_of(" .,'"));
+  for (std::size_t i = 0; i < lines.count(); ++i)
+    if (const auto made = making(lines.line(i)); made && made->word == name)
+      return {lines.start(i) + static_cast<std::size_t>(made->word.data() - lines.line(i).data()), name.size()};
+  return {};
+}
+
 int severity_of(Severity s) { return s == Severity::error ? 1 : s == Severity::warning ? 2 : 3; }
 
 Json diagnostic(const Diagnostic& d, const TextLines& lines) {
-  return {{"range", range_of(lines, span_of(lines, d.what.place))},
+  return {{"range", range_of(lines, place_of(d, lines))},
           {"severity", severity_of(d.severity)},
           {"source", "betwixt"},
           {"message", d.what.hint.empty() ? d.what.message : d.what.message + "\n" + d.what.hint}};

@@ -56,6 +56,11 @@ TEST(Sayings, WordsAreCompletedWhereTheyStand) {
   EXPECT_EQ(words_at("create ball sphere (\n  col|\n"), "color=<3");
   EXPECT_EQ(words_at("create eye camera\nlook through ey|\n"), "eye<2");
   EXPECT_EQ(words_at("use teap|\n"), "teapot.obj<4");
+  const std::string lets = "let beat = 12f\nlet blood = #800000\ncreate ball sphere\n";
+  EXPECT_EQ(words_at(lets + "at b|\n"), "beat<1");
+  EXPECT_EQ(words_at(lets + "ball.radius\n  b|\n"), "beat<1");
+  EXPECT_EQ(words_at(lets + "set ball.radius b|\n"), "beat<1");
+  EXPECT_EQ(words_at(lets + "ball.color\n  1f bloo|\n"), "blood<4");
   EXPECT_EQ(words_at("und|\n"), "<3") << "a word of the shell is none of a script";
   EXPECT_EQ(words_at("# crea|\n"), "<0");
   EXPECT_EQ(words_at("at 1f note \"crea|\"\n"), "<0");

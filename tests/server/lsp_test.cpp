@@ -199,6 +199,15 @@ TEST(Lsp, DiagnosticsStandWhereTheyAreInUtf16) {
   EXPECT_EQ(s.said_of("untitled:1"), Json::array());
 }
 
+TEST(Lsp, WhatIsSaidOfTheWholeFilmStandsWhereItsThingIsMade) {
+  Says s;
+  s.open("untitled:1", "create eye camera\nset eye.height 3\nset eye.f-stop 2\n");
+  const Json all = s.said_of("untitled:1");
+  ASSERT_EQ(all.size(), 1u) << all.dump();
+  EXPECT_EQ(all[0]["message"].get<std::string>().substr(0, 15), "eye has a heigh");
+  EXPECT_EQ(all[0]["range"].dump(), R"({"start":{"line":0,"character":7},"end":{"line":0,"character":10}})");
+}
+
 TEST(Lsp, OtherFilesHaveWhatIsSaidOfThem) {
   const Folder folder;
   folder.put("part.bx", "create ball sphere\nset ball.radius\n");
