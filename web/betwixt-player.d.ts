@@ -47,6 +47,32 @@ export interface Engine {
   readonly version: string;
   /** Never throws for what is wrong with a script: see `Film.ok`. */
   open(text: string, how?: { name?: string; files?: Record<string, Uint8Array> }): Film;
+  readonly algebra: Algebra;
+}
+
+/** What is wrong with a string of motions; column and length in characters, 0: of it as a whole. */
+export interface AlgebraError {
+  error: { message: string; hint: string; column: number; length: number };
+}
+/** Twelve numbers: the upper three rows of a matrix, row by row. */
+export type Rows = number[];
+/** x, y, z. */
+export type Place = [number, number, number];
+
+/** The algebra of motions, as lessons ask it: src/algebra/lesson.h. */
+export interface Algebra {
+  string(text: string, points?: Place[]): AlgebraError | {
+    text: string;
+    planar: boolean;
+    unit: number;
+    factors: { kind: "T" | "R" | "S"; text: string; by?: Place; turns?: number; centre?: Place; axis?: Place; linear?: boolean }[];
+    symbols: object;
+    alone: object[];
+  };
+  /** A(t) at count + 1 even times; undefined where the text is no motion. */
+  frames(text: string, from: number, to: number, count: number, linear?: boolean): Rows[] | undefined;
+  moment(text: string, t: number): AlgebraError | { matrix: Rows; letters: number[]; parts: Place[]; alone: Rows[] };
+  changed(text: string, factor: number, what: "by" | "centre" | "axis" | "angle" | "linear", to: number[]): AlgebraError | { text: string };
 }
 
 export interface PlayerEventMap extends HTMLElementEventMap {
