@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <set>
 
 #include "support/folder.h"
 #include "support/loaded_film.h"
@@ -160,6 +161,24 @@ TEST_F(Files, MeshesArePathsFromTheScript) {
   ASSERT_EQ(f.items.size(), 2u);
   EXPECT_EQ(f.items[0].shape->mesh, f.items[1].shape->mesh);
   ASSERT_TRUE(f.items[0].shape->mesh);
+}
+
+// Those that others name too, and those that are not there; none that may not be read.
+TEST_F(Files, ThatAreAskedForAreTold) {
+  const std::string triangle = "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  put("film/parts/t.obj", triangle);
+  put("film/parts/t.mtl", "newmtl a\n");
+  put("film/parts/cast.bx", "create tri mesh file=\"t.obj\"\n");
+  put("film/main.bx", "use parts/cast.bx\ncreate m mesh file=\"none.ply\"\ncreate n mesh file=\"../out.ply\"\n");
+  put("out.ply", "ply");
+  std::set<std::string> asked;
+  LoadOptions options;
+  options.asked_for = [&](const std::string& path) { asked.insert(fs::relative(path, folder.path()).string()); };
+  EXPECT_EQ(messages(load(options)),
+            (Lines{"2:20: there is no file film/none.ply", "3:20: '../out.ply' lies outside the script's folder"}));
+  for (const char* name : {"film/parts/cast.bx", "film/parts/t.obj", "film/parts/t.mtl", "film/none.ply"})
+    EXPECT_TRUE(asked.contains(name)) << name;
+  EXPECT_FALSE(asked.contains("out.ply"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 
@@ -51,6 +52,15 @@ TEST_F(Files, ExamplesLoad) {
   }
   EXPECT_EQ(covered, (*engine)->triangles.size());
   for (const auto& n : (*engine)->normals) EXPECT_NEAR(length(widen(n)), 1, 1e-5);
+}
+
+TEST_F(Files, GltfIsKnownByItsFirstBytes) {
+  std::ifstream in(data + "BoxTextured.glb", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const auto plain = load(data + "BoxTextured.glb"), other = load(put("box.stl", bytes));
+  ASSERT_TRUE(plain && other);
+  EXPECT_EQ((*plain)->positions, (*other)->positions);
+  EXPECT_EQ((*plain)->triangles, (*other)->triangles);
 }
 
 TEST_F(Files, QuadsKeepTheirEdges) {
