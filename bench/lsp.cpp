@@ -33,7 +33,7 @@ std::string film(std::size_t lines) {
     one += fmt::format("thing{}.color\n  1f  red\n  beat*3  #aabbcc\n", n);
     one += fmt::format("at 24f hide thing{0}\nset thing{0}.transparency 0.5\n", n);
     if (n % 10 == 0) one += fmt::format("copy thing{}.position 1f..24f to 300f\n", n);
-    if (n % 100 == 0) one += "set thing*.scale 2\n";
+    if (n % 100 == 0) one += "set thing*.scale (2 2 2)\n";
     count += static_cast<std::size_t>(std::ranges::count(one, '\n'));
     text += one;
   }

@@ -263,7 +263,8 @@ LspAnswer color_presentations(State& s, const Json& params) {
 Json edit_between(const TextLines& lines, std::string after) {
   const std::string& before = lines.text();
   if (before.find("\r\n") != std::string::npos)
-    for (std::size_t at = 0; (at = after.find('\n', at)) != std::string::npos; at += 2) after.insert(at, 1, '\r');
+    for (std::size_t at = 0; (at = after.find('\n', at)) != std::string::npos; ++at)
+      if (at == 0 || after[at - 1] != '\r') after.insert(at++, 1, '\r');
   if (after == before) return Json::array();
   const LineChange change = change_between(before, after);
   const std::size_t from = lines.start(static_cast<std::size_t>(change.lines.first) - 1);

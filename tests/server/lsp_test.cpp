@@ -199,6 +199,19 @@ TEST(Lsp, DiagnosticsStandWhereTheyAreInUtf16) {
   EXPECT_EQ(s.said_of("untitled:1"), Json::array());
 }
 
+TEST(Lsp, EndsOfLinesStayWhatTheyAre) {
+  Says s;
+  const auto tidied = [&](const char* text) {
+    s.open("untitled:1", text);
+    const Json edits = s.ask("textDocument/formatting", {{"textDocument", {{"uri", "untitled:1"}}}})["result"];
+    return edits.empty() ? "" : edits[0]["newText"].get<std::string>();
+  };
+  EXPECT_EQ(tidied("create  a  box\r\nset a.color   red\r\n"), "create a box\r\nset a.color red\r\n");
+  EXPECT_EQ(tidied("create  a  box\nset a.color   red\n"), "create a box\nset a.color red\n");
+  EXPECT_EQ(tidied("create  a  (\r\n"), "") << "what cannot be told apart is left alone";
+  EXPECT_EQ(tidied("at 1f  note \"\"\"a\r\nb\"\"\"\r\n"), "at 1f note \"\"\"a\r\n") << "the rest is as it was";
+}
+
 TEST(Lsp, WhatIsSaidOfTheWholeFilmStandsWhereItsThingIsMade) {
   Says s;
   s.open("untitled:1", "create eye camera\nset eye.height 3\nset eye.f-stop 2\n");
