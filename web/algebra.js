@@ -24,10 +24,11 @@ const algebraOf = (module) => {
     frames: (text, from, to, count, linear = false) => ask('_betwixt_frames', text, from, to, count, +linear).frames,
     moment: (text, t) => ask('_betwixt_moment', text, t),
     methods: (text, steps, points) => ask('_betwixt_methods', text, steps, places(points)),
-    drift: (text, method, linear, single, points) =>
-        ask('_betwixt_drift', text, ['matrix', 'geometric', 'differences', 'best'].indexOf(method), +linear, +single,
-            places(points)),
+    drift: (text, method, linear, single, points) => ask(
+      '_betwixt_drift', text, ['matrix', 'geometric', 'differences', 'best'].indexOf(method), +linear, +single,
+      places(points)),
     ways: (text, points) => ask('_betwixt_ways', text, places(points)).ways,
-    changed: (text, factor, what, to) => ask('_betwixt_changed', text, factor, what, ...to, ...[0, 0, 0].slice(to.length))
+    changed: (text, factor, what, to) =>
+      ask('_betwixt_changed', text, factor, what, ...to, ...[0, 0, 0].slice(to.length))
   };
 };

@@ -21,7 +21,8 @@ const number = (x, digits = 4) => {
   if (x === null || !Number.isFinite(x)) return "∞";
   const short = +x.toPrecision(digits);
   return (Math.abs(short) >= 1e6 || (short !== 0 && Math.abs(short) < 1e-4) ? short.toExponential() : String(short))
-    .replace(/-/g, "−").replace("e+", "e");
+    .replace(/-/g, "−")
+    .replace("e+", "e");
 };
 
 // ---- Vectors
@@ -42,18 +43,18 @@ const around = (axis) => {
 const letter = [[0, 0], [.3, 0], [.3, .6], [.8, .6], [.8, .9], [.3, .9], [.3, 1.2], [1, 1.2], [1, 1.5], [0, 1.5]];
 const figureOf = (unit, flat) => {
   const side = (z) => letter.map(([x, y]) => [x * unit, y * unit, z * unit]);
-  if (flat) return { outline: side(0), faces: [side(0)], tip: side(0)[8], foot: side(0)[0] };
+  if (flat) return {outline: side(0), faces: [side(0)], tip: side(0)[8], foot: side(0)[0]};
   const front = side(.15), back = side(-.15), n = letter.length;
   const walls = letter.map((_, i) => [front[(i + 1) % n], front[i], back[i], back[(i + 1) % n]]);
-  return { outline: front, faces: [front, back.slice().reverse(), ...walls], tip: front[8], foot: front[0] };
+  return {outline: front, faces: [front, back.slice().reverse(), ...walls], tip: front[8], foot: front[0]};
 };
 
 // ---- Windows
 
 // How space is looked at: turned about y by yaw, then tipped by pitch. In the plane both are 0.
-const lookFrom = ({ yaw, pitch }) => {
+const lookFrom = ({yaw, pitch}) => {
   const cy = Math.cos(yaw), sy = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
-  return { right: [cy, 0, sy], up: [sy * sp, cp, -cy * sp], near: [-sy * cp, sp, cy * cp] };
+  return {right: [cy, 0, sy], up: [sy * sp, cp, -cy * sp], near: [-sy * cp, sp, cy * cp]};
 };
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
@@ -74,7 +75,7 @@ const frameAround = (places, unit, flat) => {
   const middle = plus(low, high).map((x) => x / 2), size = plus(high, low, -1);
   const round = Math.max(...places.map((p) => lengthOf(plus(p, middle, -1)))) * 2;
   const air = 0.16 * Math.max(...size, unit);
-  return { middle, wide: (flat ? size[0] : round) + air, high: (flat ? size[1] : round * 0.86) + air };
+  return {middle, wide: (flat ? size[0] : round) + air, high: (flat ? size[1] : round * 0.86) + air};
 };
 
 const windowOn = (parent, seen, look, label, wide, shapes, flat) => {
@@ -84,64 +85,64 @@ const windowOn = (parent, seen, look, label, wide, shapes, flat) => {
   const on = (p) => [wide / 2 + (dot(p, eye.right) - mx) * scale, high / 2 - (dot(p, eye.up) - my) * scale];
   const path = (ps, closed) =>
     ps.length ? "M" + ps.map((p) => on(p).map((v) => v.toFixed(1)).join(" ")).join("L") + (closed ? "Z" : "") : "";
-  const svg = put(parent, "svg", {
-    class: flat ? "picture" : "picture space", viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": label
-  });
-  const w = { svg, on, path, eye, scale, wide, high };
+  const svg = put(
+    parent, "svg",
+    {class: flat ? "picture" : "picture space", viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": label});
+  const w = {svg, on, path, eye, scale, wide, high};
   (flat ? paper : floor)(w, seen);
   return w;
 };
 
 // Squared paper under the plane.
-const paper = ({ svg, on, scale, wide, high }, { middle }) => {
-  const grid = put(svg, "g", { "stroke-width": 1, fill: "none", "aria-hidden": true });
-  const marks = put(svg, "g", { "aria-hidden": true });
+const paper = ({svg, on, scale, wide, high}, {middle}) => {
+  const grid = put(svg, "g", {"stroke-width": 1, fill: "none", "aria-hidden": true});
+  const marks = put(svg, "g", {"aria-hidden": true});
   const x0 = middle[0] - wide / 2 / scale, y0 = middle[1] - high / 2 / scale;
   const line = (at) => Math.abs(at) < 1e-9 * wide / scale ? "var(--rule)" : "var(--grid)";
   for (const x of ticks(x0, x0 + wide / scale, 8)) {
     const at = on([x, 0, 0])[0];
-    put(grid, "path", { d: `M${at} 0V${high}`, stroke: line(x) });
-    if (at > 26 && at < wide - 26) put(marks, "text", { x: at, y: high - 6, "text-anchor": "middle" }, number(x));
+    put(grid, "path", {d: `M${at} 0V${high}`, stroke: line(x)});
+    if (at > 26 && at < wide - 26) put(marks, "text", {x: at, y: high - 6, "text-anchor": "middle"}, number(x));
   }
   for (const y of ticks(y0, y0 + high / scale, Math.max(2, Math.round(8 * high / wide)))) {
     const at = on([0, y, 0])[1];
-    put(grid, "path", { d: `M0 ${at}H${wide}`, stroke: line(y) });
-    if (at > 14 && at < high - 22) put(marks, "text", { x: 6, y: at + 4 }, number(y));
+    put(grid, "path", {d: `M0 ${at}H${wide}`, stroke: line(y)});
+    if (at > 14 && at < high - 22) put(marks, "text", {x: 6, y: at + 4}, number(y));
   }
 };
 // A squared floor, y = 0, under space, and its three directions.
-const floor = ({ svg, on, path }, { middle, wide }) => {
-  const g = put(svg, "g", { "stroke-width": 1, fill: "none", "aria-hidden": true });
+const floor = ({svg, on, path}, {middle, wide}) => {
+  const g = put(svg, "g", {"stroke-width": 1, fill: "none", "aria-hidden": true});
   const r = wide / 2, lines = ticks(-r, r, 8), step = lines[1] - lines[0];
   const round = (x) => Math.round(x / step) * step;
   const cx = round(middle[0]), cz = round(middle[2]), reach = lines.at(-1);
   for (const x of lines) {
-    put(g, "path", { d: path([[cx + x, 0, cz - reach], [cx + x, 0, cz + reach]]), stroke: "var(--grid)" });
-    put(g, "path", { d: path([[cx - reach, 0, cz + x], [cx + reach, 0, cz + x]]), stroke: "var(--grid)" });
+    put(g, "path", {d: path([[cx + x, 0, cz - reach], [cx + x, 0, cz + reach]]), stroke: "var(--grid)"});
+    put(g, "path", {d: path([[cx - reach, 0, cz + x], [cx + reach, 0, cz + x]]), stroke: "var(--grid)"});
   }
   [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, i) => {
     const end = axis.map((x) => x * reach);
-    put(g, "path", { d: path([[0, 0, 0], end]), stroke: "var(--rule)", "stroke-width": 2 });
+    put(g, "path", {d: path([[0, 0, 0], end]), stroke: "var(--rule)", "stroke-width": 2});
     const [x, y] = on(end);
-    put(g, "text", { x: x + 4, y: y - 4 }, "xyz"[i] + " " + number(reach));
+    put(g, "text", {x: x + 4, y: y - 4}, "xyz"[i] + " " + number(reach));
   });
 };
 
 // ---- What is drawn on them
 
 const stand = (element, [x, y]) => element.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
-const cross = (parent, stroke) => put(parent, "path", {
-  class: "factor", d: "M-7 0H7M0 -7V7", stroke, "stroke-width": 2, fill: "none", "stroke-linecap": "round"
-});
+const cross = (parent, stroke) => put(
+  parent, "path",
+  {class: "factor", d: "M-7 0H7M0 -7V7", stroke, "stroke-width": 2, fill: "none", "stroke-linecap": "round"});
 
 // The figure as it stands: flat, or its faces from the farthest to the nearest, without those that look away.
 const solid = (w, figure, flat) => {
-  const g = put(w.svg, "g", { stroke: "var(--ink)", "stroke-width": 1.4, "stroke-linejoin": "round" });
-  const faces = figure.faces.map(() => put(g, "path", flat ? { fill: "var(--ink)", "fill-opacity": 0.14 } : {}));
+  const g = put(w.svg, "g", {stroke: "var(--ink)", "stroke-width": 1.4, "stroke-linejoin": "round"});
+  const faces = figure.faces.map(() => put(g, "path", flat ? {fill: "var(--ink)", "fill-opacity": 0.14} : {}));
   return (m) => {
-    const all = figure.faces.map((face, i) => ({ i, at: face.map((p) => moved(m, p)) }));
+    const all = figure.faces.map((face, i) => ({i, at: face.map((p) => moved(m, p))}));
     if (!flat) all.sort((a, b) => depth(w, a.at) - depth(w, b.at));
-    all.forEach(({ i, at }, k) => {
+    all.forEach(({i, at}, k) => {
       faces[k].setAttribute("d", w.path(at, true));
       if (!flat) faces[k].style.fill = `color-mix(in srgb, var(--ink) ${i < 2 ? 12 : 28}%, var(--panel))`;
     });
@@ -154,7 +155,7 @@ const ghosts = [1, 2, 3, 4, 5, 6, 7, 8].map((k) => k / 8);
 // A motion in a picture. `motion`: {at(t), line: frames, shade: [frames], others: {line, at}}; `crosses`: {colour, at,
 // line}; `followed`: places. Gives {w, update(t), seen}.
 const drawMotion = (parent, motion, options) => {
-  const { figure, followed, look, label, wide, shapes, unit, flat, crosses = [], plain = false } = options;
+  const {figure, followed, look, label, wide, shapes, unit, flat, crosses = [], plain = false} = options;
   const poses = ghosts.map(motion.at), corners = figure.outline.concat(followed);
   const other = motion.other;
   const lines = [motion.line, ...(motion.shade || [])].flat();
@@ -164,30 +165,46 @@ const drawMotion = (parent, motion, options) => {
     crosses.flatMap((c) => c.line.length ? c.line : [c.at(0)]), options.also || []);
   const seen = options.seen || frameAround(places, unit, flat);
   const w = windowOn(parent, seen, look, label, wide, shapes, flat);
-  const ink = (attributes) => put(w.svg, "path", { fill: "none", "stroke-linejoin": "round", ...attributes });
+  const ink = (attributes) => put(w.svg, "path", {fill: "none", "stroke-linejoin": "round", ...attributes});
   if (motion.shade && motion.shade.length)
     followed.forEach((p, i) => ink({
-      class: "path shade", d: motion.shade.map((turn) => w.path(turn.map((m) => moved(m, p)))).join(""),
-      stroke: pathColour(i), "stroke-width": 6, "stroke-opacity": 0.22
-    }));
+                       class: "path shade",
+                       d: motion.shade.map((turn) => w.path(turn.map((m) => moved(m, p)))).join(""),
+                       stroke: pathColour(i),
+                       "stroke-width": 6,
+                       "stroke-opacity": 0.22
+                     }));
   for (const m of poses)
-    ink({ d: w.path(figure.outline.map((p) => moved(m, p)), true), stroke: "var(--soft)", "stroke-opacity": 0.35 });
-  ink({ d: w.path(figure.outline, true), stroke: "var(--soft)", "stroke-dasharray": "4 3", "stroke-width": 1.2 });
+    ink({d: w.path(figure.outline.map((p) => moved(m, p)), true), stroke: "var(--soft)", "stroke-opacity": 0.35});
+  ink({d: w.path(figure.outline, true), stroke: "var(--soft)", "stroke-dasharray": "4 3", "stroke-width": 1.2});
   for (const c of crosses)
     if (c.line.length)
-      ink({ class: "factor", d: w.path(c.line), stroke: c.colour, "stroke-dasharray": "1 4", "stroke-linecap": "round", "stroke-width": 1.6 });
+      ink({
+        class: "factor",
+        d: w.path(c.line),
+        stroke: c.colour,
+        "stroke-dasharray": "1 4",
+        "stroke-linecap": "round",
+        "stroke-width": 1.6
+      });
   followed.forEach((p, i) => {
-    ink({ class: "path", d: w.path(motion.line.map((m) => moved(m, p))), stroke: pathColour(i), "stroke-width": 2.2 });
+    ink({class: "path", d: w.path(motion.line.map((m) => moved(m, p))), stroke: pathColour(i), "stroke-width": 2.2});
     if (other)
       ink({
-        class: "path other", d: w.path(other.line.map((m) => moved(m, p))), stroke: pathColour(i), "stroke-width": 2,
+        class: "path other",
+        d: w.path(other.line.map((m) => moved(m, p))),
+        stroke: pathColour(i),
+        "stroke-width": 2,
         "stroke-dasharray": "7 5"
       });
   });
-  const second = other && ink({ stroke: "var(--ink)", "stroke-dasharray": "5 3", "stroke-width": 1.4 });
+  const second = other && ink({stroke: "var(--ink)", "stroke-dasharray": "5 3", "stroke-width": 1.4});
   const body = solid(w, figure, flat);
-  const dots = plain ? [] : followed.map((_, i) =>
-    put(w.svg, "circle", { class: "path", r: 4.5, fill: pathColour(i), stroke: "var(--panel)", "stroke-width": 1.5 }));
+  const dots = plain ?
+    [] :
+    followed.map(
+      (_, i) => put(
+        w.svg, "circle", {class: "path", r: 4.5, fill: pathColour(i), stroke: "var(--panel)", "stroke-width": 1.5}));
   const marks = crosses.map((c) => cross(w.svg, c.colour));
   const update = (t) => {
     const m = motion.at(t);
@@ -196,5 +213,5 @@ const drawMotion = (parent, motion, options) => {
     dots.forEach((d, i) => stand(d, w.on(moved(m, followed[i]))));
     marks.forEach((c, i) => stand(c, w.on(crosses[i].at(t))));
   };
-  return { w, seen, update };
+  return {w, seen, update};
 };

@@ -42,13 +42,15 @@ Status write_lesson(const std::string& path, const Motion& motion, const LessonO
   const auto player = read_player();
   if (!player) return player.error();
   const std::string text = to_string(motion);
+  std::string script;
+  for (const char* part : {lesson_pictures_js, lesson_words_js, lesson_handles_js, lesson_methods_js, lesson_js})
+    script += part;
   const std::string page = filled(lesson_html, {{"title", escaped(text.empty() ? "no factors" : text)},
                                                 {"string", escaped(text)},
                                                 {"style", lesson_css},
                                                 {"data", begins_with(text, options)},
                                                 {"player", *player},
-                                                {"pictures", lesson_pictures_js},
-                                                {"script", lesson_js}});
+                                                {"script", script}});
   return write_whole(path, page, true);
 }
 

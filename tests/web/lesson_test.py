@@ -26,7 +26,8 @@ strings = [
     "R(1turn) R(12turn @ 3 0) R(-2turn @ 4 1)", "T(100 0) R(35deg @ 3 1) S(2 2 @ 0 0)", "",
     "T(1 0) R(90deg @ 1 0) S(1.5 @ 0 1) T(0 2) R(-1turn @ 2 2) S(0.5 1 @ 1 1) R(45deg) T(-1 -1) S(2 1 linear) "
     "R(0.5turn @ 3 0) T(2 0) R(-30deg @ 1 1)",
-    "S(-1 0 @ 1 1 linear)", "R(1000.25turn @ 1e-3 0)", "R(24turn) T(3 0)", "R(500turn) T(3 0)", "R(10000turn) S(20) R(99turn @ 3 0)",
+    "S(-1 0 @ 1 1 linear)", "R(1000.25turn @ 1e-3 0)", "R(24turn) T(3 0)", "R(500turn) T(3 0)",
+            "R(10000turn) S(20) R(99turn @ 3 0)",
     "S(0 linear) S(1.0000001) S(1 1)", "T(1e-9 0) S(1e3)", "T(9e8 -9e8)",
     "T(0 -3 0) R(6turn @ 0 0 0 axis y) S(0.1 1 0.1)", "R(70deg @ 1 2 3 axis 1 -2 0.5) S(2 1 0.25 @ 0 0 1) T(1 2 3)",
 ]
@@ -82,7 +83,7 @@ faults = """(() => {
     s.getAttribute("aria-label") || s.getAttribute("aria-hidden")));
   want("what is pressed has a name", [...document.querySelectorAll("button, .handle, input, textarea")].every((e) =>
     e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length));
-  want("nothing is loaded", performance.getEntriesByType("resource").every((e) => e.name.startsWith("data:") || e.name.startsWith("blob:")));
+  want("nothing is loaded", performance.getEntriesByType("resource").every((e) => /^(data|blob):/.test(e.name)));
   want(`it fits: ${root.scrollWidth} of ${innerWidth}`, root.scrollWidth <= innerWidth);
   const factors = new Set, paths = new Set;
   for (const e of document.querySelectorAll(".factor, .path")) {
@@ -111,7 +112,8 @@ def seen_by(rgb):
         l, m, s = ((0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b) ** (1 / 3),
                    (0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b) ** (1 / 3),
                    (0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b) ** (1 / 3))
-        out.append((0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+        out.append((0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+                1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
                     0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s))
     return out
 
@@ -122,7 +124,8 @@ def check_colours(page, theme):
     colours = {n: seen_by([int(c[i:i + 2], 16) / 255 for i in (1, 3, 5)]) for n, c in names.items()}
     least = min((min(math.dist(a, b) for a, b in zip(colours[f], colours[p])), f, p)
                 for f in colours if f[0] == "f" for p in colours if p[0] == "p")
-    verdict(f"factors and paths are told apart by all eyes, {theme}", len(names) == 7 and least[0] >= 0.1, f"{names} {least}")
+    verdict(f"factors and paths are told apart by all eyes, {theme}", len(names) == 7 and least[0] >= 0.1,
+            f"{names} {least}")
 
 
 def same_numbers(page):
@@ -154,20 +157,29 @@ def check_standing(browser, folder):
             wrong = page.ask(faults)
             verdict(f"\"{motion}\" at {size[0]}", not wrong, wrong)
         verdict(f"\"{motion}\" says nothing wrong", not page.said, page.said)
-        verdict(f"\"{motion}\" stands in its field", field(page) == (motion and field(page)) and not page.ask("document.getElementById('wrong').innerText"), "")
+        verdict(f"\"{motion}\" stands in its field",
+                field(page) == (motion and field(page)) and not page.ask("document.getElementById('wrong').innerText"),
+                        "")
         page.close()
+
+
+def slide(page, t):
+    page.do(f"""const s = document.getElementById("time");
+        s.value = {t}, s.dispatchEvent(new Event("input")), s.dispatchEvent(new Event("change"))""")
 
 
 def check_typing(page):
     write(page, "T(5 3) R(90deg @ 1 4)")
     settled(page)
-    page.ask("(() => { const s = document.getElementById('time'); s.value = 0.5; s.dispatchEvent(new Event('input')) })()")
+    slide(page, 0.5)
     cells = [to_plain(c) for c in page.ask("[...document.querySelectorAll('#matrix td')].map((c) => c.textContent)")]
     h = math.sqrt(0.5)  # by hand: half of the way after an eighth of a turn about (1, 4)
     wanted = [h, -h, 2.5 + (1 - h) * 1 + h * 4, h, h, 1.5 - h * 1 + (1 - h) * 4, 0, 0, 1]
     verdict("the matrix in numbers", all(abs(a - b) < 1e-5 for a, b in zip(cells, wanted)), cells)
     written = page.ask("[...document.querySelectorAll('#written .symbols')].at(-1).innerText.replace(/\\s+/g, ' ').trim()")
-    verdict("the matrix in letters", written.replace("\n", "") == "c2 −s2 u1 + (1 − c2) x2 + s2 y2 s2 c2 v1 − s2 x2 + (1 − c2) y2 0 0 1", written)
+    verdict("the matrix in letters",
+            written.replace("\n", "") == "c2 −s2 u1 + (1 − c2) x2 + s2 y2 s2 c2 v1 − s2 x2 + (1 − c2) y2 0 0 1",
+                    written)
     letters = page.ask("document.getElementById('letters').innerText")
     verdict("what letters stand for", "cos(90deg t)" in letters and "5 t" in letters, letters)
     verdict("the lead follows", "A motion of 2 factors" in page.ask("document.getElementById('lead').innerText"))
@@ -175,8 +187,10 @@ def check_typing(page):
     write(page, "R(1turn")
     said = page.ask("document.getElementById('wrong').innerText")
     verdict("a mistake, with its place", said.startswith("R(1turn\n       ^\nError: ')' is missing"), repr(said))
-    verdict("the last string stays in the picture", page.ask("document.getElementById('chips').innerText").startswith("T(5 3)"))
-    verdict("and the field says so", page.ask("document.getElementById('string').getAttribute('aria-invalid')") == "true")
+    verdict("the last string stays in the picture",
+            page.ask("document.getElementById('chips').innerText").startswith("T(5 3)"))
+    verdict("and the field says so",
+            page.ask("document.getElementById('string').getAttribute('aria-invalid')") == "true")
     page.type(")")
     verdict("mended", field(page) == "R(1turn)" and page.ask("document.getElementById('wrong').hidden"), field(page))
     page.key("Enter")
@@ -184,7 +198,8 @@ def check_typing(page):
     for bad in ("T(1e12 0)", "R(1turn @ </script><b>)", "S(-1)", "Q", "T(" * 400, "R(1turn @ ball)"):
         write(page, bad)
         verdict(f"no string: {bad[:20]}", "Error: " in page.ask("document.getElementById('wrong').innerText"))
-    verdict("nothing of it has become an element", page.ask("document.querySelectorAll('main b:not(figcaption b, .figures b, .bars b), header b').length") == 0)
+    verdict("nothing of it has become an element",
+            page.ask("document.querySelectorAll('main b:not(figcaption b, .figures b, .bars b), header b').length") == 0)
     write(page, "")
     settled(page)
     verdict("an empty string is the identity", "Nothing moves" in page.ask("document.getElementById('lead').innerText"))
@@ -218,8 +233,8 @@ def check_swapping(page):
 
 def pixels(page):
     """How many pixels 1 is on the picture, from the way's tip and the origin."""
-    return page.ask("""(() => { const g = document.querySelector("#stage [data-grip$=by]"), s = document.querySelector("#stage svg");
-        const line = g.previousElementSibling, all = [...s.querySelectorAll("path.factor")].find((p) => p.getAttribute("stroke-opacity"));
+    return page.ask("""(() => { const s = document.querySelector("#stage svg");
+        const all = [...s.querySelectorAll("path.factor")].find((p) => p.getAttribute("stroke-opacity"));
         const [a, b] = all.getAttribute("d").slice(1).split("L").map((p) => p.split(" ").map(Number));
         return (b[0] - a[0]) * s.getScreenCTM().a })()""")
 
@@ -248,7 +263,8 @@ def check_dragging(page):
     x, y, *_ = box(page, "[data-grip='1-angle'] .grip")
     cx, cy, *_ = box(page, "[data-grip='1-centre'] .grip", scroll=False)
     r = math.hypot(x - cx, y - cy)
-    drag(page, x, y, *[(cx + r * math.cos(math.radians(a)), cy - r * math.sin(math.radians(a))) for a in range(90, 856, 15)])
+    drag(page, x, y, *[(cx + r * math.cos(math.radians(a)), cy - r * math.sin(math.radians(a))) for a in range(90, 856,
+            15)])
     verdict("an angle is dragged round twice", "R(855deg @ 1 1)" in field(page), field(page))
     page.key("ArrowUp")
     verdict("and on by a key", "R(860deg @ 1 1)" in field(page), field(page))
@@ -270,7 +286,8 @@ def swipe(page, x, y, dx, dy):
     page.call("Emulation.setTouchEmulationEnabled", enabled=True)
     page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
     for k in range(1, 9):
-        page.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": x + dx * k / 8, "y": y + dy * k / 8}])
+        page.call("Input.dispatchTouchEvent", type="touchMove",
+                touchPoints=[{"x": x + dx * k / 8, "y": y + dy * k / 8}])
         page.do("await new Promise(requestAnimationFrame)")
     page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
     settled(page)
@@ -301,7 +318,8 @@ def check_space(page):
     drag(page, x - wide * 0.45, y + high * 0.4, (x - wide * 0.35, y + high * 0.45), (x - wide * 0.25, y + high * 0.4))
     settled(page)
     page.until(f"location.hash !== {json.dumps(look)}")
-    verdict("the view is turned", page.ask("document.querySelector('#stage .grip').getBoundingClientRect().x") != before)
+    verdict("the view is turned",
+            page.ask("document.querySelector('#stage .grip').getBoundingClientRect().x") != before)
     verdict("and the string is not", field(page) == "R(1turn @ 1 0 0 axis y) T(0 2 1)", field(page))
     page.do("document.querySelector('#stage svg').focus()")
     at = page.ask("location.hash")
@@ -310,9 +328,11 @@ def check_space(page):
     x, y, *_ = box(page, "[data-grip='0-axis'] .grip")
     drag(page, x, y, (x + 20, y), (x + 60, y + 5))
     axis = re.search(r"axis (\S+) (\S+) (\S+)\)", field(page))
-    verdict("an axis is dragged", axis and (float(axis[1]), float(axis[3])) != (0, 0) and 0.3 < float(axis[2]) < 1, field(page))
+    verdict("an axis is dragged", axis and (float(axis[1]), float(axis[3])) != (0, 0) and 0.3 < float(axis[2]) < 1,
+            field(page))
     verdict("four rows of four", page.ask("document.querySelectorAll('#matrix td').length") == 16)
-    verdict("methods are for the plane", "leaves the plane" in page.ask("document.getElementById('methods-none').innerText"))
+    verdict("methods are for the plane",
+            "leaves the plane" in page.ask("document.getElementById('methods-none').innerText"))
 
 
 def check_figures(page):
@@ -342,11 +362,12 @@ def check_address(page, browser):
     verdict("and the points", page.ask("document.querySelectorAll('#stage circle.path').length") == 4)
     again = browser.page(page.ask("location.href"), size=(1200, 900))
     again.until("document.documentElement.dataset.ready === 'yes'")
-    verdict("a link opens the same", again.ask("document.getElementById('matrix').innerText") == page.ask("document.getElementById('matrix').innerText"))
+    verdict("a link opens the same",
+            again.ask("document.getElementById('matrix').innerText") == page.ask("document.getElementById('matrix').innerText"))
     again.close()
-    page.do("const s = document.getElementById('time'); s.value = 0.5; s.dispatchEvent(new Event('input')); s.dispatchEvent(new Event('change'))")
+    slide(page, 0.5)
     page.until("location.hash.includes('t=0.500')")
-    page.do("document.getElementById('time').value = 0; document.getElementById('time').dispatchEvent(new Event('input'))")
+    slide(page, 0)
     page.click(*box(page, "#play")[:2])
     page.until("+document.documentElement.dataset.t > 0")
     page.do("document.activeElement.blur()")
@@ -357,24 +378,29 @@ def check_address(page, browser):
     verdict("a broken address breaks nothing", field(page) == "R(2turn) T(3 0)" and not page.said, page.said)
     page.do("location.hash = '#m=R(1turn'")
     page.until("!document.getElementById('wrong').hidden")
-    verdict("a wrong string of an address is told", "')' is missing" in page.ask("document.getElementById('wrong').innerText"))
+    verdict("a wrong string of an address is told",
+            "')' is missing" in page.ask("document.getElementById('wrong').innerText"))
 
 
 def check_methods(page):
     write(page, "S(2 0.5 @ 1 1) R(180deg)")
     settled(page)
     rows = page.ask("document.getElementById('ways').innerText")
-    verdict("what methods cost", "8Np + 27" in rows and "Refuses: the geometric method" in rows and "geometric, linear law" in rows, rows)
-    verdict("other ways", page.ask("document.querySelectorAll('#paths .way').length") == 2 and not page.ask("document.getElementById('no-root').hidden"))
+    verdict("what methods cost",
+            "8Np + 27" in rows and "Refuses: the geometric method" in rows and "geometric, linear law" in rows, rows)
+    verdict("other ways", page.ask("document.querySelectorAll('#paths .way').length") == 2
+            and not page.ask("document.getElementById('no-root').hidden"))
     page.until("'measured' in document.documentElement.dataset", 60)
-    verdict("what they lose", page.ask("document.querySelectorAll('#losses tr').length") == 3 and page.ask("document.querySelectorAll('#drifts svg').length") == 2)
+    verdict("what they lose", page.ask("document.querySelectorAll('#losses tr').length") == 3
+            and page.ask("document.querySelectorAll('#drifts svg').length") == 2)
 
 
 def check_silent(browser, folder):
     with open(f"{folder}/none.js", "w") as out:
         out.write("globalThis.Betwixt = { engine: () => Promise.reject(new Error('this browser has no WebAssembly')) };\n")
     path = f"{folder}/silent.html"
-    subprocess.run([program, "algebra", "--lesson", path, "R(1turn)"], env={**os.environ, "BETWIXT_PLAYER": f"{folder}/none.js"}, check=True)
+    subprocess.run([program, "algebra", "--lesson", path, "R(1turn)"],
+            env={**os.environ, "BETWIXT_PLAYER": f"{folder}/none.js"}, check=True)
     page = browser.page(f"file://{path}")
     page.until("!document.getElementById('silent').hidden")
     words = page.ask("document.getElementById('silent').innerText")
