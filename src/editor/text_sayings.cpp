@@ -51,7 +51,8 @@ std::string said_of_name(const NameAt& name, const Document& d) {
   if (name.kind != NameKind::thing) return help_text(name.name, s);
   if (const auto alias = s.aliases->find(name.name); alias != s.aliases->end())
     return fmt::format("{}, an alias: {}\n", name.name, fmt::join(alias->second, " "));
-  return describe(d, name.name) ? *describe(d, name.name) : "";
+  const Result<std::string> described = describe(d, name.name);
+  return described ? *described : "";
 }
 
 // A word of a line, up to what ends names.

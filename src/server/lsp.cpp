@@ -91,6 +91,7 @@ void LanguageServer::State::handle(const Json& message) {
   if (shut) return answer(*id, LspRefusal{LspRefusal::bad_request, "the server is shut down"});
   if (!begun && method != "initialize")
     return answer(*id, LspRefusal{LspRefusal::not_begun, "the first request is 'initialize'"});
+  if (begun && method == "initialize") return answer(*id, LspRefusal{LspRefusal::bad_request, "it has begun already"});
   const auto row = std::ranges::find(lsp_requests(), method, &LspRequest::method);
   if (row == lsp_requests().end())
     return answer(*id, LspRefusal{LspRefusal::unknown, fmt::format("there is no request '{}'", method)});

@@ -149,6 +149,7 @@ TEST(Lsp, BeginsAndEndsAsTheProtocolSays) {
   EXPECT_TRUE(early.over());
   EXPECT_EQ(early.exit_code(), 1);
   Says s;
+  EXPECT_EQ(s.ask("initialize", Json::object())["error"]["code"], -32600) << "only once";
   EXPECT_EQ(s.ask("shutdown", nullptr)["result"], nullptr);
   EXPECT_EQ(s.ask("textDocument/hover", Json::object())["error"]["code"], -32600);
   s.tell("exit", nullptr);
