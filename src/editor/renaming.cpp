@@ -105,7 +105,14 @@ Result<std::vector<TextSpan>> renaming(std::span<const FilmText> texts, const Te
   const Scene& scene = film.document.scene();
   if (is_taken(scene, name, to)) return fail(ErrorCode::name, fmt::format("there is a '{}' already", to));
   std::vector<TextSpan> places = names.uses(name);
-  const Loaded then = load(with_name(texts, places, to));
+  const std::vector<std::string> said = with_name(texts, places, to);
+  const Loaded then = load(said);
+  std::vector<FilmText> then_texts;
+  for (const std::string& text : said) then_texts.push_back({texts[then_texts.size()].path, TextLines(text)});
+  NameAt renamed = name;
+  renamed.name = to;
+  if (TextNames(then_texts, then.document).uses(renamed).size() != places.size())
+    return fail(ErrorCode::name, fmt::format("something speaks of '{}' already, though nothing is called so", to));
   const bool alias = scene.aliases->contains(name.name);
   const bool stands = scene.names.find(name.name) || scene.lists->contains(name.name);
   const bool same =

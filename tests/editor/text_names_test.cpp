@@ -156,6 +156,12 @@ TEST(Renaming, WhatCannotBeRenamedIsRefusedInWords) {
             "create beta sphere\ncreate box2 box\nset b*.color red\nset beta.radius 2\n");
 }
 
+TEST(Renaming, ANameThatIsSpokenOfAlreadyIsNotTaken) {
+  const FilmTexts f({"create ball sphere\nset ball.environments drift\n"});
+  EXPECT_EQ(f.renamed(0, f.place("ball"), "drift")[0],
+            "something speaks of 'drift' already, though nothing is called so");
+}
+
 TEST(Renaming, AFilmWithErrorsIsRenamedWhereThatCanBeTold) {
   const FilmTexts f({"create ball sphere\nset ball.radius\nset ball.color red\n"});
   EXPECT_EQ(f.renamed(0, f.place("ball"), "orb")[0], "create orb sphere\nset orb.radius\nset orb.color red\n");
