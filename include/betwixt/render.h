@@ -56,6 +56,9 @@ class Renderer {
   // The same as light. Errors: range (RenderOptions::deep was not said).
   virtual Status render(const Frame&, DeepPicture& out) = 0;
   virtual Status render(const Evaluation&, DeepPicture& out) = 0;
+  // The picture goes to what the graphics themselves show, of the same size, and is not read back. Errors: machine
+  // (they show nothing: only in pages do they).
+  virtual Status show(const Evaluation&);
   // The picture that is begun at a time, blurred as its camera's shutter and opening have it: the sum of pictures, as
   // light, at times spread over the shutter's, through points spread over the lens. For what jumps meanwhile the
   // shutter closes before it does. Where nothing would be blurred it is one picture. Moves the evaluation. Errors: as

@@ -6,11 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 #include <thread>
-#include <vector>
 
 #include "algebra/counted.h"
+#include "base/in_parts.h"
 
 // This file is compiled once for each kind of machine (with SSSE3 but no SSE4: until 2008). Vectors without a size of
 // their own cannot stand in a Lane.
@@ -116,15 +115,7 @@ void step_threaded(Kernel kernel, const Arrays<Number>& a, const Number* inputs,
   const std::size_t threads = std::clamp<std::size_t>(a.count / thread_share, 1, most);
   constexpr std::size_t grain = line / sizeof(Number);
   const auto bound = [&](std::size_t i) { return i == threads ? a.count : a.count / threads * i / grain * grain; };
-  std::vector<std::jthread> others;  // they are waited for at the end
-  std::size_t taken = 1;
-  try {
-    for (; taken < threads; ++taken)
-      others.emplace_back([&, i = taken] { dispatch(kernel, part(a, bound(i), bound(i + 1)), inputs, through); });
-  } catch (const std::system_error&) {  // no more threads: the rest is done here
-  }
-  dispatch(kernel, part(a, 0, bound(1)), inputs, through);
-  if (taken < threads) dispatch(kernel, part(a, bound(taken), a.count), inputs, through);
+  in_parts(threads, [&](std::size_t i) { dispatch(kernel, part(a, bound(i), bound(i + 1)), inputs, through); });
 }
 
 }  // namespace

@@ -4,15 +4,11 @@
 // betwixt eval: what values are at what times.
 #include <fmt/format.h>
 
-#include <set>
-#include <tuple>
-
 #include "app/command.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
 #include "betwixt/evaluation.h"
 #include "editor/plain_values.h"
-#include "language/json.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -47,45 +43,26 @@ int eval(const EvalCall& call) {
     if (!t) return complain(t.error(), wrong_call);
     times.emplace_back(text, *t);
   }
-  std::vector<Target> targets;
-  std::set<std::tuple<std::uint32_t, std::uint16_t, int, bool>> named;  // a target asked for twice is answered once
-  std::vector<std::string> patterns = call.targets;
-  if (patterns.empty()) patterns = document->names();
-  for (const auto& pattern : patterns) {
-    const auto found = find_targets(pattern, *document);
-    if (!found) return complain(found.error(), wrong_input);
-    if (found->empty()) fmt::print(stderr, "betwixt: notice: '{}' names nothing\n", pattern);
-    for (const Target& t : *found)
-      if (named.insert({t.object.index, t.function, t.component, t.velocity}).second) targets.push_back(t);
-  }
+  const auto found = targets_of(*document, call.targets, [](const std::string& pattern) {
+    fmt::print(stderr, "betwixt: notice: '{}' names nothing\n", pattern);
+  });
+  if (!found) return complain(found.error(), wrong_input);
+  const std::vector<Target>& targets = *found;
   const Program program = Program::compile(*document);
   if (call.stats) print_stats(program, times);
   Problems problems;
-  const auto read = [&](Time t) {
-    std::vector<std::string> said;
-    auto values = program.read(targets, t, &said);
-    problems.say(said);
-    return values;
-  };
   if (call.json) {
-    std::string out = "{\"times\":[";
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      out += fmt::format("{}{{\"at\":{},\"seconds\":{},\"values\":{{", i ? "," : "", json_text(times[i].first),
-                         write_number(times[i].second.seconds()));
-      const auto values = read(times[i].second);
-      for (std::size_t k = 0; k < targets.size(); ++k)
-        out += fmt::format("{}{}:{}", k ? "," : "", json_text(document->name(targets[k])),
-                           json(values[k], targets[k], *document));
-      out += "}}";
-    }
-    fmt::print("{}]}}\n", out);
+    fmt::print("{}\n", values_json(*document, program, targets, times,
+                                   [&](const std::vector<std::string>& said) { problems.say(said); }));
     return all_done;
   }
   std::size_t width = 0;
   for (const Target& t : targets) width = std::max(width, document->name(t).size());
   for (const auto& [text, t] : times) {
     if (times.size() > 1) fmt::print("{} ({} s)\n", text, write_number(t.seconds()));
-    const auto values = read(t);
+    std::vector<std::string> said;
+    const auto values = program.read(targets, t, &said);
+    problems.say(said);
     for (std::size_t k = 0; k < targets.size(); ++k)
       fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(targets[k]), width,
                  plain_value(values[k], targets[k], *document));

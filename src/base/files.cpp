@@ -57,8 +57,11 @@ int make(const std::string& path, std::string_view bytes, Rights rights, bool on
 int move_to(const std::string& from, const std::string& to, bool overwrite) {
   const auto done = [](int result) { return result == 0 ? 0 : errno; };
   if (!overwrite) {
-    int reason = done(::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE));
+    int reason = ENOSYS;
+#ifdef RENAME_NOREPLACE
+    reason = done(::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE));
     if (reason != EINVAL && reason != ENOSYS) return reason;
+#endif
     // Some file systems cannot promise it. A link fails too where something has appeared under the name meanwhile.
     reason = done(::link(from.c_str(), to.c_str()));
     if (reason == 0) return ::unlink(from.c_str()), 0;

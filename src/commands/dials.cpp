@@ -23,7 +23,8 @@ bool dial(Command& k) {
     return c.fail(ErrorCode::syntax, "an address begins with '/'", c.since(start),
                   "as in dial /fader/1 to ball.position.y");
   const auto at = [&] {
-    return std::find_if(s.dials->begin(), s.dials->end(), [&](const Dial& d) { return d.address == made.address; });
+    auto& dials = *k.scene.dials;
+    return std::find_if(dials.begin(), dials.end(), [&](const Dial& d) { return d.address == made.address; });
   };
   if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' is missing here");
   if (c.accept_word("none")) {

@@ -81,7 +81,7 @@ bool delete_it(Command& k) {
   const std::string name(word);
   delete_list(s, name, list_time(k));
   std::erase_if(script.unfinished,
-                [&](const auto& u) { return u.first.first == name && (!time || u.first.second == *time); });
+                [&](const auto& u) { return u.first.first == name && (!k.time || u.first.second == *k.time); });
   std::vector<std::string> callers;
   for (const std::string_view other : list_names(s)) {
     const DisplayList* list = list_at(s, other, list_time(k));

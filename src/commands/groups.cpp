@@ -135,7 +135,7 @@ bool spread(Command& k) {
   const bool turn = std::holds_alternative<Quat>(from) && std::holds_alternative<Quat>(to);
   if (!way && !turn) return c.fail(ErrorCode::type, fmt::format("{} cannot be spread", to_string(on.type())), word);
   const auto has_events = [&](const Target& t) {
-    const auto tracks = tracks_of(s, t);
+    const auto tracks = tracks_of(k.scene, t);
     return std::any_of(tracks.begin(), tracks.end(), [](const Track* track) { return !track->events.empty(); });
   };
   if (std::any_of(on.targets.begin(), on.targets.end(), has_events))

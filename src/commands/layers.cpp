@@ -61,7 +61,7 @@ bool on_layer(Command& k) {
   Command layered{s, c, time, id, script};
   if (time && verb.find('.') != std::string_view::npos) {  // at T on LAYER TARGET VALUE
     const std::string_view w = c.next_word();
-    return to_each_type(layered, w, w.data(), [&](const Selected& to) { return event(layered, to, *time); });
+    return to_each_type(layered, w, w.data(), [&](const Selected& to) { return event(layered, to, *layered.time); });
   }
   return carry_out(layered);
 }

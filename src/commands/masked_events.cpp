@@ -42,7 +42,9 @@ void each_masked(const Slot& slot, Type type, F&& f) {
 
 void say_masked_events(const Scene& s, Script& script) {
   constexpr std::size_t named = 3;
-  for (auto& [key, d] : script.velocities) {
+  for (auto& velocity : script.velocities) {
+    const auto& key = velocity.first;
+    Diagnostic& d = velocity.second;
     const Object* o = find_object(s, {key.first});
     const Slot* slot = o ? o->find(key.second) : nullptr;
     if (!slot) continue;

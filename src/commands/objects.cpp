@@ -384,7 +384,7 @@ bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   out = named(k, word);
   const bool any = !out.empty();
   if (!is_pattern(word) && out.size() == 1 && !own(k, out[0], word)) return false;
-  std::erase_if(out, [&](ObjectId id) { return s.objects[id.index].derived; });
+  std::erase_if(out, [&](ObjectId id) { return k.scene.objects[id.index].derived; });
   if (any) return true;
   if (is_pattern(word) || s.aliases->contains(std::string(word))) {
     if (const auto braces = expand_braces(word); !braces)

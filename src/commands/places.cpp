@@ -91,7 +91,7 @@ std::vector<ObjectId> named(Command& k, std::string_view pattern) {
 bool in_places(Command& k, const std::function<bool()>& command) {
   const char* const start = k.cursor.at;
   if (k.script.only || !says_place(k, start)) return command();
-  const LogicalLine line = logical_line({start, k.cursor.end});
+  const LogicalLine line = logical_line(between(start, k.cursor.end));
   const Subject about = subject({start, static_cast<std::size_t>(line.end - start)});
   const std::string_view pattern = about.pattern.substr(0, first_dot(about.pattern));
   std::vector<std::string> names;

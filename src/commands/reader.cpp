@@ -40,7 +40,7 @@ bool open_sheet(Command& k, std::string_view word) {
 bool no_command(Command& k, std::string_view w, const char* start) {
   auto& [s, c, time, layer, script] = k;
   const auto fail = [&](ErrorCode code, std::string message, std::string hint = {}) {
-    return c.fail(code, std::move(message), w, std::move(hint));
+    return k.cursor.fail(code, std::move(message), w, std::move(hint));
   };
   const std::string said(w.substr(0, 40));
   if (starts_like_time(w[0]))
@@ -134,7 +134,7 @@ bool line(Command& k, const char* line_start) {
 // What went wrong in the line that began there; reading goes on behind it.
 void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
   Error e = c.error.value_or(fail(ErrorCode::syntax, "this cannot be carried out"));
-  const LogicalLine one = logical_line({line_start, c.end});
+  const LogicalLine one = logical_line(between(line_start, c.end));
   const char* next = one.next(c.end);
   // Where a bracket is never closed, what the lines below seem to lack is not the trouble.
   if (one.depth > 0 && c.depth > 0 && c.where.data() >= next) {
@@ -176,7 +176,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     const bool done = line(k, line_start);
     if (done && script.options.counts) say_touched(script, line_start);
     if (done && !script.failed.empty())  // what is there now was made
-      for (const std::string& name : names_made({line_start, c.at})) script.failed.erase(name);
+      for (const std::string& name : names_made(between(line_start, c.at))) script.failed.erase(name);
     script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
     if (!done) {
       complain(s, c, script, line_start);
@@ -205,7 +205,7 @@ bool on_or_off(Cursor& c, const char* otherwise, bool& out) {
 }
 
 bool pass_over(Command& k, const char* from) {
-  k.cursor.at = logical_line({from, k.cursor.end}).end;
+  k.cursor.at = logical_line(between(from, k.cursor.end)).end;
   return true;
 }
 

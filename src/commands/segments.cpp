@@ -203,8 +203,11 @@ bool needs_all_before(const Scene& s, const Target& t) {
   if (type == Type::attachment || type == Type::motion || !slot->filters.empty()) return true;
   const auto comes_round = [](const Cow<Track>& track) { return track->after != Extrapolation::hold; };
   const auto empty = [](const Cow<Track>& track) { return track->events.empty(); };
-  return comes_round(slot->track) || std::ranges::any_of(slot->components, comes_round) ||
-         !empty(slot->velocity.track) || !std::ranges::all_of(slot->velocity.components, empty);
+  const auto any = [](const auto& components, const auto& is) {
+    return std::any_of(components.begin(), components.end(), is);
+  };
+  return comes_round(slot->track) || any(slot->components, comes_round) || !empty(slot->velocity.track) ||
+         any(slot->velocity.components, [&](const Cow<Track>& track) { return !empty(track); });
 }
 
 // Behind `clear TARGET before`.

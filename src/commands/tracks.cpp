@@ -34,9 +34,9 @@ bool at(Command& k) {
     show_lists(s, script);
     return to_each_type(timed, w, start, [&](const Selected& to) {
       if (until && to.type() == Type::motion) return moving(timed, to, from, until);
-      c.space();
-      if (goes_along(c)) return along_line(timed, to, from, until);
-      return until ? one_time_only(c, segment) : event(timed, to, from);
+      timed.cursor.space();
+      if (goes_along(timed.cursor)) return along_line(timed, to, from, until);
+      return until ? one_time_only(timed.cursor, segment) : event(timed, to, from);
     });
   }
   if (until) return one_time_only(c, segment);

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "betwixt/language.h"
 #include "betwixt/program.h"
+#include "language/json.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -61,6 +64,38 @@ std::string plain_value(const Value& exact, const Target& t, const Document& d) 
     return fmt::format("({})", fmt::join(**names, " "));
   return write_value(r, spec_of(d.scene(), t.function), t.component,
                      [&](ObjectId id) { return id ? d.name(id) : std::string(); });
+}
+
+Result<std::vector<Target>> targets_of(const Document& d, std::vector<std::string> patterns,
+                                       const std::function<void(const std::string&)>& nothing) {
+  if (patterns.empty()) patterns = d.names();
+  std::vector<Target> targets;
+  std::set<std::tuple<std::uint32_t, std::uint16_t, int, bool>> named;  // what is asked for twice is answered once
+  for (const std::string& pattern : patterns) {
+    const auto found = find_targets(pattern, d);
+    if (!found) return found.error();
+    if (found->empty() && nothing) nothing(pattern);
+    for (const Target& t : *found)
+      if (named.insert({t.object.index, t.function, t.component, t.velocity}).second) targets.push_back(t);
+  }
+  return targets;
+}
+
+std::string values_json(const Document& d, const Program& program, const std::vector<Target>& targets,
+                        const std::vector<std::pair<std::string, Time>>& times,
+                        const std::function<void(const std::vector<std::string>&)>& problems) {
+  std::string out = "{\"times\":[";
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    out += fmt::format("{}{{\"at\":{},\"seconds\":{},\"values\":{{", i ? "," : "", json_text(times[i].first),
+                       write_number(times[i].second.seconds()));
+    std::vector<std::string> said;
+    const auto values = program.read(targets, times[i].second, &said);
+    if (problems) problems(said);
+    for (std::size_t k = 0; k < targets.size(); ++k)
+      out += fmt::format("{}{}:{}", k ? "," : "", json_text(d.name(targets[k])), json(values[k], targets[k], d));
+    out += "}}";
+  }
+  return out + "]}";
 }
 
 Result<std::string> values_at(const Document& d, std::vector<std::string> patterns,

@@ -66,7 +66,7 @@ Result<Raw<Channel>> read_png(std::span<const std::uint8_t> bytes, const std::st
 Decoded decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   auto raw = read_png<std::uint8_t>(bytes, name);
   if (!raw) return raw.error();
-  return std::make_shared<const Picture>(raw->width, raw->height, std::move(raw->rgba));
+  return std::make_shared<const Picture>(Picture{raw->width, raw->height, std::move(raw->rgba)});
 }
 
 Decoded decode_other(std::span<const std::uint8_t> bytes, const std::string& name) {

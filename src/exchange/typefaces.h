@@ -4,8 +4,8 @@
 // The fonts that the machine has, through fontconfig. Safe from any thread.
 #pragma once
 
-#include <compare>
 #include <string>
+#include <tuple>
 
 #include "betwixt/result.h"
 #include "betwixt/shape.h"
@@ -17,7 +17,10 @@ struct Typeface {
   std::string family;
   Weight weight = Weight::regular;
   bool italic = false;
-  friend auto operator<=>(const Typeface&, const Typeface&) = default;
+  friend bool operator==(const Typeface&, const Typeface&) = default;
+  friend bool operator<(const Typeface& a, const Typeface& b) {
+    return std::tie(a.family, a.weight, a.italic) < std::tie(b.family, b.weight, b.italic);
+  }
 };
 
 // Whether the machine has a font of this family name; a near miss goes into the error's hint.

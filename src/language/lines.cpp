@@ -17,7 +17,7 @@ namespace {
 constexpr std::ptrdiff_t longest_logical_line = 1 << 24;  // further, and a bracket counts as never closed
 constexpr int deepest_bracket = 200;
 
-int characters(const char* from, const char* to) { return static_cast<int>(count_characters({from, to})); }
+int characters(const char* from, const char* to) { return static_cast<int>(count_characters(between(from, to))); }
 
 // The part of a line around a place in it: long ones are cut.
 std::pair<const char*, const char*> around(const char* start, const char* stop, const char* spot) {

@@ -13,6 +13,10 @@
 
 namespace betwixt {
 
+inline std::string_view between(const char* from, const char* to) {
+  return {from, static_cast<std::size_t>(to - from)};
+}
+
 // From a line's beginning on: brackets and texts in """ hold lines together.
 struct LogicalLine {
   const char* end;    // at the new line behind it, or at the end of the text

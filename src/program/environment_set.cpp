@@ -7,10 +7,11 @@
 #include <cassert>
 #include <functional>
 #include <limits>
-#include <system_error>
 #include <thread>
 #include <tuple>
 #include <utility>
+
+#include "base/in_parts.h"
 
 namespace betwixt {
 
@@ -106,23 +107,6 @@ void for_each_piece(Iterator first, Iterator last, Key key, F&& work) {
     work(first, end);
     first = end;
   }
-}
-
-// Work on parts of [0, count), one thread each, and all on this one where the system has no more of them.
-template <class F>
-void in_parts(std::size_t count, std::size_t parts, const F& work) {
-  std::vector<std::thread> threads;
-  std::size_t begin = 0;
-  try {
-    for (std::size_t k = 1; k < parts; ++k) {
-      const std::size_t end = k * count / parts;
-      threads.emplace_back([&work, begin, end] { work(begin, end); });
-      begin = end;
-    }
-  } catch (const std::system_error&) {
-  }
-  work(begin, count);
-  for (std::thread& t : threads) t.join();
 }
 
 }  // namespace
@@ -320,8 +304,9 @@ std::optional<std::int64_t> EnvironmentSet::due(std::size_t what, std::int64_t t
 
 void EnvironmentSet::seek(std::int64_t tick) {
   tick_ = std::clamp(tick, -horizon, horizon);
-  const std::size_t parts = large_ ? std::min<std::size_t>(std::thread::hardware_concurrency(), most_threads) : 1;
-  in_parts(blocks_.size(), parts, [&](std::size_t begin, std::size_t end) {
+  const std::size_t parts = large_ ? std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_threads) : 1;
+  in_parts(parts, [&](std::size_t part) {
+    const std::size_t begin = part * blocks_.size() / parts, end = (part + 1) * blocks_.size() / parts;
     for (std::size_t what = 0; what < beats_.size(); ++what)
       evaluate(beats_[what], {begin, end}, motions_of(std::min(what + 1, beats_.size() - 1)));
     environments::settle();

@@ -44,7 +44,7 @@ std::optional<Time> Evaluator::held_since(std::uint32_t node, std::uint32_t hand
   std::optional<Time> since;
   for (auto i = static_cast<std::int32_t>(node); i >= 0;) {
     const auto n = static_cast<std::uint32_t>(i);
-    if (n == hand || std::ranges::find(joints, n) != joints.end()) return since;
+    if (n == hand || std::find(joints.begin(), joints.end(), n) != joints.end()) return since;
     const CompiledSpan* const span = held_[n];
     if (span != nullptr && in_reach(span->from)) since = std::max(since.value_or(span->from), span->from);
     i = parent_[n];

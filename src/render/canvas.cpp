@@ -45,6 +45,17 @@ void main() {
 }
 )";
 
+// The picture's first row is what is shown on top.
+const char* const show_fragment = R"(
+uniform sampler2D picture;
+out vec4 color;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 c = texelFetch(picture, ivec2(at.x, textureSize(picture, 0).y - 1 - at.y), 0);
+  color = vec4(mix(12.92 * c.rgb, 1.055 * pow(c.rgb, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c.rgb)), c.a);
+}
+)";
+
 void set_color(GLint where, Vec3 c) {
   glUniform3f(where, static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z));
 }
@@ -156,6 +167,24 @@ void Canvas::finish() const {
   glUseProgram(average_.id());
   gl::use_texture(0, large_.color.id());
   gl::fill();
+}
+
+Status Canvas::show() {
+  if (show_.id() == 0) {
+    auto made = gl::new_program(gl::fill_vertex, show_fragment);
+    if (!made) return made.error();
+    show_ = *std::move(made);
+    gl::set_samplers(show_, {{"picture", 0}});
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glUseProgram(show_.id());
+  gl::use_texture(0, (side_ > 1 ? pixels_ : large_).color.id());
+  gl::fill();
+  return Nothing{};
 }
 
 void Canvas::bind_last() const { glBindFramebuffer(GL_FRAMEBUFFER, (side_ > 1 ? pixels_ : large_).framebuffer.id()); }

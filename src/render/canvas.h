@@ -44,6 +44,8 @@ class Canvas {
   void draw_behind(const Gradient&) const;
   // Averages the samples in linear light.
   void finish() const;
+  // Draws the picture that was finished last, encoded, to what the graphics themselves show. Errors: machine.
+  Status show();
   // Reads the picture that was finished last.
   void read(Picture& out) const;
   void read(DeepPicture& out) const;  // of a deep one
@@ -58,6 +60,7 @@ class Canvas {
   gl::Target large_;          // `side_` times the picture's size
   gl::Target pixels_;         // the picture's size; not there where `large_` is that
   gl::Program gradient_, average_;
+  gl::Program show_;  // made when it is wanted
   GLint gradient_top_ = 0, gradient_bottom_ = 0, gradient_bends_ = 0;
 };
 

@@ -4,7 +4,6 @@
 // OpenGL ES 3.0 without a display: a context of our own, and owners for what lives in it.
 #pragma once
 
-#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <initializer_list>
@@ -16,19 +15,19 @@
 
 namespace betwixt::gl {
 
-// One OpenGL ES 3.0 context on surfaceless EGL.
+// One OpenGL ES 3.0 context on surfaceless EGL (in pages: that of WebGL 2).
 class Context {
  public:
   static Result<Context> create();  // errors: machine
-  Context(Context&& o) noexcept : display_(o.display_), context_(std::exchange(o.context_, EGL_NO_CONTEXT)) {}
+  Context(Context&& o) noexcept : display_(o.display_), context_(std::exchange(o.context_, nullptr)) {}
   Context& operator=(Context&&) = delete;
   ~Context();
+  bool shows() const;  // what is drawn to framebuffer 0 is seen
 
  private:
   friend class Current;
-  Context(EGLDisplay d, EGLContext c) : display_(d), context_(c) {}
-  EGLDisplay display_;
-  EGLContext context_;
+  Context(void* display, void* context) : display_(display), context_(context) {}
+  void *display_, *context_;
 };
 
 // Makes a context current for as long as it lives, then puts back whatever the host program had.
@@ -40,10 +39,8 @@ class Current {
   Current& operator=(const Current&) = delete;
 
  private:
-  EGLDisplay own_, display_;
-  EGLContext context_;
-  EGLSurface draw_, read_;
-  EGLenum api_;
+  void *own_, *display_, *context_, *draw_, *read_;
+  unsigned api_;
 };
 
 // Owns one object of the graphics interface; freed while its context is current.

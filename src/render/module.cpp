@@ -21,6 +21,11 @@ Status Module::draw(const Columns& columns, Picture& out) {
   return Nothing{};
 }
 
+Status Module::draw(const Columns& columns, Shown&) {
+  draw(columns);
+  return canvas_.show();
+}
+
 Status Module::draw(const Columns& columns, DeepPicture& out) {
   if (!canvas_.deep()) return fail(ErrorCode::range, "pictures of light come from a renderer that was made for them");
   draw(columns);

@@ -21,6 +21,8 @@ class Module {
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
   Status draw(const Columns&, Picture& out);
+  struct Shown {};  // what the graphics themselves show
+  Status draw(const Columns&, Shown& out);
   Status draw(const Columns&, DeepPicture& out);  // errors: range (the canvas is not deep)
 
  protected:

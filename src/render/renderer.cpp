@@ -28,6 +28,11 @@ class SurfacelessRenderer final : public Renderer {
   Status render(const Frame& frame, DeepPicture& out) override { return draw(frame, out); }
   Status render(const Evaluation& evaluation, Picture& out) override { return draw(evaluation, out); }
   Status render(const Evaluation& evaluation, DeepPicture& out) override { return draw(evaluation, out); }
+  Status show(const Evaluation& evaluation) override {
+    if (!context_.shows()) return Renderer::show(evaluation);
+    Module::Shown shown;
+    return draw(evaluation, shown);
+  }
   Status expose(Evaluation& evaluation, Time t, const Exposure& how, DeepPicture& out) override {
     seen_ = {};
     return betwixt::expose(
@@ -182,6 +187,10 @@ Result<const Entry*> find(const RenderOptions& options) {
 }
 
 }  // namespace
+
+Status Renderer::show(const Evaluation&) {
+  return fail(ErrorCode::machine, "these graphics show nothing themselves", "render() gives the picture");
+}
 
 Status check_options(const RenderOptions& options) {
   const auto found = find(options);

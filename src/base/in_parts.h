@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Work in parts, a thread each.
+#pragma once
+
+#include <cstddef>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace betwixt {
+
+// work(0) … work(parts - 1), the first on this thread, and so are those for which the system has no more threads.
+template <class F>
+void in_parts(std::size_t parts, const F& work) {
+  std::vector<std::thread> others;
+  std::size_t taken = 1;
+  try {
+    for (; taken < parts; ++taken) others.emplace_back([&work, taken] { work(taken); });
+  } catch (const std::system_error&) {
+  }
+  work(0);
+  for (; taken < parts; ++taken) work(taken);
+  for (std::thread& t : others) t.join();
+}
+
+}  // namespace betwixt

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Libraries that are headers, compiled.
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_NO_GIF
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#define STBI_NO_PIC
+#define STBI_NO_PNM
+#define STBI_NO_PSD
+#define STBI_NO_STDIO
+#include <stb_image.h>
+
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
+// Pictures are kept as they are: what would take them apart is there by name only.
+namespace tinygltf {
+bool LoadImageData(Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return false;
+}
+bool WriteImageData(const std::string*, const std::string*, const Image*, bool, std::string*, void*) {
+  return false;
+}
+}  // namespace tinygltf
+
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What C++20 has and the standard library of Emscripten 3.1 lacks; read before every file there.
+#pragma once
+#ifdef __cplusplus
+#include <fast_float/fast_float.h>
+
+#include <bit>
+#include <charconv>
+#include <type_traits>
+
+namespace std {
+
+template <class To, class From>
+constexpr To bit_cast(const From& from) noexcept {
+  static_assert(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>);
+  return __builtin_bit_cast(To, from);
+}
+
+template <class Real, class = enable_if_t<is_floating_point_v<Real>>>
+from_chars_result from_chars(const char* first, const char* last, Real& out) {
+  Real read = 0;
+  const auto r = fast_float::from_chars(first, last, read);
+  if (r.ec == errc()) out = read;
+  return {r.ptr, r.ec};
+}
+
+}  // namespace std
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What pages cannot do, in words.
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "exchange/parser_process.h"
+#include "exchange/scene_file.h"
+#include "exchange/sounds.h"
+#include "exchange/tex.h"
+#include "procedure/plugins.h"
+#include "render/traced.h"
+
+namespace betwixt {
+namespace {
+
+Error not_here(const std::string& what) {
+  return fail(ErrorCode::machine, what + " in a page", "the program betwixt does it");
+}
+
+}  // namespace
+
+std::optional<Parsed> parse_apart(ParserTask, const std::string&, const MayRead&, std::optional<ParserCeilings>) {
+  return std::nullopt;
+}
+
+Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, Shelf&) {
+  return fail(ErrorCode::file, fmt::format("{} cannot be read in a page", path), "glTF (.gltf .glb) and .svg can be");
+}
+
+Result<std::shared_ptr<const Outline>> set_by_tex(const std::string&, std::chrono::milliseconds) {
+  return not_here("formulas of TeX are not set");
+}
+
+Status decode_sound(const std::string&, const Listener&) { return not_here("sounds are not decoded"); }
+Result<std::shared_ptr<const Sound>> read_sound(const std::string&) { return std::make_shared<const Sound>(); }
+
+Result<Plugin> load_plugin(const std::string&) { return not_here("plug-ins are not loaded"); }
+
+Result<std::unique_ptr<Renderer>> make_traced(const RenderOptions&, unsigned) {
+  return not_here("light is not traced");
+}
+
+}  // namespace betwixt
