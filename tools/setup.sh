@@ -73,6 +73,20 @@ build_with() {
   build "${@:2}"
 }
 
+# build_player: build/web/betwixt-player.js, what plays in pages.
+build_player() {
+  mkdir -p "$root/build" || die "cannot write in $root"
+  (
+    flock -n 9 || { say "waiting for another build to end" && flock 9; }
+    say "building the player for web pages (some minutes when it is the first time)"
+    "$root/tools/web.sh" 2>&1 | tee "$root/build/web.log" | sparse web
+    [ "${PIPESTATUS[0]}" = 0 ] || {
+      grep -E 'error|undefined|cannot' "$root/build/web.log" | tail -n 20 >&2
+      die "the player could not be built: build/web.log has all that was said"
+    }
+  ) 9>"$root/build/web.lock" || exit 3
+}
+
 configure() {
   local cache=$root/build/$1/CMakeCache.txt log=$root/build/$1.log options=()
   # A checkout that was moved is configured anew.

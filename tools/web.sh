@@ -14,3 +14,4 @@ version=$(sed -nE 's/^project\(betwixt VERSION ([0-9.]+).*/\1/p' "$root/CMakeLis
 [ -f "$out/build.ninja" ] || emcmake cmake -G Ninja -S "$root/web" -B "$out" -DCMAKE_BUILD_TYPE=None \
   -DBETWIXT_VERSION="$version" >"$out/log" 2>&1 || { cat "$out/log" >&2; exit 3; }
 ninja -C "$out" "$@"
+python3 "$root/web/put_together.py" "$out" "$version"

@@ -3,7 +3,7 @@
 //
 // The engine as a page sees it: Betwixt.engine() gives the one of this page, engine.open(text) a film. engine.cpp is the
 // other half. Stands inside a function that the build puts around all parts of the player; `makeBetwixt` is
-// Emscripten's, `wasmBytes()` gives the program.
+// Emscripten's, `wasmBytes()` gives the program, `algebraOf` is in algebra.js.
 
 const Betwixt = (globalThis.Betwixt ??= {});
 
@@ -33,9 +33,9 @@ class Film {
   eval(target, time) {
     return this.#eval([target], [time], 1).value;
   }
-  // What all of them are at all times: the object that `betwixt eval --json` prints.
-  evalAll(targets, times) {
-    return this.#eval(targets, times, 0);
+  // What all of them are at all times: the object that `betwixt eval --json` prints; `text`: as it prints it.
+  evalAll(targets, times, { text = false } = {}) {
+    return this.#eval(targets, times, 0, text);
   }
   // What procedures did wrong while pictures were drawn.
   problems() {
@@ -54,12 +54,13 @@ class Film {
   #alive() {
     if (!this.#handle) throw new Error("this film has been disposed of");
   }
-  #eval(targets, times, plain) {
+  #eval(targets, times, plain, text = false) {
     this.#alive();
     const when = times.map((t) => (typeof t === "number" ? `${t}s` : String(t)));
-    const said = JSON.parse(this.#engine.call("betwixt_eval", this.#handle, targets.join("\n"), when.join("\n"), plain));
+    const words = this.#engine.call("betwixt_eval", this.#handle, targets.join("\n"), when.join("\n"), plain);
+    const said = JSON.parse(words);
     if (said.error) throw new Error(said.error);
-    return said;
+    return text ? words : said;
   }
 }
 
@@ -75,6 +76,7 @@ class Engine {
     module.FS.mkdir("/fonts");
     module.FS.chdir("/film");
     this.version = this.call("betwixt_version");
+    this.algebra = algebraOf(module);
   }
 
   // A film of a script. `files`: what lies beside it, bytes by path; fonts (.ttf, .otf) wherever they lie.

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# put_together.py FOLDER VERSION: of the compiled engine in the folder (betwixt.js, betwixt.wasm) and what stands around
+# it here, the player: betwixt-player.js, one file for pages, and package, for npm.
+import base64, gzip, json, os, re, shutil, sys
+
+folder, version = sys.argv[1], sys.argv[2]
+here = os.path.dirname(os.path.abspath(__file__))
+
+
+def read(*path):
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return file.read()
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path + ".new", "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(path + ".new", path)
+
+
+def slim(text):  # without lines that are comments alone, and blank ones
+    return "\n".join(line for line in text.split("\n") if line.strip() and not re.match(r"\s*//", line)) + "\n"
+
+
+with open(os.path.join(folder, "betwixt.wasm"), "rb") as file:
+    wasm = file.read()
+packed = gzip.compress(wasm, 9, mtime=0)
+# What glue says to other module systems is of no use where it stands in a function.
+glue = re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, "betwixt.js"), flags=re.S)
+parts = "".join(slim(read(here, name)) for name in ("algebra.js", "engine.js", "player.js", "editor.js"))
+# Within a page's script these would end or begin something.
+glue, parts = (re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I) for text in (glue, parts))
+head = f"// Betwixt {version}, <https://www.apache.org/licenses/LICENSE-2.0>: films from text. docs/web.md says what it does.\n"
+
+inline = """const wasmBytes = async () => {
+  const packed = Uint8Array.from(atob("%s"), (c) => c.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+};
+""" % base64.b64encode(packed).decode()
+write(os.path.join(folder, "betwixt-player.js"), head + "(() => {\n" + glue + inline + parts + "})();\n")
+
+beside = """const wasmBytes = async () => {
+  const answer = await fetch(new URL("./betwixt.wasm", import.meta.url));
+  if (!answer.ok) throw new Error(`${answer.url} cannot be fetched: the server answered ${answer.status}`);
+  return answer.arrayBuffer();
+};
+"""
+exports = """export const engine = Betwixt.engine;
+export const BetwixtPlayer = Betwixt.Player, BetwixtEditor = Betwixt.Editor;
+"""
+package = os.path.join(folder, "package")
+write(os.path.join(package, "betwixt-player.mjs"), head + glue + beside + parts + exports)
+for name, source in {"betwixt.wasm": folder, "betwixt-player.js": folder, "betwixt-player.d.ts": here, "README.md": here,
+                     "LICENSE": os.path.join(here, "..")}.items():
+    shutil.copyfile(os.path.join(source, name), os.path.join(package, name))
+about = json.loads(read(here, "package.json"))
+about["version"] = version
+write(os.path.join(package, "package.json"), json.dumps(about, indent=2) + "\n")
+
+loose = [len(gzip.compress(text.encode(), 9)) for text in (glue, parts)]
+print(f"compressed: engine {len(packed)}, its glue {loose[0]}, player {loose[1]}, in all {len(packed) + sum(loose)} bytes")
