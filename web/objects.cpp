@@ -17,6 +17,9 @@
 namespace betwixt {
 namespace {
 
+// What the program's reader takes faces for that name no material.
+constexpr Vec3 without_material{0.6, 0.6, 0.6};
+
 using Corner = tinyobj::index_t;
 
 std::filesystem::path beside(const std::string& path, std::string name) {
@@ -122,6 +125,7 @@ Result<std::shared_ptr<const Mesh>> load_objects(const std::string& path, const 
                   each([&](const Corner& c) { return below(c.texcoord_index, all.texcoords.size() / 2); }));
       for (const auto& [from, count] : of) piece.face(&corners[from], count);
       MeshPart look;
+      look.color = without_material;
       if (below(material, reader.GetMaterials().size())) {
         const tinyobj::material_t& m = reader.GetMaterials()[static_cast<std::size_t>(material)];
         look.color = {m.diffuse[0], m.diffuse[1], m.diffuse[2]};
