@@ -2,6 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # What libbetwixt is made with. Whoever links the static library needs the same: the CMake package includes this file.
+if(NOT TARGET betwixt_math)  # where it is installed: beside the library
+  get_filename_component(betwixt_math ${CMAKE_CURRENT_LIST_DIR}/../../libbetwixt_math.a ABSOLUTE)
+  if(EXISTS ${betwixt_math})
+    add_library(betwixt_math STATIC IMPORTED)
+    set_target_properties(betwixt_math PROPERTIES IMPORTED_LOCATION ${betwixt_math})
+  else()
+    add_library(betwixt_math INTERFACE IMPORTED)
+  endif()
+endif()
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(fmt REQUIRED)

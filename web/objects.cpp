@@ -7,6 +7,7 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 
@@ -18,7 +19,7 @@ namespace betwixt {
 namespace {
 
 // What the program's reader takes faces for that name no material.
-constexpr Vec3 without_material{0.6, 0.6, 0.6};
+constexpr std::array<float, 3> without_material{0.6F, 0.6F, 0.6F};
 
 using Corner = tinyobj::index_t;
 

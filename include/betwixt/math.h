@@ -6,6 +6,7 @@
 // Room: base
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -33,7 +34,11 @@ constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z};
 constexpr Vec3 operator*(Vec3 a, double s) { return s * a; }
 constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
+inline double length(Vec3 a) {  // without overflow; written out, as libraries differ in its last bit
+  const double x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z), most = std::max({x, y, z});
+  if (!(most > 0)) return x + y + z;
+  return most * std::sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most));
+}
 // The direction of `a`; `otherwise` where `a` has none.
 inline Vec3 normalize(Vec3 a, Vec3 otherwise = {0, 0, 1}) {
   const double l = length(a);

@@ -14,7 +14,7 @@ player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
 if not os.path.exists(player):
     print("left out: what plays is not built (./betwixt web)\n0 passed, 0 failed")
     sys.exit()
-wide, high = 320, 180
+wide, high = 640, 360
 rand = random.Random(7)
 scratch = tempfile.TemporaryDirectory()
 keep = os.environ.get("LOOK")
@@ -44,8 +44,10 @@ script = f"""window.canvas = document.createElement("canvas"); canvas.width = {w
   window.get = async (path) => {{ const r = await fetch("/examples/" + path); if (!r.ok) throw new Error(path + ": " + r.status); return r; }};
   window.show = async (name) => {{
     const engine = await Betwixt.engine(), text = await (await get(name)).text(), files = {{}};
+    const bold = new Uint8Array(await (await fetch("/fonts/DejaVuSans-Bold.ttf")).arrayBuffer());
+    if (text.includes("weight=bold")) files["DejaVuSans-Bold.ttf"] = bold;
     if (window.film) film.dispose();
-    window.film = engine.open(text, {{ name }});
+    window.film = engine.open(text, {{ name, files }});
     for (let i = 0; i < 20 && film.wants.length; ++i) {{
       for (const path of film.wants) files[path] = new Uint8Array(await (await get(path)).arrayBuffer());
       film.dispose(), window.film = engine.open(text, {{ name, files }});
@@ -59,6 +61,7 @@ script = f"""window.canvas = document.createElement("canvas"); canvas.width = {w
 films = [f"{root}/examples/{name}.bx" for name in sys.argv[2:]] or sorted(glob.glob(f"{root}/examples/*.bx"))
 worst = (999, "")
 os.symlink(f"{root}/examples", f"{scratch.name}/examples")
+os.symlink("/usr/share/fonts/truetype/dejavu", f"{scratch.name}/fonts")
 os.symlink(os.path.abspath(player), f"{scratch.name}/player.js")
 with open(f"{scratch.name}/page.html", "w") as out:
     out.write('<!DOCTYPE html><meta charset="utf-8"><body><script src="player.js"></script>')
