@@ -14,7 +14,7 @@ player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
 if not os.path.exists(player):
     print("left out: what plays is not built (./betwixt web)\n0 passed, 0 failed")
     sys.exit()
-wide, high = 640, 360
+wide, high = 1280, 720
 rand = random.Random(7)
 scratch = tempfile.TemporaryDirectory()
 keep = os.environ.get("LOOK")
