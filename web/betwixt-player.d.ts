@@ -30,6 +30,8 @@ export interface Film {
   readonly fps: number;
   readonly firstFrame: number;
   readonly lastFrame: number;
+  /** What `note` says in the script, in the order of time. */
+  readonly notes: { seconds: number; text: string }[];
   /** What the script says of its pictures, else 1280 x 720. */
   readonly width: number;
   readonly height: number;

@@ -6,10 +6,12 @@
 #include <emscripten.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "betwixt/evaluation.h"
 #include "betwixt/language.h"
@@ -24,14 +26,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A renderer, and what it was made for.
+struct Easel {
+  std::unique_ptr<Renderer> renderer;
+  RenderOptions how;
+  unsigned graphics = 0;
+  bool fits(const RenderOptions& o) const {
+    return renderer && graphics == graphics_generation() && how.width == o.width && how.height == o.height &&
+           how.samples == o.samples && how.style == o.style;
+  }
+};
+// Of films that are over. Who types makes a film with each key, and making a renderer takes longer than its picture.
+constexpr std::size_t most_spare = 2;
+std::vector<Easel> spare;
+void keep_spare(Easel&& easel) {
+  if (!easel.renderer) return;
+  if (spare.size() == most_spare) spare.erase(spare.begin());
+  spare.push_back(std::move(easel));
+}
+
 struct Film {
   Loaded loaded;
   std::set<std::string> wants;
   std::unique_ptr<Program> program;
   std::unique_ptr<Evaluation> evaluation;
-  std::unique_ptr<Renderer> renderer;
-  RenderOptions drawn;  // by the renderer
-  unsigned graphics = 0;
+  Easel easel;
   std::set<std::string> problems;
 
   const Document& document() const { return loaded.document; }
@@ -69,15 +88,18 @@ RenderOptions options(const Film& film, int width, int height) {
 }
 
 Status need_renderer(Film& film, int width, int height) {
-  const bool same = film.renderer && film.graphics == graphics_generation() && film.drawn.width == width &&
-                    film.drawn.height == height;
-  if (same) return Nothing{};
-  film.renderer.reset();
-  film.drawn = options(film, width, height);
-  auto made = make_renderer(film.drawn);
+  const RenderOptions wanted = options(film, width, height);
+  if (film.easel.fits(wanted)) return Nothing{};
+  film.easel = {};
+  const auto kept = std::find_if(spare.begin(), spare.end(), [&](const Easel& e) { return e.fits(wanted); });
+  if (kept != spare.end()) {
+    film.easel = std::move(*kept);
+    spare.erase(kept);
+    return Nothing{};
+  }
+  auto made = make_renderer(wanted);
   if (!made) return made.error();
-  film.renderer = *std::move(made);
-  film.graphics = graphics_generation();
+  film.easel = {*std::move(made), wanted, graphics_generation()};
   return Nothing{};
 }
 
@@ -102,7 +124,10 @@ EMSCRIPTEN_KEEPALIVE Film* betwixt_open(const char* path) {
   return film.release();
 }
 
-EMSCRIPTEN_KEEPALIVE void betwixt_close(Film* film) { delete film; }
+EMSCRIPTEN_KEEPALIVE void betwixt_close(Film* film) {
+  keep_spare(std::move(film->easel));
+  delete film;
+}
 
 // JSON: all that there is to say about it.
 EMSCRIPTEN_KEEPALIVE const char* betwixt_about(Film* film) {
@@ -114,13 +139,17 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_about(Film* film) {
   }
   for (const std::string& file : film->wants) wants += (wants.empty() ? "" : ",") + json_text(file);
   const auto [first, last] = d.range();
+  std::string notes;
+  for (const auto& [time, text] : d.notes(first, last))
+    notes += fmt::format(R"({}{{"seconds":{},"text":{}}})", notes.empty() ? "" : ",", json_number(time.seconds()),
+                         json_text(text));
   const auto [width, height] = d.size().value_or(std::pair{1280, 720});
   return keep(fmt::format(R"({{"ok":{},"diagnostics":[{}],"message":{},"wants":[{}],"fps":{},"start":{},"end":{},)"
-                          R"("firstFrame":{},"lastFrame":{},"width":{},"height":{}}})",
+                          R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"notes":[{}]}})",
                           !has_errors(film->loaded.diagnostics), diagnostics, json_text(message), wants,
                           json_number(d.rate().per_second()), json_number(first.seconds()),
                           json_number((last + d.rate().span(1)).seconds()), json_number(d.rate().frame_number(first)),
-                          json_number(d.rate().frame_number(last)), width, height));
+                          json_number(d.rate().frame_number(last)), width, height, notes));
 }
 
 // Draws onto the hidden canvas, which is as large. Gives what stands against it; null: nothing.
@@ -131,13 +160,16 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_draw(Film* film, double seconds, int wi
   film->evaluation->to(from_seconds(seconds));
   for (const std::string& p : film->evaluation->problems())
     if (film->problems.size() < 100) film->problems.insert(p);
-  if (const Status s = film->renderer->show(*film->evaluation); !s) return say(s.error());
+  if (const Status s = film->easel.renderer->show(*film->evaluation); !s) return say(s.error());
   return nullptr;
 }
 
 // What is kept to draw with is given up; the next picture makes it anew.
-EMSCRIPTEN_KEEPALIVE void betwixt_rest(Film* film) { film->renderer.reset(); }
-EMSCRIPTEN_KEEPALIVE void betwixt_forget_graphics() { forget_graphics(); }
+EMSCRIPTEN_KEEPALIVE void betwixt_rest(Film* film) { film->easel = {}; }
+EMSCRIPTEN_KEEPALIVE void betwixt_forget_graphics() {
+  spare.clear();
+  forget_graphics();
+}
 
 // JSON: what procedures did wrong while pictures were drawn.
 EMSCRIPTEN_KEEPALIVE const char* betwixt_problems(Film* film) {

@@ -251,6 +251,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#show_attributes();
       // Of what is there already it is known at once where it is, without waiting for an observer.
       const { top, bottom } = upgrading || document.readyState !== "loading" ? this.getBoundingClientRect() : { top: Infinity };
+      this.#visible = top < innerHeight && bottom > 0;
       if (this.loading === "eager" || (top < 2 * innerHeight && bottom > -innerHeight)) this.#comes_near();
     }
 

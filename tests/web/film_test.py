@@ -18,7 +18,7 @@ if not os.path.exists(player):
     sys.exit()
 environment = {**os.environ, "BETWIXT_PLAYER": player}
 
-ball = "# ball.bx — a ball\nrate 24\nrange 1f 48f\nsize 320x180\nfilm flat\ncreate ball circle radius=3 color=red\nball.position\n  1f (0 0 0) linear\n  25f (4 0 0)\n"
+ball = "# ball.bx — a ball\nrate 24\nrange 1f 48f\nsize 320x180\nfilm flat\ncreate ball circle radius=3 color=red\nball.position\n  1f (0 0 0) linear\n  25f (4 0 0)\nat 13f note \"half way\"\n"
 memory = """const real = WebAssembly.instantiate; WebAssembly.instantiate = async function (...all) {
     const made = await real.apply(this, all), e = (made.instance ?? made).exports;
     window.memories = [...(window.memories ?? []), Object.values(e).find((x) => x instanceof WebAssembly.Memory)]; return made; };
@@ -70,6 +70,7 @@ def typed(browser):
     check("a red ball", page.until("pixel(p).join() === '255,0,0'"))
     page.do("p.currentTime = 1; await until(p, 'seeked');")
     check("which goes away", page.ask("pixel(p)") != [255, 0, 0], page.ask("pixel(p)"))
+    same("the notes of the film", page.ask("p.film.notes"), [{"seconds": 0.5, "text": "half way"}])
     same("a value is that of the program", page.ask("p.eval('ball.position', 0.3)"), run("eval", "ball.bx", "--at", "0.3s", "ball.position").stdout.split(maxsplit=1)[-1].strip())
     page.do("p.currentTime = 0; t.focus(); const at = t.value.indexOf('red'); t.setSelectionRange(at, at + 3);")
     page.type("lime")
