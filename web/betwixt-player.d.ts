@@ -40,7 +40,8 @@ export interface Film {
   /** A value as `betwixt eval` prints it. */
   eval(target: string, seconds: number): string;
   /** Several at several times, as JSON of `betwixt eval --json`. */
-  evalAll(targets: string[], seconds: number[]): unknown;
+  evalAll(targets: string[], times: (number | string)[], how?: { text?: false }): unknown;
+  evalAll(targets: string[], times: (number | string)[], how: { text: true }): string;
   /** Gives its memory back. */
   dispose(): void;
 }

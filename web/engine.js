@@ -76,7 +76,7 @@ class Engine {
     module.FS.mkdir("/fonts");
     module.FS.chdir("/film");
     this.version = this.call("betwixt_version");
-    this.algebra = algebraOf(module);
+    this.algebra = algebraOf((...all) => this.call(...all));
   }
 
   // A film of a script. `files`: what lies beside it, bytes by path; fonts (.ttf, .otf) wherever they lie.
