@@ -48,6 +48,8 @@ export interface Film {
 
 export interface Engine {
   readonly version: string;
+  /** Brings what reads such files (meshes, scenes, drawings, pictures), where a film wants some. */
+  prepare(files: Record<string, Uint8Array>): Promise<void>;
   /** Never throws for what is wrong with a script: see `Film.ok`. */
   open(text: string, how?: { name?: string; files?: Record<string, Uint8Array> }): Film;
   readonly algebra: Algebra;

@@ -3,7 +3,7 @@
 //
 // The engine as a page sees it: Betwixt.engine() gives the one of this page, engine.open(text) a film. engine.cpp is the
 // other half. Stands inside a function that the build puts around all parts of the player; `makeBetwixt` is
-// Emscripten's, `wasmBytes()` gives the program, `algebraOf` is in algebra.js.
+// Emscripten's, `wasmBytes(name)` gives a program, `algebraOf` is in algebra.js.
 
 const Betwixt = (globalThis.Betwixt ??= {});
 
@@ -68,15 +68,26 @@ class Engine {
   #module;
   #canvas = null;
   #lost = false;
+  #reader = null;
+  #coming = null;
+  #files = {};  // of the film that is being opened
 
   constructor(module) {
     this.#module = module;
     module.makeCanvas = () => this.#make_canvas();
+    module.readApart = (task, path) => this.#read_apart(task, path);
     module.FS.mkdir("/film");
     module.FS.mkdir("/fonts");
     module.FS.chdir("/film");
     this.version = this.call("betwixt_version");
     this.algebra = algebraOf((...all) => this.call(...all));
+  }
+
+  // Brings what reads such files where it is not there yet: meshes, scenes, drawings, pictures.
+  async prepare(files) {
+    if (this.#reader || Object.keys(files).every((path) => /\.(bx|ttf|otf|ttc)$/i.test(path))) return;
+    this.#coming ??= reader().finally(() => (this.#coming = null));
+    this.#reader = await this.#coming;
   }
 
   // A film of a script. `files`: what lies beside it, bytes by path; fonts (.ttf, .otf) wherever they lie.
@@ -97,10 +108,12 @@ class Engine {
       else put(path, bytes);
     }
     put(name, text);
+    this.#files = files;
     try {
       return new Film(this, this.call("betwixt_open", name, false));
     } finally {
       for (const path of written) FS.unlink(path);
+      this.#files = {};
     }
   }
 
@@ -148,6 +161,31 @@ class Engine {
     kind.drawImage(this.#canvas, 0, 0);
   }
 
+  // The files that were asked for on the way, a line each; what was read is put where apart.cpp finds it.
+  #read_apart(task, path) {
+    if (!this.#reader) return null;
+    const { FS, UTF8ToString, stringToUTF8, lengthBytesUTF8, _malloc, _free } = this.#reader;
+    const written = [];
+    try {
+      for (const [file, bytes] of Object.entries(this.#files)) {
+        const at = "/film/" + file;
+        FS.mkdirTree(at.slice(0, at.lastIndexOf("/")));
+        FS.writeFile(at, bytes);
+        written.push(at);
+      }
+      const size = lengthBytesUTF8(path) + 1, at = _malloc(size);
+      stringToUTF8(path, at, size);
+      const asked = UTF8ToString(this.#reader._betwixt_parse(task, at));
+      _free(at);
+      this.#module.FS.writeFile("/handed", FS.readFile("/handed"));
+      for (const file of written) FS.unlink(file);
+      return asked;
+    } catch {
+      this.#reader = null;  // what it was at is broken, and so is it
+      this.#module.FS.writeFile("/handed", "");
+      return "";
+    }
+  }
   #make_canvas() {
     if (this.#canvas) return this.#canvas;
     const canvas = globalThis.OffscreenCanvas ? new OffscreenCanvas(16, 16) : document.createElement("canvas");
@@ -162,12 +200,19 @@ class Engine {
   }
 }
 
+const reader = async () => {
+  const module = await makeReader({ wasmBinary: await wasmBytes("betwixt-reader"), print() {}, printErr() {} });
+  module.FS.mkdir("/film");
+  module.FS.chdir("/film");
+  return module;
+};
+
 let only = null;
 // The engine of this page, made when it is first asked for. Errors: in plain words, where it cannot be had.
 Betwixt.engine = () =>
   (only ??= (async () => {
     if (typeof WebAssembly !== "object") throw new Error("this browser cannot run the engine: it has no WebAssembly");
-    const module = await makeBetwixt({ wasmBinary: await wasmBytes(), print() {}, printErr() {} });
+    const module = await makeBetwixt({ wasmBinary: await wasmBytes("betwixt"), print() {}, printErr() {} });
     return new Engine(module);
   })().catch((e) => {
     only = null;

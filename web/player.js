@@ -468,6 +468,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     async #open(signal) {
       const source = this.#source;
       for (const tried = new Set(); ;) {
+        await this.#engine.prepare(Object.fromEntries(source.files));
         const film = this.#open_now();
         const missing = this.#missing(film).filter((path) => !tried.has(path));
         if (!missing.length) return film;

@@ -25,41 +25,55 @@ def slim(text):  # without lines that are comments alone, and blank ones
     return "\n".join(line for line in text.split("\n") if line.strip() and not re.match(r"\s*//", line)) + "\n"
 
 
-with open(os.path.join(folder, "betwixt.wasm"), "rb") as file:
-    wasm = file.read()
-packed = gzip.compress(wasm, 9, mtime=0)
-# What glue says to other module systems is of no use where it stands in a function.
-glue = re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, "betwixt.js"), flags=re.S)
+# What is compiled: what plays, and what reads files of others.
+programs = ["betwixt", "betwixt-reader"]
+packed, glue = {}, {}
+for name in programs:
+    with open(os.path.join(folder, name + ".wasm"), "rb") as file:
+        packed[name] = gzip.compress(file.read(), 9, mtime=0)
+    # What glue says to other module systems is of no use where it stands in a function.
+    glue[name] = re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, name + ".js"), flags=re.S)
 parts = "".join(slim(read(here, name)) for name in ("algebra.js", "engine.js", "player.js", "editor.js"))
 # Within a page's script these would end or begin something.
-glue, parts = (re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I) for text in (glue, parts))
+tame = lambda text: re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I)
+glue, parts = {name: tame(text) for name, text in glue.items()}, tame(parts)
 head = f"// Betwixt {version}, <https://www.apache.org/licenses/LICENSE-2.0>: films from text. docs/web.md says what it does.\n"
 
-inline = """const wasmBytes = async () => {
-  const held = atob("%s"), packed = new Uint8Array(held.length);  // a loop: Uint8Array.from takes ten times as long
-  for (let i = 0; i < held.length; ++i) packed[i] = held.charCodeAt(i);
+inline = """const held = %s;
+const wasmBytes = async (name) => {
+  const text = atob(held[name]), packed = new Uint8Array(text.length);  // a loop: Uint8Array.from takes ten times as long
+  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 };
-""" % base64.b64encode(packed).decode()
-write(os.path.join(folder, "betwixt-player.js"), head + "(() => {\n" + glue + inline + parts + "})();\n")
+""" % json.dumps({name: base64.b64encode(packed[name]).decode() for name in programs})
+write(os.path.join(folder, "betwixt-player.js"),
+      head + "(() => {\n" + glue["betwixt"] + glue["betwixt-reader"] + inline + parts + "})();\n")
 
-beside = """const wasmBytes = async () => {
-  const answer = await fetch(new URL("./betwixt.wasm", import.meta.url));
+beside = """const addresses = {
+  "betwixt": () => new URL("./betwixt.wasm", import.meta.url),
+  "betwixt-reader": () => new URL("./betwixt-reader.wasm", import.meta.url),
+};
+const wasmBytes = async (name) => {
+  const answer = await fetch(addresses[name]());
   if (!answer.ok) throw new Error(`${answer.url} cannot be fetched: the server answered ${answer.status}`);
   return answer.arrayBuffer();
 };
+const makeReader = async (how) => (await import("./betwixt-reader.mjs")).makeReader(how);
 """
 exports = """export const engine = Betwixt.engine;
 export const BetwixtPlayer = Betwixt.Player, BetwixtEditor = Betwixt.Editor;
 """
 package = os.path.join(folder, "package")
-write(os.path.join(package, "betwixt-player.mjs"), head + glue + beside + parts + exports)
-for name, source in {"betwixt.wasm": folder, "betwixt-player.js": folder, "betwixt-player.d.ts": here, "README.md": here,
+write(os.path.join(package, "betwixt-player.mjs"), head + glue["betwixt"] + beside + parts + exports)
+write(os.path.join(package, "betwixt-reader.mjs"), head + glue["betwixt-reader"] + "export { makeReader };\n")
+for name, source in {"betwixt.wasm": folder, "betwixt-reader.wasm": folder, "betwixt-player.js": folder, "betwixt-player.d.ts": here, "README.md": here,
                      "LICENSE": os.path.join(here, "..")}.items():
     shutil.copyfile(os.path.join(source, name), os.path.join(package, name))
 about = json.loads(read(here, "package.json"))
 about["version"] = version
 write(os.path.join(package, "package.json"), json.dumps(about, indent=2) + "\n")
 
-loose = [len(gzip.compress(text.encode(), 9)) for text in (glue, parts)]
-print(f"compressed: engine {len(packed)}, its glue {loose[0]}, player {loose[1]}, in all {len(packed) + sum(loose)} bytes")
+size = lambda text: len(gzip.compress(text.encode(), 9))
+plays = {"engine": len(packed["betwixt"]), "its glue": size(glue["betwixt"]), "player": size(parts)}
+print("compressed:", ", ".join(f"{what} {n}" for what, n in plays.items()), f"in all {sum(plays.values())} bytes;",
+      f"what reads files {len(packed['betwixt-reader']) + size(glue['betwixt-reader'])}")

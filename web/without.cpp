@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
-#include "exchange/parser_process.h"
 #include "exchange/scene_file.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
@@ -20,10 +19,6 @@ Error not_here(const std::string& what) {
 }
 
 }  // namespace
-
-std::optional<Parsed> parse_apart(ParserTask, const std::string&, const MayRead&, std::optional<ParserCeilings>) {
-  return std::nullopt;
-}
 
 Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, Shelf&) {
   return fail(ErrorCode::file, fmt::format("{} cannot be read in a page", path), "glTF (.gltf .glb) and .svg can be");

@@ -50,6 +50,7 @@ script = f"""window.canvas = document.createElement("canvas"); canvas.width = {w
     window.film = engine.open(text, {{ name, files }});
     for (let i = 0; i < 20 && film.wants.length; ++i) {{
       for (const path of film.wants) files[path] = new Uint8Array(await (await get(path)).arrayBuffer());
+      await engine.prepare(files);
       film.dispose(), window.film = engine.open(text, {{ name, files }});
     }}
     return film.ok ? {{ firstFrame: film.firstFrame, lastFrame: film.lastFrame }} : film.message;
