@@ -19,13 +19,15 @@
 #include "exchange/parser_messages.h"
 
 // The files that it asked for, a line each, for free(); null: there is no reader. What it read is in /handed.
+// clang-format off
 EM_JS(char*, betwixt_read_apart, (int task, const char* path), {
   var asked = Module.readApart(task, UTF8ToString(path));
-  if (asked == = null) return 0;
+  if (asked === null) return 0;
   var size = lengthBytesUTF8(asked) + 1, at = _malloc(size);
   stringToUTF8(asked, at, size);
   return at;
 })
+// clang-format on
 
 namespace betwixt {
 namespace {

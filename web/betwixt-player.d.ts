@@ -38,10 +38,12 @@ export interface Film {
   /** Draws in the canvas's own width and height. */
   draw(canvas: HTMLCanvasElement | OffscreenCanvas, seconds: number): void;
   /** A value as `betwixt eval` prints it. */
-  eval(target: string, seconds: number): string;
+  eval(target: string, time: number | string): string;
   /** Several at several times, as JSON of `betwixt eval --json`. */
   evalAll(targets: string[], times: (number | string)[], how?: { text?: false }): unknown;
   evalAll(targets: string[], times: (number | string)[], how: { text: true }): string;
+  /** What code in the script did wrong while pictures were drawn. */
+  problems(): Diagnostic[];
   /** Gives its memory back. */
   dispose(): void;
 }
@@ -150,7 +152,7 @@ export class BetwixtPlayer extends HTMLElement {
   get files(): Record<string, Uint8Array>;
   set files(all: Record<string, string | Uint8Array | ArrayBuffer>);
   /** A value at a time since the film's beginning, as `betwixt eval` prints it. */
-  eval(target: string, time?: number): string;
+  eval(target: string, time?: number | string): string;
 
   addEventListener<K extends keyof PlayerEventMap>(
     type: K, listener: (this: BetwixtPlayer, event: PlayerEventMap[K]) => void,

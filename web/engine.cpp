@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.h"
+#include "base/files.h"
 #include "betwixt/evaluation.h"
 #include "betwixt/language.h"
 #include "betwixt/render.h"
@@ -45,15 +47,40 @@ void keep_spare(Easel&& easel) {
   spare.push_back(std::move(easel));
 }
 
+std::string json(const Diagnostic& d) {
+  static constexpr const char* severities[] = {"notice", "warning", "error"};
+  const Place& place = d.what.place;
+  return fmt::format(
+      R"({{"severity":"{}","text":{},"hint":{},"file":{},"line":{},"column":{},"length":{},"source":{},"caret":{}}})",
+      severities[static_cast<int>(d.severity)], json_text(d.what.message), json_text(d.what.hint),
+      json_text(place.file), place.line, place.column, place.length, json_text(d.line), d.caret);
+}
+
 struct Film {
   Loaded loaded;
   std::set<std::string> wants;
   std::unique_ptr<Program> program;
   std::unique_ptr<Evaluation> evaluation;
   Easel easel;
-  std::set<std::string> problems;
+  std::string text;                // as it was opened
+  std::set<std::string> problems;  // JSON: what procedures did wrong while pictures were drawn
 
   const Document& document() const { return loaded.document; }
+  // Code errs while frames are made. What it does has its place where it stands in the text.
+  void hear() {
+    const auto& errors = evaluation->errors();
+    const auto keep = [&](Severity severity, const std::string& words, const std::string& code) {
+      Diagnostic d;
+      d.severity = severity;
+      d.what = fail(ErrorCode::type, words);
+      if (!code.empty()) point_at(d, text, code);
+      if (problems.size() < 100) problems.insert(json(d));
+    };
+    for (const auto& e : errors) keep(Severity::error, e.message, e.source);
+    for (const std::string& p : evaluation->problems())
+      if (std::none_of(errors.begin(), errors.end(), [&](const auto& e) { return p.find(e.message) != p.npos; }))
+        keep(Severity::warning, p, "");
+  }
   void compile() {
     if (program) return;
     program = std::make_unique<Program>(Program::compile(document()));
@@ -68,15 +95,6 @@ const char* keep(std::string text) {
 }
 
 const char* say(const Error& e) { return keep(e.hint.empty() ? e.message : fmt::format("{} ({})", e.message, e.hint)); }
-
-std::string json(const Diagnostic& d) {
-  static constexpr const char* severities[] = {"notice", "warning", "error"};
-  const Place& place = d.what.place;
-  return fmt::format(
-      R"({{"severity":"{}","text":{},"hint":{},"file":{},"line":{},"column":{},"length":{},"source":{},"caret":{}}})",
-      severities[static_cast<int>(d.severity)], json_text(d.what.message), json_text(d.what.hint),
-      json_text(place.file), place.line, place.column, place.length, json_text(d.line), d.caret);
-}
 
 // What a film is drawn with that a page does not draw: a style that is near.
 RenderOptions options(const Film& film, int width, int height) {
@@ -121,6 +139,7 @@ EMSCRIPTEN_KEEPALIVE Film* betwixt_open(const char* path) {
     if (!fs::exists(file, ignored)) film->wants.insert(fs::path(file).lexically_relative(fs::current_path()).string());
   };
   film->loaded = load_file(path, how);
+  if (auto text = read_whole(path)) film->text = *std::move(text);
   return film.release();
 }
 
@@ -158,8 +177,7 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_draw(Film* film, double seconds, int wi
   film->compile();
   if (const Status s = need_renderer(*film, width, height); !s) return say(s.error());
   film->evaluation->to(from_seconds(seconds));
-  for (const std::string& p : film->evaluation->problems())
-    if (film->problems.size() < 100) film->problems.insert(p);
+  film->hear();
   if (const Status s = film->easel.renderer->show(*film->evaluation); !s) return say(s.error());
   return nullptr;
 }
@@ -171,10 +189,10 @@ EMSCRIPTEN_KEEPALIVE void betwixt_forget_graphics() {
   forget_graphics();
 }
 
-// JSON: what procedures did wrong while pictures were drawn.
+// JSON: what procedures did wrong while pictures were drawn, as betwixt_about says what is wrong with a text.
 EMSCRIPTEN_KEEPALIVE const char* betwixt_problems(Film* film) {
   std::string out;
-  for (const std::string& p : film->problems) out += (out.empty() ? "" : ",") + json_text(p);
+  for (const std::string& p : film->problems) out += (out.empty() ? "" : ",") + p;
   return keep("[" + out + "]");
 }
 
@@ -205,8 +223,9 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_eval(Film* film, const char* patterns, 
   film->compile();
   if (!plain) return keep(values_json(d, *film->program, *targets, when));
   if (targets->size() != 1 || when.size() != 1)
-    return error(
-        fail(ErrorCode::name, fmt::format("'{}' names {} values, and one is asked for", patterns, targets->size())));
+    return error(fail(ErrorCode::name,
+                      fmt::format("'{}' names {} values, and one is asked for", patterns, targets->size()),
+                      "such as ball.position; evalAll() gives several"));
   const auto values = film->program->read(*targets, when[0].second);
   return keep(fmt::format(R"({{"value":{}}})", json_text(plain_value(values[0], targets->front(), d))));
 }

@@ -37,7 +37,7 @@ class Film {
   evalAll(targets, times, { text = false } = {}) {
     return this.#eval(targets, times, 0, text);
   }
-  // What procedures did wrong while pictures were drawn.
+  // What procedures did wrong while pictures were drawn, as `diagnostics`.
   problems() {
     this.#alive();
     return JSON.parse(this.#engine.call("betwixt_problems", this.#handle));

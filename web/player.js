@@ -197,6 +197,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #source = null;       // {text, name, base, files, failed}
     #given_text = null;   // by `script`, in place of what the page says
     #given_files = {};    // by `files`
+    #text_wrong = false;
     #diagnostics = [];
     #message = "";
     #error = null;
@@ -224,7 +225,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
 
     constructor() {
       super();
-      this.#root = this.attachShadow({ mode: "open" });
+      this.#root = this.attachShadow({ mode: "open", delegatesFocus: true });
       this.#root.innerHTML = shadow;
       const part = (name) => this.#root.querySelector(name);
       this.#parts = {
@@ -393,7 +394,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     // A value at a time since the film's beginning, as `betwixt eval` prints it.
     eval(target, time = this.currentTime) {
       if (!this.#film) throw new Error("there is no film yet: wait for loadedmetadata");
-      return this.#film.eval(target, this.#film.start + Number(time));
+      return this.#film.eval(target, typeof time === "number" ? this.#film.start + time : time);
     }
 
     // The text. Another one is another film at the same time; where it is wrong, the one before stays.
@@ -551,6 +552,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #take(film) {
       this.#network = 1;
       this.#diagnostics = film.diagnostics;
+      this.#text_wrong = !film.ok;
       this.#message = film.message + this.#failed_files(film);
       if (!film.ok) {
         film.dispose();
@@ -763,12 +765,23 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         canvas.style.height = fills ? "100%" : `${high / ratio}px`;
         film.draw(canvas, seconds);
         this.#drawn = { film, seconds, width, height, count: (drawn.count ?? 0) + 1 };
+        this.#hear_code(film);
         if (!this.#trouble) return;
         this.#trouble = "";
         this.#show();
       } catch (error) {
         this.#cannot_draw(error);
       }
+    }
+
+    // What the author's code does wrong shows when frames are made.
+    #hear_code(film) {
+      if (this.#text_wrong) return;  // that is said: the film is the one before
+      const found = film.problems();
+      if (found.length + film.diagnostics.length === this.#diagnostics.length) return;
+      this.#diagnostics = [...film.diagnostics, ...found];
+      this.#fire("diagnostics", { diagnostics: this.#diagnostics });
+      this.#show();
     }
 
     // It may come back: a context is lost when a machine sleeps, or has too much to do.

@@ -102,6 +102,17 @@ def wrong(browser, served):
     page.close()
 
 
+def code_errs(browser):
+    page = opened(browser, f"file://{folder}/code.html", size=(1200, 800))
+    page.until("p.diagnostics.length > 0")
+    said = page.ask("p.diagnostics.map((d) => [d.severity, d.line, d.column, d.text])")
+    check("what code does wrong is said where it stands", len(said) == 1 and said[0][:3] == ["error", 3, 19] and "nosuch" in said[0][3], said)
+    shown = page.ask("e.shadowRoot.querySelector('.said').innerText")
+    check("below the text too", "nosuch" in shown and "^" in shown, shown)
+    same("a value at a frame", page.ask("p.eval('c.radius', '24f')"), "0.5")
+    page.close()
+
+
 def many(browser, served):
     page = opened(browser, f"{served}/empty.html")
     page.do(f"""window.ball = {json.dumps(ball)}; window.one = async () => {{ const p = document.createElement("betwixt-player");
@@ -185,11 +196,13 @@ write("wants.bx", ball + 'create m mesh file="meshes/none.obj"\n')
 write("mesh.bx", 'size 320x180\ncreate m mesh file="meshes/one.obj" color=gold\n')
 write("meshes/one.obj", "v -1 0 0\nv 1 0 0\nv 0 1.5 0\nv 0 0 1\nf 1 2 3\nf 1 4 3\nf 4 2 3\n")
 web("ball.bx", "-o", "ball.html")
+write("code.bx", 'size 320x180\ncreate c cone radius=0.5\nset c.position = "vec(nosuch(t),0,0)"\n')
+web("code.bx", "-o", "code.html")
 with open(player, encoding="utf-8") as source:
     write("betwixt-player.js", source.read())
 write("empty.html", '<!DOCTYPE html><meta charset="utf-8"><body><script src="betwixt-player.js"></script><betwixt-player></betwixt-player>')
 with Browser() as browser, Served(folder) as served:
-    for part in (typed, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
+    for part in (typed, code_errs, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
         try:
             part(browser)
         except Exception as e:

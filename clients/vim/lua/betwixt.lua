@@ -15,6 +15,9 @@ local function attach(buffer, options)
   end
   if clients[folder] then
     vim.lsp.buf_attach_client(buffer, clients[folder])
+    if vim.bo[buffer].omnifunc == '' then -- Ctrl-X Ctrl-O completes; newer Neovims set it themselves
+      vim.bo[buffer].omnifunc = 'v:lua.vim.lsp.omnifunc'
+    end
   end
 end
 
