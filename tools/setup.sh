@@ -81,7 +81,7 @@ build_player() {
     say "building the player for web pages (some minutes when it is the first time)"
     "$root/tools/web.sh" 2>&1 | tee "$root/build/web.log" | sparse web
     [ "${PIPESTATUS[0]}" = 0 ] || {
-      grep -E 'error|undefined|cannot' "$root/build/web.log" | tail -n 20 >&2
+      grep -iE 'error|undefined|cannot' "$root/build/web.log" | tail -n 20 >&2
       die "the player could not be built: build/web.log has all that was said"
     }
   ) 9>"$root/build/web.lock" || exit 3

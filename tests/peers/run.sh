@@ -26,7 +26,7 @@ PY
   cp "$peers/package-lock.json" "$peers/node_modules/.installed"
 fi
 passed=0 failed=0
-for script in gltf usda lottie web types editor; do
+for script in gltf usda lottie web typescript editor; do
   said=$(python3 "$root/tests/peers/$script.py" "$program" "$peers" 2>&1)
   printf '%s\n' "$said" | grep -vE '^[0-9]+ passed, [0-9]+ failed$'
   counts=$(printf '%s\n' "$said" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' | tail -n 1)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # The types that the player's package says it has, asked of TypeScript.
-#   types.py PROGRAM FOLDER     of packages
+#   typescript.py PROGRAM FOLDER     of packages
 import os, re, shutil, subprocess, sys, tempfile
 
 here, peers = os.path.dirname(os.path.abspath(__file__)), sys.argv[2]
