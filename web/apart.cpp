@@ -10,13 +10,11 @@
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "base/files.h"
-#include "betwixt/picture.h"
-#include "exchange/handed_over.h"
-#include "exchange/meshes.h"
-#include "exchange/parser_messages.h"
+#include "exchange/parser_process.h"
 
 // The files that it asked for, a line each, for free(); null: there is no reader. What it read is in /handed.
 // clang-format off
@@ -30,9 +28,10 @@ EM_JS(char*, betwixt_read_apart, (int task, const char* path), {
 // clang-format on
 
 namespace betwixt {
-namespace {
 
-Parsed read_apart(ParserTask task, const std::string& path, const MayRead& may_read) {
+std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read,
+                                  std::optional<ParserCeilings>) {
+  if (read_contents(path).hindrance != Hindrance::none) return read_whole(path).error();
   const std::unique_ptr<char, decltype(&std::free)> asked(betwixt_read_apart(static_cast<int>(task), path.c_str()),
                                                           std::free);
   if (!asked)
@@ -45,30 +44,9 @@ Parsed read_apart(ParserTask task, const std::string& path, const MayRead& may_r
   return out;
 }
 
-template <class T>
-Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path, const MayRead& may_read) {
-  using Wanted = std::shared_ptr<const T>;
-  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
-  if (const auto bytes = read_contents(path); bytes.hindrance != Hindrance::none) return read_whole(path).error();
-  Parsed got = read_apart(task, path, may_read);
-  if (auto* wanted = std::get_if<Wanted>(&got)) return std::move(*wanted);
-  if (auto* error = std::get_if<Error>(&got)) return std::move(*error);
-  return fail(ErrorCode::file, fmt::format("{} is something else than it was read as", path));
-}
-
-}  // namespace
-
-Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
-  return parsed<Mesh>(ParserTask::mesh, path, may_read);
-}
-Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read) {
-  return parsed<SceneFile>(ParserTask::scene, path, may_read);
-}
-Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read) {
-  return parsed<DrawingFile>(ParserTask::drawing, path, may_read);
-}
-Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) {
-  return parsed<Picture>(ParserTask::picture, path, [&](const std::string& p) { return p == path; });
+// Never: it is read apart, or there is an error.
+Parsed parse_here(ParserTask, const std::string& path, Shelf&) {
+  return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
 }
 
 }  // namespace betwixt

@@ -7,35 +7,7 @@
 #include <fcntl.h>
 
 #include "base/files.h"
-#include "betwixt/picture.h"
-#include "exchange/handed_over.h"
-#include "exchange/meshes.h"
-#include "exchange/parser_messages.h"
-#include "exchange/pictures.h"
-
-namespace betwixt {
-namespace {
-
-template <class T>
-Parsed either(Result<T> got) {
-  return got ? Parsed(std::move(*got)) : Parsed(got.error());
-}
-
-Parsed parse(ParserTask task, const std::string& path, Shelf& shelf) {
-  switch (task) {
-    case ParserTask::mesh:
-      return either(parse_mesh(path, shelf));
-    case ParserTask::picture:
-      return either(parse_picture(path, shelf));
-    case ParserTask::drawing:
-      return either(parse_drawing(path, shelf));
-    default:
-      return either(parse_scene(path, shelf));
-  }
-}
-
-}  // namespace
-}  // namespace betwixt
+#include "exchange/parser_process.h"
 
 // The files that were asked for, a line each; the text lives until the next call.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* betwixt_parse(int task, const char* path) {
@@ -45,6 +17,6 @@ extern "C" EMSCRIPTEN_KEEPALIVE const char* betwixt_parse(int task, const char* 
   const MayRead may_read = [](const std::string& file) { return asked += file + '\n', true; };
   MachineShelf shelf(may_read);
   const OpenFile handed(::open("/handed", O_RDWR | O_CREAT | O_TRUNC, 0600));
-  if (handed) hand_over(parse(static_cast<ParserTask>(task), path, shelf), handed.fd());
+  if (handed) hand_over(parse_here(static_cast<ParserTask>(task), path, shelf), handed.fd());
   return asked.c_str();
 }

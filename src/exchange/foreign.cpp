@@ -8,44 +8,44 @@
 #include "exchange/drawing.h"
 #include "exchange/meshes.h"
 #include "exchange/parser_process.h"
-#include "exchange/pictures.h"
 #include "exchange/scene_file.h"
 
 namespace betwixt {
 namespace {
 
-template <class T, class Here>
-Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path, const MayRead& may_read, Here here) {
+template <class T>
+Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path, const MayRead& may_read) {
   using Wanted = std::shared_ptr<const T>;
-  if (auto apart = parse_apart(task, path, may_read)) {
-    if (auto* got = std::get_if<Wanted>(&*apart)) return std::move(*got);
-    if (auto* error = std::get_if<Error>(&*apart)) return std::move(*error);
-    return fail(ErrorCode::file, fmt::format("{} is something else than it was read as", path));
+  auto read = parse_apart(task, path, may_read);
+  if (!read) {
+    MachineShelf shelf(may_read);
+    read = parse_here(task, path, shelf);
   }
-  MachineShelf shelf(may_read);
-  return here(path, shelf);
+  if (auto* wanted = std::get_if<Wanted>(&*read)) return std::move(*wanted);
+  if (auto* error = std::get_if<Error>(&*read)) return std::move(*error);
+  return fail(ErrorCode::file, fmt::format("{} is something else than it was read as", path));
 }
 
 }  // namespace
 
 Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
-  return parsed<Mesh>(ParserTask::mesh, path, may_read, parse_mesh);
+  return parsed<Mesh>(ParserTask::mesh, path, may_read);
 }
 
 Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
-  return parsed<SceneFile>(ParserTask::scene, path, may_read, parse_scene);
+  return parsed<SceneFile>(ParserTask::scene, path, may_read);
 }
 
 Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
-  return parsed<DrawingFile>(ParserTask::drawing, path, may_read, parse_drawing);
+  return parsed<DrawingFile>(ParserTask::drawing, path, may_read);
 }
 
 Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) {
   const MayRead nothing_else = [&](const std::string& p) { return p == path; };
-  return parsed<Picture>(ParserTask::picture, path, nothing_else, parse_picture);
+  return parsed<Picture>(ParserTask::picture, path, nothing_else);
 }
 
 }  // namespace betwixt

@@ -23,6 +23,9 @@ ParserCeilings parser_ceilings(std::uint64_t size);
 std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&,
                                   std::optional<ParserCeilings> = {});
 
+// The same in this process, whatever the file does to it.
+Parsed parse_here(ParserTask, const std::string& path, Shelf&);
+
 // Where the program is: $BETWIXT_PARSER; beside the program that runs, in libexec/betwixt beside its folder or that of
 // the library, or beside a folder of $PATH. Empty: nowhere.
 std::string find_parser();

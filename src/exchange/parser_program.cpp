@@ -12,12 +12,8 @@
 #include <new>
 
 #include "base/files.h"
-#include "exchange/drawing.h"
-#include "exchange/handed_over.h"
-#include "exchange/meshes.h"
 #include "exchange/parser_jail.h"
-#include "exchange/pictures.h"
-#include "exchange/scene_file.h"
+#include "exchange/parser_process.h"
 
 namespace betwixt {
 namespace {
@@ -55,30 +51,6 @@ class AskingShelf final : public Shelf {
   const int file_;
 };
 
-template <class T>
-Parsed parsed(Result<T> result) {
-  return result ? Parsed(*std::move(result)) : Parsed(result.error());
-}
-
-Parsed parse(ParserTask task, const std::string& path, Shelf& shelf) {
-  try {
-    switch (task) {
-      case ParserTask::mesh:
-        return parsed(parse_mesh(path, shelf));
-      case ParserTask::picture:
-        return parsed(parse_picture(path, shelf));
-      case ParserTask::drawing:
-        return parsed(parse_drawing(path, shelf));
-      default:
-        return parsed(parse_scene(path, shelf));
-    }
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::file, fmt::format("{} takes too much memory to be read", path));
-  } catch (const std::exception& e) {
-    return fail(ErrorCode::file, fmt::format("{} is damaged: {}", path, e.what()));
-  }
-}
-
 void work(const ParserMessage& message) {
   if (message.files.size() != 3 || message.text.size() <= sizeof(ParserRequest)) return;
   ParserRequest request;
@@ -88,7 +60,7 @@ void work(const ParserMessage& message) {
   if (!say(job, {&says_begun, 1})) return;
   give_up_all_but_reading(request.most);
   AskingShelf shelf(job, path, message.files[2].fd());
-  if (hand_over(parse(request.task, path, shelf), memory) == 0) say(job, {&says_done, 1});
+  if (hand_over(parse_here(request.task, path, shelf), memory) == 0) say(job, {&says_done, 1});
 }
 
 int wait_for_work() {

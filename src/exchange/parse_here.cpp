@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <new>
+
+#include "betwixt/picture.h"
+#include "exchange/meshes.h"
+#include "exchange/parser_process.h"
+#include "exchange/pictures.h"
+
+namespace betwixt {
+namespace {
+
+template <class T>
+Parsed parsed(Result<T> result) {
+  return result ? Parsed(*std::move(result)) : Parsed(result.error());
+}
+
+}  // namespace
+
+Parsed parse_here(ParserTask task, const std::string& path, Shelf& shelf) {
+  try {
+    switch (task) {
+      case ParserTask::mesh:
+        return parsed(parse_mesh(path, shelf));
+      case ParserTask::picture:
+        return parsed(parse_picture(path, shelf));
+      case ParserTask::drawing:
+        return parsed(parse_drawing(path, shelf));
+      default:
+        return parsed(parse_scene(path, shelf));
+    }
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::file, fmt::format("{} takes too much memory to be read", path));
+  } catch (const std::exception& e) {
+    return fail(ErrorCode::file, fmt::format("{} is damaged: {}", path, e.what()));
+  }
+}
+
+}  // namespace betwixt
