@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How long an editor waits: from a key to what there is to say of the text, and for what it asks then, without the pipe.
-// After each key all has to be as before: no errors, or the one that the key makes.
+// How long an editor waits: from a key to what there is to say of the text, and for what it asks then, without the
+// pipe. After each key all has to be as before: no errors, or the one that the key makes.
 //   bench_lsp [KEYS]
+#include "server/lsp.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 #include <vector>
 
 #include "export/json.h"
-#include "server/lsp.h"
 #include "timing.h"
 
 using namespace betwixt;
@@ -24,8 +25,8 @@ std::string film(std::size_t lines) {
   std::string text = "rate 24\nrange 1f 2000f\nfilm flat\nlet beat = 12f\n";
   std::size_t count = 4;
   for (int n = 1; count < lines; ++n) {
-    std::string one = fmt::format("\n# thing {0}\ncreate thing{0} circle radius={1} color=gold position=({2} {3} 0)\n", n,
-                                  1 + n % 7, n % 40, n % 30);
+    std::string one = fmt::format("\n# thing {0}\ncreate thing{0} circle radius={1} color=gold position=({2} {3} 0)\n",
+                                  n, 1 + n % 7, n % 40, n % 30);
     one += fmt::format("thing{}.position\n", n);
     for (int k = 0; k < 7; ++k)
       one += fmt::format("  {}f   ({} {} 0)  {}\n", 1 + 20 * k, (n * 7 + k) % 40, (n + k * k) % 30,

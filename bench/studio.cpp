@@ -26,8 +26,11 @@ double milliseconds(Clock::duration d) { return 1e3 * std::chrono::duration<doub
 
 void print(const char* what, std::vector<double> all) {
   std::ranges::sort(all);
-  const auto at = [&](double share) { return all[std::min(all.size() - 1, static_cast<std::size_t>(share * static_cast<double>(all.size())))]; };
-  fmt::print("  {:28} p50 {:8.1f}  p99 {:8.1f}  most {:8.1f} ms  of {}\n", what, at(0.5), at(0.99), all.back(), all.size());
+  const auto at = [&](double share) {
+    return all[std::min(all.size() - 1, static_cast<std::size_t>(share * static_cast<double>(all.size())))];
+  };
+  fmt::print("  {:28} p50 {:8.1f}  p99 {:8.1f}  most {:8.1f} ms  of {}\n", what, at(0.5), at(0.99), all.back(),
+             all.size());
 }
 
 std::string many_things() {
@@ -35,8 +38,8 @@ std::string many_things() {
   for (int i = 0; i < 10'000; ++i)
     text += fmt::format("create b{} box size=(0.6 0.6 0.6) color=#{:06x}\n", i, (i * 7919) & 0xffffff);
   for (int i = 0; i < 10'000; ++i)
-    text += fmt::format("b{}.position\n  1f ({} 0 {})\n  {}f ({} 3 {})\n  240f ({} 0 {})\n", i, i % 100, -(i / 100), 60 + i % 120,
-                        i % 100, -(i / 100), i % 100, -(i / 100));
+    text += fmt::format("b{}.position\n  1f ({} 0 {})\n  {}f ({} 3 {})\n  240f ({} 0 {})\n", i, i % 100, -(i / 100),
+                        60 + i % 120, i % 100, -(i / 100), i % 100, -(i / 100));
   return text;
 }
 std::string many_events() {
@@ -46,7 +49,8 @@ std::string many_events() {
   for (int i = 0; i < 1000; ++i) {
     text += fmt::format("b{}.position\n", i);
     for (int k = 0; k < 1000; ++k)
-      text += fmt::format("  {}f ({} {:.3f} {})\n", 1 + 2 * k, i % 32, 1e-3 * static_cast<double>(random() % 1000), -(i / 32));
+      text += fmt::format("  {}f ({} {:.3f} {})\n", 1 + 2 * k, i % 32, 1e-3 * static_cast<double>(random() % 1000),
+                          -(i / 32));
   }
   return text;
 }
@@ -68,12 +72,13 @@ class Trial {
     desk_.play(1);
     const auto begun = Clock::now();
     std::vector<double> late;
-    while (milliseconds(Clock::now() - begun) < 1e3 * seconds) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    while (milliseconds(Clock::now() - begun) < 1e3 * seconds)
+      QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     const double took = 1e-3 * milliseconds(Clock::now() - begun);
     desk_.pause();
     QObject::disconnect(counting);
-    fmt::print("  {:28} {:.1f} pictures a second of {:.0f}; the playhead went {:.2f} s in {:.2f} s\n", "playing", pictures / took,
-               desk_.document().rate().per_second(), took, took);
+    fmt::print("  {:28} {:.1f} pictures a second of {:.0f}; the playhead went {:.2f} s in {:.2f} s\n", "playing",
+               pictures / took, desk_.document().rate().per_second(), took, took);
   }
 
   void scrub(int moves) {
@@ -176,7 +181,8 @@ int main(int argc, char** argv) {
   for (const std::string& file : files) {
     const auto begun = Clock::now();
     Trial trial(file);
-    fmt::print("{}: opened in {:.0f} ms\n", QFileInfo(QString::fromStdString(file)).fileName().toStdString(), milliseconds(Clock::now() - begun));
+    fmt::print("{}: opened in {:.0f} ms\n", QFileInfo(QString::fromStdString(file)).fileName().toStdString(),
+               milliseconds(Clock::now() - begun));
     trial.play(8);
     trial.scrub(120);
     trial.drag(60);

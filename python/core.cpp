@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The module betwixt._core: betwixt/__init__.py gives what is in it to users, betwixt/_core.pyi says what there is.
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include "errors.h"
@@ -16,6 +17,15 @@ PYBIND11_MODULE(_core, m) {
   pybind11::options options;
   options.disable_function_signatures();  // the stubs say them better
   m.attr("version") = BETWIXT_VERSION;
+  // Now, by one thread: if the first array of each of several threads looked for it, they would wait for each other for
+  // ever.
+  try {
+    pybind11::module_::import("numpy");
+    pybind11::detail::npy_api::get();
+  } catch (pybind11::error_already_set& e) {
+    if (!e.matches(PyExc_ImportError)) throw;
+    throw pybind11::import_error("betwixt needs numpy: pip install numpy (on Debian: apt-get install python3-numpy)");
+  }
   betwixt::python::bind_errors(m);
   auto film = betwixt::python::bind_film(m);
   betwixt::python::bind_tracks(m, film);

@@ -4,6 +4,7 @@
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <unistd.h>
 
 #include <mutex>
 #include <optional>
@@ -42,8 +43,11 @@ Renderer& renderer_for(const RenderOptions& wanted) {
   struct Kept {
     RenderOptions options;
     std::unique_ptr<Renderer> renderer;
+    pid_t owner = ::getpid();
   };
   static thread_local Kept kept;
+  // Of the parent's renderer a process that was forked has no more than the memory: it cannot even be taken down.
+  if (kept.owner != ::getpid()) (void)kept.renderer.release(), kept.owner = ::getpid();
   const auto all = [](const RenderOptions& o) {
     return std::tie(o.width, o.height, o.samples, o.style, o.deep, o.open);
   };

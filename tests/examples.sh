@@ -9,21 +9,23 @@
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 program=$1 folder=$(mktemp -d) passed=0 failed=0
 trap 'rm -rf "$folder"' EXIT
+. "$root/tests/timed.sh"
 for script in "$root"/examples/*.bx; do
   name=$(basename "$script" .bx) film=$folder/$name.mp4
   # `range 1f 72f`; the range ends before a comment. Where none is said the last event is the last frame.
   expected=$(sed -nE 's/^range +([0-9]+)f +([0-9]+)f.*/\2-\1+1/p' "$script" | tail -n 1)
   [ -n "$expected" ] || expected=$(grep -oE '[0-9]+f\b' "$script" | sed 's/f//' | sort -n | tail -n 1)
-  if ! "$program" render "$script" -o "$film" --size 320x180 >"$folder/said" 2>&1; then
+  if ! "$program" render "$script" -o "$film" --size 160x90 >"$folder/said" 2>&1; then
     said=$(tail -n 5 "$folder/said")
   else
     said=$(ffprobe -v error -select_streams v -count_frames -show_entries stream=nb_read_frames,width,height -of csv=p=0 "$film")
-    [ "$said" != "320,180,$((${expected:-0}))" ] || said=
+    [ "$said" != "160,90,$((${expected:-0}))" ] || said=
   fi
+  timed "$name"
   if [ -z "$said" ]; then
     passed=$((passed + 1))
   else
-    printf 'FAILED %s: expected 320,180,%s (width, height, frames)\n%s\n' "$name" "$((${expected:-0}))" "$said"
+    printf 'FAILED %s: expected 160,90,%s (width, height, frames)\n%s\n' "$name" "$((${expected:-0}))" "$said"
     failed=$((failed + 1))
   fi
 done
@@ -35,6 +37,7 @@ holds() {
   shift 4
   [[ $script == /* ]] || script=$root/examples/$script.bx
   values=$("$program" eval "$script" --at "$times" "$@" | sed -E '/^[0-9.]+f \(/d; s/^ *[^ ]+ +//; s/[a-z]{2,}//g' | tr -c '0-9.e-' ' ')
+  timed "$what"
   if [ -n "$values" ] && awk -v all="$values" "function same(a, b) { return a - b < 1e-4 && b - a < 1e-4 }
       BEGIN { split(all, v); exit !($condition) }"; then
     passed=$((passed + 1))

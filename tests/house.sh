@@ -16,7 +16,7 @@ verdict() {
     failed=$((failed + 1))
   fi
 }
-files() { find include src python tests bench -type f \( -name '*.h' -o -name '*.cpp' \); }
+files() { find include src python tests bench web -type f \( -name '*.h' -o -name '*.cpp' \); }
 
 for i in "${!rooms[@]}"; do
   lower=$(IFS='|' && printf '%s' "${rooms[*]:i+1}")
@@ -60,7 +60,7 @@ verdict "one file sees the library of command lines" \
   "$(grep -rlE '^\s*#\s*include\s*<CLI/' src | grep -vx src/app/command_line.cpp)"
 verdict "two files see the library for JSON" \
   "$(grep -rlE '^\s*#\s*include\s*<nlohmann/' src | grep -vxE 'src/(server/aim_host\.h|export/json\.h)')"
-verdict "a script that cannot be called" "$(find tests tools clients -name '*.sh' ! -perm -u+x ! -name setup.sh ! -name support.sh)"
+verdict "a script that cannot be called" "$(find tests tools clients -name '*.sh' ! -perm -u+x ! -name setup.sh ! -name support.sh ! -name timed.sh)"
 verdict "a file without its licence" "$(
   files | while read -r file; do
     [ "$(head -n 2 "$file")" = "// SPDX-FileCopyrightText: 2026 The Betwixt authors
@@ -72,6 +72,17 @@ verdict "a file without its licence" "$(
       head -n 3 "$file" | grep -q '^# SPDX-License-Identifier: Apache-2.0$' || echo "$file"
     done
 )"
+# Of the files that have changed since all were in order.
+laid_out=build/laid-out
+begun=$(mktemp)
+changed=(-newer "$laid_out")
+[ "$laid_out" -nt .clang-format ] || changed=()
+verdict "a file that is not laid out as .clang-format says (tools/format.sh does it)" "$(
+  find include src python tests bench web -type f \( -name '*.h' -o -name '*.cpp' \) "${changed[@]}" -print0 |
+    xargs -0 -r -n 50 -P "$(nproc)" clang-format --dry-run 2>&1 | sed -nE 's/^([^: ]+):[0-9]+:.*/\1/p' | sort -u
+)"
+[ "$failed" != 0 ] || { mkdir -p build && mv "$begun" "$laid_out"; }
+rm -f "$begun"
 verdict "what the tests show" "$(tools/coverage.sh --check 2>&1)"
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]

@@ -5,13 +5,13 @@
 # Lists of CSS transforms beside a real browser, frame by frame: Chromium shows 300 random pairs of lists at seven times
 # each, and the tests of the algebra compare. The tests alone, without a browser, take what one has answered before.
 #   tools/browser.sh [--record] [TESTS]
-# --record: one frame of each pair becomes tests/algebra/css_chromium.txt. TESTS: build/sanitize/bin/test_algebra
+# --record: one frame of each pair becomes tests/algebra/css_chromium.txt. TESTS: build/release/bin/test_algebra
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 die() { printf 'browser.sh: %s\n' "$*" >&2; exit 3; }
 
 record=
 [ "${1-}" != --record ] || { record=yes && shift; }
-tests=${1:-$root/build/sanitize/bin/test_algebra}
+tests=${1:-$root/build/release/bin/test_algebra}
 [ -x "$tests" ] || die "$tests is missing: ./test builds it"
 for browser in ${BROWSER-} chromium chromium-browser google-chrome ''; do
   ! command -v "$browser" >/dev/null || break

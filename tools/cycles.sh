@@ -28,7 +28,8 @@ done
 [ -f "$film" ] || die "there is no script $film"
 if [ -z "${BETWIXT_PYTHON-}" ]; then
   need "$root/tools/packages.txt" "$root"/tools/{run,python,blender}-packages.txt
-  build_with python release betwixt_command betwixt_python
+  with_parts release python
+  build release betwixt_command betwixt_python
   export BETWIXT_PYTHON=$root/build/release/python
 fi
 program=${BETWIXT_PROGRAM:-$root/build/release/bin/betwixt}

@@ -4,18 +4,23 @@
 #
 # Looks for texts that break what reads them.
 #   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, drawing, language, protocol, scene, lsp
+#   tools/fuzz.sh build                      builds the targets, and looks for nothing
 #   tools/fuzz.sh keep [TARGET…]             what was learnt becomes the corpus in tests/fuzz/corpus
 # It begins with that corpus, the examples and the tests' scripts. What is found lies in build/fuzz/found, what was said in
 # build/fuzz/TARGET.log; what was learnt is kept in build/fuzz/corpus, so that the next run goes on from there.
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/tools/setup.sh"
 keep=
-if [ "${1-}" = keep ]; then keep=1 && set -- 0 1 "${@:2}"; fi
+build_only=
+if [ "${1-}" = keep ]; then keep=1 && set -- 1 1 "${@:2}"; fi
+if [ "${1-}" = build ]; then build_only=1 && set --; fi
 seconds=${1:-60} jobs=${2:-1}
 targets=("${@:3}")
 [ ${#targets[@]} != 0 ] || targets=(motion drawing language protocol scene lsp)
-need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/test-packages.txt"
+need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/fuzz-packages.txt"
+[[ ${seconds} =~ ^[1-9][0-9]*$ ]] || die "usage: tools/fuzz.sh [SECONDS [JOBS [TARGET…]]], build, or keep [TARGET…]"
 build fuzz "${targets[@]/#/fuzz_}"
+[ -z "$build_only" ] || exit 0
 
 folder=$root/build/fuzz
 cd "$folder" || die "there is no $folder"
@@ -37,7 +42,7 @@ words() {
 seeds() {
   rm -rf "seeds/$1"
   mkdir -p "seeds/$1" "corpus/$1"
-  python3 "$root/tests/fuzz/corpus.py" unpack "$root/tests/fuzz/corpus/$1.txt" "seeds/$1" || die "the corpus cannot be read"
+  tar -xzf "$root/tests/fuzz/corpus/$1.tar.gz" -C "seeds/$1" || die "the corpus cannot be read"
   local ending=bx
   [ "$1" != drawing ] || ending=svg
   [ "$1" != scene ] || ending=glb
@@ -69,7 +74,10 @@ merge() {
   mkdir -p "kept/$1"
   bin/fuzz_"$1" -merge=1 "${options[@]}" -max_len="${longest[$1]}" "kept/$1" "seeds/$1" "corpus/$1" >"$1.log" 2>&1 ||
     die "the corpus cannot be merged (build/fuzz/$1.log)"
-  python3 "$root/tests/fuzz/corpus.py" pack "kept/$1" "$root/tests/fuzz/corpus/$1.txt"
+  # The shortest texts, up to 300 kB. The same texts give the same archive.
+  (cd "kept/$1" && find . -type f -printf '%s %P\n' | LC_ALL=C sort -k1n -k2 |
+    awk '(sum += $1) < 300000 { print $2 }' |
+    tar --mtime=@0 --owner=0 --group=0 --numeric-owner -cf - -T -) | gzip -n9 >"$root/tests/fuzz/corpus/$1.tar.gz"
 }
 
 failed=0

@@ -26,35 +26,44 @@ DEPTH = 20  # commands that can be undone
 AUTHOR = "# by hand\n# bundle\nrate 24\ncreate ball sphere\nset ball.radius 7  # no newline behind it"
 
 
+def names(made):
+    """What stands for a set of names: equal for equal sets, and quickly made of one that is a name smaller."""
+    return len(made), sum(map(hash, made))
+
+
 class Model:
     """Commands that stand, and those that were undone; each has its lines."""
 
     def __init__(self, stand=()):
-        self.stand, self.undone = list(stand), []
+        self.stand, self.undone, self.states = [], [], [("7", (0, 0))]
+        for lines in stand:
+            self.do(lines)
 
     def do(self, lines):
+        radius, (count, hashes) = self.states[-1]
+        for words in map(str.split, lines):
+            if words[0] == "set":
+                radius = words[2]
+            else:
+                count, hashes = count + 1, hashes + hash(words[1])
         self.stand.append(lines)
+        self.states.append((radius, (count, hashes)))
         self.undone = []
 
     def undo(self):
-        self.undone.append(self.stand.pop())
+        self.undone.append((self.stand.pop(), self.states.pop()))
 
     def redo(self):
-        self.stand.append(self.undone.pop())
+        lines, state = self.undone.pop()
+        self.stand.append(lines)
+        self.states.append(state)
 
     def text(self):
         return [line for lines in self.stand for line in lines]
 
     def state(self):
         """The ball's radius, and which objects there are."""
-        radius, made = "7", set()
-        for line in self.text():
-            words = line.split()
-            if words[0] == "set":
-                radius = words[2]
-            else:
-                made.add(words[1])
-        return radius, frozenset(made)
+        return self.states[-1]
 
 
 def states(stand, deeds, of):
@@ -136,7 +145,7 @@ class Rounds:
                 made = re.findall(r"\bo\d+", json.loads(answers.readline())["said"])
         server.kill()
         server.communicate()
-        return str(radius), frozenset(made)
+        return str(radius), names(set(made))
 
     def live(self, what):
         """One life of a server: what was done to it, and how much of that was answered."""

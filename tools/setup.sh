@@ -65,12 +65,17 @@ build() {
   ) 9>"$root/build/$1.lock" || exit 3
 }
 
-# build_with studio|python PRESET TARGET…: the same, of a build that knows the studio, or the Python module, from then on.
-build_with() {
-  local cache=$root/build/$2/CMakeCache.txt
-  with=(-DBETWIXT_${1^^}=ON)
-  grep -qx "BETWIXT_${1^^}:BOOL=ON" "$cache" 2>/dev/null || rm -f "$root/build/$2/build.ninja"
-  build "${@:2}"
+# with_parts PRESET PART…: builds of this preset know these parts from now on: studio, python, tests.
+with_parts() {
+  local cache=$root/build/$1/CMakeCache.txt part
+  for part in "${@:2}"; do
+    with+=("-DBETWIXT_${part^^}=ON")
+    grep -qx "BETWIXT_${part^^}:BOOL=ON" "$cache" 2>/dev/null || rm -f "$root/build/$1/build.ninja"
+  done
+  mkdir -p "$root/build" || die "cannot write in $root"
+  (
+    flock 9 && configure "$1"
+  ) 9>"$root/build/$1.lock" || exit 3
 }
 
 # build_player: build/web/betwixt-player.js, what plays in pages.
@@ -97,7 +102,7 @@ configure() {
   [ ! -f "$cache" ] || options+=(--fresh)
   # What it has been told once stays.
   local part
-  for part in STUDIO PYTHON; do
+  for part in STUDIO PYTHON TESTS; do
     ! grep -qx "BETWIXT_$part:BOOL=ON" "$cache" 2>/dev/null || with+=("-DBETWIXT_$part=ON")
   done
   ! command -v ccache >/dev/null || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)

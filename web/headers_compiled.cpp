@@ -23,9 +23,7 @@ namespace tinygltf {
 bool LoadImageData(Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return false;
 }
-bool WriteImageData(const std::string*, const std::string*, const Image*, bool, std::string*, void*) {
-  return false;
-}
+bool WriteImageData(const std::string*, const std::string*, const Image*, bool, std::string*, void*) { return false; }
 }  // namespace tinygltf
 
 #define TINYOBJLOADER_IMPLEMENTATION

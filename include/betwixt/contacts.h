@@ -40,7 +40,7 @@ struct ContactGroup {
 };
 
 struct ContactOptions {
-  bool related = false;  // pairs of one body too (see Item::body)
+  bool related = false;               // pairs of one body too (see Item::body)
   std::optional<double> aspect = {};  // width by height of the picture; none: as the camera has it
 };
 

@@ -32,11 +32,11 @@ enum class Query : std::uint16_t {
   loudness = 0xfff8,  // of a sound, as it is heard then: 0 to 1, the root of the mean square over 50 ms
   onsets,             // how many beats and strokes of it have been heard by then
   in_view,            // whether any of a thing drawn is in view
-  touching,          // the names of what a thing drawn touches
-  count,             // of an environment: how many updates there have been
-  interval,          // ticks from one update to the next
-  motion,            // M
-  world,             // of an object the matrix that takes it to the world, of an environment A
+  touching,           // the names of what a thing drawn touches
+  count,              // of an environment: how many updates there have been
+  interval,           // ticks from one update to the next
+  motion,             // M
+  world,              // of an object the matrix that takes it to the world, of an environment A
 };
 
 // A display function of an object, or one component of it (0 x r, 1 y g, 2 z b; -1: the whole), or a query.
@@ -46,7 +46,7 @@ struct Target {
   constexpr Target(ObjectId o, Query q, int c = -1) : Target(o, static_cast<std::uint16_t>(q), c) {}
   constexpr std::optional<Query> query() const {
     return function < static_cast<std::uint16_t>(Query::loudness) ? std::nullopt
-                                                                 : std::optional(static_cast<Query>(function));
+                                                                  : std::optional(static_cast<Query>(function));
   }
 
   ObjectId object;
@@ -74,9 +74,9 @@ class Document {
   std::optional<std::pair<int, int>> size() const;
   std::optional<int> samples() const;
   std::optional<int> subframes() const;  // that blurred pictures are added up of
-  bool transparent() const;  // nothing is behind its things
-  double aspect() const;    // width by height; 16:9 where nobody says a size
-  int frame_count() const;  // frames in the range, ends included; at least 1
+  bool transparent() const;              // nothing is behind its things
+  double aspect() const;                 // width by height; 16:9 where nobody says a size
+  int frame_count() const;               // frames in the range, ends included; at least 1
 
   std::vector<std::string> names() const;  // of all objects, in the order they were created
   ObjectId find(std::string_view name) const;

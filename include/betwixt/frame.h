@@ -50,8 +50,8 @@ struct Light {
 struct Camera {
   Mat4 world;  // camera space (looks along -z, y up) to world space; a rigid motion
   bool orthographic = false;
-  double fov = 0.9;    // horizontal, radians (perspective)
-  double height = 10;  // metres seen from bottom to top (orthographic)
+  double fov = 0.9;          // horizontal, radians (perspective)
+  double height = 10;        // metres seen from bottom to top (orthographic)
   double aspect = 16.0 / 9;  // width by height of the film's pictures, as its script says; others may be made
   double shutter = 0;        // seconds that a picture is exposed, from the frame's time on
   double aperture = 0;       // metres across the lens's opening (perspective); 0: all is sharp

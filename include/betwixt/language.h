@@ -27,8 +27,8 @@ struct LoadOptions {
   bool read_nothing = false;  // no files at all
   // Told the real path of each file that is asked for and may be read, whether it is there or not; some more than once.
   std::function<void(const std::string& path)> asked_for = {};
-  bool tex = false;           // formulas are set by the programs latex and dvisvgm; else they are errors
-  bool counts = false;        // a notice says of each command how many its pattern named, where that is more than one
+  bool tex = false;     // formulas are set by the programs latex and dvisvgm; else they are errors
+  bool counts = false;  // a notice says of each command how many its pattern named, where that is more than one
   // What a script that is used (its real path) says by now, where somebody is writing it; none: what is in the file.
   std::function<std::optional<std::string>(const std::string& path)> written = {};
 };

@@ -14,9 +14,9 @@
 namespace betwixt {
 
 struct Pose {
-  ObjectId parent;           // what it hangs on then, by name or by display list; none: nothing holds it
+  ObjectId parent;  // what it hangs on then, by name or by display list; none: nothing holds it
   AttachmentKind attachment = AttachmentKind::detach;  // and how
-  Mat4 world;                // object space to the world, with all that moves it
+  Mat4 world;                                          // object space to the world, with all that moves it
   // Object space to the parent's: world = world of the parent * local, whatever comes through of the parent's turn and
   // scale. The world's own where there is no parent; none where the parent is flattened.
   std::optional<Mat4> local = Mat4{};

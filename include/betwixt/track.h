@@ -37,9 +37,9 @@ struct EventView {
   const Value* value = nullptr;  // null: keep, release
   std::string_view twerper;      // "linear", the name of one of the author's; empty: nothing was said
   std::array<double, 4> arguments{0.25, 0.1, 0.25,
-                                  1};  // in brackets behind it; of "bezier" x1 y1 x2 y2, as CSS counts them
-  std::span<const std::array<double, 2>> stops;      // of "linear": how far in time, in hundredths, and in value
-  Time ease_out, ease_in;                            // how long it takes to leave and to arrive; 0: at once
+                                  1};            // in brackets behind it; of "bezier" x1 y1 x2 y2, as CSS counts them
+  std::span<const std::array<double, 2>> stops;  // of "linear": how far in time, in hundredths, and in value
+  Time ease_out, ease_in;                        // how long it takes to leave and to arrive; 0: at once
   const Value* before = nullptr;  // a cut: what the track comes to; `value` is what it goes on from. Null: the same
   const Value *tangent_in = nullptr, *tangent_out = nullptr;  // of "hermite"; null: none was given
   // Of "fcurve": how far in time its handles are; the tangents are then the way there in value. None: none was given.

@@ -18,8 +18,8 @@
 
 namespace betwixt::algebra {
 
-std::string letters(const Motion&);       // "TRS"
-Turns planar_turns(const Factor&);        // of a rotation, anticlockwise
+std::string letters(const Motion&);  // "TRS"
+Turns planar_turns(const Factor&);   // of a rotation, anticlockwise
 
 // A turn, a growth by the exponential law, both at once where it grows alike in x and y (a conformal block), or a
 // growth by the linear law.

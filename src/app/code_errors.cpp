@@ -62,11 +62,21 @@ void add_findings(Findings& found, const Frame& frame, const std::string& file) 
   const auto known = [&](const std::string& message) {
     return std::find(found.placed.begin(), found.placed.end(), message) != found.placed.end();
   };
-  for (const Frame::CodeError& e : frame.errors)
-    if (!known(e.message)) found.placed.push_back(e.message), found.errors.push_back(placed_error(e, file));
-  for (const std::string& p : frame.problems)
-    if (!known(p) && std::find(found.warnings.begin(), found.warnings.end(), p) == found.warnings.end())
-      found.warnings.push_back(p);
+  for (const Frame::CodeError& e : frame.errors) {
+    if (known(e.message)) continue;
+    found.placed.push_back(e.message);
+    Diagnostic d = placed_error(e, file);
+    const Place& at = d.what.place;
+    const std::size_t n = found.errors_said.add(d.what.message, fmt::format("{}:{}:{}", at.file, at.line, at.column));
+    if (n == found.errors.size()) found.errors.push_back(std::move(d));
+    found.errors[n].what.message = found.errors_said.text(n);
+  }
+  for (const std::string& p : frame.problems) {
+    if (known(p)) continue;
+    const std::size_t n = found.warnings_said.add(p);
+    if (n == found.warnings.size()) found.warnings.emplace_back();
+    found.warnings[n] = found.warnings_said.text(n);
+  }
 }
 
 Findings look_through(const Program& program, const std::string& file, Time first, Time last, int frames) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/subcommand.h"
+#include "base/likewise.h"
 #include "betwixt/program.h"
 #include "betwixt/result.h"
 
@@ -14,6 +15,7 @@ struct Findings {
   Diagnostics errors;                 // of the author's code, with its place in the script
   std::vector<std::string> warnings;  // all else
   std::vector<std::string> placed;    // what the errors said before they had their places
+  Likewise errors_said, warnings_said;
 };
 // Of some of the frames from `first` to `last`, both among them, for a second or two at most.
 Findings look_through(const Program&, const std::string& file, Time first, Time last, int frames);

@@ -107,7 +107,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& e) {
 
 // The program's own words, without its subcommands.
 void describe(CLI::App& app) {
-  app.set_version_flag("--version", version, "the version");
+  app.set_version_flag("-V,--version", version, "the version");
   app.set_help_flag("-h,--help", "this help, or a command's");
   app.get_formatter()->column_width(28);
   app.footer("Example:\n  betwixt render examples/bounce.bx -o bounce.mp4");

@@ -40,10 +40,9 @@ constexpr const char* not_by_hand = "Written by betwixt help --print {}: the wor
 
 std::string vim_syntax() {
   const auto any = [](HelpGroup g) { return either(words_of(g), "\\|"); };
-  std::string out =
-      "\" SPDX-FileCopyrightText: 2026 The Betwixt authors\n\" SPDX-License-Identifier: Apache-2.0\n\" " +
-      fmt::format(fmt::runtime(not_by_hand), "vim") +
-      "\nif exists('b:current_syntax')\n  finish\nendif\nsyn case match\nsyn iskeyword @,48-57,_,-\n\n";
+  std::string out = "\" SPDX-FileCopyrightText: 2026 The Betwixt authors\n\" SPDX-License-Identifier: Apache-2.0\n\" " +
+                    fmt::format(fmt::runtime(not_by_hand), "vim") +
+                    "\nif exists('b:current_syntax')\n  finish\nendif\nsyn case match\nsyn iskeyword @,48-57,_,-\n\n";
   const auto match = [&](const char* group, const std::string& pattern) {
     out += fmt::format("syn match betwixt{} '{}'\n", group, pattern);
   };
@@ -90,8 +89,7 @@ std::string textmate_grammar() {
   };
   const auto text = [&](const char* name, const char* mark, bool escapes) {
     Json one{{"name", fmt::format("string.quoted.{}.betwixt", name)}, {"begin", mark}, {"end", mark}};
-    if (escapes)
-      one["patterns"] = Json::array({{{"name", "constant.character.escape.betwixt"}, {"match", R"(\\.)"}}});
+    if (escapes) one["patterns"] = Json::array({{{"name", "constant.character.escape.betwixt"}, {"match", R"(\\.)"}}});
     patterns.push_back(std::move(one));
   };
   // No word goes on behind it.

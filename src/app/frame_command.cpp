@@ -6,6 +6,7 @@
 #include "app/command.h"
 #include "app/subcommand.h"
 #include "base/files.h"
+#include "base/tell_user.h"
 #include "betwixt/picture.h"
 #include "betwixt/program.h"
 
@@ -44,7 +45,9 @@ Status draw(const FrameCall& call, const Program& program, Time t, const RenderO
   return drawn ? write_png(call.out, picture, !call.keep_old) : drawn;
 }
 
-int frame(const FrameCall& call) {
+int frame(FrameCall& call) {
+  const bool named = !call.out.empty();
+  call.out = output_or(call.out, call.file, "png");
   const std::string kind = ending(call.out);
   if (kind != "png" && kind != "exr")
     return complain(
@@ -55,7 +58,7 @@ int frame(const FrameCall& call) {
   if (Status s = check_place(call.out, !call.keep_old); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
-  const Result<Time> time = read_time(call.at, *document, "--at");
+  const Result<Time> time = call.at.empty() ? document->range().first : read_time(call.at, *document, "--at");
   if (!time) return complain(time.error(), wrong_call);
   const Result<std::optional<Exposure>> exposure = call.exposure.of(*document);
   if (!exposure) return complain(exposure.error(), wrong_call);
@@ -71,7 +74,9 @@ int frame(const FrameCall& call) {
   if (stopped_by(found, call.keep_going)) return wrong_input;
   Problems().say(found.warnings);
   const Status drawn = draw(call, program, *time, options, *exposure, **renderer);
-  return drawn ? all_done : complain(drawn.error(), wrong_call);
+  if (!drawn) return complain(drawn.error(), wrong_call);
+  if (!named) tell_user(call.out + "\n");
+  return all_done;
 }
 
 const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
@@ -81,10 +86,9 @@ const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
           .takes = joined({{script_parameter(call.file),
                             {.name = "--at",
                              .value = "TIME",
-                             .sentence = "when: 24f, 2.5s, 00:01:02.5",
-                             .into = &call.at,
-                             .required = true},
-                            output_parameter(call.out, "PICTURE", "the picture")},
+                             .sentence = "when: 24f, 2.5s, 00:01:02.5; usually the film's first frame",
+                             .into = &call.at},
+                            output_parameter(call.out, "PICTURE", "the picture", "png")},
                            picture_parameters(call.picture),
                            exposure_parameters(call.exposure),
                            {bits_parameter(call.bits),

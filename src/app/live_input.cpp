@@ -109,6 +109,20 @@ class Midi {
   std::vector<std::unique_ptr<RtMidiIn>> ports_;
 };
 
+// When the system got a packet, by its own stamp; now, if it has none.
+std::chrono::steady_clock::time_point arrival(msghdr& packet) {
+  using namespace std::chrono;
+  const auto now = steady_clock::now();
+  for (cmsghdr* c = CMSG_FIRSTHDR(&packet); c; c = CMSG_NXTHDR(&packet, c)) {
+    if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;
+    timespec stamp;
+    std::memcpy(&stamp, CMSG_DATA(c), sizeof stamp);
+    const auto ago = system_clock::now().time_since_epoch() - seconds(stamp.tv_sec) - nanoseconds(stamp.tv_nsec);
+    return now - std::clamp(duration_cast<nanoseconds>(ago), nanoseconds(0), nanoseconds(10s));
+  }
+  return now;
+}
+
 class Live final : public LiveInput {
  public:
   explicit Live(int socket) : socket_(socket) {}
@@ -120,11 +134,17 @@ class Live final : public LiveInput {
     std::vector<LiveMessage> out;
     midi_.poll(out);
     for (int n = 0; n < most_packets; ++n) {
-      const ssize_t size = ::recv(socket_, packet_.data(), packet_.size(), MSG_DONTWAIT);
+      iovec into{packet_.data(), packet_.size()};
+      alignas(cmsghdr) std::array<char, 256> extra;
+      msghdr asked{};
+      asked.msg_iov = &into, asked.msg_iovlen = 1;
+      asked.msg_control = extra.data(), asked.msg_controllen = extra.size();
+      const ssize_t size = ::recvmsg(socket_, &asked, MSG_DONTWAIT);
       if (size < 0 && errno == EINTR) continue;
       if (size < 0) break;
       std::vector<LiveMessage> said = read_osc({packet_.data(), static_cast<std::size_t>(size)});
       if (said.empty()) ++ignored_;
+      for (LiveMessage& m : said) m.arrived = arrival(asked);
       out.insert(out.end(), std::make_move_iterator(said.begin()), std::make_move_iterator(said.end()));
     }
     return out;
@@ -191,6 +211,8 @@ Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
   const int s = ::socket(found->ai_family, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   const int room = 1 << 20;  // for what comes between two pictures; the system may give less
   if (s >= 0) ::setsockopt(s, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
+  const int stamped = 1;
+  if (s >= 0) ::setsockopt(s, SOL_SOCKET, SO_TIMESTAMPNS, &stamped, sizeof stamped);
   if (s < 0 || ::bind(s, found->ai_addr, found->ai_addrlen) != 0) {
     const int error = errno;
     if (s >= 0) ::close(s);

@@ -4,6 +4,7 @@
 // What controls say while a film plays: OSC over UDP, and MIDI where there is some.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -20,6 +21,8 @@ struct LiveMessage {
   std::vector<double> numbers;
   std::vector<double> within;       // nearer to each than this, it is the same message; empty: exact
   std::optional<std::string> text;  // the first text, if any
+  // When it came to this machine, which may be long before anybody had time to read it.
+  std::chrono::steady_clock::time_point arrived = std::chrono::steady_clock::now();
 };
 
 std::string in_words(const LiveMessage&);

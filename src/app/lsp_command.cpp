@@ -65,7 +65,7 @@ struct LspCall {
 };
 
 int lsp(const LspCall&) {
-  std::signal(SIGPIPE, SIG_IGN);  // who does not listen any more ends the input too
+  std::signal(SIGPIPE, SIG_IGN);     // who does not listen any more ends the input too
   static Inbox& inbox = *new Inbox;  // for good: the thread may wait for it longer than all else lives
   std::thread([] { inbox.read_all(); }).detach();
   LanguageServer server(load_options(), &inbox.any());

@@ -112,7 +112,8 @@ std::vector<DrawnCurve> curves(const Program& program, const Target& target, con
   return all;
 }
 
-int plot(const PlotCall& call) {
+int plot(PlotCall& call) {
+  call.out = output_or(call.out, call.file, "svg");
   if (!call.out.ends_with(".svg"))
     return complain(fail(ErrorCode::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
   if (Status s = check_place(call.out, true); !s) return complain(s.error(), wrong_call);
@@ -162,7 +163,7 @@ const Enlisted enlisted_plot(plot, [](PlotCall& call) -> Subcommand {
           .sentence = "draws values against time, an SVG",
           .takes = {script_parameter(call.file),
                     targets_parameter(call.targets, "what to draw: ball.position.y, 'wheel*.rotation'", true),
-                    output_parameter(call.out, "PLOT.svg", "the drawing"), frames_parameter(call.frames)},
+                    output_parameter(call.out, "PLOT.svg", "the drawing", "svg"), frames_parameter(call.frames)},
           .example = "betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg"};
 });
 

@@ -63,7 +63,8 @@ void say_what_is_lost(const RenderCall& call, const Document& document) {
     tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4, .webm and .mov do\n", call.out));
 }
 
-int render(const RenderCall& call) {
+int render(RenderCall& call) {
+  call.out = output_or(call.out, call.file, "mp4");
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   const Result<FrameList> frames = read_frames(call.frames, *document);
@@ -116,7 +117,7 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
       .takes = joined(
           {{script_parameter(call.file),
             output_parameter(call.out, "OUT",
-                             "the film; its ending says what is made, frame-%04d.png: numbered pictures"),
+                             "the film; its ending says what is made, frame-%04d.png: numbered pictures", "mp4"),
             frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
            picture_parameters(call.picture),
            exposure_parameters(call.exposure),

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <tuple>
 
 #include "app/command.h"
@@ -90,13 +91,18 @@ Parameter targets_parameter(std::vector<std::string>& targets, const std::string
   return {.name = "TARGET", .sentence = sentence, .into = &targets, .required = required};
 }
 
-Parameter output_parameter(std::string& out, const std::string& value, const std::string& sentence) {
+Parameter output_parameter(std::string& out, const std::string& value, const std::string& sentence,
+                           const std::string& usual) {
   return {.name = "-o,--output",
           .value = value,
-          .sentence = sentence,
+          .sentence = usual.empty() ? sentence : sentence + "; usually the script's name with ." + usual,
           .into = &out,
-          .required = true,
+          .required = usual.empty(),
           .offer = Offer::files};
+}
+
+std::string output_or(const std::string& out, const std::string& script, const std::string& usual) {
+  return out.empty() ? std::filesystem::path(script).stem().string() + "." + usual : out;
 }
 
 Parameter frames_parameter(std::string& frames, const std::string& examples) {

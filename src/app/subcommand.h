@@ -85,7 +85,11 @@ class Enlisted {
 // Parameters that several have.
 Parameter script_parameter(std::string& file);
 Parameter targets_parameter(std::vector<std::string>& targets, const std::string& sentence, bool required = false);
-Parameter output_parameter(std::string& out, const std::string& value, const std::string& sentence);
+// With a `usual` ending it need not be said: output_or() then says what it is.
+Parameter output_parameter(std::string& out, const std::string& value, const std::string& sentence,
+                           const std::string& usual = {});
+// The output that was asked for, or one in the current folder: the script's name with the usual ending.
+std::string output_or(const std::string& out, const std::string& script, const std::string& usual);
 Parameter frames_parameter(std::string& frames, const std::string& examples = "1f..24f");
 Parameter file_option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
                       const std::string& excludes = {});

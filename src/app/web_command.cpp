@@ -56,7 +56,8 @@ Status put_player(const fs::path& page, const std::string& player, bool overwrit
   return write_whole(path, player, overwrite);
 }
 
-int web(const WebCall& call) {
+int web(WebCall& call) {
+  call.out = output_or(call.out, call.files.front(), "html");
   if (const Status s = ready(call); !s) return complain(s.error(), wrong_call);
   const auto player = read_player();
   if (!player) return complain(player.error(), machine_failed);
@@ -94,7 +95,7 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
                      .into = &call.files,
                      .required = true,
                      .offer = Offer::scripts},
-                    output_parameter(call.out, "PAGE.html", "the page"),
+                    output_parameter(call.out, "PAGE.html", "the page", "html"),
                     option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
                     size_parameter(call.size, "how large the pictures are; else as wide as there is room"),
                     flag("--no-edit", "the films alone, without their texts beside them", call.no_edit),

@@ -55,7 +55,7 @@ class OpenFile {
   ~OpenFile() { close(); }
   explicit operator bool() const { return fd_ >= 0; }
   int fd() const { return fd_; }
-  int close();  // 0 or the reason
+  int close();                                      // 0 or the reason
   int release() { return std::exchange(fd_, -1); }  // from now on it is the caller's
 
  private:

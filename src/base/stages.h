@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where the time of a frame goes. What makes a frame says at its top which stage begins; who listens on this thread gets
-// the seconds of each. Where nobody listens, a stage costs a look at a pointer.
+// Where the time of a frame goes. What makes a frame says at its top which stage begins; who listens on this thread
+// gets the seconds of each. Where nobody listens, a stage costs a look at a pointer.
 #pragma once
 
 #include <array>

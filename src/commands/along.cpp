@@ -109,6 +109,7 @@ void put_way(Scene& s, const Target& t, const Way& w, Time from, std::optional<T
   Event begin = w.event;
   begin.time = from, begin.value = along(w.road, w.from);
   if (!until) return put_event(s, t, std::move(begin));
+  if (begin.twerper == Twerper::unset) begin.twerper = *find_twerper("auto");  // never beyond what was said
   for (Track* track : edit_tracks(s, t))
     for (const Event& inside : track->events.between(from, *until))
       if (inside.time > from && inside.time < *until) track->events.erase(inside.time, inside.time);

@@ -75,6 +75,11 @@ bool pass_over(Command&, const char* from);
 // Reads what stands behind a target for all that it names, once for each type; whom it does not fit are left out,
 // unless it fits nobody or types may be translated.
 bool to_each_type(Command&, std::string_view word, const char* from, const std::function<bool(const Selected&)>& read);
+// Carries out the rest of a command for all that is selected, once for each type of values. Those for which it means
+// nothing are left out and named, unless it means nothing for all; with any other error nothing is done at all.
+bool for_each_type(Command&, const Selected&, const std::function<bool(const Selected&)>& rest);
+// Names targets that a command leaves out.
+void say_left_out(Command&, const std::vector<Target>&, std::string_view about, std::string why);
 // One or more objects: a name that exists, an alias, or a pattern (which may name none).
 bool objects(Command&, std::string_view& word, std::vector<ObjectId>& out);
 

@@ -133,7 +133,7 @@ bool to_environments(Command& k) {
     if (s.objects[id.index].kind == Kind::environment) names.push_back(s.objects[id.index].name);
   if (names.empty()) {
     if (is_pattern(word)) {
-      script.note(Severity::notice, fmt::format("'{}' names nothing", word), word);
+      script.names_nothing(word);
       return finish(c);
     }
     std::vector<std::string_view> known;

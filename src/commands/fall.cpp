@@ -129,6 +129,26 @@ Program bare(const Scene& s, const std::vector<ObjectId>& things, const Program&
   return any ? Program::compile(Document(std::make_shared<const Scene>(std::move(plain)))) : program;
 }
 
+// How fast its own tracks say that it goes. A track that only stays where it has come to, as behind its last event,
+// says how fast it came.
+Vec3 pace(const Program& own, const Scene& s, ObjectId id, Time t) {
+  Asking asking;
+  const auto rate = [&](bool coming) {
+    const auto v = own.compiled().velocity(id.index, fn::position, t, asking, coming);
+    return v ? std::get<Vec3>(*v) : Vec3{};
+  };
+  const Slot* slot = s.objects[id.index].find(fn::position);
+  const Vec3 came = rate(true);
+  Vec3 goes = rate(false);
+  const double nothing = 1e-9 * (1 + length(came));
+  if (slot && (!slot->components.empty() || !slot->velocity.components.empty())) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(goes[axis]) <= nothing) goes[axis] = came[axis];
+    return goes;
+  }
+  return length(goes) <= nothing ? came : goes;
+}
+
 // The fall rules from `from` on: velocities give way, and what they would have made after it too.
 void end_reign(Scene& s, ObjectId id, Time from, Time until) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -264,10 +284,7 @@ bool fall(Command& k) {
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
   const Program own = bare(s, things, program);
   for (const ObjectId id : things) {
-    Target target{id, fn::position};
-    const Vec3 p = std::get<Vec3>(own.read(target, *time));
-    target.velocity = true;
-    const Vec3 rate = std::get<Vec3>(own.read(target, *time));
+    const Vec3 p = std::get<Vec3>(own.read({id, fn::position}, *time)), rate = pace(own, s, id, *time);
     const Carried by = carried(program, id, *time);
     const std::optional<Mat4> inward = inverse(by.to_world);
     if (!inward)

@@ -180,8 +180,8 @@ bool part_of_scene(Command& k, std::string& path, std::string_view about) {
                 did_you_mean(part.substr(1), names));
 }
 
-// Reads what a `file` of a mesh or a sound or a `texture` names, and keeps it in the scene; `path` becomes its place below the first script's
-// folder.
+// Reads what a `file` of a mesh or a sound or a `texture` names, and keeps it in the scene; `path` becomes its place
+// below the first script's folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (f == fn::font) {

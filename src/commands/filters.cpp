@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/names.h"
 #include "commands/command.h"
@@ -68,16 +67,20 @@ bool known_key(Cursor& c, const Chosen& filter, std::string_view key, const Filt
 }
 
 // A number; with a unit a length of time, in seconds, or an angle, in radians.
-bool number_or_length(Cursor& c, bool length_wanted, double& out) {
-  const char* at = c.at;
-  Time length;
+bool number_or_length(Cursor& c, bool length_wanted, double& out, bool& unit) {
+  const char* const at = (c.space(), c.at);
+  std::optional<Quantity> q;
+  bool angle = false;
   if (!length_wanted) {
-    if (!c.number(out)) return false;
-    const std::string_view unit = c.unit();
-    if (unit.empty()) return true;
+    if (!c.number(out, q)) return false;
+    const std::string_view word = q ? std::string_view() : c.unit();
+    angle = q ? q->of == Quantity::Of::angle : word == "deg" || word == "rad" || word == "turn";
+    unit = q ? q->of != Quantity::Of::number : !word.empty();
+    if (!unit) return true;
     c.at = at;
-    if (unit == "deg" || unit == "rad" || unit == "turn") return c.angle(out);
   }
+  if (angle) return c.angle(out);
+  Time length;
   if (!c.length(length)) return false;
   out = length.seconds();
   return true;
@@ -104,8 +107,9 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
     out = three;
   } else {
     double d = 0;
-    if (angles ? !values(k).angle(d) : !number_or_length(c, known && known->time, d)) return false;
-    if (known && !known->time && !angles && !std::isdigit(static_cast<unsigned char>(c.at[-1])) && c.at[-1] != '.')
+    bool unit = false;
+    if (angles ? !values(k).angle(d) : !number_or_length(c, known && known->time, d, unit)) return false;
+    if (known && unit)
       return c.fail(ErrorCode::type, fmt::format("{} is a plain number, without a unit", key), c.since(at),
                     key == "frequency" ? "so many times a second" : "");
     out = d;
@@ -147,25 +151,17 @@ bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made)
   return true;
 }
 
-bool filter(Command& k) {
-  auto& [s, c, time, layer, script] = k;
-  Selected on;
-  Chosen chosen;
-  const std::string_view word = c.next_word();
-  if (!targets(k, word, on, Meant::any)) return false;
-  if (on.velocity) return c.fail(ErrorCode::type, "filters stand on values, not on velocities", word);
-  if (!choose(k, chosen)) return false;
-  const bool any = chosen.none() || (chosen.spec && chosen.spec->any_type);
-  if (!any && on.spec && !alike(k, on)) return false;
+// [key=value …] [A..B] of a filter on values of one type.
+bool put_filter(Command& k, const Selected& on, const Chosen& chosen, std::string_view word) {
   const Type type = on.spec ? on.type() : Type::vector;
-  if (!means_something(chosen, type) && !(chosen.spec && !on.spec))
-    return c.fail(ErrorCode::type, fmt::format("'{}' means nothing for {}", chosen.name, to_string(type)), word);
+  if (!chosen.none() && !means_something(chosen, type) && !(chosen.spec && !on.spec))
+    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' means nothing for {}", chosen.name, to_string(type)), word);
   Filter made;
   made.name = chosen.name;
   if (chosen.own) made.code = chosen.own->code;
   if (!filter_arguments(k, chosen, type, made)) return false;
   for (const Target& t : on.targets) {
-    Slot& slot = s.objects.edit(t.object.index).slot(t.function, t.layer);
+    Slot& slot = k.scene.objects.edit(t.object.index).slot(t.function, t.layer);
     made.component = t.component;
     if (!chosen.none())
       slot.filters.push_back(made);
@@ -173,6 +169,18 @@ bool filter(Command& k) {
       std::erase_if(slot.filters, [&](const Filter& f) { return t.component < 0 || f.component == t.component; });
   }
   return true;
+}
+
+bool filter(Command& k) {
+  Cursor& c = k.cursor;
+  Selected on;
+  Chosen chosen;
+  const std::string_view word = c.next_word();
+  if (!targets(k, word, on, Meant::any)) return false;
+  if (on.velocity) return c.fail(ErrorCode::type, "filters stand on values, not on velocities", word);
+  if (!choose(k, chosen)) return false;
+  if (chosen.none()) return put_filter(k, on, chosen, word);
+  return for_each_type(k, on, [&](const Selected& one) { return put_filter(k, one, chosen, word); });
 }
 
 constexpr Verb filters_rows[] = {

@@ -102,8 +102,8 @@ bool create(Command& k) {
       return c.fail(ErrorCode::name, "an environment is made by a command of its own", kind_word,
                     fmt::format("animate {} every 1t by rotate(6deg, z)", word.substr(0, 40)));
     if (!kind) {
-      std::string hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
-      if (hint.empty()) hint = road(kind_word);
+      std::string hint(road(kind_word));
+      if (hint.empty()) hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
       if (hint.empty()) {
         hint = "kinds are";
         for (auto k : kind_names) hint += " " + std::string(k);
@@ -389,7 +389,7 @@ bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   if (is_pattern(word) || s.aliases->contains(std::string(word))) {
     if (const auto braces = expand_braces(word); !braces)
       return c.fail(braces.error().code, braces.error().message, word);
-    script.note(Severity::notice, fmt::format("'{}' names nothing", word), word);
+    script.names_nothing(word);
     return true;
   }
   c.at = word.data();

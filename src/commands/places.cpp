@@ -33,18 +33,25 @@ std::string_view piece(std::string_view& rest) {
   return out;
 }
 
+bool speaks_of_any(std::string_view text) { return speaks_of_place(text.data(), text.data() + text.size()); }
+
 // The pattern that a line is about: of `at T on L move a* …` it is a*.
 struct Subject {
   std::string_view pattern;
   bool creates = false;
+  bool placed = false;  // the time or what stands behind the pattern speaks of a place; in a name `n` is none
 };
 Subject subject(std::string_view line) {
+  Subject out;
   std::string_view word = piece(line);
-  while (word == "at" || word == "on") piece(line), word = piece(line);
-  if (!find_verb(word)) return {word};
-  const bool creates = word == "create";
-  word = piece(line);
-  return {word, creates};
+  for (; word == "at" || word == "on"; word = piece(line)) {
+    const std::string_view behind = piece(line);
+    out.placed = out.placed || (word == "at" && speaks_of_any(behind));
+  }
+  out.pattern = word;
+  if (find_verb(word)) out.pattern = piece(line), out.creates = word == "create";
+  out.placed = out.placed || speaks_of_any(line);
+  return out;
 }
 
 // Places among what braces stand for, by names.
@@ -93,6 +100,7 @@ bool in_places(Command& k, const std::function<bool()>& command) {
   if (k.script.only || !says_place(k, start)) return command();
   const LogicalLine line = logical_line(between(start, k.cursor.end));
   const Subject about = subject({start, static_cast<std::size_t>(line.end - start)});
+  if (!about.placed && !code_speaks_of_place(start, k.cursor.end)) return command();
   const std::string_view pattern = about.pattern.substr(0, first_dot(about.pattern));
   std::vector<std::string> names;
   std::vector<ObjectId> objects;

@@ -42,9 +42,54 @@ constexpr std::string_view to_blur =
     "set eye.focus ball";
 constexpr std::string_view to_clear =
     "background transparent leaves nothing behind the things; .png .webm .mov keep that";
+constexpr std::string_view to_picture =
+    "a picture is on a rectangle: create photo rectangle size=(4 3) texture=\"photo.png\"";
+constexpr std::string_view to_film_in =
+    "films are not read; pictures are, one after the other: at 12f screen.texture \"2.png\"";
+constexpr std::string_view to_drawing = "a drawing is a scene: create logo scene file=\"logo.svg\"";
+constexpr std::string_view to_swarm =
+    "a pattern makes many: create p{1..200} sphere radius=0.05 position=(hash(i) hash(i,2) hash(i,3)); fall and noise "
+    "move them";
+constexpr std::string_view to_words =
+    "text shows words: create caption text text=\"Once\"; at 24f caption.text \"Then\"";
+constexpr std::string_view to_cells =
+    "arrange lays texts out as a table: create cell{1..6} text text=\"…\", then arrange cell* in grid columns=3";
+constexpr std::string_view to_graph =
+    "a graph is a curve through points: create g curve points=((0 0) (1 2) (2 1)); code can give them";
+constexpr std::string_view to_mask =
+    "nothing hides parts of other things; a polygon has holes, trim shows a part of a line, display shows and hides";
+constexpr std::string_view to_change =
+    "a change from one to the other is events on both: at 24f a.transparency 0 linear, at 36f a.transparency 1; at 36f "
+    "look through eye2 is a cut";
+constexpr std::string_view to_shine =
+    "glow shines by itself, without a halo: set lamp.material glow; exposure brightens";
+constexpr std::string_view to_wait =
+    "times are absolute, so nothing waits: at 48f says when, range 1f 96f how long the film is";
 constexpr std::string_view to_hear = "a sound is heard: create music sound file=\"music.mp3\" at=24f gain=0.8";
 
 constexpr Road all_roads[] = {
+    {"image", to_picture, "rectangle texture"},
+    {"picture", to_picture, "rectangle texture"},
+    {"photo", to_picture, "rectangle texture"},
+    {"video", to_film_in, "texture rectangle"},
+    {"movie", to_film_in, "texture rectangle"},
+    {"svg", to_drawing, "create"},
+    {"drawing", to_drawing, "create"},
+    {"particle", to_swarm, "create fall noise"},
+    {"particles", to_swarm, "create fall noise"},
+    {"caption", to_words, "text typed"},
+    {"subtitle", to_words, "text typed"},
+    {"label", to_words, "text typed"},
+    {"table", to_cells, "arrange text"},
+    {"graph", to_graph, "curve polyline"},
+    {"chart", to_graph, "curve polyline"},
+    {"mask", to_mask, "polygon trim display"},
+    {"blend", to_blend, "twerper layer"},
+    {"transition", to_change, "transparency look"},
+    {"crossfade", to_change, "transparency look"},
+    {"bloom", to_shine, "material exposure"},
+    {"wait", to_wait, "at range"},
+    {"sleep", to_wait, "at range"},
     {"blur", to_blur, "shutter f-stop focus"},
     {"motion-blur", to_blur, "shutter subframes"},
     {"dof", to_blur, "f-stop focus"},

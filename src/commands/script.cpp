@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/names.h"
 #include "commands/plugins.h"
 
 namespace betwixt {
@@ -68,6 +71,16 @@ void Script::report(Severity severity, Error error, std::string_view about) {
     return;
   }
   diagnostics.push_back(source.diagnose(severity, std::move(error), about));
+}
+
+void Script::names_nothing(std::string_view pattern) {
+  const auto braces =
+      live || failed.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(pattern);
+  const bool followed =
+      braces && std::any_of(braces->begin(), braces->end(), [&](const std::string& one) {
+        return std::any_of(failed.begin(), failed.end(), [&](const std::string& name) { return matches(one, name); });
+      });
+  if (!followed) note(Severity::notice, fmt::format("'{}' names nothing", pattern), pattern);
 }
 
 void Script::note(Severity severity, std::string message, std::string_view about, std::string hint) {

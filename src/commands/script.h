@@ -39,10 +39,10 @@ struct Sheet {
   Selected on;
   std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
   bool warned = false;
-  bool fresh = false;  // the track had no events when the sheet was opened
+  bool fresh = false;            // the track had no events when the sheet was opened
   std::optional<Time> above;     // when the row before was …
   std::vector<Time> each_above;  // … of each object, where that is not the same
-  std::string opener;  // the line
+  std::string opener;            // the line
   // Of a display list:
   std::string list;
   struct Version {  // that rows go to
@@ -166,6 +166,8 @@ struct Script : SoFar {
 
   void report(Severity, Error, std::string_view about);
   void note(Severity severity, std::string message, std::string_view about, std::string hint = {});
+  // A pattern has found nothing: a notice, unless what it could have found comes of a line that was refused.
+  void names_nothing(std::string_view pattern);
 
   // The same to be said later, if it is still so then; none where nothing more is said.
   std::optional<Diagnostic> withheld(Severity severity, std::string message, std::string_view about);

@@ -17,12 +17,16 @@
 namespace betwixt {
 namespace {
 
-// Does f(track, type, component, velocity) for all tracks of all targets, or for none. `along`: what goes on beside it,
+// Does f(track, type, component, target) for all tracks of all targets, or for none. `along`: what goes on beside it,
 // its velocity, goes along (R-T10).
-using Work = std::function<Result<Changed>(Track&, Type, int component, bool velocity)>;
+using Work = std::function<Result<Changed>(Track&, Type, int component, const Target&)>;
 
+// All tracks of one target; where one of them cannot be changed none is.
 Status each_track(Scene& s, const Target& t, bool along, const Work& work, Changed& sum) {
-  if (!s.objects[t.object.index].find(t.function, t.layer)) return Nothing{};
+  const Slot* const there = s.objects[t.object.index].find(t.function, t.layer);
+  if (!there) return Nothing{};
+  const Slot before = *there;
+  const Changed so_far = sum;
   Target velocity = t;
   velocity.velocity = true;
   std::vector<Target> both{t};
@@ -33,27 +37,66 @@ Status each_track(Scene& s, const Target& t, bool along, const Work& work, Chang
     const auto tracks = edit_tracks(s, one);
     const bool parts = t.component < 0 && tracks.size() > 1;
     for (std::size_t i = 0; i < tracks.size(); ++i) {
-      const Result<Changed> done =
-          work(*tracks[i], spec_of(s, t.function).type, parts ? static_cast<int>(i) : -1, one.velocity);
-      if (!done) return done.error();
+      const Result<Changed> done = work(*tracks[i], spec_of(s, t.function).type, parts ? static_cast<int>(i) : -1, one);
+      if (!done) {
+        s.objects.edit(t.object.index).slot(t.function, t.layer) = before;
+        sum = so_far;
+        return done.error();
+      }
       sum.events += done->events, sum.replaced += done->replaced;
     }
   }
   return Nothing{};
 }
 
-bool operate(Command& k, const Stretch& on, const Work& work, bool along = true) {
+// Those for which it means nothing are left out, unless it means nothing for all.
+bool change(Command& k, const Stretch& on, const Work& work, bool along, Changed& sum) {
   if (!finish(k.cursor)) return false;
   Rollback all(k.scene);
-  Changed sum{0, 0};
-  for (const Target& t : on.of.targets)
-    if (const Status done = each_track(k.scene, t, along, work, sum); !done)
+  std::vector<Target> left_out;
+  std::optional<Error> why;
+  const std::size_t before = sum.events;
+  for (const Target& t : on.of.targets) {
+    const Status done = each_track(k.scene, t, along, work, sum);
+    if (done) continue;
+    if (done.error().code != ErrorCode::type)
       return k.cursor.fail(done.error().code, done.error().message, on.word, done.error().hint);
+    left_out.push_back(t);
+    if (!why) why = done.error();
+  }
+  if (why && sum.events == before) return k.cursor.fail(why->code, why->message, on.word, why->hint);
   all.keep();
+  if (why) say_left_out(k, left_out, on.word, std::move(why->message));
+  return true;
+}
+
+void say_changed(Command& k, const Stretch& on, const Changed& sum) {
   if (sum.events == 0)
     k.script.note(Severity::notice, fmt::format("there are no events of '{}' there", on.of.text), on.word);
   if (sum.replaced > 0)
     k.script.note(Severity::notice, fmt::format("{} gave way", plural(sum.replaced, "event")), on.word);
+}
+
+bool operate(Command& k, const Stretch& on, const Work& work, bool along = true) {
+  Changed sum{0, 0};
+  if (!change(k, on, work, along, sum)) return false;
+  say_changed(k, on, sum);
+  return true;
+}
+
+// TARGET A..B, and what stands behind it once for each type of numbers that the pattern names.
+bool change_values(Command& k, const char* changed, const std::function<bool(Stretch&, Changed&)>& rest) {
+  Stretch on;
+  if (!on_segment(k, on)) return false;
+  Changed sum{0, 0};
+  const auto one = [&](const Selected& of) {
+    Stretch part{on.word, of, on.segment};
+    if (of.spec && !has_velocity(of.spec->type))  // that is: numbers that can be calculated with
+      return k.cursor.fail(ErrorCode::type, fmt::format("{} cannot be {}", to_string(of.spec->type), changed), on.word);
+    return rest(part, sum);
+  };
+  if (!for_each_type(k, on.of, one)) return false;
+  say_changed(k, on, sum);
   return true;
 }
 
@@ -99,7 +142,7 @@ bool move(Command& k) {
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
   if (notes) return retime_notes(k, on.word, on.segment, [&](Time t, auto& to) { to.push_back(t + by); });
-  return operate_and_say(k, on, [&](Track& t, Type, int, bool) { return move_segment(t, on.segment, by); });
+  return operate_and_say(k, on, [&](Track& t, Type, int, const Target&) { return move_segment(t, on.segment, by); });
 }
 
 bool stretch(Command& k) {
@@ -122,12 +165,26 @@ bool stretch(Command& k) {
     return retime_notes(k, on.word, on.segment, [&](Time t, auto& to) {
       to.push_back(on.segment.from + time_of(static_cast<double>((t - on.segment.from).flicks) * factor));
     });
-  return operate(k, on, [&](Track& t, Type, int, bool velocity) -> Result<Changed> {
+  return operate(k, on, [&](Track& t, Type, int, const Target& of) -> Result<Changed> {
     // What takes longer goes slower.
-    if (velocity)
+    if (of.velocity)
       if (auto slower = scale_segment(t, on.segment, 1 / factor); !slower) return slower;
     return stretch_segment(t, on.segment, factor);
   });
+}
+
+// In-betweens that follow from events beside the segment, too, and have no tangents that could say the same.
+void say_bent(Command& k, const std::vector<std::string>& places, std::string_view about) {
+  constexpr std::size_t most = 4;
+  if (places.empty()) return;
+  const std::size_t named = std::min(places.size(), most);
+  std::string all =
+      fmt::format("{}", fmt::join(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+  if (places.size() > most) all += fmt::format(" and {} more", places.size() - most);
+  k.script.note(
+      Severity::warning, "these bend otherwise than before, backwards: " + all, about,
+      "their in-betweens follow from the events beside them, which are others now; reverse the whole track, or "
+      "bake it first");
 }
 
 bool reverse(Command& k) {
@@ -137,61 +194,76 @@ bool reverse(Command& k) {
   if (notes)
     return retime_notes(k, on.word, on.segment,
                         [&](Time t, auto& to) { to.push_back(on.segment.from + (on.segment.to - t)); });
-  return operate(k, on, [&](Track& t, Type type, int component, bool velocity) -> Result<Changed> {
-    if (velocity && !on.of.velocity)
+  std::vector<std::string> bent;
+  const auto turn_round = [&](Track& t, Type type, int component, const Target& of) -> Result<Changed> {
+    if (of.velocity && !on.of.velocity)
       return fail(ErrorCode::type, "a track with velocities cannot be reversed",
                   "clear them first, or reverse the velocity alone");
     if (type == Type::motion)
       return fail(ErrorCode::type, "a motion cannot be reversed",
                   "write what undoes it: betwixt algebra --inverse tells");
     const bool part = component >= 0 || on.of.component >= 0;
-    fill_in_kept(t, on.segment, type, velocity, part);
-    if (!velocity) own_tangents(t, on.segment, part ? component_track_type(type) : type, part);
+    fill_in_kept(t, on.segment, type, of.velocity, part);
+    for (const Segment& s : own_tangents(t, on.segment, type_of_track(type, of.velocity, part), part))
+      bent.push_back(fmt::format("{} from {} to {}", target_name(k.scene, of),
+                                 format_time(on.segment.from + (on.segment.to - s.to), k.scene.rate),
+                                 format_time(on.segment.from + (on.segment.to - s.from), k.scene.rate)));
     return reverse_segment(t, on.segment);
-  });
+  };
+  if (!operate(k, on, turn_round)) return false;
+  say_bent(k, bent, on.word);
+  return true;
 }
 
 bool scale(Command& k) {
-  Stretch on;
-  Value by;
-  if (!on_values(k, on) || !given_factors(k, on, by)) return false;
-  return operate(
-      k, on, [&](Track& t, Type, int component, bool) { return scale_segment(t, on.segment, part_of(by, component)); });
+  return change_values(k, "scaled", [&](Stretch& on, Changed& sum) {
+    Value by;
+    const auto multiply = [&](Track& t, Type, int component, const Target&) {
+      return scale_segment(t, on.segment, part_of(by, component));
+    };
+    return given_factors(k, on, by) && change(k, on, multiply, true, sum);
+  });
 }
 
 bool translate(Command& k) {
-  Stretch on;
-  Value by;
-  if (!on_values(k, on) || !values(k).value(unbounded(on.spec()), on.of.component, by)) return false;
-  for (const Target& t : on.of.targets)
-    if (!reaches(k, on, t, by, "moved")) return false;
-  return operate(
-      k, on,
-      [&](Track& t, Type, int component, bool) { return translate_segment(t, on.segment, part_of(by, component)); },
-      on.of.velocity);
+  return change_values(k, "moved", [&](Stretch& on, Changed& sum) {
+    Value by;
+    if (!values(k).value(unbounded(on.spec()), on.of.component, by)) return false;
+    for (const Target& t : on.of.targets)
+      if (!reaches(k, on, t, by, "moved")) return false;
+    const auto add = [&](Track& t, Type, int component, const Target&) {
+      return translate_segment(t, on.segment, part_of(by, component));
+    };
+    return change(k, on, add, on.of.velocity, sum);
+  });
 }
 
-bool rotate(Command& k) {
+// ANGLE AXIS [@ CENTRE]
+bool turn_values(Command& k, Stretch& on, Changed& sum) {
   Cursor& c = k.cursor;
-  Stretch on;
   double angle = 0;
   Vec3 axis, centre;
-  if (!on_values(k, on) || !values(k).angle(angle) || !values(k).axis(axis)) return false;
+  if (!values(k).angle(angle) || !values(k).axis(axis)) return false;
   if (c.accept('@') && !values(k).vector(3, centre, Unit::metres)) return false;
-  const Type type = on.of.spec ? on.type() : Type::vector;
-  if (!row_of(type).rotates)
+  const Type whole = on.of.spec ? on.type() : Type::vector;
+  if (!row_of(whole).rotates)
     return c.fail(ErrorCode::type,
-                  fmt::format("only vectors and orientations can be rotated; this is {}", to_string(type)), on.word);
-  return operate(k, on, [&](Track& t, Type, int component, bool velocity) -> Result<Changed> {
+                  fmt::format("only vectors and orientations can be rotated; this is {}", to_string(whole)), on.word);
+  const auto turn = [&](Track& t, Type type, int component, const Target& of) -> Result<Changed> {
     if (component >= 0)
       return fail(ErrorCode::type,
                   "the components of this track have tracks of their own: it cannot be rotated as a whole");
-    auto done = rotate_segment(t, on.segment, axis_angle(axis, angle), velocity ? Vec3{} : centre);
+    auto done = rotate_segment(t, on.segment, axis_angle(axis, angle), of.velocity ? Vec3{} : centre);
     if (!done && type == Type::rotation)
       return fail(ErrorCode::type, "angles cannot be rotated, orientations can",
                   "write the track with axis(…) or quat(…)");
     return done;
-  });
+  };
+  return change(k, on, turn, true, sum);
+}
+
+bool rotate(Command& k) {
+  return change_values(k, "rotated", [&](Stretch& on, Changed& sum) { return turn_values(k, on, sum); });
 }
 
 // Whether what a target is at any time may follow from all that came before: where it was let go, how far its velocity
@@ -226,7 +298,7 @@ bool clear_before(Command& k, Stretch& on, bool notes) {
   if (whole > 0)
     k.script.note(Severity::notice, "left whole, as what comes later follows from all of it: " + left, on.word);
   if (on.of.targets.empty()) return finish(k.cursor);
-  const auto erase = [&](Track& track, Type type, int, bool) -> Result<Changed> {
+  const auto erase = [&](Track& track, Type type, int, const Target&) -> Result<Changed> {
     return Changed{erase_before(track, t, row_of(type).changes), 0};
   };
   return operate(k, on, erase, false);
@@ -248,7 +320,7 @@ bool clear(Command& k) {
     if (on.segment.to < on.segment.from) return c.fail(ErrorCode::range, "this segment ends before it begins", {at, 2});
   }
   if (notes) return retime_notes(k, on.word, on.segment, [](Time, auto&) {});
-  const auto erase = [&](Track& t, Type, int, bool) -> Result<Changed> {
+  const auto erase = [&](Track& t, Type, int, const Target&) -> Result<Changed> {
     return Changed{t.events.erase(on.segment.from, on.segment.to), 0};
   };
   return operate_and_say(k, on, erase, false);
@@ -283,29 +355,6 @@ bool on_segment(Command& k, Stretch& on, Meant meant) {
   return targets(k, on.word, on.of, meant) && c.segment(on.segment.from, on.segment.to);
 }
 
-bool on_values(Command& k, Stretch& on) {
-  if (!on_segment(k, on)) return false;
-  Selected& of = on.of;
-  const auto spec = [&](const Target& t) -> const FunctionSpec& { return spec_of(k.scene, t.function); };
-  const auto first = std::find_if(of.targets.begin(), of.targets.end(), [&](const Target& t) {
-    return has_velocity(spec(t).type);  // that is: numbers that can be calculated with
-  });
-  if (first == of.targets.end()) return true;
-  of.spec = &spec(*first), of.component = first->component;
-  std::string others;
-  std::size_t count = 0;
-  std::erase_if(of.targets, [&](const Target& t) {
-    if (spec(t).type == of.spec->type && spec(t).unit == of.spec->unit) return false;
-    if (++count <= 3) others += (others.empty() ? "" : ", ") + target_name(k.scene, t);
-    return true;
-  });
-  if (count > 3) others += fmt::format(" and {} more", count - 3);
-  if (count > 0)
-    k.script.note(Severity::notice, fmt::format("left out, having other values than {}: {}", of.spec->name, others),
-                  on.word);
-  return true;
-}
-
 bool reaches(Command& k, const Stretch& on, const Target& t, const Value& by, const char* changed) {
   const auto tracks = tracks_of(k.scene, t);
   const auto here = [&](const Track* track) { return track->events.count(on.segment.from, on.segment.to) > 0; };
@@ -328,14 +377,15 @@ bool reaches(Command& k, const Stretch& on, const Target& t, const Value& by, co
   return true;
 }
 
+Type type_of_track(Type of_function, bool velocity, bool part) {
+  if (velocity) return part ? Type::scalar : row_of(of_function).rate.value_or(of_function);
+  return part ? component_track_type(of_function) : of_function;
+}
+
 void fill_in_kept(Track& track, Segment s, Type of_function, bool velocity, bool part) {
   bool any = false;
   track.events.each_between(s.from, s.to, [&](const Event& e) { any = any || e.keep; });
-  if (!any) return;
-  const Type type = velocity ? part ? Type::scalar : row_of(of_function).rate.value_or(of_function)
-                    : part ? component_track_type(of_function)
-                             : of_function;
-  fill_in_kept(track, type, part);
+  if (any) fill_in_kept(track, type_of_track(of_function, velocity, part), part);
 }
 
 Value part_of(const Value& v, int component) {

@@ -18,11 +18,11 @@ struct Stretch {
   Type type() const { return of.component < 0 ? spec().type : component_type(spec().type); }
 };
 bool on_segment(Command&, Stretch&, Meant = Meant::any);
-// The same, for what changes values: those of other types than the first ones of numbers are left out, and named.
-bool on_values(Command&, Stretch&);
 
 // Whether every component that a value changes has events there: one that has none would be left out without a word.
 bool reaches(Command&, const Stretch&, const Target&, const Value& by, const char* changed);
+// Of a function's track, or that of a component or of its velocity.
+Type type_of_track(Type of_function, bool velocity, bool part);
 // Where there are any in a segment, rows that keep the value of a function's track have it, or of that of a component
 // or of its velocity.
 void fill_in_kept(Track&, Segment, Type of_function, bool velocity, bool part);

@@ -65,7 +65,7 @@ struct Search {
                 words.function);
   }
   bool names_nothing(std::string_view what) const {
-    k.script.note(Severity::notice, fmt::format("'{}' names nothing", what), what);
+    k.script.names_nothing(what);
     return true;
   }
 };
@@ -174,7 +174,7 @@ bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
 }
 
 // Objects whose function of that name has values of another type.
-void say_left_out(Command& k, const std::vector<Target>& those, std::string_view about, std::string why) {
+void say_of_other_type(Command& k, const std::vector<Target>& those, std::string_view about, std::string why) {
   constexpr std::size_t most = 4;
   std::string names;
   for (std::size_t i = 0; i < those.size() && i < most; ++i)
@@ -220,7 +220,7 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
         if (!take(q, id, f, many)) return false;
       }
   }
-  if (!q.left_out.empty()) say_left_out(q.k, q.left_out, q.words.whole, {});
+  if (!q.left_out.empty()) say_of_other_type(q.k, q.left_out, q.words.whole, {});
   for (std::size_t i = 0; i < wanted.size() && wanted.size() > 1; ++i)  // a word that is wrong among others
     if (!found[i] && !is_pattern(wanted[i]) && !anybody_has(q.scene(), wanted[i]))
       return no_function(q, objects[0], wanted[i]);
@@ -280,10 +280,11 @@ bool to_each_type(Command& k, std::string_view word, const char* from,
   if (types.size() == 1) return read(types[0]);
   Cursor& c = k.cursor;
   const char* const value = c.at;
+  const int depth = c.depth;
   const char* behind = nullptr;
   std::vector<Refused> refused;
   for (const Selected& one : types) {
-    c.at = value;
+    c.at = value, c.depth = depth;
     if (read(one)) {
       behind = c.at;
       continue;
@@ -292,9 +293,46 @@ bool to_each_type(Command& k, std::string_view word, const char* from,
     refused.push_back({one.targets, std::exchange(c.error, std::nullopt), c.where});
   }
   if (behind == nullptr) return c.error = std::move(refused[0].error), c.where = refused[0].where, false;
-  c.at = behind;
-  for (Refused& r : refused) say_left_out(k, r.targets, word, r.error ? std::move(r.error->message) : std::string());
+  c.at = behind, c.depth = depth;
+  for (Refused& r : refused)
+    say_of_other_type(k, r.targets, word, r.error ? std::move(r.error->message) : std::string());
   return true;
+}
+
+bool for_each_type(Command& k, const Selected& all, const std::function<bool(const Selected&)>& rest) {
+  const std::vector<Selected> types = by_type(k.scene, all);
+  if (types.size() < 2) return rest(all);
+  Cursor& c = k.cursor;
+  const char* const start = c.at;
+  const int depth = c.depth;
+  const char* behind = nullptr;
+  Rollback rollback(k.scene);
+  Refused refused;
+  for (const Selected& one : types) {
+    c.at = start, c.depth = depth;
+    if (rest(one)) {
+      behind = c.at;
+      continue;
+    }
+    if (!c.error || c.error->code != ErrorCode::type) return false;
+    refused.targets.insert(refused.targets.end(), one.targets.begin(), one.targets.end());
+    if (!refused.error) refused.error = c.error, refused.where = c.where;
+    c.error.reset(), c.where = {};
+  }
+  if (behind == nullptr) return c.error = std::move(refused.error), c.where = refused.where, false;
+  c.at = behind, c.depth = depth;
+  rollback.keep();
+  if (refused.error) say_left_out(k, refused.targets, all.text, std::move(refused.error->message));
+  return true;
+}
+
+void say_left_out(Command& k, const std::vector<Target>& those, std::string_view about, std::string why) {
+  constexpr std::size_t most = 4;
+  std::string names;
+  for (std::size_t i = 0; i < those.size() && i < most; ++i)
+    names += (i == 0 ? "" : ", ") + target_name(k.scene, those[i]);
+  if (those.size() > most) names += fmt::format(" and {} more", those.size() - most);
+  k.script.note(Severity::notice, "left out: " + names, about, std::move(why));
 }
 
 bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {

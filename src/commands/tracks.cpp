@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/names.h"
 #include "base/still_wanted.h"
@@ -136,14 +137,12 @@ bool set(Command& k) {
   return to_each_type(k, w, w.data(), [&](const Selected& to) { return set_alike(k, to); });
 }
 
-bool global_twerper(Command& k) {
+// NAME [in=light|srgb], for values of one type.
+bool twerper_of_all(Command& k, const Selected& to, bool none) {
   auto& [s, c, time, layer, script] = k;
-  Selected to;
-  if (!targets(k, c.next_word(), to, Meant::any)) return false;
-  if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
   Twerper chosen = Twerper::unset;
   TwerperArguments arguments;
-  if (!c.accept_word("none") && !(alike(k, to) && twerper(k, to, chosen, arguments))) return false;
+  if (!none && !twerper(k, to, chosen, arguments)) return false;
   std::optional<bool> srgb;
   if (!c.at_line_end()) {
     const std::string_view key = c.peek_word();
@@ -167,6 +166,15 @@ bool global_twerper(Command& k) {
   return true;
 }
 
+bool global_twerper(Command& k) {
+  Selected to;
+  if (!targets(k, k.cursor.next_word(), to, Meant::any)) return false;
+  if (!to.spec) to.spec = &built_in_functions()[fn::position];  // the rest is still read
+  const bool none = k.cursor.accept_word("none");
+  if (none && k.cursor.at_line_end()) return twerper_of_all(k, to, none);
+  return for_each_type(k, to, [&](const Selected& one) { return twerper_of_all(k, one, none); });
+}
+
 bool extend(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Selected to;
@@ -185,11 +193,15 @@ bool extend(Command& k) {
     before = false;
   if (!finish(c)) return false;
   const auto extend = static_cast<Extrapolation>(at - extrapolation_names.begin());
-  const bool holds =
-      std::any_of(to.targets.begin(), to.targets.end(), [](const Target& t) { return t.function == fn::attachment; });
-  if (holds && extend != Extrapolation::hold)
-    return c.fail(ErrorCode::type, fmt::format("an attachment cannot be extended by {}", how), how,
+  const auto holds = [&](const Target& t) { return t.function == fn::attachment && extend != Extrapolation::hold; };
+  std::vector<Target> holding;
+  std::copy_if(to.targets.begin(), to.targets.end(), std::back_inserter(holding), holds);
+  std::erase_if(to.targets, holds);
+  const std::string why = fmt::format("an attachment cannot be extended by {}", how);
+  if (to.targets.empty() && !holding.empty())
+    return c.fail(ErrorCode::type, why, how,
                   fmt::format("write it again and again: copy {} 1f..24f to 25f times 3", to.text.substr(0, 60)));
+  if (!holding.empty()) say_left_out(k, holding, to.text, why);
   for (const Target& t : to.targets)
     for (Track* track : edit_tracks(s, t)) {
       if (before) track->before = extend;

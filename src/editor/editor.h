@@ -31,12 +31,12 @@ struct Point {
 struct Deed {
   bool done = false;  // else the line is wrong: `said` tells why
   Point after;
-  std::string line;      // as it stands in a history
-  std::string sheet;     // what it stands below there: it is a row
-  bool stamped = false;  // it happens at a time because it came then
-  bool opens = false;    // a sheet is open behind it that was not before
+  std::string line;         // as it stands in a history
+  std::string sheet;        // what it stands below there: it is a row
+  bool stamped = false;     // it happens at a time because it came then
+  bool opens = false;       // a sheet is open behind it that was not before
   std::size_t touched = 0;  // how many its pattern named, where that is more than one
-  Diagnostics said;      // a place without a file is of the line itself
+  Diagnostics said;         // a place without a file is of the line itself
 };
 
 // So many steps can be taken back, and no more than hold so many bytes, by estimate; the last one always can.

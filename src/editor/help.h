@@ -24,7 +24,7 @@ struct HelpEntry {
 
 std::span<const HelpEntry> help_entries();
 std::vector<std::string_view> words_with_help();  // and those that lead to them: for near misses
-std::vector<HelpEntry> shell_entries();  // beside their bodies
+std::vector<HelpEntry> shell_entries();           // beside their bodies
 
 // Of a word, or of a key with its sign; empty where nothing is known.
 std::string_view sentence_of(std::string_view word);

@@ -96,7 +96,7 @@ class History {
   std::string path_;
   std::unique_ptr<Journal> journal_;
   std::optional<Fingerprint> known_;  // what the file held when it was last read or written; none: there was none
-  bool others_ = false;  // the file was there before us
+  bool others_ = false;               // the file was there before us
   std::size_t bytes_ = 0, length_ = 0;
 };
 

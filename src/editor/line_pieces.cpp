@@ -126,8 +126,8 @@ struct Reading {
 
 const std::vector<std::string_view>& option_words() {
   static const std::vector<std::string_view> all = [] {
-    std::vector<std::string_view> words{"to",   "on",      "by",  "from",   "until", "into", "times", "shift",
-                                        "like", "through", "in",  "before", "after", "next-to"};
+    std::vector<std::string_view> words{"to",    "on",   "by",      "from", "until",  "into",  "times",
+                                        "shift", "like", "through", "in",   "before", "after", "next-to"};
     for (const HelpEntry& e : help_entries())
       if (e.group == HelpGroup::option) words.push_back(e.word);
     std::ranges::sort(words);

@@ -127,7 +127,8 @@ std::string line_that_holds(const Document& d, ObjectId id, Time at, const Attac
   if (to.kind >= AttachmentKind::hang)
     line += fmt::format(" {} {}{}", to.kind == AttachmentKind::hang ? "on" : "to", d.name(to.parent),
                         to.keep_world ? " keep-world" : "");
-  const bool timed = to.kind == AttachmentKind::letgo || at > d.range().first || !own_tracks(d, Target(id, fn::attachment)).empty();
+  const bool timed =
+      to.kind == AttachmentKind::letgo || at > d.range().first || !own_tracks(d, Target(id, fn::attachment)).empty();
   return timed ? fmt::format("at {} {}", format_time(at, d), line) : line;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/diagnostic.h"
+#include "base/likewise.h"
 #include "base/names.h"
 #include "commands/command.h"
 #include "commands/reader.h"
@@ -194,7 +195,8 @@ std::string Session::State::tried(const Words& words, std::string_view line) {
     if (starts_like_time(w[0]))
       if (const Result<Time> t = parse_time(w, document())) times.push_back(*t);
   program = Program::compile(document(), program);
-  std::string said;
+  Diagnostics all;
+  Likewise alike;
   for (const Time t : times) {
     const Frame made = program.frame(t);
     for (const std::string& p : made.problems) {
@@ -203,9 +205,13 @@ std::string Session::State::tried(const Words& words, std::string_view line) {
       for (const Frame::CodeError& e : made.errors)
         if (e.message == p) point_at(d, line, e.source);
       if (!d.line.empty()) d.what.place.line += first_line - 1;
-      said += to_string(d);
+      const std::size_t n = alike.add(d.what.message);
+      if (n == all.size()) all.push_back(std::move(d));
+      all[n].what.message = alike.text(n);
     }
   }
+  std::string said;
+  for (const Diagnostic& d : all) said += to_string(d);
   return said;
 }
 

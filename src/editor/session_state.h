@@ -60,11 +60,11 @@ struct Session::State {
   PlacedText placed;
   Diagnostics of_text;                               // what there is to say of the text
   std::size_t journal_knows = 0, journal_undid = 0;  // of the last steps that stand, and of those that were undone
-  int lines = 0;  // that were entered
-  Program program;                                 // of the last document in which code was tried
-  bool quiet = false;                              // of how many things a pattern named
-  std::set<std::string> problems;                  // of code, that were told
-  std::map<std::string, int, std::less<>> failed;  // names that refused lines would have made, and those lines
+  int lines = 0;                                     // that were entered
+  Program program;                                   // of the last document in which code was tried
+  bool quiet = false;                                // of how many things a pattern named
+  std::set<std::string> problems;                    // of code, that were told
+  std::map<std::string, int, std::less<>> failed;    // names that refused lines would have made, and those lines
 
   const Document& document() const { return editor.now().document; }
   bool sheet_open() const { return editor.now().script.left != nullptr; }

@@ -20,10 +20,10 @@
 namespace betwixt {
 namespace {
 
-constexpr double longest = 4 * 3600;                  // seconds
-constexpr rlim_t most_memory = rlim_t{4} << 30;       // of the program's own
+constexpr double longest = 4 * 3600;             // seconds
+constexpr rlim_t most_memory = rlim_t{4} << 30;  // of the program's own
 constexpr std::size_t samples_at_once = 1 << 15;
-constexpr std::size_t most_words = 4096;              // of what it says
+constexpr std::size_t most_words = 4096;  // of what it says
 
 // What holds samples and speaks of no other files, as playlists do.
 constexpr const char* kinds_of_files = "wav,w64,aiff,au,caf,flac,ogg,mp3,aac,mov,mp4,m4a,matroska,webm,avi,ac3,amr,wv";
@@ -34,7 +34,8 @@ Error no_sound(const std::string& path, std::string why) {
   why = why.substr(why.rfind('\n') + 1);
   for (std::size_t at; (at = why.find("file:" + path)) != std::string::npos;) why.replace(at, path.size() + 5, path);
   if (why.starts_with(path + ": ")) why.erase(0, path.size() + 2);
-  return fail(ErrorCode::file, fmt::format("{} is broken or no sound: {}", path, why.empty() ? "nothing is heard" : why));
+  return fail(ErrorCode::file,
+              fmt::format("{} is broken or no sound: {}", path, why.empty() ? "nothing is heard" : why));
 }
 
 // The program, and our ends of its output and of its standard error.
@@ -57,13 +58,30 @@ class Decoder {
     if (::pipe2(err.data(), O_CLOEXEC) != 0) return system_error(errno, "read", path);
     err_ = err[0];
     const OpenFile its_err(err[1]);
-    const std::vector<std::string> words{
-        "ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-protocol_whitelist", "file,pipe",
-        "-format_whitelist", kinds_of_files, "-i", "file:" + path, "-map", "0:a:0", "-f", "f32le", "-ac", "2",
-        "-ar", std::to_string(sound_rate), "pipe:1"};
+    const std::vector<std::string> words{"ffmpeg",
+                                         "-hide_banner",
+                                         "-nostdin",
+                                         "-loglevel",
+                                         "error",
+                                         "-protocol_whitelist",
+                                         "file,pipe",
+                                         "-format_whitelist",
+                                         kinds_of_files,
+                                         "-i",
+                                         "file:" + path,
+                                         "-map",
+                                         "0:a:0",
+                                         "-f",
+                                         "f32le",
+                                         "-ac",
+                                         "2",
+                                         "-ar",
+                                         std::to_string(sound_rate),
+                                         "pipe:1"};
     const int failed = start_child(pid_, words, {-1, its_out.fd(), its_err.fd()});
     if (failed == ENOENT)
-      return fail(ErrorCode::machine, "sounds need the program ffmpeg, which is not installed", "sudo apt-get install ffmpeg");
+      return fail(ErrorCode::machine, "sounds need the program ffmpeg, which is not installed",
+                  "sudo apt-get install ffmpeg");
     if (failed != 0) return system_error(failed, "start ffmpeg for", path);
     const rlimit bound{most_memory, most_memory};
     ::prlimit(pid_, RLIMIT_AS, &bound, nullptr);
@@ -111,7 +129,7 @@ class Decoder {
 // ratios, so that its logarithm counts; what is 60 dB below a full sine is no sound.
 std::vector<double> find_onsets(const std::vector<double>& energy) {
   constexpr std::size_t hop = 10, before = 10, least_apart = 5;  // in milliseconds; the others in hops
-  constexpr double floor = 1e-6, rise = 1.0;                      // of the logarithm: by a factor e of energy
+  constexpr double floor = 1e-6, rise = 1.0;                     // of the logarithm: by a factor e of energy
   std::vector<double> level;
   for (std::size_t ms = 0; ms + hop < energy.size(); ms += hop)
     level.push_back(std::log(floor + 1000.0 / hop * (energy[ms + hop] - energy[ms])));

@@ -262,7 +262,7 @@ class Follower {
   const bool straight_, cubic_;
   std::vector<Look> looks_;
   std::map<Time, Time> early_;  // where leaps end that are over too early, and their times
-  double too_far_ = 0;  // how far off the last piece was that did not do
+  double too_far_ = 0;          // how far off the last piece was that did not do
   std::vector<KeyPiece> pieces_;
 };
 

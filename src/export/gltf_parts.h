@@ -26,7 +26,7 @@ class Buffer {
   // Of vertices: four numbers each; one that counts for nothing is 0.
   std::size_t joints(const std::vector<std::array<std::uint16_t, 4>>&,
                      const std::vector<std::array<float, 4>>& weights);
-  std::size_t picture(std::string_view png);                 // the view's number
+  std::size_t picture(std::string_view png);  // the view's number
 
   Json views = Json::array(), accessors = Json::array();
   std::string bytes;

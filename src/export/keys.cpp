@@ -287,7 +287,7 @@ class Stage {
   const Time from_, until_;
   const KeyOptions& options_;
   static constexpr std::uint32_t deepest = 100;
-  std::vector<std::uint8_t> moved_;    // by node
+  std::vector<std::uint8_t> moved_;  // by node
   // The same: of the longest chain that it is in; how far what hangs on it reaches; how much larger all above makes it.
   std::vector<double> links_, reach_, above_;
   std::vector<Time> everybodys_;

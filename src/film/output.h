@@ -13,14 +13,14 @@
 namespace betwixt {
 
 struct Output {
-  const Format* format = nullptr;                     // null: numbered pictures
-  std::string folder;                                 // "." where the path names none; no slash at its end
-  std::string name;                                   // the last part of the path
-  bool exr = false;                                   // pictures: OpenEXR; else PNG
-  std::string before, after;                          // pictures: what stands around the number
-  int digits = 0;                                     // pictures: at least so many
-  std::string path() const;                           // of the film
-  std::string path(int number) const;                 // of one picture
+  const Format* format = nullptr;      // null: numbered pictures
+  std::string folder;                  // "." where the path names none; no slash at its end
+  std::string name;                    // the last part of the path
+  bool exr = false;                    // pictures: OpenEXR; else PNG
+  std::string before, after;           // pictures: what stands around the number
+  int digits = 0;                      // pictures: at least so many
+  std::string path() const;            // of the film
+  std::string path(int number) const;  // of one picture
   // A hidden name beside it that no other process uses. It says the machine, of which others know neither who lives
   // nor, on many shared disks, who holds a lock.
   std::string hidden(const std::string& tail) const;

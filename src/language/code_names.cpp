@@ -72,7 +72,9 @@ class Words {
 
 std::vector<std::string_view> free_names(std::string_view code) {
   std::vector<std::string_view> used, made;
-  const auto has = [](const auto& all, std::string_view w) { return std::find(all.begin(), all.end(), w) != all.end(); };
+  const auto has = [](const auto& all, std::string_view w) {
+    return std::find(all.begin(), all.end(), w) != all.end();
+  };
   enum { nothing, list, head, parameters } makes = nothing;
   std::string_view before;
   Words words(code);

@@ -381,6 +381,15 @@ bool Cursor::angle(double& radians) {
   return true;
 }
 
+bool Cursor::number_or_angle(double& out, bool& is_angle) {
+  const char* const start = (space(), at);
+  std::optional<Quantity> q;
+  if (!number(out, q)) return false;
+  is_angle = q ? q->of == Quantity::Of::angle : !unit().empty();
+  at = start;
+  return is_angle ? angle(out) : number(out);
+}
+
 bool Cursor::per_second(Rate& out, const char* what) {
   space();
   const char* start = at;

@@ -67,6 +67,7 @@ class Cursor {
   bool length(Time& out) { return time_or_length(out, true); }
   bool segment(Time& from, Time& to);  // A..B
   bool angle(double& radians);
+  bool number_or_angle(double& out, bool& is_angle);  // an angle is in radians
   bool opening(double& seconds);                 // of a shutter: an angle, of which a turn is a frame, a length, or off
   bool per_second(Rate& out, const char* what);  // 24, 23.976, 30000/1001 …
 

@@ -348,7 +348,10 @@ bool speaks_of_place(const char* at, const char* end) {
     if (length > 2 || (*word != 'i' && *word != 'n')) continue;
     if (length == 2 && (*word != 'i' || word[1] < '1' || word[1] > '4')) continue;
     const char before = word > from ? word[-1] : ' ', behind = at + 1 < end ? at[1] : ' ';
-    if (std::string_view(" \t,=(+-*/%^.").find(before) != std::string_view::npos &&
+    // Two dots are a segment's, one is between an object and its function.
+    const bool one_before = before == '.' && !(word - from > 1 && word[-2] == '.');
+    const bool one_behind = behind == '.' && !(end - at > 2 && at[2] == '.');
+    if (!one_before && !one_behind && std::string_view(" \t,=(+-*/%^.").find(before) != std::string_view::npos &&
         std::string_view(" \t\r\n,)+-*/%^.").find(behind) != std::string_view::npos)
       return true;
   }

@@ -239,16 +239,9 @@ bool ValueReader::color(Color& out) {
   }
   if (w == "hsv") {  // hue: an angle, or turns as a plain number
     double h = 0, s = 0, v = 0;
-    if (!c.open()) return false;
-    c.space();
-    const char* at = c.at;
-    if (!c.number(h)) return false;
-    if (c.unit().empty()) {
-    } else {
-      c.at = at;
-      if (!c.angle(h)) return false;
-      h /= 2 * pi;
-    }
+    bool angle = false;
+    if (!c.open() || !c.number_or_angle(h, angle)) return false;
+    if (angle) h /= 2 * pi;
     if (!c.number(s) || !c.number(v) || !c.close()) return false;
     out = from_hsv(h, s, v);
     return true;

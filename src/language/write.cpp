@@ -308,7 +308,7 @@ struct Writer {
     const FunctionSpec& spec = spec_of(s, slot.function);
     if (const auto* a = std::get_if<Attachment>(&*slot.set)) {
       if (a->kind >= AttachmentKind::hang && !find_object(s, a->parent)) return;
-      const std::string what = value(*slot.set, spec, -1);  // "couple to hand"
+      const std::string what = value(*slot.set, spec, -1);       // "couple to hand"
       const auto space = std::min(what.find(' '), what.size());  // none: nothing holds it, and that was said
       out += what.substr(0, space) + " " + s.objects[i].name + what.substr(space) + "\n";
       return;

@@ -33,7 +33,32 @@ const Shape& shape(Kind k) { return shapes[static_cast<int>(k)]; }
 Quat quat_of(const double* n) { return {n[0], n[1], n[2], n[3]}; }
 
 const char* article(lua_State* l, int index, Kind k) {
-  return k != Kind::none ? shape(k).article : luaL_typename(l, index);
+  if (k != Kind::none) return shape(k).article;
+  switch (lua_type(l, index)) {
+    case LUA_TNIL:
+      return "nothing";
+    case LUA_TBOOLEAN:
+      return "true or false";
+    case LUA_TNUMBER:
+      return "a number";
+    case LUA_TSTRING:
+      return "a text";
+    case LUA_TTABLE:
+      return "a list";
+    default:
+      return "a function";
+  }
+}
+
+// No strings of C++: an error of Lua leaves without destroying them.
+int no_arithmetic(lua_State* l, char op, Kind ka, Kind kb) {
+  const char *const a = article(l, 1, ka), *const b = article(l, 2, kb);
+  const char* const hint =
+      ka == Kind::matrix || kb == Kind::matrix ? "; its .x, .y and .z are numbers, as in value('a.world.x')" : "";
+  if (op == '+') return luaL_error(l, "%s and %s cannot be added%s", a, b, hint);
+  if (op == '-') return luaL_error(l, "%s cannot be subtracted from %s%s", b, a, hint);
+  if (op == '*') return luaL_error(l, "%s and %s cannot be multiplied%s", a, b, hint);
+  return luaL_error(l, "%s cannot be divided by %s%s", a, b, hint);
 }
 
 // a op b, number by number; a number counts for each. Quaternions multiply as turns one after the other, and turn
@@ -59,8 +84,7 @@ int arithmetic(lua_State* l) {
   const Kind kind = ka != Kind::none ? ka : kb;
   const bool fits = (ka == kb && kind != Kind::quat) || (ka == kb && !scales) ||
                     (scales && kb == Kind::none && number_b) || (op == '*' && ka == Kind::none && number_a);
-  if (!fits || kind == Kind::matrix)
-    return luaL_error(l, "there is no %s %c %s", article(l, 1, ka), op, article(l, 2, kb));
+  if (!fits || kind == Kind::matrix) return no_arithmetic(l, op, ka, kb);
   if (ka == Kind::none) std::fill(a, a + 4, lua_tonumber(l, 1));
   if (kb == Kind::none) std::fill(b, b + 4, lua_tonumber(l, 2));
   for (int i = 0; i < shape(kind).count; ++i)
@@ -71,7 +95,8 @@ int arithmetic(lua_State* l) {
 int negative(lua_State* l) {
   double a[16];
   const Kind kind = read(l, 1, a);
-  if (kind == Kind::matrix || kind == Kind::none) return luaL_error(l, "there is no - %s", article(l, 1, kind));
+  if (kind == Kind::matrix || kind == Kind::none)
+    return luaL_error(l, "%s has no opposite; its .x, .y and .z have", article(l, 1, kind));
   for (int i = 0; i < shape(kind).count; ++i) a[i] = -a[i];
   return push(l, kind, a), 1;
 }

@@ -48,7 +48,8 @@ struct Cutter {
   std::uint32_t object;
   FunctionId function;
   const LivePart& part;
-  const Track& primary;
+  const Track& primary;  // with what was set before its first event
+  const Track& said;     // without
   const Track& velocity;
   const bool is_scripted = scripted(primary) || scripted(part.rest);
   std::vector<Piece> out{};
@@ -91,12 +92,13 @@ struct Cutter {
     out.push_back(std::move(p));
   }
 
-  // From the release on the primary track goes from what was reached to its next event.
+  // From the release on the primary track goes from what was reached to its next event. What was set is no part of
+  // that: where this is the first one, it comes to its value and not to what held before it.
   void go_on(Time release) {
-    Track rest = primary;
+    Track rest = said;
     rest.events = {};
     std::optional<Event> last;
-    primary.events.each([&](const Event& e) {
+    said.events.each([&](const Event& e) {
       if (e.time < release)
         last = e;
       else
@@ -176,7 +178,7 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
   }
   const bool orientation = turns(slot, spec.type);
   const bool parts = !slot.components.empty() || !slot.velocity.components.empty();
-  const auto add = [&](const Track& primary, const Track& velocity, int component) {
+  const auto add = [&](const Track& primary, const Track& as_said, const Track& velocity, int component) {
     LivePart part;
     part.component = component;
     part.type = component < 0 ? spec.type : component_track_type(spec.type);
@@ -184,18 +186,18 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
     part.track = primary;
     part.rest = component < 0 || scripted(out.set) ? out.set : Value(component_of(out.set, component));
     if (!velocity.events.empty())
-      part.pieces = Cutter{compiled, object, slot.function, part, primary, velocity}.pieces();
+      part.pieces = Cutter{compiled, object, slot.function, part, primary, as_said, velocity}.pieces();
     if (part.pieces.empty() && !scripted(primary) && !has_values(primary) && component >= 0) return;
     out.parts.push_back(std::move(part));
   };
   if (!parts) {
-    add(*slot.track, *slot.velocity.track, -1);
+    add(*slot.track, *said.track, *slot.velocity.track, -1);
     return out;
   }
-  const Strand primary = split_into_components(slot, spec.type);
+  const Strand primary = split_into_components(slot, spec.type), as_said = split_into_components(said, spec.type);
   const Strand velocity = split_into_components(slot.velocity, spec.type);
   for (std::size_t i = 0; i < primary.components.size(); ++i)
-    add(*primary.components[i], *velocity.components[i], static_cast<int>(i));
+    add(*primary.components[i], *as_said.components[i], *velocity.components[i], static_cast<int>(i));
   return out;
 }
 

@@ -108,14 +108,14 @@ struct Asking {
     T value;
     Taken taken;
   };
-  std::vector<Sought> open;         // being worked out
-  std::vector<Sought> asked;        // what that has taken so far
-  std::size_t cut = SIZE_MAX;       // how deep in `open` the outermost cut reached
+  std::vector<Sought> open;    // being worked out
+  std::vector<Sought> asked;   // what that has taken so far
+  std::size_t cut = SIZE_MAX;  // how deep in `open` the outermost cut reached
   std::map<Sought, Found<Value>> found;
   std::map<std::int64_t, Found<std::shared_ptr<const Contacts>>> found_contacts;
-  std::uint64_t cost = 0;   // so far, in steps
-  std::uint64_t begun = 0;  // what it was when the outermost question began …
-  bool given_up = false;    // … which has taken more than it may: it is left without an answer
+  std::uint64_t cost = 0;           // so far, in steps
+  std::uint64_t begun = 0;          // what it was when the outermost question began …
+  bool given_up = false;            // … which has taken more than it may: it is left without an answer
   std::uint64_t most = UINT64_MAX;  // that all of it may take; whoever says less throws the answer away then
   bool in_haste() const { return most < UINT64_MAX; }
   std::vector<std::string> problems;
@@ -137,8 +137,8 @@ struct Asking {
 
   void say(std::string problem);
   void err(std::string problem, const std::string& source);  // of the author's code
-  bool is_open(const Taken&) const;  // one of what it asked is
-  void take(const Taken&);           // once more, for what is being worked out now
+  bool is_open(const Taken&) const;                          // one of what it asked is
+  void take(const Taken&);                                   // once more, for what is being worked out now
 };
 
 // An answer being worked out, and what it takes.
@@ -221,8 +221,8 @@ struct Node {
   std::int32_t around = -1, drive = -1;                                                                // sitings
   std::int32_t moving = -1;                                                                            // motions
   bool transform = false;                                                                              // it has one
-  bool looks = false;  // it is turned by what it looks at, or rolled
-  bool bends = false;  // it may be turned by what reaches for something
+  bool looks = false;        // it is turned by what it looks at, or rolled
+  bool bends = false;        // it may be turned by what reaches for something
   std::uint8_t reaches = 0;  // for something, by so many joints
 };
 
@@ -274,8 +274,8 @@ struct Schedule {
   std::vector<Source> sources;
   std::vector<CurveEvents> events;                              // of each source that is a curve
   std::vector<Activity> activities;                             // by source, then time
-  std::vector<Edge> begins, ends;                    // of all activities, by time
-  std::vector<LiveSource> lives;                     // nobody knows when they change
+  std::vector<Edge> begins, ends;                               // of all activities, by time
+  std::vector<LiveSource> lives;                                // nobody knows when they change
   const Activity* active(const Source&, std::int64_t t) const;  // in which it goes on changing behind t; or null
 };
 
@@ -322,13 +322,13 @@ struct Program::Compiled {
   std::vector<Skin> skins;
   std::vector<std::shared_ptr<const Shape>> shapes;  // those that do not vary, each once
   std::vector<std::shared_ptr<const Picture>> textures;
-  std::vector<std::uint32_t> lights, eyes;  // nodes; eyes: those that look at something
-  std::vector<std::uint32_t> borrowers;     // drawables that may look like others
+  std::vector<std::uint32_t> lights, eyes;    // nodes; eyes: those that look at something
+  std::vector<std::uint32_t> borrowers;       // drawables that may look like others
   std::optional<std::uint32_t> first_camera;  // an object
   Schedule schedule;
-  std::vector<CompiledSpan> spans;   // by node, then time
+  std::vector<CompiledSpan> spans;          // by node, then time
   std::vector<std::uint32_t> held_by_code;  // nodes, at some time
-  mutable std::vector<Frozen> frozen;  // all done when compiling ends
+  mutable std::vector<Frozen> frozen;       // all done when compiling ends
   std::vector<std::shared_ptr<const Environment>> environments;
   std::vector<Siting> sitings;
   std::vector<Moving> movings;
@@ -336,12 +336,12 @@ struct Program::Compiled {
   // asks for one value waits for this one. Few are asked one by one.
   std::optional<EnvironmentSet> mutable many;
   mutable std::mutex many_in_use;
-  bool sited = false;                  // some node is in an environment
-  bool looks = false;                  // some node is turned by what it looks at
-  bool turning = false;                // some node hangs on how another is turned alone
+  bool sited = false;                     // some node is in an environment
+  bool looks = false;                     // some node is turned by what it looks at
+  bool turning = false;                   // some node hangs on how another is turned alone
   std::vector<playing::Offsets> offsets;  // by node
-  std::vector<std::string> notices;    // attachments that had to be ignored
-  std::vector<std::uint32_t> node_of;  // per object
+  std::vector<std::string> notices;       // attachments that had to be ignored
+  std::vector<std::uint32_t> node_of;     // per object
 
   bool draws(std::uint32_t node) const { return node < drawables.size(); }
   const Binding& find(std::uint32_t object, FunctionId f) const;
@@ -356,9 +356,11 @@ struct Program::Compiled {
   // so one component may look at another.
   Value live_value(std::int32_t live, Time t, Asking&, int component = -1) const;
   bool parted(std::int32_t live, int component) const;
-  // The rate of change per second, as the author would write it; nothing where that means nothing.
-  std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&) const;
-  bool said_velocity(const LivePart&, Time t, double* out) const;  // by a reign or by its curve; false: by neither
+  // The rate of change per second, as the author would write it; nothing where that means nothing. From the time on, or
+  // `coming` to it.
+  std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&, bool coming = false) const;
+  // By a reign or by its curve; false: by neither.
+  bool said_velocity(const LivePart&, Time t, bool coming, double* out) const;
   Value read(const Target&, Time t, Asking&) const;
   Value heard(const Target&, Time t, Asking&) const;
   // Each twerper that failed, named once among the problems.
@@ -375,7 +377,10 @@ struct Program::Compiled {
   // `drive`: the product of the environments that drive it, where that is known.
   std::optional<Mat4> driven(const Node&, Time t, Asking&, const Mat4* drive = nullptr) const;
   std::optional<Mat4> moved(const Node&, Time t) const;
-  Sited placement(std::uint32_t node, Time t, Asking&) const;  // of one, evaluating only what it hangs on
+  // Of one, evaluating only what it follows from; not `turned`: only where it is counts.
+  Sited placement(std::uint32_t node, Time t, Asking&, bool turned = true) const;
+  Vec3 place(std::uint32_t node, Time t, Asking&) const;  // in the world
+  double place(std::uint32_t node, Time t, Asking&, int component) const;
   Carrier carried(const Node&, Time t, Asking&) const;
   // At a share of the length of the line that an object is, in the world; none: there is no such line.
   std::optional<MeasuredLine::Place> on_line(ObjectId road, double share, Time t, Asking&) const;

@@ -155,6 +155,7 @@ void Evaluator::evaluate_lives(Asking& asking, bool solids) {
   const InStage stage(Stage::procedures);
   for (const Schedule::LiveSource& live : compiled_.schedule.lives) {
     if ((solids && !live.solid) || live.binding->function == fn::attachment) continue;
+    if (only_ && !only_->wants(live)) continue;
     if (live.binding->channels == 0) {
       marks_.add(live.node, live.affects);
       continue;
@@ -198,8 +199,7 @@ void Evaluator::stay() {
   changed.clear();
 }
 
-void Evaluator::to(Time t, Asking& asking, bool solids) {
-  const InStage stage(Stage::tracks);
+void Evaluator::play_to(Time t) {
   stay();
   collect(t.flicks);
   if (fresh_)
@@ -210,6 +210,21 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   now_ = t;
   play(t.flicks);
   for (const std::uint32_t i : due_) evaluate(i, t.flicks);
+}
+
+void Evaluator::place(Time t, Asking& asking, const Needed& wanted) {
+  only_ = &wanted;
+  play_to(t);
+  evaluate_lives(asking, false);
+  take_hold(asking);
+  environments(true);
+  places(asking);
+  only_ = nullptr;
+}
+
+void Evaluator::to(Time t, Asking& asking, bool solids) {
+  const InStage stage(Stage::tracks);
+  play_to(t);
   evaluate_lives(asking, solids);
   take_hold(asking);
   environments(!solids);

@@ -13,6 +13,7 @@
 
 #include "betwixt/evaluation.h"
 #include "program/compiled.h"
+#include "program/needed.h"
 #include "program/playing.h"
 
 namespace betwixt {
@@ -25,7 +26,8 @@ class Evaluator {
 
   // `solids`: of what is worked out by asking, only what says where things are and how large.
   void to(Time, Asking&, bool solids = false);
-  void stay();  // at this time: nothing has changed
+  void place(Time, Asking&, const Needed&);  // at a time, and only what it takes to know where one node is
+  void stay();                               // at this time: nothing has changed
   bool fresh() const { return fresh_; }
   Time time() const { return now_; }
 
@@ -62,6 +64,7 @@ class Evaluator {
   const Program::Compiled& compiled() const { return compiled_; }
 
  private:
+  void play_to(Time);
   void touch(std::uint32_t source, std::int64_t t);
   void collect(std::int64_t t);
   void evaluate(std::uint32_t source, std::int64_t t);
@@ -104,6 +107,7 @@ class Evaluator {
   }
 
   const Program::Compiled& compiled_;
+  const Needed* only_ = nullptr;  // what is wanted; null: all
   bool fresh_ = true;
   Time now_;
   std::vector<double> numbers_;
@@ -131,20 +135,20 @@ class Evaluator {
 
   std::int64_t tick_ = INT64_MIN;
   std::optional<EnvironmentSet> many_;
-  std::vector<Mat4> products_;  // by siting
-  std::vector<Own> owns_;       // by node, where any is held: before it is
-  std::vector<Mat4> worlds_;    // by node, without what encloses them
-  std::vector<Quat> turns_;     // by node, where any wants to know
+  std::vector<Mat4> products_;           // by siting
+  std::vector<Own> owns_;                // by node, where any is held: before it is
+  std::vector<Mat4> worlds_;             // by node, without what encloses them
+  std::vector<Quat> turns_;              // by node, where any wants to know
   std::vector<Mat4> around_, shown_;     // where any is enclosed: what by, and drawables' worlds in it
   std::vector<std::uint32_t> alike_[2];  // nodes to be placed that have angles, and orientations
   std::vector<std::uint32_t> dirty_places_;
   std::vector<std::vector<Mat4>> palettes_;  // by skin
 
   std::vector<std::shared_ptr<const Shape>>
-      forms_;  // by drawable: those that vary; then those on curves through others
-  std::vector<std::uint8_t> stale_;                  // … and must be made anew
-  std::vector<std::uint32_t> renewed_;               // the turn at which it was
-  playing::Marks flags_;                             // nodes that differ; `changed` has the drawables among them
+      forms_;                           // by drawable: those that vary; then those on curves through others
+  std::vector<std::uint8_t> stale_;     // … and must be made anew
+  std::vector<std::uint32_t> renewed_;  // the turn at which it was
+  playing::Marks flags_;                // nodes that differ; `changed` has the drawables among them
 };
 
 }  // namespace betwixt

@@ -61,6 +61,7 @@ void Evaluator::arrange_eyes() {
   for (const std::uint32_t e : compiled_.eyes) is_eye[e] = true;
   std::vector<std::uint32_t> chain;
   for (std::uint32_t start = 0; start < order_.size(); ++start) {
+    if (!is_eye[start]) continue;
     for (auto i = static_cast<std::int32_t>(start); i >= 0 && !seen[static_cast<std::size_t>(i)];
          i = parent_[static_cast<std::size_t>(i)]) {
       seen[static_cast<std::size_t>(i)] = true;
@@ -130,7 +131,7 @@ void Evaluator::place_marked(Asking& asking) {
   dirty_places_.clear();
   for (auto& alike : alike_) alike.clear();
   for (const std::uint32_t node : marks_.all()) {
-    if (!(marks_[node] & affects::place)) continue;
+    if (!(marks_[node] & affects::place) || (only_ && !only_->places[node])) continue;
     if (const Node& n = compiled_.nodes[node]; n.transform || n.drive >= 0 || n.moving >= 0)
       settle(node, own_of(node, asking));
     else
@@ -228,6 +229,7 @@ void Evaluator::turn_eyes(Asking& asking) {
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
   for (const std::uint32_t eye : eyes_) {
     const Node& n = compiled_.nodes[eye];
+    if (only_ && !only_->aims[eye]) continue;
     if (n.reaches) reach(eye, asking);
     if (!n.looks) continue;
     const auto target = compiled_.aim(n.object, fn::look_at, now_, numbers_.data(), in_world, asking);
@@ -245,8 +247,11 @@ void Evaluator::turn_eyes(Asking& asking) {
     Mat4 turned = n.kind == Kind::camera ? rotation(turn) : rotation(turn * conjugate(was)) * linear_part(before);
     for (int i = 0; i < 3; ++i) turned(i, 3) = place[i];
     if (!turns_.empty()) turns_[eye] = turn;
-    const auto back = inverse(around);
-    put_world(eye, back ? *back * turned : turned);
+    if (const auto back = inverse(around)) {
+      turned = *back * turned;
+      for (int i = 0; i < 3; ++i) turned(i, 3) = worlds_[eye](i, 3);  // to the last bit where it was
+    }
+    put_world(eye, turned);
     show_sited(eye);
     each_below(eye, [&](std::uint32_t i) {
       if (i != eye) compose(i);

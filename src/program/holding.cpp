@@ -74,6 +74,7 @@ CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking)
 void Evaluator::take_hold(Asking& asking) {
   for (std::size_t k = 0; k < by_code_.size(); ++k) {
     const std::uint32_t node = compiled_.held_by_code[k];
+    if (only_ && !only_->held[node]) continue;
     const CompiledSpan now = compiled_.held(node, now_, asking);
     CompiledSpan& was = by_code_[k];
     if (!now.computed || (held_[node] == &was && was.kind == now.kind && was.parent == now.parent)) continue;

@@ -106,7 +106,7 @@ struct Worker {
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
-    if (asking.work(cost + 300)) return std::nullopt;  // beginning is work, too
+    if (asking.work(cost + 300)) return std::nullopt;                      // beginning is work, too
     if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // there is no such thing as its value
     const auto say = [&](const std::string& why) {
       asking.err(
@@ -270,9 +270,8 @@ struct Worker {
       return as_written(part, n.data(), p.primary.orientation);
     }
     const Reign& reign = c.reigns[static_cast<std::size_t>(p.reign)];
-    // Where the track has not begun, the anchor is what is set (R-T5).
-    const Value anchor = i > 1 || (i == 1 && begun(part, p.from)) ? piece_value(part, i - 1, p.from)
-                                                                  : event_value(part.rest, part, t, p.from);
+    // What the track had at that time, whatever it was before its first event (R-T5).
+    const Value anchor = piece_value(part, i - 1, p.from);
     Numbers sum{};
     reign.sum(c.set, t, sum.data());
     if (part.orientation) {
@@ -282,12 +281,6 @@ struct Worker {
     }
     const auto both = add_scaled(anchor, value_of_numbers(part.value_type(), sum.data()), 1);
     return both ? *both : anchor;
-  }
-
-  static bool begun(const LivePart& part, Time t) {
-    bool any = false;
-    part.track.events.each([&](const Event& e) { any = any || (e.time <= t && !e.keep); });
-    return any;
   }
 
   Value part_value(const LivePart& part, Time t) const {
@@ -437,6 +430,19 @@ bool Program::Compiled::parted(std::int32_t index, int component) const {
                      [&](const LivePart& part) { return part.component == component; });
 }
 
+namespace {
+
+std::string too_far_back(const std::string& name, std::size_t steps, bool adds_up) {
+  std::string said = fmt::format(
+      "{} looks back at its own past through more than {} earlier times. Beyond them its last value without a "
+      "procedure "
+      "counts, so from here on it is not what its code says: look back in longer steps, or say it by t alone",
+      name, steps);
+  return adds_up ? said + fmt::format("; what adds up to it may be {}.velocity", name) : said;
+}
+
+}  // namespace
+
 Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
   const Worker worker{*this, live, asking};
@@ -446,9 +452,11 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
   if (again != asking.open.end() || asking.open.size() >= deepest) {  // now no procedure answers
     const bool circle = again != asking.open.end();
     asking.cut = std::min(asking.cut, circle ? static_cast<std::size_t>(again - asking.open.begin()) : 0);
-    asking.say(document.name(Target{{live.object}, live.function, -1}) +
-               (circle ? " reads itself in a circle" : " reads itself at too many times, one through the other") +
-               ": inside, its last value without a procedure counts");
+    const std::string name = document.name(Target{{live.object}, live.function, -1});
+    if (circle)
+      asking.say(name + " reads itself in a circle: inside, its last value without a procedure counts");
+    else
+      asking.say(too_far_back(name, deepest, has_velocity(spec_of(document.scene(), live.function).type)));
     return worker.without_asking(t, component);
   }
   if (const auto known = asking.found.find(key); known != asking.found.end()) {

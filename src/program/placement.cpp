@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "program/evaluator.h"
+#include "program/needed.h"
 #include "program/placing.h"
 
 namespace betwixt {
@@ -71,16 +72,20 @@ Said said_by(const Node& n, const double* numbers) {
           {}};
 }
 
-Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& asking) {
+Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& asking, bool turned) {
   double x[4] = {};
   const auto numbers = [&](FunctionId f) {
     compiled.evaluate(compiled.find(n.object, f), t, asking, x);
     return vec3(x);
   };
   Said said;
-  numbers(fn::rotation);
-  said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
-  said.scale = numbers(fn::scale), said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
+  said.scale = {1, 1, 1};
+  if (turned || !turns_in_place(compiled, n)) {
+    numbers(fn::rotation);
+    said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
+    said.scale = numbers(fn::scale);
+  }
+  said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
   said.attach = numbers(fn::attach_position);
   said.own = compiled.driven(n, t, asking), said.motion = compiled.moved(n, t);
   return said;
@@ -180,14 +185,15 @@ std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& ask
   return m;
 }
 
-Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) const {
+Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking, bool turned) const {
   std::vector<std::pair<std::uint32_t, CompiledSpan>> chain;
   for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
     const Node& n = nodes[static_cast<std::size_t>(i)];
-    if (n.looks || n.bends) {  // it turns with what it looks at, or what reaches for something
-      Evaluator all(*this);
-      all.to(t, asking);
-      return {all.placed(node), all.around(node)};
+    const bool looks = n.looks && (turned || !chain.empty());  // it turns about the place where it is
+    if (looks || n.bends) {  // it turns with what it looks at, or what reaches for something
+      Evaluator some(*this);
+      some.place(t, asking, needed(*this, node, turned, t, asking));
+      return {some.placed(node), some.around(node)};
     }
     chain.emplace_back(static_cast<std::uint32_t>(i), held(static_cast<std::uint32_t>(i), t, asking));
     const CompiledSpan& h = chain.back().second;
@@ -198,13 +204,28 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking) c
     const Node& n = nodes[chain.back().first];
     const CompiledSpan* h = &chain.back().second;
     if (h->frozen >= 0) thaw(h->frozen, asking);
-    const Said said = said_at(*this, n, t, asking);
+    const Said said = said_at(*this, n, t, asking, turned || chain.size() > 1);
     const Frozen* f = h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     if (h->kind < AttachmentKind::hang) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(own_place(said), said.attach, h, f, &placed);
     if (n.around >= 0) placed.around = placed.around * product(n.around, t);
   }
   return placed;
+}
+
+Vec3 Program::Compiled::place(std::uint32_t node, Time t, Asking& asking) const {
+  return translation_of(placement(node, t, asking, false).in_world());
+}
+
+double Program::Compiled::place(std::uint32_t node, Time t, Asking& asking, int component) const {
+  const Node& n = nodes[node];
+  const Binding& position = find(n.object, fn::position);
+  const bool bare = position.live >= 0 && parted(position.live, component) && turns_in_place(*this, n) && !n.bends &&
+                    n.moving < 0 && n.around < 0;
+  if (bare && held(node, t, asking).kind == AttachmentKind::detach)
+    if (const Value v = live_value(position.live, t, asking, component); const auto* d = std::get_if<double>(&v))
+      return *d + 0.0;  // no -0, as in matrices
+  return place(node, t, asking)[component];
 }
 
 Kinematics Program::kinematics(ObjectId object, Time t) const {

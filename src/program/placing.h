@@ -17,8 +17,8 @@ struct Said {
 };
 
 Said said_by(const Node&, const double* numbers);
-// The same of one node alone.
-Said said_at(const Program::Compiled&, const Node&, Time, Asking&);
+// The same of one node alone; not `turned`: what says where it is.
+Said said_at(const Program::Compiled&, const Node&, Time, Asking&, bool turned = true);
 // By these alone: scale and rotation about the pivot, then the move (R-H7).
 Placed own_place(const Said&);
 // R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.

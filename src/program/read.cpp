@@ -34,9 +34,7 @@ void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const
 
 // Of a sound, as it is heard at a time.
 Value Program::Compiled::heard(const Target& target, Time t, Asking& asking) const {
-  const auto number = [&](FunctionId f) {
-    return std::get<double>(read(Target(target.object, f), t, asking));
-  };
+  const auto number = [&](FunctionId f) { return std::get<double>(read(Target(target.object, f), t, asking)); };
   const auto& sounds = *document.scene().sounds;
   const auto found = sounds.find(*std::get<Text>(read(Target(target.object, fn::sound_file), t, asking)));
   if (found == sounds.end()) return 0.0;
@@ -69,7 +67,8 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
   }
   if (query == Query::loudness || query == Query::onsets) return heard(target, t, asking);
   if (query == Query::in_view) return contacts(t, asking)->sight(target.object) != Sight::out;
-  if (query == Query::world) return place_in(placement(node_of[object], t, asking).in_world(), target.component);
+  if (query == Query::world && target.component >= 0) return place(node_of[object], t, asking, target.component);
+  if (query == Query::world) return Matrix(placement(node_of[object], t, asking).in_world());
   if (target.velocity) {
     const auto v = velocity(object, target.function, t, asking);
     return part(v.value_or(Value(0.0)), target.component);
@@ -88,15 +87,18 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
     if (type == Type::aim && b.steps >= 0) {
       const Between w = between(b, t);
       if (w.a != w.b) {
-        Evaluator all(*this);
-        all.to(t, asking);
         // What is in focus is told as distances are held: before the camera.
-        const auto own = target.function == fn::focus ? inverse(all.world(node_of[object])) : std::nullopt;
-        const auto place = [&](std::uint32_t node) {
-          const Vec3 there = translation_of(all.world(node));
-          return own ? Vec3{0, 0, transform_point(*own, there).z} : there;
+        const bool focus = target.function == fn::focus;
+        const auto own = focus ? inverse(placement(node_of[object], t, asking).in_world()) : std::nullopt;
+        const auto there = [&](std::uint32_t node) {
+          const Vec3 p = place(node, t, asking);
+          return own ? Vec3{0, 0, transform_point(*own, p).z} : p;
         };
-        if (const auto p = aim(object, target.function, t, all.numbers(), place, asking))
+        std::vector<double> numbers = rest;
+        numbers.resize(numbers.size() + 4);
+        const Binding& beside = find(object, fn::look_offset);
+        evaluate(beside, t, asking, &numbers[beside.offset]);
+        if (const auto p = aim(object, target.function, t, numbers.data(), there, asking))
           return part(*p, target.component);
       }
     }

@@ -26,7 +26,7 @@ Vec3 turning(const Value& from, const Value& to) {
   return l > 1e-15 ? (2 * std::atan2(l, d.w) / l) * v : Vec3{};
 }
 
-// The slope at the first of three values, as long after each other.
+// The slope at the first of three values, as long after each other; where that is below 0, before each other.
 std::optional<Value> slope(const Value (&v)[3], double seconds, Type type) {
   if (std::holds_alternative<Quat>(v[0]) || std::holds_alternative<Quat>(v[1]))
     return Value((1 / (2 * seconds)) * (4 * turning(v[0], v[1]) - turning(v[0], v[2])));
@@ -40,19 +40,26 @@ std::optional<Value> slope(const Value (&v)[3], double seconds, Type type) {
 
 }  // namespace
 
-bool Program::Compiled::said_velocity(const LivePart& part, Time t, double* out) const {
+bool Program::Compiled::said_velocity(const LivePart& part, Time t, bool coming, double* out) const {
   if (part.pieces.empty()) return false;
-  const Piece& p = part.pieces[part.piece_at(t)];
+  const Time just_before{t.flicks - 1};
+  const Piece& p = part.pieces[part.piece_at(coming ? just_before : t)];
   if (p.reign >= 0) {
-    set.evaluate(reigns[static_cast<std::size_t>(p.reign)].velocity(), t, out);
+    const Curve& rate = reigns[static_cast<std::size_t>(p.reign)].velocity();
+    set.evaluate(rate, coming ? just_before : t, out);
+    if (!coming) return true;
+    double earlier[4] = {};  // and on to the time itself
+    set.evaluate(rate, {t.flicks - 2}, earlier);
+    for (std::size_t i = 0; i < rate.channels; ++i) out[i] += out[i] - earlier[i];
     return true;
   }
   if (p.scripted || row_of(part.type).light) return false;
-  if (p.primary.count > 0) set.derivative(p.primary, t, out);
+  if (p.primary.count > 0) set.derivative(p.primary, t, out, coming);
   return p.primary.count > 0;
 }
 
-std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionId f, Time t, Asking& asking) const {
+std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionId f, Time t, Asking& asking,
+                                                 bool coming) const {
   const Binding& b = find(object, f);
   const Type type = spec_of(document.scene(), f).type;
   if (!has_velocity(type)) return std::nullopt;
@@ -64,7 +71,7 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
     if (b.channels == 0) return std::nullopt;
     for (std::uint32_t i = 0; i < b.curves; ++i) {
       const CurveUse& use = curves[b.first_curve + i];
-      set.derivative(use.curve, t, n + (use.offset - b.offset));
+      set.derivative(use.curve, t, n + (use.offset - b.offset), coming);
     }
     return as_rate(n, b.orientation);
   }
@@ -74,15 +81,15 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
     bool all = live.strands.size() == 1 && own.filters.empty() && !own.parts.empty();
     bool orientation = false;
     for (const LivePart& part : own.parts) {
-      all = all && said_velocity(part, t, n + std::max(part.component, 0));
+      all = all && said_velocity(part, t, coming, n + std::max(part.component, 0));
       orientation = orientation || part.orientation;
     }
     if (all) return as_rate(n, orientation);
   }
-  // Three values close by, from here on: values are continuous to the right.
-  const std::int64_t h = flicks_per_second / 8192;
+  // Three values close by, from here on: values are continuous to the right. What comes from before ends just before.
+  const std::int64_t h = (coming ? -1 : 1) * (flicks_per_second / 8192);
   const auto at = [&](std::int64_t steps) -> Value {
-    const Time when{t.flicks + steps * h};
+    const Time when{t.flicks + steps * h - (coming ? 1 : 0)};
     if (b.live >= 0) return live_value(b.live, when, asking);
     double x[4] = {};
     evaluate(b, when, asking, x);

@@ -4,6 +4,9 @@
 // The context, on surfaceless EGL.
 #include <epoxy/egl.h>
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <mutex>
 
 #include "render/gl.h"
 
@@ -15,14 +18,35 @@ Error no_graphics(const char* why) {
               "on Debian: apt install libegl1 libgl1-mesa-dri");
 }
 
+EGLDisplay surfaceless() {
+  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
+  return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+}
+
+// That of the last device, which draws in software.
+EGLDisplay software() {
+  EGLDeviceEXT devices[16];
+  EGLint count = 0;
+  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") || !eglQueryDevicesEXT(16, devices, &count) ||
+      count == 0)
+    return EGL_NO_DISPLAY;
+  return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[count - 1], nullptr);
+}
+
 // All contexts of the process share one display. It is never shut down: other threads, or the host program, may be
-// using it.
+// using it. A process that was forked has its parent's display without the threads that draw for it, so it opens the
+// other one.
 EGLDisplay open_display() {
-  static const EGLDisplay display = [] {
-    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
-    const EGLDisplay d = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    return d != EGL_NO_DISPLAY && eglInitialize(d, nullptr, nullptr) ? d : EGL_NO_DISPLAY;
-  }();
+  static std::mutex mutex;
+  static EGLDisplay display = EGL_NO_DISPLAY;
+  static pid_t owner = 0;
+  static int opened = 0;
+  const std::lock_guard lock(mutex);
+  if (owner == ::getpid()) return display;
+  owner = ::getpid();
+  ++opened;
+  display = opened == 1 ? surfaceless() : opened == 2 ? software() : EGL_NO_DISPLAY;
+  if (display != EGL_NO_DISPLAY && !eglInitialize(display, nullptr, nullptr)) display = EGL_NO_DISPLAY;
   return display;
 }
 

@@ -29,9 +29,9 @@ struct Lighting {
     // How large it is, for the shadow's edge: a lamp's radius, of a sun that of its disc a metre away; 0: a point.
     double size = 0;
   };
-  std::vector<One> lights;  // `most` at most; first those that cast shadows, then the most important ones
-  std::size_t casting = 0;  // how many of them do, `most_casting` at most
-  Vec3 sky, ground;         // ambient light from above and below
+  std::vector<One> lights;      // `most` at most; first those that cast shadows, then the most important ones
+  std::size_t casting = 0;      // how many of them do, `most_casting` at most
+  Vec3 sky, ground;             // ambient light from above and below
   Vec3 zenith, horizon, below;  // the sky, if it is seen
 };
 

@@ -14,7 +14,7 @@ namespace betwixt {
 class Surfaces {
  public:
   static Result<Surfaces> create(bool open);  // open: light does not roll off
-  struct Circumstances {  // of a frame
+  struct Circumstances {                      // of a frame
     const View& view;
     const Lighting& lighting;
     std::span<const Shadows::Map> shadows;  // of the first lights

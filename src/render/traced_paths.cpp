@@ -91,8 +91,8 @@ Paths::Paths(const World& world, const View& view, const Scenery& scenery)
       bends_(!scenery.background) {}
 
 Ray Paths::through(double across, double down) const {
-  const Vec3 there = (2 * across - 1 - view_.shift_x) / view_.sx * view_.right +
-                     (1 - 2 * down - view_.shift_y) / view_.sy * view_.up;
+  const Vec3 there =
+      (2 * across - 1 - view_.shift_x) / view_.sx * view_.right + (1 - 2 * down - view_.shift_y) / view_.sy * view_.up;
   return view_.orthographic ? Ray{there, -view_.backward} : Ray{{}, unit(there - view_.backward)};
 }
 

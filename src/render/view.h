@@ -21,11 +21,11 @@ struct View {
   Vec3 eye;                  // world
   Vec3 right, up, backward;  // world, the camera's x, y and z
   bool orthographic = false;
-  double sx = 1, sy = 1;         // camera x/y to clip space, at depth 1 (perspective) or at any depth (orthographic)
-  double near = 0.1, far = 100;  // metres before the eye; chosen by fit()
-  int width = 1, height = 1;     // pixels of the picture
-  std::array<Vec3, 4> side;      // inward normals of the frustum's side planes; of unit length
-  double wide = 0, tall = 0;     // half the measures of an orthographic picture
+  double sx = 1, sy = 1;            // camera x/y to clip space, at depth 1 (perspective) or at any depth (orthographic)
+  double near = 0.1, far = 100;     // metres before the eye; chosen by fit()
+  int width = 1, height = 1;        // pixels of the picture
+  std::array<Vec3, 4> side;         // inward normals of the frustum's side planes; of unit length
+  double wide = 0, tall = 0;        // half the measures of an orthographic picture
   double shift_x = 0, shift_y = 0;  // halves of the picture by which all is moved right and up
 
   double depth(Vec3 p) const { return -dot(p, backward); }

@@ -65,7 +65,7 @@ const KindRow& row_of(Kind);
 std::optional<Kind> find_kind(std::string_view name);
 
 std::string written_of(const KindRow&);  // with what all of its sort have
-std::string a_kind(Kind);  // "a sphere", "an environment"
+std::string a_kind(Kind);                // "a sphere", "an environment"
 inline bool drawable(Kind k) { return row_of(k).fill != Fill::nothing; }
 inline bool placed(Kind k) { return row_of(k).placed; }
 

@@ -16,8 +16,8 @@ bool exactly(const Strand& a, const Strand& b) {
 }
 
 bool exactly(const Slot& a, const Slot& b) {
-  return a.function == b.function && a.layer == b.layer && a.set == b.set && exactly(static_cast<const Strand&>(a), b) &&
-         exactly(a.velocity, b.velocity) && a.filters == b.filters;
+  return a.function == b.function && a.layer == b.layer && a.set == b.set &&
+         exactly(static_cast<const Strand&>(a), b) && exactly(a.velocity, b.velocity) && a.filters == b.filters;
 }
 
 // What was said to it may be the same, and when it was said not: that is asked for where it counts.

@@ -18,8 +18,8 @@
 namespace betwixt {
 namespace {
 
-constexpr int most_open_lines = 10'000;  // of one command
-constexpr int most_attempts = 3;         // while others change the document, before they wait …
+constexpr int most_open_lines = 10'000;    // of one command
+constexpr int most_attempts = 3;           // while others change the document, before they wait …
 constexpr Nanos most_waited = 50'000'000;  // … for what takes no more of a processor than this
 constexpr int most_in_vain = 12;           // attempts at what takes longer
 

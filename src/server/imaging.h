@@ -105,7 +105,7 @@ class Imaging {
   };
   std::vector<Event> events() { return std::exchange(events_, {}); }
   void shown(const std::vector<Shown>&);  // in their order
-  bool frames_wanted() const;  // a host has subscribed to something that frames tell
+  bool frames_wanted() const;             // a host has subscribed to something that frames tell
 
   const Document& document() const { return editor_.now().document; }
   const Program& program();  // of this document
@@ -243,7 +243,7 @@ class Imaging {
   std::deque<Shown> shown_;              // frames of which nobody has been told yet …
   bool telling_ = false;                 // … and somebody is at it
   std::shared_ptr<ContactWatch> watch_;  // while anybody wants to know
-  Time told_;  // notes up to here have been told
+  Time told_;                            // notes up to here have been told
   std::vector<Event> events_;
   Nanos begun_ = 0;
   std::uint64_t lines_ = 0, commands_ = 0, refused_ = 0, bytes_ = 0;

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_used = std::size_t{64} << 20;  // bytes of a file in which names are looked for
 
-// Where a diagnostic stands. One that says no place is about the whole film, and begins with what it is about: it stands
-// where that is made.
+// Where a diagnostic stands. One that says no place is about the whole film, and begins with what it is about: it
+// stands where that is made.
 Span place_of(const Diagnostic& d, const TextLines& lines) {
   if (d.what.place.line > 0) return span_of(lines, d.what.place);
   const std::string_view name = std::string_view(d.what.message).substr(0, d.what.message.find_first_of(" .,'"));

@@ -27,12 +27,12 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t most_events_waiting =
-    1 << 20;  // bytes that a host has not read, beyond which it is told of no more
-constexpr int turn_lines = 64;                        // of a host in one turn …
-constexpr Nanos turn_time = 4'000'000;                // … unless they take longer than this, …
-constexpr Nanos all_turns = 20'000'000;               // … or all turns of a round than this
-constexpr Nanos patience = 10'000'000'000;            // for a token, and for whoever reads nothing of much
-constexpr Nanos parting_time = 200'000'000;           // from one question whether somebody is still there to the next
+    1 << 20;                                 // bytes that a host has not read, beyond which it is told of no more
+constexpr int turn_lines = 64;               // of a host in one turn …
+constexpr Nanos turn_time = 4'000'000;       // … unless they take longer than this, …
+constexpr Nanos all_turns = 20'000'000;      // … or all turns of a round than this
+constexpr Nanos patience = 10'000'000'000;   // for a token, and for whoever reads nothing of much
+constexpr Nanos parting_time = 200'000'000;  // from one question whether somebody is still there to the next
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
 constexpr std::size_t most_strangers = 64;  // who have not said it yet
@@ -413,9 +413,9 @@ class Server {
   const int epoll_, wake_;
   std::unordered_map<int, Guest> guests_;  // by their files
   std::unordered_map<Imaging::Host, int> files_;
-  std::set<int> busy_;  // with lines that have not been looked at
-  std::set<int> kept_;  // … and whose next one is for later
-  std::set<int> full_;  // who have much to read before they are heard again
+  std::set<int> busy_;     // with lines that have not been looked at
+  std::set<int> kept_;     // … and whose next one is for later
+  std::set<int> full_;     // who have much to read before they are heard again
   std::set<int> parting_;  // who have closed their end while a thread works for them
   Lanes lanes_;
   Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};

@@ -38,9 +38,9 @@ class Busy {
   const bool shown_;
 };
 
-constexpr int typing_rests_after = 1000;  // ms: what is typed until then is one step
-constexpr int file_rests_after = 150;     // ms
-constexpr int ticks_a_second = 120;       // how often it is looked which frame is due
+constexpr int typing_settles_after = 1000;  // ms: what is typed until then is one step, and in the journal
+constexpr int file_rests_after = 150;       // ms
+constexpr int ticks_a_second = 120;         // how often it is looked which frame is due
 
 }  // namespace
 
@@ -56,9 +56,9 @@ Desk::Desk(const LoadOptions& options) : program_(Program::compile(Document())) 
   doors.load = [](const std::string& file) { return use_plugin(file); };
   session_ = std::make_unique<Session>(std::move(doors), options);
   session_->keep_in_place();
-  typing_rests_.setSingleShot(true), typing_rests_.setInterval(typing_rests_after);
+  typing_settles_.setSingleShot(true), typing_settles_.setInterval(typing_settles_after);
   clock_.setInterval(1000 / ticks_a_second), clock_.setTimerType(Qt::PreciseTimer);
-  connect(&typing_rests_, &QTimer::timeout, this, &Desk::settle_typing);
+  connect(&typing_settles_, &QTimer::timeout, this, &Desk::settle_typing);
   file_rests_.setSingleShot(true), file_rests_.setInterval(file_rests_after);
   connect(&watcher_, &QFileSystemWatcher::fileChanged, &file_rests_, qOverload<>(&QTimer::start));
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, &file_rests_, qOverload<>(&QTimer::start));
@@ -187,12 +187,13 @@ void Desk::retype(std::string text) {
   Loaded loaded = session_->look_ahead(c.lines.first, c.lines.last, c.others);
   typing_ = ahead_ = true;
   text_ = std::move(text), diagnostics_ = std::move(loaded.diagnostics);
-  typing_rests_.start();
+  // Not from the last key on: who types without a pause would lose it all in a crash.
+  if (!typing_settles_.isActive()) typing_settles_.start();
   show(std::move(loaded.document));
 }
 
 void Desk::settle_typing() {
-  typing_rests_.stop();
+  typing_settles_.stop();
   if (!std::exchange(typing_, false)) return;
   const std::string before = session_->text();
   if (before != text_) {

@@ -136,8 +136,8 @@ class Desk : public QObject {
   QFileSystemWatcher watcher_;
   QTimer file_rests_;      // editors write in several goes
   std::string file_text_;  // what the file held when we last looked
-  bool typing_ = false;  // text_ is not the session's
-  QTimer typing_rests_, clock_;
+  bool typing_ = false;    // text_ is not the session's
+  QTimer typing_settles_, clock_;
   Transport transport_;
   std::optional<std::pair<Time, Time>> range_;
   Time time_;

@@ -102,7 +102,11 @@ void EventHands::insert() {
   // An event would take the place of what code says, for the whole film.
   for (const Target& t : where)
     if (Target whole(t.object, t.function); !t.layer && !made_by(desk_.document(), whole, desk_.time()).code.empty())
-      emit desk_.said({}, tr("code says what %1 is: an event would end that").arg(QString::fromStdString(desk_.document().name(whole))) + "\n", true);
+      emit desk_.said({},
+                      tr("code says what %1 is: an event would end that")
+                              .arg(QString::fromStdString(desk_.document().name(whole))) +
+                          "\n",
+                      true);
   std::erase_if(where, [&](const Target& t) {
     return !t.layer && !made_by(desk_.document(), Target(t.object, t.function), desk_.time()).code.empty();
   });

@@ -159,7 +159,8 @@ void ExportDialog::start() {
     return;
   }
   said_.clear(), state_->clear();
-  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_}) w->setEnabled(false);
+  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_})
+    w->setEnabled(false);
   progress_->setVisible(true), progress_->setRange(0, 0);
   start_->setEnabled(false), cancel_->setText(tr("Stop"));
   process_.start(QCoreApplication::applicationDirPath() + "/betwixt", arguments(text_->fileName()) << "--progress");
@@ -180,7 +181,8 @@ void ExportDialog::finish(int code) {
   read();
   progress_->setVisible(false);
   start_->setEnabled(true), cancel_->setText(tr("Close"));
-  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_}) w->setEnabled(true);
+  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_})
+    w->setEnabled(true);
   if (!said_.trimmed().isEmpty()) state_->setText(said_.replace(text_->fileName(), script_name()).trimmed());
   text_.reset();
   if (code == 0 && open_->isChecked()) QDesktopServices::openUrl(QUrl::fromLocalFile(out_->text()));

@@ -53,10 +53,10 @@ class Hand {
     ObjectId id;
     Vec3 position, scale{1, 1, 1};
     Value rotation;
-    Vec3 place;     // in the world
-    Mat4 back;      // the linear part of what takes the world to its position's space
-    Quat parent;    // what turns it from outside
-    bool still[3];  // position, rotation, scale: code says what they are
+    Vec3 place;         // in the world
+    Mat4 back;          // the linear part of what takes the world to its position's space
+    Quat parent;        // what turns it from outside
+    bool still[3];      // position, rotation, scale: code says what they are
     bool aims = false;  // it looks at something
   };
   void take(ObjectId);

@@ -86,30 +86,39 @@ void LivePanel::listen(bool on) {
 }
 
 void LivePanel::poll() {
-  for (const LiveMessage& m : input_->poll()) obey(m);
+  obey(input_->poll());
   if (const auto n = input_->ignored(); n > 0) state_->setText(tr("listening; %1 packets were no OSC").arg(n));
 }
 
-void LivePanel::obey(const LiveMessage& m) {
+// All messages are shown at once.
+void LivePanel::obey(const std::vector<LiveMessage>& all) {
+  std::optional<Document> ahead;
+  for (const LiveMessage& m : all) take(m, ahead);
+  if (ahead) desk_.show_ahead(*ahead);
+}
+
+// `ahead`: the film with the messages before this one, if it is not shown yet.
+void LivePanel::take(const LiveMessage& m, std::optional<Document>& ahead) {
   last_->setText(QString::fromStdString(in_words(m)).left(200));
-  if (learn_->isChecked()) return learn(m);
+  if (learn_->isChecked()) return ahead.reset(), learn(m);
   const std::string* text = m.text ? &*m.text : nullptr;
   const bool records = record_->isChecked() && desk_.transport().playing();
   const auto complain = [&](const Error& e) {
     last_->setText(last_->text() + "\n" + QString::fromStdString(e.message));
   };
   if (!records) {
-    const Result<Document> next = turn(desk_.document(), m.address, m.numbers, text);
-    next ? desk_.show_ahead(*next) : complain(next.error());
+    const Result<Document> next = turn(ahead ? *ahead : desk_.document(), m.address, m.numbers, text);
+    next ? void(ahead = *next) : complain(next.error());
     return;
   }
-  if (!take_) take_.emplace(desk_.session().document()), taken_ = desk_.time(), messages_ = 0;
-  const Time now = desk_.time(), frame = desk_.document().rate().span(1);
+  // It belongs to the frame that was due when it came, however late it is read.
+  const Time now = desk_.transport().now(m.arrived), frame = desk_.document().rate().span(1);
+  if (!take_) take_.emplace(desk_.session().document()), taken_ = now, messages_ = 0;
   const bool back = desk_.transport().direction() > 0 ? now < taken_ : now > taken_;
   if (back) take_->end(taken_ + frame);
   if (const Status s = take_->turn(m.address, m.numbers, text, now, m.within); !s) return complain(s.error());
   taken_ = now, ++messages_;
-  desk_.show_ahead(take_->document());
+  ahead = take_->document();
 }
 
 void LivePanel::learn(const LiveMessage& m) {

@@ -27,11 +27,13 @@ class LivePanel : public QWidget {
   explicit LivePanel(Desk&, QWidget* parent = nullptr);
 
   // As if controls had said it.
-  void obey(const LiveMessage&);
+  void obey(const LiveMessage& m) { obey(std::vector{m}); }
+  void obey(const std::vector<LiveMessage>&);
 
  private:
   void listen(bool on);
   void poll();
+  void take(const LiveMessage&, std::optional<Document>& ahead);
   void learn(const LiveMessage&);
   void end_take();
   void list_dials();

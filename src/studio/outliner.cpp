@@ -274,7 +274,8 @@ void Outliner::add(const QString& kind) {
   if (kind == "camera") {  // where the film is seen from now
     const Mat4 eye = desk_.program().frame(desk_.time()).camera.world;
     const Vec3 at = translation_of(eye), to = at - 10 * normalize(Vec3{eye(0, 2), eye(1, 2), eye(2, 2)});
-    line += fmt::format(" position=({:.4g} {:.4g} {:.4g}) look-at=({:.4g} {:.4g} {:.4g})", at.x, at.y, at.z, to.x, to.y, to.z);
+    line += fmt::format(" position=({:.4g} {:.4g} {:.4g}) look-at=({:.4g} {:.4g} {:.4g})", at.x, at.y, at.z, to.x, to.y,
+                        to.z);
   }
   if (kind == "mesh" || kind == "sound") {
     const QString file = QFileDialog::getOpenFileName(this, tr("The file of %1").arg(name.c_str()));

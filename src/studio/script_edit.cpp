@@ -68,10 +68,11 @@ void ScriptEdit::changed_here(int at, int removed, int added) {
 void ScriptEdit::typed() {
   if (taking_) return;
   if (known_.size() < at_once) return pass_on();
-  pass_on_soon_.start();
+  if (!pass_on_soon_.isActive()) pass_on_soon_.start();
 }
 
-// What is typed becomes the film's text. A long text is read again when its author has rested for as long as that took.
+// What is typed becomes the film's text. A long text is read again after a while that is twice as long as reading it
+// took, two seconds at most.
 void ScriptEdit::pass_on() {
   pass_on_soon_.stop();
   QString raw = document()->toRawText();

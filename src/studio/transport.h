@@ -31,16 +31,9 @@ class Transport {
   // The frame's time that is due; while it stands, where it was put, which may be between frames.
   Time now(Clock::time_point clock = Clock::now()) const {
     if (direction_ == 0) return at_;
-    const double gone = direction_ * std::chrono::duration<double>(clock - since_).count() * rate_.per_second();
-    const double from = rate_.frame_number(first_), to = rate_.frame_number(last_);
-    double frame = rate_.frame_number(at_) + gone;
-    const double length = std::floor(to) - std::ceil(from) + 1;
-    if (loops_ && length > 0) {
-      frame = std::fmod(frame - from, length);
-      frame = from + (frame < 0 ? frame + length : frame);
-    }
-    frame = std::clamp(direction_ > 0 ? std::floor(frame) : std::ceil(frame), from, to);
-    return rate_.frame(frame);
+    const double frame = exact_frame(clock);
+    return rate_.frame(std::clamp(direction_ > 0 ? std::floor(frame) : std::ceil(frame), rate_.frame_number(first_),
+                                  rate_.frame_number(last_)));
   }
   // Where it was at that moment; while it plays, on from there.
   std::pair<Time, Clock::time_point> place() const { return {at_, since_}; }
@@ -56,13 +49,26 @@ class Transport {
     if (at_ <= first_ && direction < 0) at_ = last_;
     at_ = std::clamp(at_, first_, last_), since_ = Clock::now();
   }
-  void pause() { hold(), direction_ = 0; }
+  void pause() { at_ = now(), direction_ = 0; }
   void go_to(Time t) { at_ = t, since_ = Clock::now(); }
 
  private:
+  // Where it is while it plays, between frames too. Of a loop the last frame lasts as long as the others.
+  double exact_frame(Clock::time_point clock) const {
+    const double gone = direction_ * std::chrono::duration<double>(clock - since_).count() * rate_.per_second();
+    const double from = rate_.frame_number(first_), to = rate_.frame_number(last_);
+    const double frame = rate_.frame_number(at_) + gone;
+    const double length = std::floor(to) - std::ceil(from) + 1;
+    if (!loops_ || length <= 0) return std::clamp(frame, from, to);
+    const double past = std::fmod(frame - from, length);
+    return from + (past < 0 ? past + length : past);
+  }
+  // What is set while it plays holds from here on. The fraction of a frame is kept, so that nothing slows down however
+  // often this is called.
   void hold() {
     const auto clock = Clock::now();
-    at_ = now(clock), since_ = clock;
+    if (direction_ != 0) at_ = rate_.frame(exact_frame(clock));
+    since_ = clock;
   }
 
   Rate rate_;

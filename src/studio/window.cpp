@@ -18,6 +18,7 @@
 #include <QShortcut>
 #include <QStatusBar>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "base/files.h"
@@ -314,12 +315,22 @@ void Window::remember() {
   settings.setValue("light", light_);
 }
 
+// Whatever was remembered, the studio starts: a start that did not finish is noticed by the next, which forgets where
+// the window and its panels were.
 void Window::recall() {
   QSettings settings("betwixt", "studio");
   set_light(settings.value("light").toBool());
   if (manner_.bare) return;
+  if (settings.contains("starting")) settings.remove("geometry"), settings.remove("panels");
+  settings.setValue("starting", true);
+  settings.sync();
   restoreGeometry(settings.value("geometry").toByteArray());
-  restoreState(settings.value("panels").toByteArray());
+  // Panels come back into a window that has its size: in one that is only going to be maximised the toolkit falls over
+  // them.
+  QTimer::singleShot(0, this, [this] {
+    restoreState(QSettings("betwixt", "studio").value("panels").toByteArray());
+    QTimer::singleShot(0, this, [] { QSettings("betwixt", "studio").remove("starting"); });
+  });
 }
 
 // ---- looking for what can be done

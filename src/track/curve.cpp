@@ -136,7 +136,8 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     d.arguments = track.global != Twerper::unset ? track.arguments : e.detail->arguments;
     if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
     const auto tangent = [&](const std::optional<Value>& said, bool& has, Numbers& rate) {
-      if (!said || (c.orientation && !std::holds_alternative<Quat>(*said))) return;  // that of an angle among orientations
+      if (!said || (c.orientation && !std::holds_alternative<Quat>(*said)))
+        return;  // that of an angle among orientations
       has = true, rate = compiled(*said, c, type);
     };
     tangent(e.detail->tangent_in, d.has_in, d.tangent_in);

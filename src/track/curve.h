@@ -43,7 +43,7 @@ struct Curve {
   std::uint32_t values = 0;            // the first one's numbers
   std::uint8_t channels = 1;
   bool orientation = false;
-  bool srgb = false;  // the numbers are as written and become light when evaluated
+  bool srgb = false;      // the numbers are as written and become light when evaluated
   bool seamless = false;  // it repeats, and comes to where it began: its neighbours are known across the seam
   Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
 };
@@ -101,8 +101,9 @@ class CurveSet {
   // The segment that a time is in; none where there is more to it than a cubic. Its values are those of evaluate().
   bool cubic(const Curve& curve, std::int64_t t, CubicSegment& out) const;
   // Its right-hand rate of change there, per second, of the numbers evaluate() gives; an orientation's is its angular
-  // velocity (three numbers, in the axes it is turned in). Exact for polynomials up to the fourth degree.
-  void derivative(const Curve& curve, Time t, double* out) const;
+  // velocity (three numbers, in the axes it is turned in). Exact for polynomials up to the fourth degree. `coming`: the
+  // left-hand one.
+  void derivative(const Curve& curve, Time t, double* out, bool coming = false) const;
   // When it changes, in the order of time.
   void activities(const Curve& curve, std::vector<Activity>& out) const;
   std::size_t bytes() const;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What follows from how a curve goes: beyond its ends, its rate of change, its sums.
+// What follows from how a curve goes: beyond its ends, its rate of change.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -18,7 +18,6 @@ using Numbers = std::array<double, 4>;
 bool straight(Twerper t, const CurveDetail* from) {
   return !is_own(t) && !row_of(t).factor && !row_of(t).cubics && !row_of(t).turn && !(from && from->arguments.stops);
 }
-bool polynomial(Twerper t) { return !is_own(t) && (row_of(t).cubics || !row_of(t).factor); }
 
 // Of an F-curve, the whole segment taken as 1: towards the handle, or the other event's where it is the event itself.
 std::optional<double> handle_slope(const Blend& g, std::uint32_t i, bool after) {
@@ -91,25 +90,26 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
   for (std::uint32_t i = 0; i < n; ++i) out[i] += (-3 * value[i] + 4 * one[i] - two[i]) / (2 * step) * past;
 }
 
-void CurveSet::derivative(const Curve& c, Time time, double* out) const {
+void CurveSet::derivative(const Curve& c, Time time, double* out, bool coming) const {
   // Five values about the time, all in its own segment: the difference that is exact for quartics.
   const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
   const std::int64_t t = time.flicks;
   const double second = static_cast<double>(flicks_per_second);
   std::fill_n(out, c.orientation ? 3 : c.channels, 0.0);
   if (c.count < 2) return;
-  const bool outside = t < *first || t >= *last;
+  const bool early = coming ? t <= *first : t < *first, outside = early || (coming ? t > *last : t >= *last);
   std::array<Numbers, 5> v{};
   double h = 0, offset = 0;  // a step, and where the time is among the five, in steps
   if (outside) {
-    const Extrapolation how = t < *first ? c.before : c.after;
+    const Extrapolation how = early ? c.before : c.after;
     if (how == Extrapolation::hold) return;
     h = std::max(1.0, std::min(static_cast<double>(*last - *first) / 4096, second / 1024));
-    const auto step = static_cast<std::int64_t>(h);
+    const auto step = (coming ? -1 : 1) * static_cast<std::int64_t>(h);
     h = static_cast<double>(step);
     for (int i = 0; i < 5; ++i) evaluate(c, {t + i * step}, v[static_cast<std::size_t>(i)].data());
   } else {
-    const auto k = static_cast<std::uint32_t>(std::upper_bound(first, last + 1, t) - first) - 1;
+    const auto* behind = coming ? std::lower_bound(first, last + 1, t) : std::upper_bound(first, last + 1, t);
+    const auto k = static_cast<std::uint32_t>(behind - first) - 1;
     const double length = static_cast<double>(first[k + 1] - first[k]), since = static_cast<double>(t - first[k]);
     h = length / 1024;
     const double begin = std::clamp(since - 2 * h, 0.0, length - 4 * h);
@@ -135,9 +135,9 @@ void CurveSet::derivative(const Curve& c, Time time, double* out) const {
     }
     w[static_cast<std::size_t>(i)] = sum / below / (h / second);
   }
-  if (!c.orientation) {
-    for (std::size_t i = 0; i < 5; ++i)
-      for (int n = 0; n < c.channels; ++n) out[n] += w[i] * v[i][static_cast<std::size_t>(n)];
+  if (!c.orientation) {  // by differences: what stays where it is has no speed at all
+    for (std::size_t i = 1; i < 5; ++i)
+      for (std::size_t n = 0; n < c.channels; ++n) out[n] += w[i] * (v[i][n] - v[0][n]);
     return;
   }
   // Turns away from the middle one, in the axes outside.
@@ -148,42 +148,6 @@ void CurveSet::derivative(const Curve& c, Time time, double* out) const {
     const Quat turn = log(q * conjugate(middle));
     out[0] += 2 * w[i] * turn.x, out[1] += 2 * w[i] * turn.y, out[2] += 2 * w[i] * turn.z;
   }
-}
-
-void CurveSet::integrate(const Curve& c, std::uint32_t k, double u, double* out) const {
-  // Gauss and Legendre's five points are exact to the ninth degree: a cubic of an ease has the sixth. The eases' seams
-  // part the segment; what is no polynomial is cut finer.
-  static constexpr double at[] = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
-                                  0.95308992296933200};
-  static constexpr double weight[] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                      0.23931433524968324, 0.11846344252809454};
-  std::fill_n(out, c.channels, 0.0);
-  const double h = static_cast<double>(c.columns->times[c.first + k + 1] - c.columns->times[c.first + k]);
-  const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
-  const CurveDetail *here = detail(c, k), *next = detail(c, k + 1);
-  double a = here ? here->ease_out / h : 0, b = next ? next->ease_in / h : 0;
-  if (a + b > 1) {
-    const double fit = 1 / (a + b);
-    a *= fit, b *= fit;
-  }
-  std::vector<double> seams{0};
-  const auto seam = [&](double x) {
-    if (x > seams.back() && x < u) seams.push_back(x);
-  };
-  seam(a), seam(1 - b);
-  if (here && here->arguments.stops && a == 0 && b == 0)
-    for (const Stop& stop : *here->arguments.stops) seam(stop[0] / 100);
-  else if (!polynomial(twerper) || (here && here->arguments.stops))
-    for (int i = 1; i < 64; ++i) seam(i / 64.0);
-  seams.push_back(u);
-  Numbers n{};
-  for (std::size_t i = 0; i + 1 < seams.size(); ++i)
-    for (std::size_t g = 0; g < 5; ++g) {
-      const double width = seams[i + 1] - seams[i];
-      segment(c, k, (seams[i] + at[g] * width) * h, n.data());
-      for (int x = 0; x < c.channels; ++x)
-        out[x] += weight[g] * width * n[static_cast<std::size_t>(x)] * h / static_cast<double>(flicks_per_second);
-    }
 }
 
 }  // namespace betwixt

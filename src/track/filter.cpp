@@ -76,13 +76,24 @@ Value mixed(const Value& like, Sample s) {
   return value_of(like, s.n);
 }
 
+// The same of a value among others of the kind of `like`: where these are orientations angles become one, and of the
+// two quaternions that an orientation has it is the nearer to `beside`.
+Sample sample_near(const Value& v, const Value& like, const Sample& beside) {
+  const bool turns = std::holds_alternative<Quat>(like);
+  const auto* angles = turns ? std::get_if<Angles>(&v) : nullptr;
+  Sample n = mixable(angles ? Value(from_angles(angles->xyz)) : v);
+  double cosine = 0;
+  for (int i = 0; turns && i < 4; ++i) cosine += beside.n[i] * n.n[i];
+  if (cosine < 0)
+    for (double& x : n.n) x = -x;
+  return n;
+}
+
 // The track at the points first, first + 1, … of a grid.
 struct Samples {
   Value like;              // the kind that they all have
   std::vector<Sample> at;  // empty: not numbers, or of several kinds
 };
-// Where some rotations are angles and others orientations, all become orientations. Of the two quaternions that an
-// orientation has, it is the nearer to the one before.
 Samples samples(Input& input, double first, int count, double cell) {
   std::vector<Value> values;
   values.reserve(static_cast<std::size_t>(count));
@@ -92,43 +103,77 @@ Samples samples(Input& input, double first, int count, double cell) {
   Samples s{turn == values.end() ? values.front() : *turn, {}};
   s.at.reserve(values.size());
   for (const Value& v : values) {
-    const auto* angles = turn == values.end() ? nullptr : std::get_if<Angles>(&v);
-    Sample n = mixable(angles ? Value(from_angles(angles->xyz)) : v);
-    if (!s.at.empty() && turn != values.end()) {
-      const double* before = s.at.back().n;
-      double cosine = 0;
-      for (int i = 0; i < 4; ++i) cosine += before[i] * n.n[i];
-      if (cosine < 0)
-        for (double& x : n.n) x = -x;
-    }
+    const Sample n = sample_near(v, s.like, s.at.empty() ? Sample{} : s.at.back());
     if (n.count == 0 || (!s.at.empty() && n.count != s.at.back().count)) return {};
     s.at.push_back(n);
   }
   return s;
 }
 
-// The cubic B-spline over four knots -2 to 2. Its integral is 1.
+// The cubic B-spline over four knots -2 to 2. Its integral is 1; and how much of that lies behind x.
 double spline(double x) {
   const double a = std::abs(x);
   if (a >= 2) return 0;
   return a > 1 ? (2 - a) * (2 - a) * (2 - a) / 6 : 2.0 / 3 - a * a * (1 - a / 2);
 }
+double spline_behind(double x) {
+  const double a = std::abs(x), b = 2 - a;
+  const double behind = a >= 2 ? 0 : a > 1 ? b * b * b * b / 24 : 0.5 - a * (2.0 / 3 - a * a * (1.0 / 3 - a / 8));
+  return x < 0 ? 1 - behind : behind;
+}
+
+// A jump within a cell of a grid: where, in seconds, and by how much.
+struct Jump {
+  double at = 0, by[4] = {};
+};
+// It is the place that as large a change as that of the whole cell shrinks to when the cell is halved again and again;
+// where there is a slope the change shrinks too. Only the cell itself is looked at, so that whoever comes by finds the
+// same.
+std::optional<Jump> jump_in(Input& input, const Value& like, Sample before, Sample after, double from, double to) {
+  constexpr int halvings = 24;  // of a cell of the usual window: to less than a flick
+  const auto change = [&](const Sample& a, const Sample& b) {
+    double most = 0;
+    for (int i = 0; i < a.count; ++i) most = std::max(most, std::abs(b.n[i] - a.n[i]));
+    return most;
+  };
+  const double whole = change(before, after);
+  for (int halving = 1; halving <= halvings && whole > 0; ++halving) {
+    const Sample middle = sample_near(look(input, (from + to) / 2), like, before);
+    if (middle.count != before.count) return std::nullopt;
+    const bool early = change(before, middle) > change(middle, after);
+    (early ? to : from) = (from + to) / 2;
+    (early ? after : before) = middle;
+    if (change(before, after) < 0.6 * whole) return std::nullopt;
+  }
+  Jump jump{(from + to) / 2, {}};
+  for (int i = 0; i < before.count; ++i) jump.by[i] = after.n[i] - before.n[i];
+  return whole > 0 ? std::optional(jump) : std::nullopt;
+}
 
 // A mean weighted by a cubic B-spline. Because a whole number of cells lies between two knots of the spline, the
 // weights add up to 1 wherever the grid lies below it, their centre is the time asked for, and the mean has two
-// continuous derivatives.
+// continuous derivatives. A jump that lies between two points of the grid counts from where it is.
 constexpr int cells_between_knots = 8;
 Value smooth(const FilterCall& told, Input& input, double seconds) {
   constexpr int reach = 2 * cells_between_knots;
+  constexpr int count = 2 * reach + 2;  // all cells that the spline touches
   const double cell = told.number("width") / (2 * reach);
-  const double here = std::floor(seconds / cell), first = here - reach + 1;
-  const Samples s = samples(input, first, 2 * reach, cell);
+  const double first = std::floor(seconds / cell) - reach;
+  const Samples s = samples(input, first, count, cell);
   if (s.at.empty()) return look(input, seconds);
-  const Sample& base = s.at[reach - 1];  // means of differences from it: a constant stays what it is to the last bit
+  const Sample& base = s.at[reach];  // means of differences from it: a constant stays what it is to the last bit
+  const auto place = [&](double k) { return (first + k - seconds / cell) / cells_between_knots; };
   Sample mean = base;
-  for (int k = 0; k < 2 * reach; ++k) {
-    const double weight = spline((first + k - seconds / cell) / cells_between_knots) / cells_between_knots;
-    for (int i = 0; i < base.count; ++i) mean.n[i] += weight * (s.at[static_cast<std::size_t>(k)].n[i] - base.n[i]);
+  double behind = 1;  // the weights of the points from k on
+  for (std::size_t k = 0; k < s.at.size(); ++k) {
+    const double weight = spline(place(static_cast<double>(k))) / cells_between_knots;
+    for (int i = 0; i < base.count; ++i) mean.n[i] += weight * (s.at[k].n[i] - base.n[i]);
+    behind -= weight;
+    if (k + 1 == s.at.size()) break;
+    const double from = (first + static_cast<double>(k)) * cell;
+    if (const auto jump = jump_in(input, s.like, s.at[k], s.at[k + 1], from, from + cell))
+      for (int i = 0; i < base.count; ++i)
+        mean.n[i] += jump->by[i] * (spline_behind((jump->at - seconds) / (cell * cells_between_knots)) - behind);
   }
   return mixed(s.like, mean);
 }

@@ -23,10 +23,10 @@ struct Filter {
 // A built-in filter and what can be said to it.
 struct FilterParameter {
   std::string_view name;
-  Type type;          // scalar; vector: one for each component, or a scalar for all of them
-  double rest;        // what it is when nothing is said
-  double low, high;   // what is beyond counts as the nearest that is not
-  bool time = false;  // a length of time, in seconds
+  Type type;           // scalar; vector: one for each component, or a scalar for all of them
+  double rest;         // what it is when nothing is said
+  double low, high;    // what is beyond counts as the nearest that is not
+  bool time = false;   // a length of time, in seconds
   bool value = false;  // of what the filter stands on: of angles an angle
 };
 struct FilterCall;  // a filter and what it was told

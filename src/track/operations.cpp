@@ -151,37 +151,90 @@ Result<Changed> stretch_segment(Track& track, Segment s, double factor) {
   return put_back(track, s, std::move(events));
 }
 
-void own_tangents(Track& track, Segment s, Type type, bool component) {
-  auto inside = track.events.between(s.from, s.to);
-  if (inside.size() < 2 || !row_of(type).tangents || track.global != Twerper::unset) return;
-  CurveSet set;
-  const Curve curve = set.add(track, type, component);
-  const auto own = [&](Event& from, Event& to) {
-    CubicSegment g;
-    if (from.keep || to.keep || resolve(track, from, type, curve.orientation) != Twerper::smooth) return;
-    if (!set.cubic(curve, from.time.flicks, g)) return;
-    const double rate = static_cast<double>(flicks_per_second) / g.length;
-    double out[4] = {}, in[4] = {};
-    for (std::size_t i = 0; i < curve.channels; ++i)
-      out[i] = rate * g.c[1][i], in[i] = rate * (g.c[1][i] + 2 * g.c[2][i] + 3 * g.c[3][i]);
-    from.twerper = Twerper::hermite;
-    from.detail.edit().tangent_out = with_numbers(from.value, out), from.detail.edit().handle_out.reset();
-    to.detail.edit().tangent_in = with_numbers(to.value, in), to.detail.edit().handle_in.reset();
-  };
-  if (track.events.front().time < s.from) own(inside[0], inside[1]);
-  if (track.events.back().time > s.to) own(inside[inside.size() - 2], inside.back());
-  for (Event& e : inside) track.events.put(std::move(e));
-}
-
 namespace {
-
-constexpr Time ever_before{INT64_MIN}, ever_after{INT64_MAX};
 
 bool computed(const Track& track) {
   bool any = false;
   track.events.each([&](const Event& e) { any = any || std::holds_alternative<Procedure>(e.value); });
   return any;
 }
+
+// From now on each event says its twerper, for those to come say otherwise.
+void say_each(Track& track) {
+  if (track.global == Twerper::unset) return;
+  track.events.edit_between(Time{INT64_MIN}, Time{INT64_MAX}, [&](Event& e) {
+    e.twerper = track.global;
+    if (track.arguments != TwerperArguments{}) e.detail.edit().arguments = track.arguments;
+  });
+  track.global = Twerper::unset;
+}
+
+// Without eases, which say when the way is gone and not where it goes.
+Track without_eases(Track track) {
+  track.events.edit_between(Time{INT64_MIN}, Time{INT64_MAX}, [](Event& e) {
+    if (e.detail) e.detail.edit().ease_in = e.detail.edit().ease_out = {};
+  });
+  return track;
+}
+
+// Whether an in-between looks at the events beside it.
+bool looks_beside(Twerper t, bool orientation) {
+  if (is_own(t)) return false;
+  return orientation ? t == Twerper::squad || t == Twerper::bspline : row_of(t).cubics && t != Twerper::hermite;
+}
+
+// What the in-between of two events is becomes their tangents; false where it has none that could say it.
+bool as_tangents(const CurveSet& set, const Curve& curve, Event& from, Event& to) {
+  CubicSegment g;
+  if (!set.cubic(curve, from.time.flicks, g)) return false;
+  const double rate = static_cast<double>(flicks_per_second) / g.length;
+  double out[4] = {}, in[4] = {};
+  for (std::size_t i = 0; i < curve.channels; ++i)
+    out[i] = rate * g.c[1][i], in[i] = rate * (g.c[1][i] + 2 * g.c[2][i] + 3 * g.c[3][i]);
+  from.twerper = Twerper::hermite;
+  from.detail.edit().tangent_out = with_numbers(from.value, out), from.detail.edit().handle_out.reset();
+  to.detail.edit().tangent_in = with_numbers(to.value, in), to.detail.edit().handle_in.reset();
+  return true;
+}
+
+}  // namespace
+
+std::vector<Segment> own_tangents(Track& track, Segment s, Type type, bool component) {
+  const std::size_t n = track.events.count(s.from, s.to);
+  if (n < 2 || n == track.events.size() || row_of(type).changes == Changes::in_steps) return {};
+  Track all = track;
+  say_each(all);
+  auto inside = all.events.between(s.from, s.to);
+  const bool code = computed(track);
+  CurveSet set;
+  const Curve curve = code ? Curve{} : set.add(without_eases(all), type, component);
+  std::vector<Segment> bent;
+  bool changed = false;
+  const auto own = [&](std::size_t i) {
+    Event &from = inside[i], &to = inside[i + 1];
+    const Twerper how = resolve(all, from, type, curve.orientation);
+    if (from.keep || to.keep || !looks_beside(how, curve.orientation)) return;
+    const bool tangents = !code && how != Twerper::bspline && row_of(type).tangents;
+    if (tangents && as_tangents(set, curve, from, to))
+      changed = true;
+    else if (bent.empty() || bent.back().from != from.time)
+      bent.push_back({from.time, to.time});
+  };
+  // Nobody looks across a cut or a hold.
+  const auto holds = [&](const Event& e) { return resolve(all, e, type, curve.orientation) == Twerper::hold; };
+  const Event* const before = all.events.last_before(s.from);
+  const bool after = all.events.back().time > s.to;
+  if (before && !inside.front().detail->before && !holds(*before)) own(0);
+  if (after && !inside.back().detail->before && !holds(inside.back())) own(n - 2);
+  if (!changed) return bent;
+  track = std::move(all);
+  for (Event& e : inside) track.events.put(std::move(e));
+  return bent;
+}
+
+namespace {
+
+constexpr Time ever_before{INT64_MIN}, ever_after{INT64_MAX};
 
 // Where a segment is between two events, as tangents: that of `from`, and that at the part u of the way.
 void as_hermite(const CubicSegment& g, double u, Event& from, std::optional<Value>& arrival, std::size_t channels) {
@@ -202,13 +255,7 @@ EventDetail end_alone(Track& track, Time t, Type type, bool component) {
   arrival.ease_out = {}, arrival.tangent_out.reset(), arrival.handle_out.reset();
   if (track.events.empty() || !(track.events.front().time < t) || !row_of(type).tangents || computed(track))
     return arrival;
-  if (track.global != Twerper::unset) {  // from now on each event says it, for those to come say otherwise
-    track.events.edit_between(ever_before, ever_after, [&](Event& e) {
-      e.twerper = track.global;
-      if (track.arguments != TwerperArguments{}) e.detail.edit().arguments = track.arguments;
-    });
-    track.global = Twerper::unset;
-  }
+  say_each(track);
   fill_in_kept(track, type, component);
   CurveSet set;
   const Curve curve = set.add(track, type, component);

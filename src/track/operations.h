@@ -6,6 +6,8 @@
 // reads first, so overlapping ranges mean what they say. A track is left as it was when an operation fails.
 #pragma once
 
+#include <vector>
+
 #include "betwixt/result.h"
 #include "track/track.h"
 
@@ -29,9 +31,10 @@ Result<Changed> move_segment(Track&, Segment, Time by);
 Result<Changed> stretch_segment(Track&, Segment, double factor);
 // Last comes first; in-betweens run the same way back.
 Result<Changed> reverse_segment(Track&, Segment);
-// What a smooth track's first and last in-betweens of the segment owe to events outside it become tangents of their
-// own: so they stay as they are whoever stands beside them. `component`: of the type, the track is that of one.
-void own_tangents(Track&, Segment, Type, bool component);
+// What a track's first and last in-betweens of the segment owe to events outside it become tangents of their own: so
+// they stay as they are whoever stands beside them. `component`: of the type, the track is that of one. What cannot be
+// kept so, and will bend: the segments of it.
+std::vector<Segment> own_tangents(Track&, Segment, Type, bool component);
 // What comes before t owes nothing any more to what stands at t and behind it, which is about to go: curves keep their
 // shape as tangents. How an event at t is come to. `component`: as above.
 EventDetail end_alone(Track&, Time t, Type, bool component);

@@ -84,7 +84,8 @@ void StepTrack::activities(std::vector<Activity>& out) const {
     const bool blends = k + 1 < keys_.size() && static_cast<Twerper>(keys_[k].twerper) != Twerper::hold;
     add_activity(out, first, {from, blends ? keys_[k + 1].time.flicks : from});
   }
-  if (keys_.size() > 1 && after_ >= Extrapolation::cycle) add_activity(out, first, {keys_.back().time.flicks, INT64_MAX});
+  if (keys_.size() > 1 && after_ >= Extrapolation::cycle)
+    add_activity(out, first, {keys_.back().time.flicks, INT64_MAX});
 }
 
 std::size_t StepTrack::bytes() const { return bytes_held(keys_) + bytes_held(values_); }

@@ -92,6 +92,18 @@ Quat hermite_turn(const Blend& g) {
   return dot(q, q) > 1e-24 ? normalize(q) : quat(g.from);
 }
 
+// How far it turns in a time h with the speed that it has at a key, between two turns a and b in their times: the speed
+// of the parabola through all three keys; at most three times that of either turn, beyond which it would go past a key
+// and come back (Fritsch and Carlson 1980), and half a turn in the time of either, beyond which the way round is lost.
+Vec3 through_key(double h, Vec3 a, double ha, Vec3 b, double hb) {
+  const Vec3 turn = h / (ha + hb) * (hb / ha * a + ha / hb * b);
+  const auto most = [h](Vec3 of, double in) { return std::min(3 * length(of), pi / 2) * (h / in); };
+  const double limit = std::min(most(a, ha), most(b, hb)), l = length(turn);
+  return l > limit ? limit / l * turn : turn;
+}
+
+Quat exp(Vec3 v) { return exp(Quat{0, v.x, v.y, v.z}); }
+
 Quat squad_turn(const Blend& g) {
   const auto [q0, q1, q2, q3] = four(g);
   const auto turn = [](Quat from, Quat to) {
@@ -99,15 +111,14 @@ Quat squad_turn(const Blend& g) {
     return Vec3{l.x, l.y, l.z};
   };
   const Vec3 before = turn(q0, q1), here = turn(q1, q2), after = turn(q2, q3);
-  // The speeds at both ends are those of the parabolas through three neighbours, in their real times.
-  const auto speed = [&](Vec3 a, double ha, Vec3 b, double hb) {
-    return g.length / (ha + hb) * (hb / ha * a + ha / hb * b);
-  };
-  const Vec3 start = 0.5 * (speed(before, g.length_before, here, g.length) - here),
-             end = 0.5 * (here - speed(here, g.length, after, g.length_after));
-  const Quat near = q1 * exp({0, start.x, start.y, start.z}), far = q2 * exp({0, end.x, end.y, end.z});
-  const double s = g.s;
-  return normalize(slerp(slerp(q1, q2, s), slerp(near, far, s), 2 * s * (1 - s)));
+  const Vec3 start = 0.5 * (through_key(g.length, before, g.length_before, here, g.length) - here),
+             end = 0.5 * (here - through_key(g.length, here, g.length, after, g.length_after));
+  const Quat near = q1 * exp(start), far = q2 * exp(end);
+  const double s = g.s, off = 2 * s * (1 - s);
+  // Between control points nearly opposite there is no shortest way; what they are off goes along with the turn then.
+  // About one axis both come to the same.
+  if (dot(near, far) < -0.9) return normalize(slerp(q1, q2, s) * exp(off * ((1 - s) * start + s * end)));
+  return normalize(slerp(slerp(q1, q2, s), slerp(near, far, s), off));
 }
 
 // A Bezier curve in time and value through both handles, each at most as long as the segment: then time never runs

@@ -55,6 +55,7 @@ struct TwerperRow {
   // All of its arguments are said, and one of the words may be; its place is the next argument.
   std::span<const TwerperArgument> arguments = {};
   std::span<const std::string_view> words = {};
+  bool steps = false;              // it is the same all along each of as many equal parts of s as the first one says
   bool stops = false;              // or in their place stops, any number of them
   std::string_view reversed = {};  // the one that goes the same way back; empty: see reverse()
   Twerper for_orientations = Twerper::unset, for_numbers = Twerper::unset;

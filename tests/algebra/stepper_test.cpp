@@ -11,7 +11,7 @@
 #include "betwixt/algebra.h"
 
 namespace betwixt {
-namespace {
+namespace stepper_test {
 
 constexpr double theta = 0.01;
 constexpr std::int64_t whole = 1 << 20;  // steps of the motion: theta times this is exact
@@ -75,5 +75,5 @@ TEST(Drift, InF64) {
   for (const Method method : {Method::geometric, Method::differences}) at_most(method, as_it_comes, 1e-14);
 }
 
-}  // namespace
+}  // namespace stepper_test
 }  // namespace betwixt

@@ -42,6 +42,10 @@ printf 'create s{1..12} box\ncreate ball sphere\nset s*.color red\n' >many.bx
 printf 'create b box\nuse part.bx\n' >whole.bx
 printf '# a part\nset b.position.x = """\n  local a = 1\n  return nobody.x\n"""\n' >part.bx
 check 'the line of code in a file that is used' 1 "part.bx:4:3: error: b.position.x: the procedure \"local a = 1 …\" gives no value: attempt" check whole.bx
+printf 'create b{1..17} sphere\nset b*.radius = "i + nobody.x"\n' >seventeen.bx
+check 'one line that is wrong for many is said once' 1 'likewise 16 others: b2.radius, b3.radius, b4.radius, b5.radius, …' check seventeen.bx
+check 'and counted once' 1 '1 error, 0 warnings' check seventeen.bx
+rm seventeen.bx
 check 'check says how many' 0 'many.bx:3:1: notice: 12 objects' check -v many.bx
 check 'where that is asked' 0 'many.bx: no errors, 13 objects, 24 frames' check many.bx
 is 'else not' "$("$program" check many.bx 2>&1)" 'many.bx: no errors, 13 objects, 24 frames'
@@ -50,7 +54,11 @@ check 'help' 0 'betwixt render examples/bounce.bx -o bounce.mp4' --help
 check 'version' 0 'betwixt ' --version
 check 'unknown command' 2 "did you mean 'render'?" rendre bounce.bx
 check 'unknown option' 2 "did you mean '--size'?" render bounce.bx -o a.mp4 --siz 3x4
-check 'no output' 2 'output' render bounce.bx
+check 'a film of the usual name' 0 'bounce.mp4' render bounce.bx $small --frames 1..2
+is 'a film of the usual name is there' "$(ls bounce.mp4 2>&1; rm -f bounce.mp4)" bounce.mp4
+check 'a picture of the usual name and time' 0 'bounce.png' frame bounce.bx $small
+is 'it is the first frame' "$("$program" frame bounce.bx --at 1f -o first.png $small && cmp first.png bounce.png && echo same; rm -f first.png bounce.png)" same
+check 'the version, in short' 0 'betwixt ' -V
 check 'no script' 2 'FILE' render -o a.mp4
 check 'one word too many' 2 "'more'" render bounce.bx more -o a.mp4
 for c in render frame plot play; do check "help of $c" 0 "betwixt $c examples/bounce.bx" $c --help; done

@@ -25,7 +25,11 @@ begin() {
   done
 }
 end() {
-  printf q >&7
+  # Again and again: what is typed before the program has taken over the terminal, the terminal throws away.
+  while kill -0 "$playing" 2>/dev/null; do
+    (printf q >&7) 2>/dev/null
+    sleep 0.1
+  done
   exec 7>&-
   wait "$playing"
   code=$?

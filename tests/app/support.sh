@@ -9,10 +9,12 @@ program=$(realpath -- "${1:?which program?}") || exit 3
 [ -x "$program" ] || { echo "there is no program $program" >&2; exit 3; }
 work=$(mktemp -d)
 trap 'umount "$work/disk" 2>/dev/null; rm -rf "$work" "$work".*' EXIT # $work/disk: a small disk, where one was mounted
+. "$(dirname -- "${BASH_SOURCE[0]}")/../timed.sh"
 cd "$work" || exit 3
 passed=0 failed=0
 
 verdict() { # NAME yes|… EXPLANATION
+  timed "$1"
   if [ "$2" = yes ]; then
     passed=$((passed + 1))
   else

@@ -94,7 +94,7 @@ is 'and there it is' "$(cmp player.js betwixt-player.js && echo same)" same
 
 # What is refused.
 check 'no page' 2 'a page is a .html, not "ball.mp4"' web ball.bx -o ball.mp4
-check 'no place' 2 '--output' web ball.bx
+check 'a page of the usual name' 0 'ball.html' web ball.bx
 check 'no film' 2 'FILE' web -o x.html
 check 'a film that is not there' 1 "there is no file 'none.bx'" web none.bx -o x.html
 echo 'create ball spere' >wrong.bx

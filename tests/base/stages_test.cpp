@@ -40,9 +40,7 @@ TEST(Stages, HaveTheTimeOfTheirScopesLessThatOfScopesWithin) {
 
 TEST(Stages, AreHeardByWhoListensOnTheThread) {
   EXPECT_FALSE(StageTimes::listened());
-  {
-    const InStage unheard(Stage::tracks);
-  }
+  { const InStage unheard(Stage::tracks); }
   StageTimes outer;
   {
     StageTimes inner;

@@ -8,14 +8,16 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CLIENTS = os.path.join(HERE, "..", "..", "clients")
-sys.path[:0] = [HERE, os.path.join(CLIENTS, "blender"), os.path.join(CLIENTS, "python")]
+sys.path[:0] = [HERE, os.path.dirname(HERE), os.path.join(CLIENTS, "blender"), os.path.join(CLIENTS, "python")]
+
+from timed import TimedResult  # noqa: E402
 
 
 def main():
     loader = unittest.TestLoader()
     named = sys.argv[sys.argv.index("--") + 1:]
     tests = loader.loadTestsFromNames(named) if named else loader.discover(HERE, "*_test.py", HERE)
-    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0).run(tests)
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0, resultclass=TimedResult).run(tests)
     failed = len(result.failures) + len(result.errors)
     for test, why in result.skipped:
         print(f"left out: {test}: {why}")

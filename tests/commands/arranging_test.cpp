@@ -74,26 +74,25 @@ TEST(Arranging, NextToAnother) {
 
 TEST(Arranging, ErrorsByTheirPlace) {
   const std::string two = "create a box\ncreate b box\nlayer up add\n";
-  const std::pair<const char*, const char*> table[] = {
-      {"arrange", "4:8: the name of an object is missing here"},
-      {"arrange zz in row", "4:9: there is no object 'zz'"},
-      {"arrange a", "4:10: 'in' is missing here"},
-      {"arrange a in", "4:13: things are arranged in a row, column, grid or circle"},
-      {"arrange a in rwo", "4:14: things are arranged in a row, column, grid or circle"},
-      {"arrange a in row columns=2", "4:18: arrange … in row has no 'columns'"},
-      {"arrange a in row gap", "4:21: '=' is missing behind gap"},
-      {"arrange a in row gap=2deg", "4:22: 'deg' is not a unit of length"},
-      {"arrange a in grid columns=0", "4:27: columns is a whole number from 1 to 1000000"},
-      {"arrange a in circle radius=-1", "4:21: the radius is more than 0"},
-      {"place a", "4:8: 'next-to' is missing here"},
-      {"place a next-to zz", "4:17: there is no object 'zz'"},
-      {"place a next-to a", "4:7: 'a' cannot stand next to itself"},
-      {"place a next-to up", "4:7: nothing stands next to a layer"},
-      {"place a next-to b side=centre", "4:24: a side is left, right, bottom, top, back, front"},
-      {"place a next-to b side=left align=right", "4:7: what stands at the left cannot be aligned to the right"},
-      {"place a next-to b size=2", "4:19: place … next-to has no 'size'"}};
-  for (const auto& [line, words] : table) EXPECT_EQ(first_error(two + line + "\n"), words) << line;
-  EXPECT_EQ(first_error(two + "arrange nothing* in row\n"), "");
+  const std::pair<const char*, const char*> table[] = {{"arrange", "syntax 4:8"},
+                                                       {"arrange zz in row", "name 4:9 zz"},
+                                                       {"arrange a", "syntax 4:10"},
+                                                       {"arrange a in", "syntax 4:13"},
+                                                       {"arrange a in rwo", "syntax 4:14 rwo"},
+                                                       {"arrange a in row columns=2", "name 4:18 columns"},
+                                                       {"arrange a in row gap", "syntax 4:21"},
+                                                       {"arrange a in row gap=2deg", "type 4:22 2deg"},
+                                                       {"arrange a in grid columns=0", "range 4:27 0"},
+                                                       {"arrange a in circle radius=-1", "range 4:21 radius=-1"},
+                                                       {"place a", "syntax 4:8"},
+                                                       {"place a next-to zz", "name 4:17 zz"},
+                                                       {"place a next-to a", "name 4:7 a"},
+                                                       {"place a next-to up", "type 4:7 a"},
+                                                       {"place a next-to b side=centre", "syntax 4:24 centre"},
+                                                       {"place a next-to b side=left align=right", "syntax 4:7 a"},
+                                                       {"place a next-to b size=2", "name 4:19 size"}};
+  for (const auto& [line, words] : table) EXPECT_EQ(told(two + line + "\n"), words) << line;
+  EXPECT_EQ(told(two + "arrange nothing* in row\n"), "");
 }
 
 // All of it is in the picture, and one edge at the margin: by projecting corners.
@@ -125,9 +124,9 @@ TEST(Arranging, FramesWhatIsNamed) {
   const LoadedFilm flat(
       "create a box size=(2 2 2)\ncreate eye camera position=(0 0 9) fov=90deg\nsize 1000x1000\nframe a margin=0\n");
   expect_numbers(flat, "eye.position", "1f", {0, 0, 2}, 1e-9);
-  EXPECT_EQ(first_error("create a box\nframe a\n"), "2:7: there is no camera yet that could be fitted to something");
-  EXPECT_EQ(first_error("create a box\ncreate e camera\nframe a margin=-1\n"), "3:9: a margin is from 0 to 100");
-  EXPECT_EQ(first_error("create a box\ncreate e camera\nframe nobody\n"), "3:7: there is no object 'nobody'");
+  EXPECT_EQ(told("create a box\nframe a\n"), "name 2:7 a");
+  EXPECT_EQ(told("create a box\ncreate e camera\nframe a margin=-1\n"), "range 3:9 margin=-1");
+  EXPECT_EQ(told("create a box\ncreate e camera\nframe nobody\n"), "name 3:7 nobody");
 }
 
 }  // namespace

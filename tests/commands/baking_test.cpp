@@ -43,18 +43,18 @@ TEST(Bake, WithinATolerance) {
 
 TEST(Bake, ErrorsByTheirPlace) {
   const std::string things = "create a sphere\nlayer up add\non up set a.radius 1\n";
-  const std::pair<const char*, const char*> table[] = {
-      {"bake", "4:5: a target is missing here"},
-      {"bake a.position", "4:16: a time is missing here"},
-      {"bake a.position 1f", "4:17: a segment needs its end"},
-      {"bake a.position 1f..9f every 0f", "4:24: an interval is longer than nothing"},
-      {"bake a.position 1f..9f within -1", "4:24: a tolerance is at least 0"},
-      {"bake a.position 1f..9f by 2f", "4:24: 'by' is not expected here"},
-      {"bake a.position 1f..9f every 1e-8s", "4:6: more than 1000000 values would be read"},
-      {"bake a.position.x 1f..9f", "4:6: whole values are baked, not components or velocities"},
-      {"bake a.radius 1f..9f", "4:6: the layer up lies over a.radius: it would count twice"},
-      {"bake a.attachment 1f..9f", "4:6: an attachment cannot be baked"}};
-  for (const auto& [line, words] : table) EXPECT_EQ(first_error(things + line + "\n"), words) << line;
+  const std::pair<const char*, const char*> table[] = {{"bake", "syntax 4:5"},
+                                                       {"bake a.position", "syntax 4:16"},
+                                                       {"bake a.position 1f", "syntax 4:17 1f"},
+                                                       {"bake a.position 1f..9f every 0f", "range 4:24 every 0f"},
+                                                       {"bake a.position 1f..9f within -1", "range 4:24 within -1"},
+                                                       {"bake a.position 1f..9f by 2f", "syntax 4:24 by"},
+                                                       {"bake a.position 1f..9f every 1e-8s", "range 4:6 a.position"},
+                                                       {"bake a.position.x 1f..9f", "type 4:6 a.position.x"},
+                                                       {"bake a.radius 1f..9f", "type 4:6 a.radius"},
+                                                       {"bake a.attachment 1f..9f", "type 4:6 a.attachment"}};
+  for (const auto& [line, words] : table) EXPECT_EQ(told(things + line + "\n"), words) << line;
+  EXPECT_TRUE(mentions(things + "bake a.radius 1f..9f\n", "up"));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class Drawings : public testing::Test {
         "<path id='mouth' d='M20 70q30 20 60 0' fill='none' stroke='red' stroke-width='4'/></svg>");
   }
   Loaded load(const std::string& text) const { return load_file(folder_.put("film.bx", text)); }
-  std::string errors(const std::string& text) const { return said(load(text).diagnostics); }
+  std::vector<std::string> wrong(const std::string& text) const { return all_told(load(text)); }
   const Folder folder_;
 };
 
@@ -55,16 +55,21 @@ TEST_F(Drawings, AreWrittenSoThatTheyReadBack) {
 }
 
 TEST_F(Drawings, SayWhatIsWrong) {
-  EXPECT_NE(errors("create a scene\n").find("a scene needs its file"), std::string::npos);
-  EXPECT_NE(errors("create a scene file=\"none.svg\"\n").find("none.svg"), std::string::npos);
-  EXPECT_NE(errors("create a scene file=\"../face.svg\"\n").find("outside"), std::string::npos);
-  EXPECT_NE(errors("create a scene file=\"film.bx\"\n").find("not a kind of scene"), std::string::npos);
-  EXPECT_NE(errors("create a scene file=\"face.svg\" radius=3\n").find("a group has no 'radius'"), std::string::npos);
-  EXPECT_NE(errors("create a group\ncreate a scene file=\"face.svg\"\n").find("there is a 'a' already"),
-            std::string::npos);
-  EXPECT_NE(errors("create x/a scene file=\"face.svg\"\n").find("there is no 'x'"), std::string::npos);
+  using All = std::vector<std::string>;
+  EXPECT_EQ(wrong("create a scene\n"), All{"syntax 1:8 a"});
+  EXPECT_EQ(wrong("create a scene file=\"none.svg\"\n"), All{"file 1:8 a"});
+  EXPECT_TRUE(mentions(load("create a scene file=\"none.svg\"\n"), "none.svg"));
+  EXPECT_EQ(wrong("create a scene file=\"../face.svg\"\n"), All{"file 1:8 a"});
+  EXPECT_TRUE(mentions(load("create a scene file=\"../face.svg\"\n"), "../face.svg"));
+  EXPECT_EQ(wrong("create a scene file=\"film.bx\"\n"), All{"file 1:8 a"});
+  EXPECT_TRUE(mentions(load("create a scene file=\"film.bx\"\n"), "film.bx"));
+  EXPECT_EQ(wrong("create a scene file=\"face.svg\" radius=3\n"), All{"name 1:32 radius"});
+  EXPECT_EQ(wrong("create a group\ncreate a scene file=\"face.svg\"\n"), All{"name 2:8 a"});
+  EXPECT_EQ(wrong("create x/a scene file=\"face.svg\"\n"), All{"name 1:8 x/a"});
   folder_.put("photo.svg", "<svg viewBox='0 0 9 9'><circle r='1'/><image/></svg>");
-  EXPECT_NE(errors("create a scene file=\"photo.svg\"\n").find("of photo.svg: <image> is left out"), std::string::npos);
+  const Loaded photo = load("create a scene file=\"photo.svg\"\n");
+  EXPECT_EQ(remarks_told(photo), All{"warning syntax 1:8 a"});
+  EXPECT_TRUE(mentions(photo, "photo.svg") && mentions(photo, "<image>"));
 }
 
 }  // namespace

@@ -43,6 +43,57 @@ TEST(Fall, IsHalfATSquaredAfterItsDelay) {
   EXPECT_EQ(write(s.loaded.document).find("= \""), std::string::npos);
 }
 
+// At its track's last event it walks on air as well, as fast as it came, and falls on with that speed. However its
+// track says so: in one or in parts, straight or in a curve, by values or by a velocity that is released there, and
+// where it was to wait. shows: G4 G52
+TEST(Fall, GoesOnAsItCameWhereItsTrackEnds) {
+  struct Case {
+    std::string rows;
+    Vec3 end, speed;
+  };
+  const Case cases[] = {
+      {"b.position\n  1f (0 8 0) linear\n  49f (4 8 6)\n", {4, 8, 6}, {2, 0, 3}},
+      {"b.position\n  1f (0 8 0)\n  49f (4 8 6)\n", {4, 8, 6}, {2, 0, 3}},
+      {"b.position.x\n  1f 0 linear\n  49f 4\nb.position.y\n  1f 8\n  97f 8\n", {4, 8, 0}, {2, 0, 0}},
+      {"b.position\n  1f (0 8 0) hermite\n  49f (4 8 6) tangent-in=(3 1 -2)\n", {4, 8, 6}, {3, 1, -2}},
+      {"b.position\n  1f (0 8 0) bezier(0 0 0.5 0)\n  49f (4 8 6)\n", {4, 8, 6}, {4, 0, 6}},
+      {"b.position\n  1f (0 8 0) linear\n  49f (4 8 6) hold\n  97f (0 0 0)\n", {4, 8, 6}, {2, 0, 3}},
+      {"b.position\n  1f (0 8 0) linear\n  49f (4 8 6) ease-in=48f\n", {4, 8, 6}, {0, 0, 0}},
+      {"b.position\n  1f (0 8 0) hold\n  49f (4 8 6)\n", {4, 8, 6}, {0, 0, 0}},
+      {"set b.position (0 8 0)\nat 1f b.position.velocity (2 0 3)\nat 49f b.position.velocity release\n",
+       {4, 8, 6},
+       {2, 0, 3}},
+      {"set b.position (0 8 0)\nb.position.x.velocity\n  1f 1 hold\n  25f 3\nat 49f b.position.x.velocity release\n",
+       {4, 8, 0},
+       {3, 0, 0}}};
+  for (const Case& c : cases)
+    for (const double delay : {0.0, 2.0}) {
+      const LoadedFilm s("rate 24\ncreate b sphere\n" + c.rows +
+                         fmt::format("at 49f fall b delay={}s gravity=10 ground=-100 for 1s\n", delay));
+      for (const double t : {0.0, 0.5, 1.0, 1.9, 2.0, 2.25, 2.9}) {
+        const double d = t - delay;
+        if (d > 1) continue;
+        const double y = delay > 0 ? (d > 0 ? -5 * d * d : 0) : c.speed.y * t - 5 * t * t;
+        expect_place(s, "b", fmt::format("{}s", 2 + t), c.end + Vec3{t * c.speed.x, y, t * c.speed.z}, 1e-6);
+      }
+      // Before it nothing is another.
+      const LoadedFilm before("rate 24\ncreate b sphere\n" + c.rows);
+      for (const char* time : {"1f", "9f", "30f", "48f"})
+        expect_numbers(s, "b.position", time, before.numbers("b.position", time), 1e-9);
+    }
+}
+
+// A fall that falls again goes on; what lies does not.
+TEST(Fall, FallsOnWhereAnotherOneEnds) {
+  const std::string film = "rate 24\ncreate b sphere position=(0 30 0)\nat 1f b.position.velocity (3 0 0)\n";
+  const LoadedFilm once(film + "at 1f fall b gravity=10 for 2s\n"),
+      twice(film + "at 1f fall b gravity=10 for 1s\nat 25f fall b gravity=10 for 1s\n");
+  for (const char* time : {"13f", "25f", "37f", "49f"})
+    expect_numbers(twice, "b.position", time, once.numbers("b.position", time), 1e-8);
+  const LoadedFilm lies(film + "at 1f fall b gravity=10\nat 9s fall b gravity=10\n");
+  expect_numbers(lies, "b.position", "12s", lies.numbers("b.position", "8s"), 1e-9);
+}
+
 // shows: G4 G71
 TEST(Fall, EndsTheReignOfAVelocityAndGoesOnWithIt) {
   const LoadedFilm s(
@@ -108,7 +159,8 @@ TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
     }
   }
   // When it lies, and before it falls, there is nothing to end; nor where it is let go.
-  for (const char* fine : {"at 400f attach ball to hand\n", "at 0f attach ball to hand\n", "at 0f attach ball to hand\nat 13f letgo ball\n"})
+  for (const char* fine : {"at 400f attach ball to hand\n", "at 0f attach ball to hand\n",
+                           "at 0f attach ball to hand\nat 13f letgo ball\n"})
     EXPECT_TRUE(read(fall + fine).diagnostics.empty()) << fine;
   // Curves of the author's own stay.
   const std::string own =

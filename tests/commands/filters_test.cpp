@@ -52,8 +52,8 @@ TEST(Filters, WhatTheyAreToldOfAnglesAreAngles) {
       "create b box\nb.rotation.z\n  1f 0deg linear\n  25f 180deg\nfilter b.rotation.z limit high=90deg\n"
       "create c camera\nset c.fov 50deg\nfilter c.fov limit low=60deg\n");
   expect_numbers(s, {{"b.rotation.z", "25f", {pi / 2}}, {"b.rotation.z", "7f", {pi / 4}}, {"c.fov", "1f", {pi / 3}}});
-  EXPECT_EQ(errors(read("create b box\nfilter b.rotation.z limit high=90\n")),
-            std::vector<std::string>{"2:32: an angle needs a unit"});
+  EXPECT_EQ(all_told(read("create b box\nfilter b.rotation.z limit high=90\n")),
+            std::vector<std::string>{"type 2:32 90"});
   // Written and read again it is the same.
   const std::string text = write(s.loaded.document);
   EXPECT_NE(text.find("limit high=90deg"), std::string::npos) << text;
@@ -88,10 +88,10 @@ TEST(Filters, AndLayersMixLight) {
 
 TEST(Filters, PlainNumbersHaveNoUnit) {
   const auto first = [](const std::string& filter) {
-    return first_error("create b sphere\nb.position\n  1f (0 0 0)\nfilter b.position " + filter + "\n");
+    return told("create b sphere\nb.position\n  1f (0 0 0)\nfilter b.position " + filter + "\n");
   };
-  EXPECT_EQ(first("wobble amount=0.1 frequency=3f"), "4:47: frequency is a plain number, without a unit");
-  EXPECT_EQ(first("noise seed=5f"), "4:30: seed is a plain number, without a unit");
+  EXPECT_EQ(first("wobble amount=0.1 frequency=3f"), "type 4:47 3f");
+  EXPECT_EQ(first("noise seed=5f"), "type 4:30 5f");
   EXPECT_EQ(first("wobble amount=0.1 frequency=3"), "");
   EXPECT_EQ(first("wobble amount=.1 frequency=3."), "");
   EXPECT_EQ(first("smooth width=3f"), "");

@@ -153,7 +153,8 @@ TEST(LaterLists, Four_hundred_films_show_the_old_list_before_and_the_new_one_aft
     }
     std::shuffle(asked.begin(), asked.end(), author.random);
     std::vector<Program> alone_is;  // each version, as the only one of its film
-    for (const auto& [from, version] : is) alone_is.push_back(Program::compile(read(Author::written(version)).document));
+    for (const auto& [from, version] : is)
+      alone_is.push_back(Program::compile(read(Author::written(version)).document));
     for (const auto& [t, i] : asked) {
       const Seen wanted = seen(alone_is[i], t);
       EXPECT_EQ(seen(program, t), wanted) << "seed " << seed << ", version " << i << "\n" << text;
@@ -262,32 +263,31 @@ at 15t edit a
 TEST(LaterLists, Lists_may_call_one_another_the_other_way_round_later) {
   const std::string text =
       "make a\n  point (1 0 0)\nmake b\n  call a\nstart b\nat 3f make b\n  point (2 0 0)\nat 3f edit a\n  call b\n";
-  EXPECT_TRUE(errors(read(text)).empty()) << said(read(text).diagnostics);
+  EXPECT_TRUE(all_told(read(text)).empty()) << said(read(text).diagnostics);
   EXPECT_TRUE(read(write(read(text).document)).document == read(text).document) << write(read(text).document);
-  EXPECT_EQ(errors(read(text + "at 5f edit b\n  call a\n")),
-            std::vector<std::string>{"11:8: this would go round in a circle: b → a → b"});
-  EXPECT_EQ(errors(read(text + "edit b\n  call a\n")),
-            std::vector<std::string>{"11:8: this would go round in a circle: b → a → b"});
-  EXPECT_EQ(errors(read(text + "at 2f edit b\n  call a\n")), std::vector<std::string>{});
+  EXPECT_EQ(all_told(read(text + "at 5f edit b\n  call a\n")), std::vector<std::string>{"name 11:8 a"});
+  EXPECT_EQ(all_told(read(text + "edit b\n  call a\n")), std::vector<std::string>{"name 11:8 a"});
+  for (const char* again : {"at 5f edit b\n  call a\n", "edit b\n  call a\n"})
+    EXPECT_TRUE(mentions(text + again, "b → a → b")) << again;
+  EXPECT_EQ(all_told(read(text + "at 2f edit b\n  call a\n")), std::vector<std::string>{});
 }
 
 TEST(LaterLists, Errors_say_what_and_where) {
   const std::pair<std::string, std::string> table[] = {
-      {"at 3f start a\n", "1:7: 'start' has no time: it holds for the whole film"},
-      {"at 3f edit a\n", "1:12: there is no display list 'a'"},
-      {"at 3f make a\nat 2f edit a\n", "2:12: there is no display list 'a' at that time"},
-      {"at 3f make a\nat 4f delete a\nat 5f edit a\n  point (0 0)\n",
-       "3:12: there is no display list 'a' at that time"},
-      {"at 3f make a\nmake a\n", "2:6: there is a display list 'a' already"},
-      {"at 3f make a\ncreate a sphere\n", "2:8: there is a display list 'a' already"},
-      {"make a\n  point (0 0)\nat 3f edit a\n  end\n", "4:3: there is no 'begin' here that this 'end' could end"},
-      {"make a\n  point (0 0)\nat 3f edit a\n  push\n", "4:3: this 'push' is never followed by its 'pop'"},
-      {"make a\n  point (0 0)\nat 3f edit a\n  replace x\n", "4:11: there is no tag 'x' in 'a'"},
+      {"at 3f start a\n", "syntax 1:7 start"},
+      {"at 3f edit a\n", "name 1:12 a"},
+      {"at 3f make a\nat 2f edit a\n", "name 2:12 a"},
+      {"at 3f make a\nat 4f delete a\nat 5f edit a\n  point (0 0)\n", "name 3:12 a"},
+      {"at 3f make a\nmake a\n", "name 2:6 a"},
+      {"at 3f make a\ncreate a sphere\n", "name 2:8 a"},
+      {"make a\n  point (0 0)\nat 3f edit a\n  end\n", "syntax 4:3 end"},
+      {"make a\n  point (0 0)\nat 3f edit a\n  push\n", "syntax 4:3 push"},
+      {"make a\n  point (0 0)\nat 3f edit a\n  replace x\n", "name 4:11 x"},
   };
-  for (const auto& [text, message] : table) EXPECT_EQ(errors(read(text)), std::vector<std::string>{message}) << text;
-  EXPECT_EQ(said(read(std::string(star) + "at 3f delete star\n").diagnostics),
-            "test.bx:11:14: warning: 'sky' still calls 'star', which draws nothing from then on\n"
-            "  at 3f delete star\n               ^~~~\n");
+  for (const auto& [text, message] : table) EXPECT_EQ(all_told(read(text)), std::vector<std::string>{message}) << text;
+  EXPECT_EQ(remarks_told(std::string(star) + "at 3f delete star\n"),
+            std::vector<std::string>{"warning syntax 11:14 star"});
+  EXPECT_TRUE(mentions(std::string(star) + "at 3f delete star\n", "'sky'"));
   EXPECT_EQ(said(read(std::string(star) + "at 3f delete sky\n").diagnostics),
             "test.bx:11:14: warning: 'sky' is the main object: nothing of the display lists is shown from then on\n"
             "  at 3f delete sky\n               ^~~\n");
@@ -298,12 +298,11 @@ TEST(LaterLists, Too_many_versions_are_refused_in_words) {
   for (int i = 0; i < 60'000; ++i) text += "  point (0 0)\n";
   text += "start a\n";
   for (int i = 0; i < 9; ++i) text += fmt::format("at {}f edit a\n  point ({} 0)\n", i + 2, i);
-  const auto all = errors(read(text));
-  ASSERT_FALSE(all.empty());
-  EXPECT_NE(all[0].find("'a' changes too often for its size: all that it draws from edit to edit would be more than "
-                        "300000 objects"),
-            std::string::npos)
-      << all[0];
+  const Loaded l = read(text);
+  EXPECT_EQ(told(l), "range 60009:12 a");
+  EXPECT_TRUE(mentions(l,
+                       "'a' changes too often for its size: all that it draws from edit to edit would be more than "
+                       "300000 objects"));
 }
 
 }  // namespace

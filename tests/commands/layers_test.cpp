@@ -65,25 +65,24 @@ TEST(Layers, ShortFormsGoWhereTheirLongOnesDo) {
   }
   const LoadedFilm seen(head + "on over at 5f hide b\n");
   expect_numbers(seen, {{"b.display", "4f", {1}}, {"b.display", "5f", {0}}});
-  EXPECT_EQ(errors(read(head + "on over at 5f look through eye\n")),
-            (std::vector<std::string>{"4:15: 'look' works on no layer"}));
+  EXPECT_EQ(all_told(read(head + "on over at 5f look through eye\n")), (std::vector<std::string>{"syntax 4:15 look"}));
 }
 
 // shows: G22 G27
 TEST(Layers, UnknownNamesAreSaid) {
   const auto message = [](const std::string& line) {
-    const auto all = errors(read("create a sphere\nlayer up add\n" + line + "\n"));
+    const auto all = all_told(read("create a sphere\nlayer up add\n" + line + "\n"));
     return all.size() == 1 ? all[0] : fmt::format("{} errors", all.size());
   };
-  for (const auto& [line, told] : {std::pair{"on a set a.radius 2", "3:4: 'a' is no layer"},
-                                   {"on upp set a.radius 2", "3:4: there is no layer 'upp'"},
-                                   {"on up create b sphere", "3:7: 'create' works on no layer"},
-                                   {"on up on up set a.radius 2", "3:7: 'on' works on no layer"},
-                                   {"layer up add", "3:7: there is a layer 'up' already"},
-                                   {"layer down sum", "3:12: a layer adds or mixes"},
-                                   {"filter a.position smoth", "3:19: there is no filter 'smoth'"},
-                                   {"filter a.position smooth with=5f", "3:26: 'smooth' has no 'with'"},
-                                   {"filter a.display noise", "3:8: 'noise' means nothing for on or off"}})
+  for (const auto& [line, told] : {std::pair{"on a set a.radius 2", "type 3:4 a"},
+                                   {"on upp set a.radius 2", "name 3:4 upp"},
+                                   {"on up create b sphere", "syntax 3:7 create"},
+                                   {"on up on up set a.radius 2", "syntax 3:7 on"},
+                                   {"layer up add", "name 3:7 up"},
+                                   {"layer down sum", "syntax 3:12 sum"},
+                                   {"filter a.position smoth", "name 3:19 smoth"},
+                                   {"filter a.position smooth with=5f", "name 3:26 with"},
+                                   {"filter a.display noise", "type 3:8 a.display"}})
     EXPECT_EQ(message(line), told);
 }
 

@@ -319,35 +319,35 @@ TEST(Motions, SayWhenSomethingWillNextChange) {
 }
 
 TEST(Motions, SayWhatIsWrong) {
-  const auto error = [](const std::string& rows) {
-    const auto all = errors(read("create a sphere\ncreate sun sphere\na.motion\n" + rows));
+  const std::string a = "create a sphere\ncreate sun sphere\na.motion\n";
+  const auto error = [&](const std::string& rows) {
+    const auto all = all_told(read(a + rows));
     return all.empty() ? std::string("fine") : all[0];
   };
-  EXPECT_EQ(error("  1f..24f T(6 0) Q(1)\n"), "4:18: a motion is a string of T(…), R(…) and S(…)");
-  EXPECT_EQ(error("  1f..24f R(90)\n"), "4:13: an angle needs its unit: 90");
-  EXPECT_EQ(error("  1f..24f S(2 -1)\n"), "4:11: a scaling by -1 has no in-betweens");
-  EXPECT_EQ(error("  1f..24f R(90deg @ son)\n"), "4:21: there is no object 'son'");
-  EXPECT_EQ(error("  1f..24f R(90deg @ sun) R(90deg @ su)\n"), "4:36: there is no object 'su'");
+  EXPECT_EQ(error("  1f..24f T(6 0) Q(1)\n"), "syntax 4:18 Q");
+  EXPECT_EQ(error("  1f..24f R(90)\n"), "type 4:13 90");
+  EXPECT_EQ(error("  1f..24f S(2 -1)\n"), "range 4:11 S(2 -1");
+  EXPECT_EQ(error("  1f..24f R(90deg @ son)\n"), "name 4:21 son");
+  EXPECT_EQ(error("  1f..24f R(90deg @ sun) R(90deg @ su)\n"), "name 4:36 su");
   EXPECT_EQ(error("  1f..24f R(90deg @ (0 0 0) axis (0 1 0))\n"), "fine");
-  EXPECT_EQ(error("  1f..24f\n"), "4:10: a motion is wanted here");
-  EXPECT_EQ(error("  1f..24f 3\n"), "4:11: a motion is wanted here");
-  EXPECT_EQ(error("  24f..24f T(1 0)\n"), "4:12: a motion takes time, and this segment has none");
-  EXPECT_EQ(error("  24f..1f T(1 0)\n"), "4:3: this segment ends before it begins");
-  EXPECT_EQ(error("  1f..24f T(1 0) slerp\n"), "4:18: 'slerp' turns orientations; this is a motion");
-  EXPECT_EQ(error("  1f..24f T(1 0)\n  12f..36f T(1 0)\n"), "5:12: 'a.motion' is under way from 1f with T(1 0)");
-  EXPECT_EQ(error("  12f..36f T(1 0)\n  1f..24f R(1turn)\n"), "5:11: 'a.motion' is under way from 12f with T(1 0)");
+  EXPECT_EQ(error("  1f..24f\n"), "syntax 4:10");
+  EXPECT_EQ(error("  1f..24f 3\n"), "syntax 4:11 3");
+  EXPECT_EQ(error("  24f..24f T(1 0)\n"), "range 4:12 T");
+  EXPECT_EQ(error("  24f..1f T(1 0)\n"), "range 4:3 24f..1f");
+  EXPECT_EQ(error("  1f..24f T(1 0) slerp\n"), "type 4:18 slerp");
+  EXPECT_EQ(error("  1f..24f T(1 0)\n  12f..36f T(1 0)\n"), "range 5:12 T(1 0)");
+  EXPECT_TRUE(mentions(a + "  1f..24f T(1 0)\n  12f..36f T(1 0)\n", "from 1f with T(1 0)"));
+  EXPECT_EQ(error("  12f..36f T(1 0)\n  1f..24f R(1turn)\n"), "range 5:11 R(1turn)");
+  EXPECT_TRUE(mentions(a + "  12f..36f T(1 0)\n  1f..24f R(1turn)\n", "from 12f with T(1 0)"));
   EXPECT_EQ(error("  1f..24f T(1 0)\n  24f..36f T(1 0)\n"), "fine");
-  EXPECT_EQ(error("  1f..24f = \"1\"\n"), "4:11: a motion cannot be computed");
-  EXPECT_EQ(error("a.position\n  1f..24f (0 0 0)\n"),
-            "5:3: one time stands here: only motions and ways along a line have a segment");
-  EXPECT_EQ(error("at 1f..4f a.position (0 0 0)\n"),
-            "4:4: one time stands here: only motions and ways along a line have a segment");
-  EXPECT_EQ(error("set a.motion T(1 0)\n"), "4:5: a motion is not set: it takes a segment of time");
-  EXPECT_EQ(error("create b sphere motion=T(1 0)\n"), "4:17: a motion is not set: it takes a segment of time");
-  EXPECT_EQ(error("layer up add\non up a.motion\n  1f..3f T(1 0)\n"),
-            "5:7: a motion is no layer's: it is added to what the tracks say anyway");
-  EXPECT_EQ(error("filter a.motion smooth\n"), "4:8: 'smooth' means nothing for a motion");
-  EXPECT_EQ(error("  1f..24f T(1 0)\nreverse a.motion 1f..24f\n"), "5:9: a motion cannot be reversed");
+  EXPECT_EQ(error("  1f..24f = \"1\"\n"), "type 4:11 =");
+  EXPECT_EQ(error("a.position\n  1f..24f (0 0 0)\n"), "syntax 5:3 1f..24f");
+  EXPECT_EQ(error("at 1f..4f a.position (0 0 0)\n"), "syntax 4:4 1f..4f");
+  EXPECT_EQ(error("set a.motion T(1 0)\n"), "type 4:5 a.motion");
+  EXPECT_EQ(error("create b sphere motion=T(1 0)\n"), "type 4:17 motion");
+  EXPECT_EQ(error("layer up add\non up a.motion\n  1f..3f T(1 0)\n"), "type 5:7 a.motion");
+  EXPECT_EQ(error("filter a.motion smooth\n"), "type 4:8 a.motion");
+  EXPECT_EQ(error("  1f..24f T(1 0)\nreverse a.motion 1f..24f\n"), "type 5:9 a.motion");
 }
 
 }  // namespace

@@ -18,31 +18,27 @@ TEST(Newcomer, Is_told_what_is_wrong_where_and_what_to_write) {
   const std::string rows = "rows are indented, below make NAME or edit NAME";
   const std::string narrow = "a camera sees less than 180deg";
   const Slip table[] = {
-      {"couple ball to spin", "3:16: 'spin' is an environment: nothing is held by it",
-       "it moves what is in it: set ball.environments (spin)"},
-      {"start ball", "3:7: 'ball' is a sphere, not a display list", lists},
-      {"edit spin", "3:6: 'spin' is an environment, not a display list", lists},
-      {"create spin box", "3:8: there is an environment 'spin' already",
-       "objects, environments and layers have names of their own"},
-      {"set ball.transform rotate 90deg z", "3:27: an opening bracket '(' is missing here, behind 'rotate'",
-       "as in rotate(90deg, z)"},
-      {"set ball.transform translate 1 0 0", "3:30: an opening bracket '(' is missing here, behind 'translate'",
-       "as in translate(1 0 0)"},
-      {"halt spni", "3:6: there is no environment 'spni'", "did you mean 'spin'?"},
-      {"set ball.count 3", "3:10: 'ball', a sphere, has no function 'count'", ""},
-      {"set spin.radius 3", "3:10: 'spin', an environment, has no function 'radius'", ""},
-      {"point (0 0)", "3:1: 'point' is a row of a display list, not a command", rows},
-      {"call star", "3:1: 'call' is a row of a display list, not a command", rows},
-      {"make a\n  circle (0 0) 2", "4:3: display lists have no 'circle'",
+      {"couple ball to spin", "type 3:16 spin", "it moves what is in it: set ball.environments (spin)"},
+      {"start ball", "name 3:7 ball", lists},
+      {"edit spin", "name 3:6 spin", lists},
+      {"create spin box", "name 3:8 spin", "objects, environments and layers have names of their own"},
+      {"set ball.transform rotate 90deg z", "syntax 3:27 90deg", "as in rotate(90deg, z)"},
+      {"set ball.transform translate 1 0 0", "syntax 3:30 1", "as in translate(1 0 0)"},
+      {"halt spni", "name 3:6 spni", "did you mean 'spin'?"},
+      {"set ball.count 3", "name 3:10 count", ""},
+      {"set spin.radius 3", "name 3:10 radius", ""},
+      {"point (0 0)", "name 3:1 point", rows},
+      {"call star", "name 3:1 call", rows},
+      {"make a\n  circle (0 0) 2", "name 4:3 circle",
        "rows that draw are point, vector, polygon, text and call; for the others: help make"},
-      {"make a\nmake b\n  a", "5:3: display lists have no 'a'", "call a draws that list"},
-      {"make a\n  polygn (0 0)", "4:3: display lists have no 'polygn'", "did you mean 'polygon'?"},
-      {"make a\n  perspective 200deg", "4:15: perspective is at most 177.6deg", narrow},
-      {"create eye camera fov=200deg", "3:23: fov is at most 177.6deg", narrow},
+      {"make a\nmake b\n  a", "name 5:3 a", "call a draws that list"},
+      {"make a\n  polygn (0 0)", "name 4:3 polygn", "did you mean 'polygon'?"},
+      {"make a\n  perspective 200deg", "range 4:15 200deg", narrow},
+      {"create eye camera fov=200deg", "range 3:23 200deg", narrow},
   };
   for (const auto& [line, told, hint] : table) {
     const Loaded loaded = read(std::string(film) + line + "\n");
-    EXPECT_EQ(errors(loaded), std::vector<std::string>{told}) << line;
+    EXPECT_EQ(all_told(loaded), std::vector<std::string>{told}) << line;
     ASSERT_FALSE(loaded.diagnostics.empty());
     EXPECT_EQ(loaded.diagnostics[0].what.hint, hint) << line;
   }
@@ -62,29 +58,61 @@ TEST(Newcomer, A_scale_of_nothing_is_pointed_out) {
   EXPECT_TRUE(read(std::string(film) + "set ball.transform scale(1 0 1)\n").diagnostics.empty());  // a shadow
 }
 
+// Words that are tried as kinds and as commands say what there is.
+TEST(Newcomer, Words_from_elsewhere_lead_to_what_there_is) {
+  for (const auto& [word, leads] : {std::pair{"image", "texture=\"photo.png\""},
+                                    {"video", "texture"},
+                                    {"svg", "create logo scene file=\"logo.svg\""},
+                                    {"particles", "create p{1..200} sphere"},
+                                    {"caption", "create caption text"},
+                                    {"table", "arrange cell* in grid"},
+                                    {"graph", "curve points="},
+                                    {"mask", "trim"},
+                                    {"blend", "twerper"},
+                                    {"transition", "look through eye2"},
+                                    {"bloom", "material glow"},
+                                    {"wait", "times are absolute"}})
+    for (const std::string& line : {fmt::format("create x {}", word), std::string(word) + " 2s"}) {
+      const Loaded loaded = read(line + "\n");
+      ASSERT_EQ(loaded.diagnostics.size(), 1u) << line;
+      EXPECT_NE(loaded.diagnostics[0].what.hint.find(leads), std::string::npos) << to_string(loaded.diagnostics[0]);
+    }
+}
+
+// What a refused line would have made is not missed again, by a pattern either.
+TEST(Newcomer, What_follows_from_a_refused_line_is_not_said) {
+  const Loaded loaded = read(
+      "create d{1..3} box position=(1 0 q)\nset d*.position (1 2 3)\nshow d{1..3}\nat 2f hide d2\nset d2.size (1 1 1)\n"
+      "d?.position\n  1f (0 0 0)\ncouple d* to d1\nset e*.position (1 2 3)\n");
+  EXPECT_EQ(errors(loaded), std::vector<std::string>{"1:34: 'q' is not a number"});
+  ASSERT_EQ(loaded.diagnostics.size(), 2u) << said(loaded.diagnostics);
+  EXPECT_EQ(loaded.diagnostics[1].what.message, "'e*' names nothing");
+}
+
 TEST(Newcomer, What_can_be_asked_for_has_no_parts) {
   const Loaded loaded = read(film);
   const std::tuple<const char*, const char*, const char*> table[] = {
-      {"spin.world.w", "'spin.world' has no part 'w'", "spin.world.x, .y and .z say where it is"},
-      {"ball.world.w", "'ball.world' has no part 'w'", "ball.world.x, .y and .z say where it is"},
-      {"spin.by.x", "'spin.by' has no part 'x'", "spin.by is a matrix, row by row"},
-      {"spin.count.x", "'spin.count' has no part 'x'", "ask for spin.count"},
+      {"spin.world.w", "name spin.world", "spin.world.x, .y and .z say where it is"},
+      {"ball.world.w", "name ball.world", "ball.world.x, .y and .z say where it is"},
+      {"spin.by.x", "name spin.by", "spin.by is a matrix, row by row"},
+      {"spin.count.x", "name spin.count", "ask for spin.count"},
   };
-  for (const auto& [target, message, hint] : table) {
+  for (const auto& [target, wrong, hint] : table) {
     const auto found = find_targets(target, loaded.document);
     ASSERT_FALSE(found) << target;
-    EXPECT_EQ(found.error().message, message);
+    EXPECT_EQ(told(found), wrong);
     EXPECT_EQ(found.error().hint, hint);
   }
+  EXPECT_EQ(find_targets("spin.world.w", loaded.document).error().message, "'spin.world' has no part 'w'");
 }
 
 TEST(Newcomer, Touching_nobody_is_said_with_who_may_be_meant) {
   const LoadedFilm s(std::string(film) + "create eye disc\nset eye.radius = \"#touching('bal')\"\n");
   const std::vector<std::string> problems = s.frame("1f").problems;
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(problems[0],
-            "eye.radius: the procedure \"#touching('bal')\" gives no value: touching('bal'): there is no object 'bal'; "
-            "did you mean 'ball'?");
+  EXPECT_TRUE(problems[0].starts_with("eye.radius: ")) << problems[0];
+  EXPECT_NE(problems[0].find("\"#touching('bal')\""), std::string::npos) << problems[0];
+  EXPECT_TRUE(problems[0].ends_with("; did you mean 'ball'?")) << problems[0];
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ TEST(Plugins, TheirWordsAreUsedAndExplainedLikeBuiltInOnes) {
   expect_numbers(s, {{"a.radius", "13f", {1 + 2 * (1 + v * v * ((more + 1) * v + more))}},
                      {"a.position.x", "6f", {0}},
                      {"a.position.x", "8f", {0.5}}});
-  EXPECT_EQ(errors(read("create a sphere\nat 1f a.radius 2 overshot\n")),
-            std::vector<std::string>{"2:18: there is no twerper 'overshot'"});
+  EXPECT_EQ(all_told(read("create a sphere\nat 1f a.radius 2 overshot\n")),
+            std::vector<std::string>{"name 2:18 overshot"});
   EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 overshot\n").diagnostics.at(0).what.hint,
             "did you mean 'overshoot'?");
 }
@@ -43,15 +43,13 @@ TEST(Plugins, WordsThatAreTakenAreRefused) {
   const Status s = use_plugin(copy);
   ASSERT_FALSE(s);
   EXPECT_EQ(s.error().message, copy + ": it registers 'overshoot', which " + at("example") + " has brought already");
-  EXPECT_EQ(errors(read("procedure quantise filter lua \"1\"\n")),
-            std::vector<std::string>{"1:11: 'quantise' is a filter already"});
+  EXPECT_EQ(all_told(read("procedure quantise filter lua \"1\"\n")), std::vector<std::string>{"name 1:11 quantise"});
 }
 
 // shows: G19
 TEST(Plugins, ScriptsDoNotLoadThem) {
   const Loaded l = read("load swirl.so\n");
-  EXPECT_EQ(errors(l), std::vector<std::string>{
-                           "1:1: 'load' is no word of a script: plug-ins are programs, which a script must not start"});
+  EXPECT_EQ(all_told(l), std::vector<std::string>{"name 1:1 load"});
   EXPECT_EQ(l.diagnostics.at(0).what.hint, "who shows the film loads it: betwixt play --load PLUGIN FILE");
   EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 swirly\n").diagnostics.at(0).what.hint,
             "where it is a plug-in's: --load PLUGIN");

@@ -3,11 +3,12 @@
 //
 // Operations on segments of tracks, by values worked out by hand.
 #include <array>
+#include <functional>
 
 #include "betwixt/object.h"
 #include "betwixt/track.h"
-#include "commands/dice.h"
 #include "commands/tracks.h"
+#include "support/dice.h"
 
 namespace betwixt {
 namespace {
@@ -56,16 +57,84 @@ TEST(Segments, OperationsOnTimesAskForNoTypes) {
     EXPECT_TRUE(tracks(cleared.loaded.document, id).empty() || tracks(cleared.loaded.document, id)[0].events == 0);
 }
 
-TEST(Segments, OperationsOnValuesLeaveOutWhatHasNoneAndSayIt) {
-  const Loaded l = read(
-      "create b box\nat 1f b.position (1 2 3)\nat 1f b.color red\nat 1f hide b\n"
-      "translate b.{position,color,display} 1f..24f (0 1 0)\n");
-  EXPECT_EQ(errors(l), std::vector<std::string>{});
-  EXPECT_NE(said(l.diagnostics).find("left out, having other values than position: b.color, b.display"),
-            std::string::npos)
-      << said(l.diagnostics);
-  const auto found = find_targets("b.position", l.document);
-  EXPECT_EQ(std::get<Vec3>(Program::compile(l.document).read(found->front(), {})), (Vec3{1, 3, 3}));
+// The notices of a film without errors.
+std::vector<std::string> noticed(const std::string& film) {
+  const Loaded l = read(film);
+  EXPECT_EQ(errors(l), std::vector<std::string>{}) << film;
+  std::vector<std::string> out;
+  for (const Diagnostic& d : l.diagnostics)
+    if (!d.what.message.starts_with("a velocity has priority"))
+      out.push_back(d.what.message + (d.what.hint.empty() ? "" : " (" + d.what.hint + ")"));
+  return out;
+}
+
+TEST(Segments, OperationsOnValuesTakeEachTypeInItsOwnWay) {
+  const std::string film =
+      "rate 24\ncreate b sphere\nat 1f b.position (1 2 3)\nat 1f b.color rgb(0.2 0.4 0.6)\nat 1f hide b\nat 1f "
+      "b.radius 3\n"
+      "at 1f b.rotation axis(0 1 0, 90deg)\n";
+  const std::string moved = film + "translate b.{position,color,display} 1f..24f (0 1 0)\n";
+  EXPECT_EQ(noticed(moved), std::vector<std::string>{"left out: b.display (on or off cannot be moved)"});
+  expect_numbers(LoadedFilm(moved), {{"b.position", "1f", {1, 3, 3}}, {"b.color", "1f", {0.2, 1.4, 0.6}}});
+  const std::string scaled = film + "scale b.{position,radius,scale} 1f..24f 2\n";
+  EXPECT_EQ(noticed(scaled), std::vector<std::string>{});
+  expect_numbers(LoadedFilm(scaled), {{"b.position", "1f", {2, 4, 6}}, {"b.radius", "1f", {6}}});
+  const std::string turned = film + "rotate b.{position,rotation,radius} 1f..24f 90deg y\n";
+  EXPECT_EQ(
+      noticed(turned),
+      std::vector<std::string>{"left out: b.radius (only vectors and orientations can be rotated; this is a number)"});
+  const LoadedFilm s(turned);
+  expect_numbers(s, "b.position", "1f", {3, 2, -1}, 1e-12);
+  const Quat half = std::get<Quat>(s.read("b.rotation", "1f"));
+  EXPECT_NEAR(std::abs(half.y), 1, 1e-12);
+  // A value that fits only some of them; none of them; one that is wrong for all.
+  EXPECT_EQ(noticed(film + "translate b.{position,radius} 1f..24f (0 1 0)\n"),
+            std::vector<std::string>{"left out: b.radius (a number is wanted here, not a vector)"});
+  EXPECT_EQ(first_error(film + "scale b.{display,material} 1f..24f 2\n"), "8:7: on or off cannot be scaled");
+  const Loaded grown = read(film + "scale b.{radius,position} 1f..24f 1e308\nscale b.radius 1f..2f 1e308\n");
+  EXPECT_EQ(errors(grown).size(), 2u);
+}
+
+TEST(Segments, WhatMeansNothingForSomeIsDoneToTheOthers) {
+  const std::string film =
+      "rate 24\ncreate b sphere\nb.radius\n  1f 1 linear\n  25f 3\nb.position\n  1f (0 0 0) linear\n  25f (4 0 0)\n"
+      "at 13f b.position.velocity (1 0 0)\n";
+  EXPECT_EQ(noticed(film + "reverse b.* 1f..25f\n"),
+            std::vector<std::string>{"left out: b.position (a track with velocities cannot be reversed)"});
+  const LoadedFilm s(film + "reverse b.* 1f..25f\n"), was(film);
+  expect_numbers(s, {{"b.radius", "1f", {3}}, {"b.radius", "7f", {2.5}}});
+  for (const char* time : {"1f", "7f", "20f", "30f"})
+    expect_numbers(s, "b.position", time, was.numbers("b.position", time));
+  EXPECT_EQ(first_error(film + "reverse b.position 1f..25f\n"), "10:9: a track with velocities cannot be reversed");
+  EXPECT_EQ(
+      noticed("create b box\ncreate c box\nb.attachment\n  5f attach to c\nextend b.{position,attachment} cycle\n"),
+      std::vector<std::string>{"left out: b.attachment (an attachment cannot be extended by cycle)"});
+}
+
+TEST(Segments, TwerpersAndFiltersTakeEachType) {
+  const std::string film =
+      "rate 24\ncreate b sphere\nb.position\n  1f (0 0 0) hold\n  25f (4 0 0)\nb.color\n  1f black hold\n  25f white\n";
+  const std::string linear = film + "twerper b.{position,color,material} linear in=srgb\n";
+  EXPECT_EQ(noticed(film + "twerper b.{position,color} linear\n"), std::vector<std::string>{});
+  expect_numbers(LoadedFilm(film + "twerper b.{position,color} linear\ntwerper b.color linear in=srgb\n"),
+                 {{"b.position", "13f", {2, 0, 0}}, {"b.color", "13f", {0.5, 0.5, 0.5}}});
+  const auto left = noticed(linear);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_TRUE(left[0].starts_with("left out: b.position, b.material (only colours blend in light or srgb")) << left[0];
+  expect_numbers(LoadedFilm(linear), {{"b.position", "13f", {0, 0, 0}}, {"b.color", "13f", {0.5, 0.5, 0.5}}});
+  const std::string sprung = film +
+                             "filter b.{scale,position,material} delay by=1f\nfilter b.{scale,material,radius} spring\n"
+                             "filter b.{radius,rotation} limit high=0.5\n";
+  EXPECT_EQ(noticed(sprung), (std::vector<std::string>{"left out: b.material ('spring' means nothing for a text)",
+                                                       "left out: b.rotation (an angle needs a unit)"}));
+  expect_numbers(LoadedFilm(sprung),
+                 {{"b.position", "25f", {0, 0, 0}}, {"b.position", "26f", {4, 0, 0}}, {"b.radius", "1f", {0.5}}});
+  EXPECT_EQ(first_error("create b box\nfilter b.{material,display} spring\n"),
+            "2:8: 'spring' means nothing for a text");
+  EXPECT_EQ(first_error("create b box\nfilter b.{position,color} sprong\n"), "2:27: there is no filter 'sprong'");
+  // One that is wrong otherwise does nothing to anyone.
+  const Loaded wrong = read(film + "twerper b.{position,color} liner\n");
+  EXPECT_EQ(errors(wrong), std::vector<std::string>{"9:28: there is no twerper 'liner'"});
 }
 
 TEST(Segments, AVelocityAloneIsReversed) {
@@ -88,11 +157,81 @@ TEST(Segments, ReversingAPartBendsNothingInside) {
   }
 }
 
+// With eases, other twerpers, one for the whole track, and of velocities.
+struct TracksToTurnRound : Dice {
+  using Dice::Dice;
+  std::string rows(const std::function<std::string(double, int)>& value) {
+    static constexpr std::array twerpers{"", "smooth", "auto", "linear", "ease-in-out", "fcurve"};
+    static constexpr std::array eases{"", " ease-in=2f", " ease-out=3f", " ease-in=1f ease-out=2f"};
+    std::string text;
+    for (int frame = 1; frame < 60; frame += 2 + below(6))
+      text += fmt::format("  {}f {} {}{}\n", frame, value(below(90) / 7.0, below(90)),
+                          twerpers[static_cast<std::size_t>(below(6))], eases[static_cast<std::size_t>(below(4))]);
+    return text;
+  }
+  std::string film() {
+    const auto vector = [](double x, int y) { return fmt::format("({} {} 1)", x, y); };
+    std::string text = "rate 24\ncreate b sphere\ncreate c sphere\nb.position\n" + rows(vector) + "b.rotation.y\n";
+    text += rows([](double, int y) { return fmt::format("{}deg", y); }) + "c.radius.velocity\n";
+    text += rows([](double x, int) { return fmt::format("{}", x); }) + "c.position\n" + rows(vector);
+    return text + (chance(2) ? "twerper c.position smooth\n" : "twerper c.position auto\n");
+  }
+};
+
+TEST(Segments, ReversingAPartBendsNothingWhateverItsTwerpers) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const std::string film = TracksToTurnRound(seed).film();
+    const std::string reversed =
+        film +
+        "reverse b.position 10f..50f\nreverse b.rotation.y 10f..50f\nreverse c.radius.velocity 10f..50f\n"
+        "reverse c.position 10f..50f\n";
+    const LoadedFilm was(film), is(reversed);
+    for (const char* target : {"b.position", "b.rotation.y", "c.radius.velocity", "c.position"}) {
+      const auto all = find_targets(target, was.loaded.document);
+      std::vector<double> frames;
+      for (const EventView& e : events(was.loaded.document, all->front()))
+        if (const double f = 1 + e.time.seconds() * 24; f >= 10 && f <= 50) frames.push_back(f);
+      for (double f = frames.front() + 0.25; f < frames.back(); f += 1.5)
+        expect_numbers(is, target, fmt::format("{}f", 60 - f), was.numbers(target, fmt::format("{}f", f)), 1e-8);
+    }
+    EXPECT_EQ(said(is.loaded.diagnostics).find("bend"), std::string::npos) << said(is.loaded.diagnostics);
+  }
+}
+
+TEST(Segments, ReversingAPartSaysWhatBends) {
+  const std::string film =
+      "rate 24\ncreate b sphere\nb.radius\n  1f 1 bspline\n  5f 9 bspline\n  9f 2 bspline\n  17f 7 bspline\n"
+      "  19f 4 bspline\n  30f 8\n";
+  const std::string hint =
+      " (their in-betweens follow from the events beside them, which are others now; reverse the whole track, or bake "
+      "it "
+      "first)";
+  EXPECT_EQ(
+      noticed(film + "reverse b.radius 5f..19f\n"),
+      std::vector<std::string>{"these bend otherwise than before, backwards: b.radius from 15f to 19f, b.radius from "
+                               "5f to 7f" +
+                               hint});
+  // What is not named is the mirror of what it was.
+  const LoadedFilm was(film), is(film + "reverse b.radius 5f..19f\n");
+  for (double f = 9; f < 17; f += 0.5)
+    expect_numbers(is, "b.radius", fmt::format("{}f", 24 - f), was.numbers("b.radius", fmt::format("{}f", f)), 1e-9);
+  EXPECT_EQ(noticed(film + "reverse b.radius 1f..30f\n"), std::vector<std::string>{});  // all of it
+  EXPECT_EQ(noticed(film + "at 5f b.radius 9 cut 9 bspline\nreverse b.radius 5f..30f\n"), std::vector<std::string>{});
+  const std::string turns =
+      "create b box\nb.rotation\n  1f axis(y 0deg) squad\n  5f axis(y 40deg) squad\n  9f axis(x 90deg) squad\n  13f "
+      "axis(z "
+      "90deg)\ncreate c box\nc.color\n  1f red smooth\n  5f blue smooth\n  9f green smooth\n  13f gold\n";
+  EXPECT_EQ(noticed(turns + "reverse b.rotation 5f..13f\nreverse c.color 5f..13f\n"),
+            (std::vector<std::string>{"these bend otherwise than before, backwards: b.rotation from 9f to 13f" + hint,
+                                      "these bend otherwise than before, backwards: c.color from 9f to 13f" + hint}));
+}
+
 struct FilmsToForget : Dice {
   using Dice::Dice;
   static constexpr std::array twerpers{"", "linear", "smooth", "bspline", "hold", "ease-in-out", "auto", "keep smooth"};
   std::string row(int frame, const std::string& value) {
-    const std::string how = frame == 1 ? "" : twerpers[static_cast<std::size_t>(below(static_cast<int>(twerpers.size())))];
+    const std::string how =
+        frame == 1 ? "" : twerpers[static_cast<std::size_t>(below(static_cast<int>(twerpers.size())))];
     return fmt::format("  {}f {}\n", frame, how.starts_with("keep") ? how : value + " " + how);
   }
   std::string film() {
@@ -125,7 +264,7 @@ TEST(Segments, WhatCameBeforeATimeCanGoAndNothingFromThereOnChanges) {
     const std::string film = FilmsToForget(seed).film();
     const int from = 20 + static_cast<int>(seed);
     const LoadedFilm was(film), is(film + fmt::format("clear b.* before {}f\n", from));
-    ASSERT_EQ(errors(is.loaded), std::vector<std::string>{}) << film;
+    ASSERT_EQ(all_told(is.loaded), std::vector<std::string>{}) << film;
     for (double f = from; f < 95; f += 0.25)
       for (const char* target : {"b.position", "b.size", "b.color", "b.display", "b.transparency"})
         ASSERT_EQ(is.read(target, fmt::format("{}f", f)), was.read(target, fmt::format("{}f", f)))
@@ -155,15 +294,16 @@ TEST(Segments, WhatFollowsFromAllThatCameBeforeIsLeftWhole) {
       "rate 24\ncreate {a,b,c,d,e} box\nat 1f a.position (1 2 3)\nat 9f a.position (3 2 1)\n"
       "at 1f b.size.y 2\nat 3f b.size.y 3\nextend b.size.y cycle\nat 2f c.position.velocity (1 0 0)\n"
       "at 4f attach d to a\nat 1f e.color red\nat 5f e.color blue\nfilter e.color delay by=2f\n"
-      "clear {a,b,c,d,e}.{position,size,color,attachment} before 8f\nat 1f note \"x\"\nat 3f note \"y\"\nclear notes before "
+      "clear {a,b,c,d,e}.{position,size,color,attachment} before 8f\nat 1f note \"x\"\nat 3f note \"y\"\nclear notes "
+      "before "
       "3f\n");
-  EXPECT_EQ(errors(l), std::vector<std::string>{});
+  EXPECT_EQ(all_told(l), std::vector<std::string>{});
   EXPECT_NE(
       said(l.diagnostics)
           .find("left whole, as what comes later follows from all of it: b.size, c.position, d.attachment and 1 more"),
       std::string::npos)
       << said(l.diagnostics);
-  EXPECT_EQ(errors(read("create b box\nclear b.position before\n")).size(), 1u);
+  EXPECT_EQ(all_told(read("create b box\nclear b.position before\n")).size(), 1u);
 }
 
 TEST(Segments, ComponentsWithoutEventsAreNotPassedOver) {

@@ -101,8 +101,7 @@ TEST_F(TexTexts, NoScriptRunsProgramsByItself) {
   const Error& e = l.diagnostics[0].what;
   EXPECT_EQ(e.message, "formulas are set by other programs, latex and dvisvgm, which no script runs by itself");
   EXPECT_EQ(e.hint, "--tex allows it");
-  EXPECT_EQ(e.place.line, 2);
-  EXPECT_EQ(e.place.column, 19);
+  EXPECT_EQ(told(l), "file 2:19 \"x\"");
   EXPECT_EQ(fake.latex_calls(), 0U);
 }
 
@@ -110,18 +109,18 @@ TEST_F(TexTexts, WhatIsWrongIsSaidWhereItIs) {
   fake.put("latex", "echo '! Missing $ inserted.' >formula.log; exit 1");
   const Loaded l = load("create a sphere\ncreate f text size=2 tex=\"a$\"\n");
   ASSERT_EQ(l.diagnostics.size(), 1U);
-  EXPECT_EQ(l.diagnostics[0].what.message, "the formula is wrong: Missing $ inserted");
-  EXPECT_EQ(l.diagnostics[0].what.place.line, 2);
-  EXPECT_EQ(l.diagnostics[0].what.place.column, 26);
+  EXPECT_EQ(told(l), "syntax 2:26 \"a$\"");
+  EXPECT_TRUE(mentions(l, "Missing $ inserted"));
 }
 
 TEST_F(TexTexts, AreReadOnceAndStayWhole) {
-  const auto message = [&](const std::string& line) {
+  const auto wrong = [&](const std::string& line) {
     const Loaded l = load("create f text tex=\"x\"\n" + line + "\n");
-    return l.diagnostics.size() == 1 ? l.diagnostics[0].what.message : said(l.diagnostics);
+    return l.diagnostics.size() == 1 ? told(l) : said(l.diagnostics);
   };
-  EXPECT_EQ(message("set f.tex = \"'x'\""), "tex cannot be computed");
-  EXPECT_EQ(message("split f into letters"), "'f' is a formula, which stays whole");
+  EXPECT_EQ(wrong("set f.tex = \"'x'\""), "type 2:13 \"'x'\"");
+  EXPECT_EQ(wrong("split f into letters"), "type 2:7 f");
+  EXPECT_TRUE(mentions(load("create f text tex=\"x\"\nsplit f into letters\n"), "'f' is a formula, which stays whole"));
 }
 
 }  // namespace

@@ -115,38 +115,47 @@ TEST(Texts, AlignedOnesBeginOrEndAtTheirPlace) {
 
 TEST(Texts, WhatCannotBeSaysWhy) {
   const std::string t = "create t text text=\"ab\"\n";
-  EXPECT_EQ(first_error(t + "split t"), "2:8: 'into' is missing here");
-  EXPECT_EQ(first_error(t + "split t into"), "2:13: a text is split into letters, words or lines");
-  EXPECT_EQ(first_error(t + "split t into leters"), "2:14: a text is split into letters, words or lines");
-  EXPECT_EQ(first_error(t + "split t into letters now"), "2:22: 'now' is not expected here");
-  EXPECT_EQ(first_error(t + "split u into letters"), "2:7: there is no object 'u'");
-  EXPECT_EQ(first_error("create b box\nsplit b into letters"), "2:7: 'b' is a box: only texts are split");
-  EXPECT_EQ(first_error("create t text text=\" \\n\"\nsplit t into lines"),
-            "2:7: 't' has no letters that could be split");
-  EXPECT_EQ(first_error(t + "create t/2 box\nsplit t into letters"), "3:7: there is a 't/2' already");
-  EXPECT_EQ(first_error(t + "split t into letters\nsplit t into letters"), "3:7: there is a 't/1' already");
-  for (const std::string change :
-       {"at 9f t.text \"c\"", "set t.text = \"'c'\"", "at 9f t.size 2", "at 9f t.align left", "at 9f t.typed 1",
-        "filter t.size wobble", "layer l add\non l set t.size 1", "at 1f t.size.velocity 1"})
-    EXPECT_TRUE(first_error(t + change + "\nsplit t into letters").ends_with("changes: a text that is split stays"))
-        << change;
+  EXPECT_EQ(told(t + "split t"), "syntax 2:8");
+  EXPECT_EQ(told(t + "split t into"), "syntax 2:13");
+  EXPECT_EQ(told(t + "split t into leters"), "syntax 2:14 leters");
+  EXPECT_EQ(told(t + "split t into letters now"), "syntax 2:22 now");
+  EXPECT_EQ(told(t + "split u into letters"), "name 2:7 u");
+  EXPECT_EQ(told("create b box\nsplit b into letters"), "type 2:7 b");
+  EXPECT_EQ(told("create t text text=\" \\n\"\nsplit t into lines"), "range 2:7 t");
+  EXPECT_EQ(told(t + "create t/2 box\nsplit t into letters"), "name 3:7 t");
+  EXPECT_TRUE(mentions(t + "create t/2 box\nsplit t into letters", "'t/2'"));
+  EXPECT_EQ(told(t + "split t into letters\nsplit t into letters"), "name 3:7 t");
+  EXPECT_TRUE(mentions(t + "split t into letters\nsplit t into letters", "'t/1'"));
+  for (const auto& [change, what] :
+       std::vector<std::pair<std::string, const char*>>{{"at 9f t.text \"c\"", "'t.text'"},
+                                                        {"set t.text = \"'c'\"", "'t.text'"},
+                                                        {"at 9f t.size 2", "'t.size'"},
+                                                        {"at 9f t.align left", "'t.align'"},
+                                                        {"at 9f t.typed 1", "'t.typed'"},
+                                                        {"filter t.size wobble", "'t.size'"},
+                                                        {"layer l add\non l set t.size 1", "'t.size'"},
+                                                        {"at 1f t.size.velocity 1", "'t.size'"}}) {
+    const std::string text = t + change + "\nsplit t into letters";
+    EXPECT_EQ(told(text), fmt::format("type {}:7 t", 1 + std::count(text.begin(), text.end(), '\n'))) << change;
+    EXPECT_TRUE(mentions(text, what)) << change;
+  }
   // All or none.
   const std::string two = t + "create u text text=\" \"\n";
   EXPECT_EQ(read(two + "split {t,u} into letters").document, read(two).document);
-  EXPECT_EQ(first_error("create t text align=middle"), "1:21: align is left, centre or right");
-  EXPECT_EQ(first_error("create t text weight=0.5"),
-            "1:22: weight is thin, extralight, light, regular, medium, semibold, bold, extrabold or black");
-  EXPECT_FALSE(first_error(t + "set t.slant oblique").empty());
-  EXPECT_FALSE(first_error(t + "set t.typed -1").empty());
-  EXPECT_FALSE(first_error(t + "set t.typed 20001").empty());
-  EXPECT_FALSE(first_error(t + "set t.typed (1 2)").empty());
+  EXPECT_EQ(told("create t text align=middle"), "type 1:21 middle");
+  EXPECT_EQ(told("create t text weight=0.5"), "type 1:22 0.5");
+  EXPECT_FALSE(told(t + "set t.slant oblique").empty());
+  EXPECT_FALSE(told(t + "set t.typed -1").empty());
+  EXPECT_FALSE(told(t + "set t.typed 20001").empty());
+  EXPECT_FALSE(told(t + "set t.typed (1 2)").empty());
 }
 
 TEST(Texts, AsManyLettersAsATextMayHaveAreSplit) {
-  EXPECT_EQ(first_error("create t text text=\"" + std::string(1'000'000, 'i') + "\""),
-            "1:20: a text that is drawn has at most 20000 letters");
+  EXPECT_EQ(told("create t text text=\"" + std::string(1'000'000, 'i') + "\""), "range 1:20 \"");
+  EXPECT_TRUE(mentions("create t text text=\"" + std::string(20'001, 'i') + "\"",
+                       "a text that is drawn has at most 20000 letters"));
   const Loaded all = read("create t text text=\"" + std::string(20'000, 'i') + "\"\nsplit t into letters\n");
-  EXPECT_EQ(errors(all), std::vector<std::string>{});
+  EXPECT_EQ(all_told(all), std::vector<std::string>{});
   EXPECT_EQ(all.document.names().size(), 20'001U);
   EXPECT_EQ(all.document.names().back(), "t/20000");
 }

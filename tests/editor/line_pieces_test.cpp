@@ -21,7 +21,7 @@ Document film() {
 }
 
 // "verb:create name:ball kind:sphere"
-std::string told(std::string_view line, LineState state = {}) {
+std::string pieces(std::string_view line, LineState state = {}) {
   static constexpr const char* words[] = {"comment", "text", "verb",   "kind",  "function", "twerper",
                                           "option",  "time", "number", "color", "name"};
   std::string out;
@@ -32,31 +32,31 @@ std::string told(std::string_view line, LineState state = {}) {
 }
 
 TEST(LinePieces, WordsAreWhatTheTablesSay) {
-  EXPECT_EQ(told("create ball sphere radius=2 color=gold  # round"),
+  EXPECT_EQ(pieces("create ball sphere radius=2 color=gold  # round"),
             "verb:create name:ball kind:sphere function:radius number:2 function:color color:gold comment:# round");
-  EXPECT_EQ(told("at 24f ball.position.x 3cm linear"),
+  EXPECT_EQ(pieces("at 24f ball.position.x 3cm linear"),
             "verb:at time:24f name:ball function:position.x number:3cm twerper:linear");
-  EXPECT_EQ(told("  1f (0 -10.5 0) ease-in=4f"), "time:1f number:0 number:-10.5 number:0 option:ease-in time:4f");
-  EXPECT_EQ(told("move ball.position 1f..24f by 0.5s"),
+  EXPECT_EQ(pieces("  1f (0 -10.5 0) ease-in=4f"), "time:1f number:0 number:-10.5 number:0 option:ease-in time:4f");
+  EXPECT_EQ(pieces("move ball.position 1f..24f by 0.5s"),
             "verb:move name:ball function:position time:1f..24f option:by time:0.5s");
-  EXPECT_EQ(told("  20f  attach to car keep-world"), "time:20f verb:attach option:to name:car option:keep-world");
-  EXPECT_EQ(told("set {ball,car}.wobble = \"sin(t) # no comment\""),
+  EXPECT_EQ(pieces("  20f  attach to car keep-world"), "time:20f verb:attach option:to name:car option:keep-world");
+  EXPECT_EQ(pieces("set {ball,car}.wobble = \"sin(t) # no comment\""),
             "verb:set name:{ball,car} function:wobble text:\"sin(t) # no comment\"");
-  EXPECT_EQ(told("at 1:30 note \"say \\\"so\\\"\""), "verb:at time:1:30 verb:note text:\"say \\\"so\\\"\"");
-  EXPECT_EQ(told("background #ffcc00"), "verb:background color:#ffcc00");
+  EXPECT_EQ(pieces("at 1:30 note \"say \\\"so\\\"\""), "verb:at time:1:30 verb:note text:\"say \\\"so\\\"\"");
+  EXPECT_EQ(pieces("background #ffcc00"), "verb:background color:#ffcc00");
 }
 
 TEST(LinePieces, TextsAndBracketsGoOn) {
   LineState s;
   pass_line("set ball.wobble = \"\"\"", s);
   EXPECT_TRUE(s.text);
-  EXPECT_EQ(told("create x = 3", s), "text:create x = 3");
+  EXPECT_EQ(pieces("create x = 3", s), "text:create x = 3");
   pass_line("return 3 \"\"\"  # (", s);
   EXPECT_EQ(s, LineState{});
   pass_line("create p polygon points=((0 0) (1 0)", s);
   EXPECT_EQ(s.brackets, 1);
   EXPECT_TRUE(s.goes_on());
-  EXPECT_EQ(told("(1 1)) color=red", s), "number:1 number:1 function:color color:red");
+  EXPECT_EQ(pieces("(1 1)) color=red", s), "number:1 number:1 function:color color:red");
   pass_line("(1 1)) color=red", s);
   EXPECT_FALSE(s.goes_on());
   pass_line("note \"(\" # (", s);

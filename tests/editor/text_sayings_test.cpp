@@ -12,7 +12,7 @@
 #include "editor/film_texts.h"
 
 namespace betwixt {
-namespace {
+namespace text_sayings_test {
 
 const std::string film =
     "# a film\n# of two\nrate 24\n\nlet beat = 12f\ncreate ball sphere radius=1\n  color=gold\n"
@@ -139,5 +139,5 @@ TEST(Sayings, TidyingAllInPartsIsTidyingAll) {
   }
 }
 
-}  // namespace
+}  // namespace text_sayings_test
 }  // namespace betwixt

@@ -13,6 +13,7 @@
 
 #include "betwixt/picture.h"
 #include "exchange/files.h"
+#include "support/told.h"
 
 namespace betwixt {
 namespace {
@@ -31,9 +32,6 @@ DeepPicture light(int width, int height) {
   }
   return p;
 }
-
-std::string message(const Result<DeepPicture>& p) { return p ? std::string() : p.error().message; }
-std::string message(const Status& s) { return s ? std::string() : s.error().message; }
 
 TEST_F(Files, LightComesBackFromOpenExrAsHalfFloats) {
   for (const auto& [w, h] : {std::pair{1, 1}, {7, 5}, {33, 17}, {64, 40}}) {
@@ -135,8 +133,9 @@ TEST_F(Files, OpenExrOfOthersIsRead) {
   const auto gray = read_deep_picture(put("y.exr", plain_exr("Y", 0, 0, 2, 1)));
   ASSERT_TRUE(gray) << gray.error().message;
   EXPECT_EQ(gray->rgba, (std::vector<float>{0, 0, 0, 1, 0.25, 0.25, 0.25, 1}));
-  EXPECT_EQ(message(read_deep_picture(put("wide.exr", plain_exr("Y", 0, 0, 16385, 1)))),
-            at("wide.exr") + " has 16385 by 1 pixels; 1 to 16384 a side can be read");
+  const auto wide = read_deep_picture(put("wide.exr", plain_exr("Y", 0, 0, 16385, 1)));
+  EXPECT_EQ(told(wide), "range");
+  EXPECT_TRUE(mentions(wide, at("wide.exr")) && mentions(wide, "16385") && mentions(wide, "16384"));
 }
 
 TEST_F(Files, PicturesOfLightAreNeverHalfWritten) {
@@ -144,15 +143,17 @@ TEST_F(Files, PicturesOfLightAreNeverHalfWritten) {
   using Write = Status (*)(const std::string&, const DeepPicture&, bool);
   for (const auto& [name, write] : {std::pair<std::string, Write>{"p.exr", write_exr}, {"p.png", write_png}}) {
     ASSERT_TRUE(write(at(name), p, true));
-    EXPECT_EQ(message(write(at(name), p, false)), at(name) + " exists already");
+    EXPECT_EQ(told(write(at(name), p, false)), "file");
+    EXPECT_TRUE(mentions(write(at(name), p, false), at(name)));
     EXPECT_TRUE(write(at(name), p, true));
-    EXPECT_EQ(message(write(at("no/" + name), p, true)),
-              "cannot write " + at("no/" + name) + ": no such file or directory");
+    EXPECT_TRUE(mentions(write(at("no/" + name), p, true), at("no/" + name)));
     const Status full = write("/dev/full", p, true);
-    EXPECT_EQ(message(full), "cannot write /dev/full: no space left on device");
-    EXPECT_EQ(full.error().code, ErrorCode::machine);
-    EXPECT_EQ(message(write(at("x"), {2, 2, {1}}, true)), "a picture of 2 by 2 pixels cannot be written");
-    EXPECT_EQ(message(write(at("x"), {0, 0, {}}, true)), "a picture of 0 by 0 pixels cannot be written");
+    EXPECT_EQ(told(full), "machine");
+    EXPECT_TRUE(mentions(full, "/dev/full"));
+    EXPECT_EQ(told(write(at("x"), {2, 2, {1}}, true)), "range");
+    EXPECT_TRUE(mentions(write(at("x"), {2, 2, {1}}, true), "2 by 2"));
+    EXPECT_EQ(told(write(at("x"), {0, 0, {}}, true)), "range");
+    EXPECT_TRUE(mentions(write(at("x"), {0, 0, {}}, true), "0 by 0"));
   }
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"p.exr", "p.png"}));
 }
@@ -168,8 +169,10 @@ TEST_F(Files, CutOpenExrHasAMessage) {
       EXPECT_EQ(p.error().message.find(at("cut.exr")), 0U) << p.error().message;
       EXPECT_EQ(p.error().message.find('\n'), std::string::npos) << p.error().message;
     }
-  EXPECT_EQ(message(read_deep_picture(at("none.exr"))), "there is no file " + at("none.exr"));
-  EXPECT_EQ(message(read_deep_picture(put("w.exr", "words"))), at("w.exr") + " is not a picture that can be read");
+  EXPECT_EQ(told(read_deep_picture(at("none.exr"))), "file");
+  EXPECT_TRUE(mentions(read_deep_picture(at("none.exr")), at("none.exr")));
+  EXPECT_EQ(told(read_deep_picture(put("w.exr", "words"))), "file");
+  EXPECT_TRUE(mentions(read_deep_picture(at("w.exr")), at("w.exr")));
 }
 
 // Of bytes that are other than they were comes a picture or a message, and no more.

@@ -98,7 +98,7 @@ TEST_F(Files, TakeNoMoreThanTheirCeilings) {
     return error ? error->message : "";
   };
   EXPECT_EQ(why({plenty.memory, 1, 60}), at("large.tga") + " takes more than 1 s to be read");
-  EXPECT_EQ(why({plenty.memory, 60, 1}), at("large.tga") + " takes more than 1 s to be read");
+  EXPECT_EQ(why({plenty.memory, 60, 1}), why({plenty.memory, 1, 60}));
   EXPECT_NE(why({std::uint64_t{300} << 20, 60, 60}), "");
 }
 

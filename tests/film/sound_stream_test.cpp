@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -17,17 +18,17 @@ constexpr std::int64_t block = SoundStream::block, second = 48'000;
 
 // Plays what it was given, a pair a pair's time; then nothing.
 struct Device : SoundOutput {
-  std::vector<float> queue, played;  // left and right
-  std::int64_t waiting() override { return static_cast<std::int64_t>(queue.size() / 2); }
-  void write(std::span<const float> stereo) override { queue.insert(queue.end(), stereo.begin(), stereo.end()); }
-  void forget() override { queue.clear(); }
+  std::vector<float> given, played;  // left and right
+  std::size_t heard = 0;             // of what it was given
+  std::int64_t waiting() override { return static_cast<std::int64_t>((given.size() - heard) / 2); }
+  void write(std::span<const float> stereo) override { given.insert(given.end(), stereo.begin(), stereo.end()); }
+  void forget() override { given.clear(), heard = 0; }
   void play(std::int64_t pairs) {
-    for (; pairs > 0; --pairs)
-      for (std::size_t side = 0; side < 2; ++side) {
-        const bool has = !queue.empty();
-        played.push_back(has ? queue.front() : 0.0f);
-        if (has) queue.erase(queue.begin());
-      }
+    const std::size_t wanted = 2 * static_cast<std::size_t>(pairs), has = std::min(wanted, given.size() - heard);
+    const auto from = given.begin() + static_cast<std::ptrdiff_t>(heard);
+    played.insert(played.end(), from, from + static_cast<std::ptrdiff_t>(has));
+    played.resize(played.size() + wanted - has);
+    heard += has;
   }
   std::int64_t time() const { return static_cast<std::int64_t>(played.size() / 2); }
   float left(std::int64_t pair) const { return played[2 * static_cast<std::size_t>(pair)]; }

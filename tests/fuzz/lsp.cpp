@@ -11,12 +11,13 @@
 //
 // Each request has one answer. What is said of a text is what is said of it when it is opened as it is by then; a tidy
 // text is tidy; a symbol's place holds its name; who renames there and back has the text that was.
+#include "server/lsp.h"
+
 #include <cstdint>
 #include <map>
 
 #include "fuzz.h"
 #include "language/lines.h"
-#include "server/lsp.h"
 #include "server/lsp_state.h"
 
 using namespace betwixt;
@@ -107,8 +108,8 @@ std::size_t number(std::string_view& rest) {
 }
 
 void ask_all(Editing& editing, std::size_t place) {
-  for (const char* what : {"completion", "hover", "signatureHelp", "definition", "references", "documentHighlight",
-                           "prepareRename"})
+  for (const char* what :
+       {"completion", "hover", "signatureHelp", "definition", "references", "documentHighlight", "prepareRename"})
     editing.at(what, place);
   for (const char* what : {"foldingRange", "documentColor", "codeAction"}) editing.of(what);
 }

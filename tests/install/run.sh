@@ -6,7 +6,9 @@
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 folder=$(mktemp -d) passed=0 failed=0
 trap 'rm -rf "$folder"' EXIT
+. "$here/../timed.sh"
 verdict() {
+  timed "$1"
   if [ "$2" = "$3" ]; then
     passed=$((passed + 1))
   else

@@ -26,7 +26,9 @@ TEST(CodeNames, AreThoseThatCodeDoesNotMake) {
 }
 
 TEST(CodeNames, TellALineThatSpeaksOfPlaces) {
-  const auto speaks = [](std::string_view line) { return code_speaks_of_place(line.data(), line.data() + line.size()); };
+  const auto speaks = [](std::string_view line) {
+    return code_speaks_of_place(line.data(), line.data() + line.size());
+  };
   EXPECT_TRUE(speaks("set b*.radius = \"i / n\""));
   EXPECT_TRUE(speaks("1f =\"i2\" linear"));
   EXPECT_TRUE(speaks("set b*.radius = \"\"\"local a = 2\nreturn a * i\"\"\""));

@@ -3,12 +3,14 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # What is exported, asked of the programs that it is for. They are installed by npm into build/peers.
-#   run.sh PROGRAM
+#   run.sh PROGRAM [NAME…]    all, or tests/peers/NAME.py alone
+#   run.sh --install          installs them only
 root=$(cd -P -- "$(dirname -- "$0")/../.." && pwd)
 . "$root/tools/setup.sh"
-program=$(realpath -- "$1") peers=$root/build/peers
+program=$1 peers=$root/build/peers
+shift
 command -v npm >/dev/null || need "$root/tools/peers-packages.txt"
-mkdir -p "$peers" && cp "$root"/tests/peers/* "$peers" || exit 3
+mkdir -p "$peers" && cp -u "$root"/tests/peers/* "$peers" || exit 3
 if ! cmp -s "$peers/package-lock.json" "$peers/node_modules/.installed"; then
   (cd "$peers" && npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1) || {
     tail -n 5 "$peers/npm.log"
@@ -25,8 +27,11 @@ json.dump(package, open(sys.argv[1], "w"))
 PY
   cp "$peers/package-lock.json" "$peers/node_modules/.installed"
 fi
+[ "$program" != --install ] || exit 0
+program=$(realpath -- "$program")
+[ $# -gt 0 ] || set -- gltf usda lottie web typescript editor
 passed=0 failed=0
-for script in gltf usda lottie web typescript editor; do
+for script; do
   said=$(python3 "$root/tests/peers/$script.py" "$program" "$peers" 2>&1)
   printf '%s\n' "$said" | grep -vE '^[0-9]+ passed, [0-9]+ failed$'
   counts=$(printf '%s\n' "$said" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' | tail -n 1)

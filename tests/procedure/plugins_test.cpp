@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "procedure/fake.h"
+#include "support/told.h"
 
 namespace betwixt {
 namespace {
@@ -43,7 +44,7 @@ TEST(Plugins, TheExample) {
   EXPECT_EQ(std::get<double>(*stairs.filter(in, 0.161, {})), 1.5);
   EXPECT_EQ(std::get<double>(*stairs.filter(in, 0.161, {{"step", Value(1.0)}})), 2);
   EXPECT_EQ(stairs.filter(in, 0, {{"step", Value(-1.0)}}).error().message, "the step must be more than 0");
-  EXPECT_EQ(stairs.blend(0).error().message, "this procedure is no twerper");
+  EXPECT_TRUE(mentions(stairs.blend(0), "twerper"));
 }
 
 // shows: G14 G15 G19 G54 G55
@@ -51,7 +52,7 @@ TEST(Plugins, OneOfEach) {
   const auto p = load_plugin(at("all"));
   ASSERT_TRUE(p) << p.error().message;
   EXPECT_EQ(*item(*p, "power").code->blend(0.5), 0.25);
-  EXPECT_EQ(item(*p, "endless").code->blend(0.5).error().message, "it gave a number that is not finite");
+  EXPECT_EQ(told(item(*p, "endless").code->blend(0.5)), "range");
   FakeQuestions q;
   q.time = 2;
   std::uint64_t cost = 0;
@@ -61,7 +62,8 @@ TEST(Plugins, OneOfEach) {
   EXPECT_EQ(cost, 220u);
   EXPECT_EQ(item(*p, "lost").code->value(q, {}, cost).error().message, "there is no 'nowhere'");
   q.procedures["ball"] = item(*p, "faster").code;  // reads itself
-  EXPECT_EQ(faster.value(q, {}, cost).error().message, "procedures read each other more than 300 deep");
+  EXPECT_EQ(told(faster.value(q, {}, cost)), "type");
+  EXPECT_TRUE(mentions(faster.value(q, {}, cost), "300"));
   FakeHost host;
   const auto& twice = *item(*p, "twice").code;
   EXPECT_TRUE(twice.command(host, {"hop"}));

@@ -8,6 +8,9 @@ import unittest
 import warnings
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.append(os.path.dirname(HERE))
+
+from timed import TimedResult  # noqa: E402
 
 
 def main() -> int:
@@ -15,7 +18,7 @@ def main() -> int:
     named = sys.argv[1:]
     tests = loader.loadTestsFromNames(named) if named else loader.discover(HERE, "*_test.py", HERE)
     warnings.simplefilter("error")
-    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0).run(tests)
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0, resultclass=TimedResult).run(tests)
     failed = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses)
     for test, why in result.skipped:
         print(f"left out: {test}: {why}")

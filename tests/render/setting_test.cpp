@@ -62,9 +62,7 @@ TEST(RenderSetting, DrawingsHaveTheirColorsExactly) {
   }
   const Picture p = draw(f);
   for (int i = 0; i < 100; ++i)
-    EXPECT_EQ(pixel(p, 5 + 10 * (i % 10), 5 + 10 * (i / 10)),
-              (Pixel{2 * i, 255 - i, i * 37 % 256, 255}))
-        << i;
+    EXPECT_EQ(pixel(p, 5 + 10 * (i % 10), 5 + 10 * (i / 10)), (Pixel{2 * i, 255 - i, i * 37 % 256, 255})) << i;
 }
 
 TEST(RenderSetting, LightFromEverywhereShowsColorsAsFarAsItIsWhite) {

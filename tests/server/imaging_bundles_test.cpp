@@ -14,7 +14,7 @@ TEST(Imaging, BundlesAreAtomic) {
   for (const char* line :
        {"bundle", "create ball sphere", "ball.radius", "  1f 2", "animate spin every 2t by rotate(9deg, y)"})
     EXPECT_EQ(s.say(a, line, tick(3)), "");
-  s.refused(b, "eval ball.radius", "there is no object 'ball'", tick(3));
+  s.refused(b, "eval ball.radius", "'ball'", tick(3));
   EXPECT_EQ(s.say(a, "end", tick(5)), "{\"line\":6,\"ok\":true,\"tick\":6}\n");
   EXPECT_EQ(s.imaging.history(),
             "create ball sphere\nball.radius\n  1f 2\nat 6t animate spin every 2t by rotate(9deg, y)\n");

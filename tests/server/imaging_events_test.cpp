@@ -87,7 +87,8 @@ TEST(Imaging, FramesAreToldInTheirOrderWhateverComesBetween) {
   std::vector<std::string> frames;
   for (int round = 0; round < 4; ++round) {
     number = 10 * (round + 1);
-    s.imaging.shown({{number, from_seconds(number / 30.0), 0, {}}, {number + 1, from_seconds((number + 1) / 30.0), 0, {}}});
+    s.imaging.shown(
+        {{number, from_seconds(number / 30.0), 0, {}}, {number + 1, from_seconds((number + 1) / 30.0), 0, {}}});
     for (const auto& e : s.imaging.events())
       if (e.to == a) frames.push_back(e.line.substr(0, e.line.find(",\"seconds")));
   }

@@ -89,7 +89,10 @@ class DeskTest : public QObject {
       text.replace(text.indexOf("(9 "), text.indexOf(")", text.indexOf("(9 ")) - text.indexOf("(9 ") + 1, digit);
       desk.retype(text.toStdString());
     }
-    QCOMPARE(std::get<Vec3>(desk.program().read((*find_targets("ball.position", desk.document()))[0], desk.document().rate().frame(24))).y, 12.5);
+    QCOMPARE(std::get<Vec3>(desk.program().read((*find_targets("ball.position", desk.document()))[0],
+                                                desk.document().rate().frame(24)))
+                 .y,
+             12.5);
     QCOMPARE(desk.session().unsaved(), std::size_t{0});
     desk.settle_typing();
     QCOMPARE(desk.session().unsaved(), std::size_t{1});
@@ -157,11 +160,13 @@ class DeskTest : public QObject {
     desk.open(film_);
     Transport& t = desk.transport();
     const Rate rate = desk.document().rate();
-    const auto at = [&](double seconds) { return t.now(Transport::Clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * seconds))); };
+    const auto at = [&](double seconds) {
+      return t.now(Transport::Clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * seconds)));
+    };
     desk.go_to(rate.frame(3));
     t.loop(false), t.play(1);
-    QCOMPARE(at(0.52), rate.frame(15));   // half a second at 24 a second
-    QCOMPARE(at(100), rate.frame(24));    // stays at the end
+    QCOMPARE(at(0.52), rate.frame(15));  // half a second at 24 a second
+    QCOMPARE(at(100), rate.frame(24));   // stays at the end
     t.pause(), desk.go_to(rate.frame(13)), t.play(-1);
     QCOMPARE(at(0.48), rate.frame(2));
     t.loop(true);
@@ -177,7 +182,8 @@ class DeskTest : public QObject {
     std::map<QString, std::string_view> keys;
     for (const ActionRow& row : action_rows()) {
       QVERIFY2(row.sentence.ends_with('.'), std::string(row.name).c_str());
-      for (const QString& k : QString::fromUtf8(row.keys.data(), static_cast<int>(row.keys.size())).split("; ", Qt::SkipEmptyParts)) {
+      for (const QString& k :
+           QString::fromUtf8(row.keys.data(), static_cast<int>(row.keys.size())).split("; ", Qt::SkipEmptyParts)) {
         const QString sequence = QKeySequence(k).toString();
         QVERIFY2(!sequence.isEmpty(), qPrintable(k));
         QVERIFY2(keys.emplace(sequence, row.name).second, qPrintable(k + " twice"));
@@ -230,7 +236,8 @@ class DeskTest : public QObject {
     QVERIFY2(desk.text().ends_with("dial /fader/1 to ball.radius\n"), desk.text().c_str());
     live.obey({"/fader/1", {2.5}, {}, {}});  // is seen at once
     const auto radius = [&](double frame) {
-      return std::get<double>(desk.program().read((*find_targets("ball.radius", desk.document()))[0], desk.document().rate().frame(frame)));
+      return std::get<double>(
+          desk.program().read((*find_targets("ball.radius", desk.document()))[0], desk.document().rate().frame(frame)));
     };
     QCOMPARE(radius(1), 2.5);
     desk.look_back();
@@ -242,7 +249,9 @@ class DeskTest : public QObject {
     QTest::qWait(200);
     live.obey({"/fader/1", {4.0}, {}, {}});
     desk.pause();
-    QVERIFY2(desk.text().find("ball.radius\n") != std::string::npos || desk.text().find("at 1f ball.radius 3") != std::string::npos, desk.text().c_str());
+    QVERIFY2(desk.text().find("ball.radius\n") != std::string::npos ||
+                 desk.text().find("at 1f ball.radius 3") != std::string::npos,
+             desk.text().c_str());
     QCOMPARE(radius(1), 3.0);
     const Document recorded = desk.document();
     QVERIFY(load_text(desk.text(), film_.toStdString()).document == recorded);
@@ -261,7 +270,8 @@ class DeskTest : public QObject {
     panel.join(place);
     QTRY_VERIFY_WITH_TIMEOUT(panel.joined(), 10000);
     QStringList answers;
-    connect(&panel, &ServerPanel::answered, this, [&](const QString& line, const QString& answer) { answers << line + answer; });
+    connect(&panel, &ServerPanel::answered, this,
+            [&](const QString& line, const QString& answer) { answers << line + answer; });
     auto* line = panel.findChild<QLineEdit*>("line");
     for (const char* said : {"create ball sphere", "animate slide every 1t by translate(0.02 0 0)", "nonsense"}) {
       QTest::keyClicks(line, said);

@@ -4,7 +4,8 @@
 #
 # The studio's tests: panels without a display, and a real window on a display of its own with a real mouse and keys.
 #   run.sh BUILD [TEST…]
-# A TEST is a program, or a name such as sheet_test; "window" is the story in a real window, "pictures" what the command line says.
+# A TEST is a program, or a name such as sheet_test; "window" is the story in a real window, "maximised" starts it again after
+# a window manager has maximised it, "pictures" checks its command line.
 build=$(realpath -- "${1:?usage: run.sh BUILD [TEST…]}")
 here=$(cd -P -- "$(dirname -- "$0")" && pwd)
 shift
@@ -14,14 +15,16 @@ display=
 trap '[ -z "$display" ] || kill "$display"; rm -rf "$folder"' EXIT
 export XDG_CONFIG_HOME=$folder XDG_DATA_HOME=$folder XDG_RUNTIME_DIR=$folder BETWIXT_PARSER=$build/bin/betwixt-parser
 chmod 700 "$folder"
-[ $# -gt 0 ] || set -- "$build"/bin/studio_*_test window pictures
+[ $# -gt 0 ] || set -- "$build"/bin/studio_*_test window maximised pictures
 
 # try TEST NAME=VALUE…: runs a test program in an environment, and adds to the sums.
 try() {
   local test=$1 status counts
   shift
-  (cd "$folder" && env "$@" timeout 300 "$test" >"$folder/log" 2>&1)
+  (cd "$folder" && env "$@" timeout 300 "$test" -o -,txt -o "$folder/times,junitxml" >"$folder/log" 2>&1)
   status=$?
+  [ -z "${BETWIXT_TIMES-}" ] || sed -nE "s/.*<testcase name=\"([^\"]*)\".* time=\"([0-9.]+)\".*/\2\t${test##*/}: \1/p" \
+    "$folder/times" >>"$BETWIXT_TIMES"
   counts=$(sed -nE 's/^Totals: ([0-9]+) passed, ([0-9]+) failed.*/\1 \2/p' "$folder/log" | tail -n 1)
   : "${counts:=0 1}"
   [ "$status" = 0 ] || { grep -E '^(FAIL|QFATAL|   )' "$folder/log" || tail -n 20 "$folder/log"; }
@@ -29,14 +32,14 @@ try() {
   passed=$((passed + ${counts% *})) failed=$((failed + ${counts#* }))
 }
 
-# A display that nobody sees, whose mouse and keys xdotool moves.
-in_a_window() {
-  local number
+# A display that nobody sees, whose mouse and keys xdotool moves. Sets `number`.
+open_display() {
   command -v Xvfb >/dev/null && command -v xdotool >/dev/null || {
     echo "without Xvfb and xdotool nothing is tried in a real window"
-    return
+    return 1
   }
-  mkfifo "$folder/display"
+  [ -z "$display" ] || kill "$display"
+  rm -f "$folder/display" && mkfifo "$folder/display"
   Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp -r 3>"$folder/display" >"$folder/xvfb.log" 2>&1 &
   display=$!
   # It says its number when it is there; where it cannot start, nothing.
@@ -44,9 +47,45 @@ in_a_window() {
     display=
     failed=$((failed + 1))
     echo "Xvfb does not start:" && tail -n 5 "$folder/xvfb.log"
-    return
+    return 1
   }
-  try "$1" QT_QPA_PLATFORM=xcb DISPLAY=":$number"
+}
+
+in_a_window() {
+  local number
+  open_display && try "$1" QT_QPA_PLATFORM=xcb DISPLAY=":$number"
+}
+
+# Whether the studio starts again after it was maximised and closed by its key.
+maximised() {
+  local number
+  open_display || return 0
+  (
+    cd "$folder" || exit
+    export DISPLAY=":$number" QT_QPA_PLATFORM=xcb
+    printf 'create ball sphere\n' >big.bx
+    openbox >openbox.log 2>&1 &
+    for how in add,maximized_vert,maximized_horz remove,above; do
+      timeout 100 "$build/bin/betwixt-studio" big.bx --discard >said 2>&1 &
+      studio=$!
+      for _ in {1..400}; do
+        window=$(wmctrl -l 2>/dev/null | awk '/big.bx/ { print $1 }')
+        [ -z "$window" ] || break
+        kill -0 $studio 2>/dev/null || exit 1
+        sleep 0.1
+      done
+      sleep 1
+      wmctrl -i -r "$window" -b "$how"
+      sleep 1
+      # Until it has heard the key.
+      for _ in {1..100}; do
+        xdotool windowfocus "$window" key ctrl+q 2>/dev/null
+        sleep 0.2
+        kill -0 $studio 2>/dev/null || break
+      done
+      wait $studio || exit 1
+    done
+  )
 }
 
 # What the command line says: the toolkit has words of its own (--session, --style), which are not meant.
@@ -68,6 +107,9 @@ pictures() (
 for test in "$@"; do
   case $test in
     window) in_a_window "$build/bin/studio_story_test" ;;
+    maximised)
+      if maximised; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo 'FAIL  the studio does not start again'; fi
+      ;;
     pictures)
       if pictures; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo 'FAIL  pictures of the studio'; fi
       ;;

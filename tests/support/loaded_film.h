@@ -12,6 +12,7 @@
 
 #include "betwixt/language.h"
 #include "betwixt/program.h"
+#include "support/told.h"
 
 namespace betwixt {
 
@@ -91,6 +92,12 @@ inline std::vector<std::string> errors(const Loaded& loaded) {
 }
 
 inline Loaded read(std::string_view text) { return load_text(text, "test.bx"); }
+
+// Of a script, see told.h.
+inline std::string told(std::string_view text) { return told(read(text)); }
+inline std::vector<std::string> all_told(std::string_view text) { return all_told(read(text)); }
+inline std::vector<std::string> remarks_told(std::string_view text) { return remarks_told(read(text)); }
+inline bool mentions(std::string_view text, std::string_view what) { return mentions(read(text), what); }
 
 // The first error of a text, as errors() has it; empty: there is none.
 inline std::string first_error(const std::string& text) {

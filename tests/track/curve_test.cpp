@@ -327,7 +327,8 @@ TEST(Extrapolation, RepeatsAsDefined) {
   resting.after = Extrapolation::linear;
   EXPECT_NEAR(value(resting, 9), 5, 1e-9);
   Track one = track({event(2, 5.0)});
-  for (const Extrapolation e : {Extrapolation::hold, Extrapolation::linear, Extrapolation::cycle, Extrapolation::bounce}) {
+  for (const Extrapolation e :
+       {Extrapolation::hold, Extrapolation::linear, Extrapolation::cycle, Extrapolation::bounce}) {
     one.before = one.after = e;
     EXPECT_EQ(value(one, 0), 5);
     EXPECT_EQ(value(one, 9), 5);

@@ -97,6 +97,39 @@ TEST(Filter, SmoothMakesAJumpTwiceDifferentiableAndSpringOnce) {
   EXPECT_EQ(filtered(filter("smooth"), jump, 1.3), 1);
 }
 
+// The share of its kernel, four evenly spread numbers added up, that lies before x, from -0.5 to 0.5 of the width.
+double kernel_before(double x) {
+  x = std::clamp(4 * (x + 0.5), 0.0, 4.0);
+  double sum = 0, binomial = 1;
+  for (int j = 0; j <= 4 && j < x; binomial *= -(4.0 - j) / (j + 1), ++j) sum += binomial * std::pow(x - j, 4) / 24;
+  return sum;
+}
+
+// shows: G105
+TEST(Filter, SmoothCountsAJumpFromWhereItIs) {
+  EXPECT_NEAR(filtered(filter("smooth"), jump, 1), 0.5, 1e-7);
+  std::mt19937 dice(7);
+  const auto roll = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(dice); };
+  for (int i = 0; i < 300; ++i) {
+    const double width = roll(0.05, 3), at = i % 3 == 0 ? width / 32 * (i % 7) : roll(-1, 4), high = roll(-5, 5);
+    const double slope = roll(-1, 1), t = at + roll(-0.6, 0.6) * width;
+    const auto track = [&](double s) { return Value(slope * s + (s < at ? 0 : high)); };
+    EXPECT_NEAR(filtered(filter("smooth", {{"width", width}}), track, t),
+                slope * t + high * kernel_before((t - at) / width), 2e-6 + 0.05 * std::abs(slope) * width / 32)
+        << width << " " << at << " " << t;
+  }
+}
+
+TEST(Filter, SmoothCountsTheJumpOfAnOrientationFromWhereItIs) {
+  // From one side to the other, halfway where it jumps; of the same turn the other quaternion is no jump.
+  const auto turn = [](double s) {
+    const Quat q = axis_angle({0, 1, 0}, 0.8);
+    return Value(s < 1 ? axis_angle({0, 1, 0}, 0.2) : Quat{-q.w, -q.x, -q.y, -q.z});
+  };
+  const Quat half = filtered<Quat>(filter("smooth"), turn, 1);
+  EXPECT_NEAR(angle_between(half, axis_angle({0, 1, 0}, 0.5)), 0, 1e-6);
+}
+
 // shows: G105
 TEST(Filter, SmoothTakesAllThatIsNumbers) {
   const auto color = filtered<Color>(

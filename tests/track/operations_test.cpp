@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/events.h"
+#include "support/told.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -68,10 +69,9 @@ TEST(Operations, ThatFailChangeNothing) {
   EXPECT_FALSE(stretch_segment(t, {at(0), at(1)}, 1e300));
   const auto huge = scale_segment(t, {at(0), at(1)}, Value(1e300));
   ASSERT_FALSE(huge);
-  EXPECT_EQ(huge.error().message, "a value grows beyond all numbers when it is scaled by that");
+  EXPECT_EQ(told(huge), "range");
   EXPECT_EQ(translate_segment(t, {at(0), at(1)}, Value(true)).error().message, "this cannot be moved by that");
-  EXPECT_EQ(move_segment(t, {at(0), at(1)}, at(4.6e9)).error().message,
-            "the events would end up more than 146 years away");
+  EXPECT_EQ(told(move_segment(t, {at(0), at(1)}, at(4.6e9))), "range");
   EXPECT_EQ(t, before);
   Track b = track({event(0, true), event(1, false)}), was = b;
   EXPECT_FALSE(scale_segment(b, {at(0), at(1)}, Value(2.0)));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -211,28 +212,147 @@ TEST(Twerpers, FitWhatTheyBlend) {
   EXPECT_TRUE(fits(Twerper::hold, Type::text));
 }
 
-// Orientations about one axis are numbers: squad through them goes as a smooth track does, whose speed has no jump. At
-// 0, 60, 120 degrees after 6 and 24 frames the parabola's slope at the middle is (10 * 24 + 2.5 * 6) / 30 degrees.
-TEST(Twerpers, SquadHasNoCornerBetweenUnevenTimes) {
-  Track t;
-  const auto put = [&](std::int64_t frame, double degrees) {
-    Event e;
-    e.time = {frame * 29'400'000};
-    e.value = axis_angle({0, 1, 0}, degrees * pi / 180);
-    e.twerper = Twerper::squad;
-    t.events.put(std::move(e));
-  };
-  put(1, 0), put(7, 60), put(31, 120);
+// Keys with a turn each from the one before, all through `smooth` or `squad`.
+struct Turned {
   CurveSet set;
-  const Curve c = set.add(t, Type::orientation);
-  const auto degrees = [&](double frame) {
+  Curve curve;
+  std::vector<double> times;
+  std::vector<Quat> keys;
+  Turned(const std::vector<double>& gaps, const std::vector<Vec3>& turns, Twerper twerper) {
+    Track t;
+    times.push_back(0), keys.push_back(axis_angle({1, 2, 3}, 0.7));
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      times.push_back(times.back() + gaps[i]);
+      keys.push_back(keys.back() * axis_angle(turns[i], length(turns[i])));
+    }
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      Event e;
+      e.time = from_seconds(times[i]), e.value = keys[i], e.twerper = twerper;
+      t.events.put(std::move(e));
+    }
+    curve = set.add(t, Type::orientation);
+  }
+  Quat at(Time t) const {
     double n[4];
-    set.evaluate(c, {std::llround(frame * 29'400'000)}, n);
-    return 2 * std::atan2(n[2], n[0]) * 180 / pi;
+    set.evaluate(curve, t, n);
+    return {n[0], n[1], n[2], n[3]};
+  }
+  // The turn between two times close by, as a vector.
+  Vec3 turn(Time from, Time to) const {
+    const Quat d = conjugate(at(from)) * at(to);
+    const double sign = d.w < 0 ? -2 : 2;
+    return {sign * d.x, sign * d.y, sign * d.z};
+  }
+  // The speed at a key from one of its sides, by a formula that is exact for parabolas.
+  Vec3 speed(std::size_t key, int side) const {
+    const Time t = from_seconds(times[key]), step{side * 2000};
+    const double d = step.seconds();
+    return 1 / (2 * d) * (4 * turn(t, t + step) - turn(t, {t.flicks + 2 * step.flicks}));
+  }
+};
+
+struct RandomKeys {
+  std::mt19937 random{41};
+  double pick(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+  // Times that lie together and far apart.
+  std::vector<double> gaps(std::size_t n) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < n; ++i) out.push_back(std::exp(pick(std::log(0.03), std::log(3.0))));
+    return out;
+  }
+  // Small and large ones, also next to half a turn, and none.
+  double angle() {
+    const double kind = pick(0, 1);
+    return kind < 0.1 ? 0 : kind < 0.2 ? 0.9999 * pi : kind < 0.6 ? pick(0, 0.1) : pick(0, 0.9999 * pi);
+  }
+};
+
+// shows: G51
+TEST(Twerpers, SquadHasNoCornerWhateverTheTimesOfItsKeys) {
+  RandomKeys any;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Vec3> turns;
+    const auto away = [&] { return any.pick(-1, 1); };
+    for (int i = 0; i < 6; ++i) turns.push_back(any.angle() * normalize(Vec3{away(), away(), away()}, {1, 0, 0}));
+    const Turned t(any.gaps(6), turns, round % 2 ? Twerper::squad : Twerper::smooth);
+    for (std::size_t k = 1; k < 6; ++k) {
+      const Vec3 before = t.speed(k, -1), after = t.speed(k, 1);
+      EXPECT_LT(length(after - before), 1e-3 * (1 + length(before))) << round << " " << k;
+    }
+    for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(std::abs(dot(t.at(from_seconds(t.times[k])), t.keys[k])), 1, 1e-12);
+  }
+}
+
+// Keys about one axis that go one way are gone through that way, and so are those that wait.
+TEST(Twerpers, SquadNeverTurnsBack) {
+  RandomKeys any;
+  const Vec3 axis = normalize(Vec3{1, -2, 0.5});
+  for (int round = 0; round < 300; ++round) {
+    std::vector<Vec3> turns;
+    const std::size_t n = 1 + static_cast<std::size_t>(round % 6);
+    const double way = round % 3 ? 1 : -1;
+    for (std::size_t i = 0; i < n; ++i) turns.push_back(way * any.angle() * axis);
+    const Turned t(round % 4 ? any.gaps(n) : std::vector<double>(n, 0.5), turns, Twerper::smooth);
+    for (std::size_t k = 0; k < n; ++k) {
+      double gone = 0, least = 0;
+      const Time from = from_seconds(t.times[k]), to = from_seconds(t.times[k + 1]);
+      const auto at = [&](int i) { return Time{from.flicks + (to - from).flicks * i / 200}; };
+      for (int i = 0; i < 200; ++i) {
+        const double step = way * dot(t.turn(at(i), at(i + 1)), axis);
+        gone += step, least = std::min(least, step);
+      }
+      EXPECT_GT(least, -1e-9) << round << " " << k;
+      EXPECT_NEAR(gone, length(turns[k]), 1e-3) << round << " " << k;
+    }
+  }
+}
+
+// At 0, 60, 120 degrees after 6 and 24 frames the parabola's slope at the middle is (10 * 24 + 2.5 * 6) / 30 degrees a
+// frame; three times the slower one's 2.5 is less.
+TEST(Twerpers, SquadIsAsFastAtAKeyAsItsNeighboursAllow) {
+  const Vec3 turn = pi / 3 * Vec3{0, 1, 0};
+  for (const int side : {-1, 1}) {
+    EXPECT_NEAR(length(Turned({6, 24}, {turn, turn}, Twerper::squad).speed(1, side)) * 180 / pi, 7.5, 1e-5);
+    EXPECT_NEAR(length(Turned({12, 24}, {turn, turn}, Twerper::squad).speed(1, side)) * 180 / pi,
+                (5.0 * 24 + 2.5 * 12) / 36, 1e-5);
+  }
+}
+
+// Half a turn from rest to rest, though there its control points are opposite.
+TEST(Twerpers, SquadTurnsHalfATurnFromRestToRest) {
+  const Turned t({1, 1, 1}, {{}, {0, 0, pi}, {}}, Twerper::squad);
+  for (double s = 0; s <= 1; s += 0.05)
+    EXPECT_NEAR(length(t.turn(from_seconds(1), from_seconds(1 + s))), 2 * std::sin(s * s * (3 - 2 * s) * pi / 2), 1e-9);
+}
+
+// Shoemake's formula, where keys lie evenly and no turn is five times the other.
+TEST(Twerpers, SquadBetweenEvenTimesIsShoemakes) {
+  RandomKeys any;
+  const auto logarithm = [](Quat q) {
+    const Vec3 v{q.x, q.y, q.z};
+    return std::atan2(length(v), q.w) * normalize(v, {});
   };
-  const double before = (degrees(7) - degrees(6.999)) / 0.001, after = (degrees(7.001) - degrees(7)) / 0.001;
-  EXPECT_NEAR(before, (10.0 * 24 + 2.5 * 6) / 30, 0.02);
-  EXPECT_NEAR(after, before, 0.02);
+  const auto power_of = [&](Quat q, double s) {
+    const Vec3 v = s * logarithm(q);
+    return axis_angle(normalize(v, {1, 0, 0}), 2 * length(v));
+  };
+  const auto between = [&](Quat a, Quat b, double s) { return a * power_of(conjugate(a) * b, s); };
+  for (int round = 0; round < 50; ++round) {
+    std::vector<Vec3> turns;
+    for (int i = 0; i < 3; ++i)
+      turns.push_back(any.pick(0.3, 1.2) * normalize(Vec3{any.pick(-1, 1), any.pick(-1, 1), any.pick(-1, 1)}));
+    const Turned t({1, 1, 1}, turns, Twerper::squad);
+    const auto control = [&](std::size_t k) {
+      const Quat &q = t.keys[k], back = conjugate(q);
+      const Vec3 both = -0.25 * (logarithm(back * t.keys[k + 1]) + logarithm(back * t.keys[k - 1]));
+      return q * axis_angle(normalize(both, {1, 0, 0}), 2 * length(both));
+    };
+    for (double s = 0.05; s < 1; s += 0.1) {
+      const Quat wanted =
+          between(between(t.keys[1], t.keys[2], s), between(control(1), control(2), s), 2 * s * (1 - s));
+      EXPECT_NEAR(std::abs(dot(t.at(from_seconds(1 + s)), wanted)), 1, 1e-12);
+    }
+  }
 }
 
 }  // namespace

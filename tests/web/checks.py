@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # What a test of pages counts: check(what, whether) and same(what, is, wanted); done() says how many there were.
-import sys
+import os, sys
+
+sys.path.append(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from timed import timed
 
 passed = failed = 0
 
 
 def check(what, good, found=""):
     global passed, failed
+    timed(what)
     passed, failed = passed + bool(good), failed + (not good)
     if not good:
         print(f"FAILED {what}{': ' if found != '' else ''}{found}")

@@ -52,12 +52,49 @@ TEST(Formulas, PatternsTakeThePlaceOfLoops) {
   expect_numbers(s, "g3-b.shininess", "1f", {0.2}, 1e-15);  // its place in {1,3}
 }
 
+// A function, an object or a layer may be called as a place is.
+TEST(Formulas, ANameIsNoPlace) {
+  const std::string rows = "  1f 0 linear\n  11f 10\n";
+  for (const char* name : {"n", "i", "i2"}) {
+    const std::string of = fmt::format("define {} number\ncreate a{{1..4}} box\na*.{}\n", name, name) + rows;
+    const LoadedFilm s(of + fmt::format("stagger a*.{} by 2f\n", name));
+    for (int i = 1; i <= 4; ++i) expect_numbers(s, fmt::format("a{}.{}", i, name), "11f", {12.0 - 2 * i});
+    const LoadedFilm copied(of + fmt::format("copy a1.{0} 1f..11f to 21f on a2.{0}\nset a*.size (i n 1)\n", name));
+    expect_numbers(copied, fmt::format("a2.{}", name), "26f", {5});
+    expect_numbers(copied, "a3.size", "1f", {3, 4, 1});
+  }
+  const LoadedFilm objects("create n{1..4} sphere\nlayer i add\nn*.radius\n" + rows + "stagger n*.radius by 2f\n" +
+                           "at 1f+i*2f n*.position.x i\non i set n*.scale (1 1 1)\non i stagger n*.scale by 1f\n");
+  for (int i = 1; i <= 4; ++i) expect_numbers(objects, fmt::format("n{}.radius", i), "11f", {12.0 - 2 * i});
+  expect_numbers(objects, "n4.position.x", "9f", {4});
+  expect_numbers(
+      LoadedFilm("create n sphere\ncreate b{1..3} box\nn.radius\n" + rows + "move b*.position 1f..i*2f by i*1f\n"),
+      "n.radius", "6f", {5});
+}
+
+TEST(Formulas, GiveHuesAndWhatFiltersAreTold) {
+  const LoadedFilm s(
+      "create b{1..6} box\nset b*.color hsv(i*60deg 1 1)\ncreate c{1..6} box\nset c*.color hsv(i/6 1 1)\n"
+      "let tilt = 30deg\nset b6.color hsv(2*tilt 1 1)\n"
+      "filter b*.position.y wobble amount=0.1*i frequency=i/4\nfilter b*.rotation.z wobble amount=i*10deg\n");
+  const std::vector<std::vector<double>> wheel{{1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}};
+  for (int i = 1; i <= 5; ++i) {
+    expect_numbers(s, fmt::format("b{}.color", i), "1f", wheel[static_cast<std::size_t>(i) - 1]);
+    expect_numbers(s, fmt::format("c{}.color", i), "1f", wheel[static_cast<std::size_t>(i) - 1]);
+    expect_numbers(s, fmt::format("b{}.position.y", i), "13f", {0.1 * i * std::sin(pi * i / 4)});
+    expect_numbers(s, fmt::format("b{}.rotation.z", i), "7f", {i * pi / 18});
+  }
+  expect_numbers(s, "b6.color", "1f", {1, 1, 0});
+  EXPECT_EQ(first_error("create a box color=hsv(2*1f 1 1)\n"), "1:24: a plain number is wanted here, not a time");
+  EXPECT_EQ(first_error("create a box\nfilter a.position wobble frequency=2*1f\n"),
+            "2:36: frequency is a plain number, without a unit");
+}
+
 TEST(Formulas, AllOfAPatternOrNothing) {
   const Loaded l = read(
       "create q{1..3} box position=(i 0 1/(i-2))\ncreate a{1..3} sphere\nset a*.radius 2-i\na*.position.x\n  1f 3\n  "
       "9f 1/(i-3)\n");
-  EXPECT_EQ(errors(l), (std::vector<std::string>{"1:34: this formula divides by zero", "3:15: radius is at least 0",
-                                                 "6:6: this formula divides by zero"}));
+  EXPECT_EQ(all_told(l), (std::vector<std::string>{"range 1:34 1/(i-2)", "range 3:15 2-i", "range 6:6 1/(i-3)"}));
   EXPECT_EQ(l.document.names().size(), 3u);
   const LoadedFilm same("create a{1..3} sphere\na*.position.x\n  1f 3\n");
   EXPECT_EQ(write(l.document), write(same.loaded.document));
@@ -65,34 +102,33 @@ TEST(Formulas, AllOfAPatternOrNothing) {
 
 TEST(Formulas, ErrorsByTheirPlace) {
   const std::string ball = "create b sphere\n";
-  const std::pair<const char*, const char*> table[] = {
-      {"set b.radius 2f+3deg", "2:14: a time and an angle cannot be added"},
-      {"set b.radius 3deg*2", "2:14: a plain number is wanted here, not an angle"},
-      {"set b.position (1 2*3s 0)", "2:19: a plain number is wanted here, not a time"},
-      {"set b.rotation euler(0 0 3*2)", "2:26: an angle is wanted here, not a number"},
-      {"at 2*3 b.radius 2", "2:4: a time is wanted here, not a number"},
-      {"move b.radius 1f..9f by 2*3", "2:25: a length of time is wanted here, not a number"},
-      {"set b.radius (1 2 3)", "2:14: a number is wanted here, not a vector"},
-      {"set b.radius 1e300*1e300", "2:14: this formula has no finite value"},
-      {"at 1e300*1f b.radius 2", "2:4: times reach 146 years (4.6e9 s) and no further"},
-      {"set b.radius nosuch*2", "2:14: there is no number 'nosuch'"},
-      {"let x = y*2\nlet y = x*2", "2:9: there is no number 'y'"},
-      {"let x = x+1", "2:9: there is no number 'x'"},
-      {"let a = 1\nlet a = 2", "3:5: there is a 'let a' already"},
-      {"let again a = 2", "2:11: there is no 'let a' above that could change"},
-      {"let sin = 2", "2:5: 'sin' has a meaning in formulas already"},
-      {"let i = 2", "2:5: 'i' has a meaning in formulas already"},
-      {"let red = 2", "2:5: 'red' has a meaning in formulas already"},
-      {"let 2x = 2", "2:5: '2x' cannot be a name in formulas"},
-      {"let a-b = 2", "2:5: 'a-b' cannot be a name in formulas"},
-      {"let a", "2:6: '=' is missing here"},
-      {"let a =", "2:8: a formula, a vector or a colour is missing here"},
-      {"let a = 2 3", "2:11: '3' is not expected here"},
-      {"let a = \"x\"", "2:9: this is not a colour"},
-      {"set b.radius i1", "2:14: the pattern has no first range that i1 could count"},
-      {"set b.radius i5", "2:14: there is no number 'i5'"}};
-  for (const auto& [line, words] : table) EXPECT_EQ(first_error(ball + line + "\n"), words) << line;
-  EXPECT_EQ(first_error("let a = 1\nlet again a = a+1\ncreate b sphere radius=a\n"), "");
+  const std::pair<const char*, const char*> table[] = {{"set b.radius 2f+3deg", "type 2:14 2f+3deg"},
+                                                       {"set b.radius 3deg*2", "type 2:14 3deg*2"},
+                                                       {"set b.position (1 2*3s 0)", "type 2:19 2*3s"},
+                                                       {"set b.rotation euler(0 0 3*2)", "type 2:26 3*2"},
+                                                       {"at 2*3 b.radius 2", "type 2:4 2*3"},
+                                                       {"move b.radius 1f..9f by 2*3", "type 2:25 2*3"},
+                                                       {"set b.radius (1 2 3)", "type 2:14 ("},
+                                                       {"set b.radius 1e300*1e300", "range 2:14 1e300*1e300"},
+                                                       {"at 1e300*1f b.radius 2", "range 2:4 1e300*1f"},
+                                                       {"set b.radius nosuch*2", "name 2:14 nosuch"},
+                                                       {"let x = y*2\nlet y = x*2", "name 2:9 y"},
+                                                       {"let x = x+1", "name 2:9 x"},
+                                                       {"let a = 1\nlet a = 2", "name 3:5 a"},
+                                                       {"let again a = 2", "name 2:11 a"},
+                                                       {"let sin = 2", "name 2:5 sin"},
+                                                       {"let i = 2", "name 2:5 i"},
+                                                       {"let red = 2", "name 2:5 red"},
+                                                       {"let 2x = 2", "syntax 2:5 2x"},
+                                                       {"let a-b = 2", "syntax 2:5 a-b"},
+                                                       {"let a", "syntax 2:6"},
+                                                       {"let a =", "syntax 2:8"},
+                                                       {"let a = 2 3", "syntax 2:11 3"},
+                                                       {"let a = \"x\"", "syntax 2:9 \""},
+                                                       {"set b.radius i1", "name 2:14 i1"},
+                                                       {"set b.radius i5", "name 2:14 i5"}};
+  for (const auto& [line, words] : table) EXPECT_EQ(told(ball + line + "\n"), words) << line;
+  EXPECT_EQ(told("let a = 1\nlet again a = a+1\ncreate b sphere radius=a\n"), "");
 }
 
 // Planets whose years are as i: their places are complex powers of e.
@@ -110,13 +146,13 @@ TEST(Formulas, StandInMotions) {
   }
   expect_place(s, "near", "25f", {2, -1, 0});  // (1 2 0) a quarter turn clockwise about the ball k
   const auto error = [](const std::string& motion) {
-    return first_error("let k = 3\ncreate a sphere\na.motion\n  1f..24f " + motion + "\n");
+    return told("let k = 3\ncreate a sphere\na.motion\n  1f..24f " + motion + "\n");
   };
-  EXPECT_EQ(error("R(2*q @ a)"), "4:15: there is no number 'q'");
-  EXPECT_EQ(error("R(2*k @ a)"), "4:13: an angle needs its unit: 6");
-  EXPECT_EQ(error("T(1 0) R(k*1deg @ so)"), "4:29: there is no object 'so'");
-  EXPECT_EQ(error("T(1/0 0)"), "4:13: this formula divides by zero");
-  EXPECT_EQ(error("\"T(k 0)\""), "4:11: a translation has two or three numbers");
+  EXPECT_EQ(error("R(2*q @ a)"), "name 4:15 q");
+  EXPECT_EQ(error("R(2*k @ a)"), "type 4:13 2*k");
+  EXPECT_EQ(error("T(1 0) R(k*1deg @ so)"), "name 4:29 so");
+  EXPECT_EQ(error("T(1/0 0)"), "range 4:13 1/0");
+  EXPECT_EQ(error("\"T(k 0)\""), "syntax 4:11 \"T(k 0)\"");
 }
 
 TEST(Formulas, GiveTheirNamesToCode) {
@@ -143,9 +179,8 @@ TEST(Formulas, GiveTheirNamesToCode) {
   expect_numbers(s, "g2-b.pivot", "1f", {2, 2, 5});
   const LoadedFilm again(write(s.loaded.document));
   EXPECT_EQ(again.text("t2.text", "1f"), "two");
-  EXPECT_EQ(first_error("let beat = 12f\ncreate b sphere\nset b.radius = \"beat\"\n"),
-            "3:16: 'beat' counts frames, and code counts seconds");
-  EXPECT_EQ(first_error("let k = 2\ncreate b sphere\nset b.radius = \"k +\"\n").substr(0, 6), "3:16: ");
+  EXPECT_EQ(told("let beat = 12f\ncreate b sphere\nset b.radius = \"beat\"\n"), "type 3:16 \"beat\"");
+  EXPECT_EQ(told("let k = 2\ncreate b sphere\nset b.radius = \"k +\"\n"), "syntax 3:16 \"k +\"");
 }
 
 TEST(Formulas, AScriptThatIsWrittenOutHasWhatTheyCameTo) {

@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-#include "commands/dice.h"
+#include "support/dice.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {

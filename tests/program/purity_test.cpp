@@ -10,7 +10,7 @@
 #include <random>
 #include <thread>
 
-#include "commands/dice.h"
+#include "support/dice.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -143,6 +143,31 @@ TEST(Purity, AnyOrderAndAnyThreadGivesTheBitsOfPlaying) {
     for (std::thread& t : threads) t.join();
     if (wrong != std::array<int, 4>{}) RC_FAIL(text);
   }));
+}
+
+// Where a thing is, asked for alone, is where its whole matrix has it; of all at once, too.
+TEST(Purity, PlacesAskedForAloneAreThoseOfTheFrame) {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    const LoadedFilm s(Film(seed).script() +
+                       "set o2.look-at o3\nset o3.look-at eye\nset o4.pivot (1 2 0)\ncreate hat box position=(1 2 3)\n"
+                       "couple hat to o2\nset o0.pivot.y = \"t\"\n");
+    const Document& d = s.loaded.document;
+    std::vector<Target> all;
+    for (const char* name : {"o0", "o1", "o2", "o3", "o4", "eye", "hat"})
+      for (const char* part : {".world", ".world.x", ".world.y", ".world.z"})
+        all.push_back(find_targets(std::string(name) + part, d)->front());
+    for (const char* time : {"1f", "9.5f", "30f", "55f"}) {
+      const std::vector<Value> together = s.program.read(all, *parse_time(time, d));
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto is = numbers(s.program.read(all[k], *parse_time(time, d))), wanted = numbers(together[k]);
+        EXPECT_EQ(is, wanted) << d.name(all[k]) << " at " << time << ", film " << seed;
+        const std::size_t c = k % 4;
+        if (c > 0) {
+          EXPECT_EQ(is[0], numbers(together[k - c])[4 * c - 1]) << d.name(all[k]) << " at " << time;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

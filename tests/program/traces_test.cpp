@@ -131,10 +131,10 @@ TEST(Traces, AreWrittenAndReadBack) {
 }
 
 TEST(Traces, ErrorsInWords) {
-  EXPECT_EQ(first_error("create t trace of=nobody\n"), "1:19: there is no object 'nobody'");
-  EXPECT_EQ(first_error("create t trace from=red\n").substr(0, 6), "1:21: ");
-  EXPECT_EQ(first_error("create t trace last=-2s\n").substr(0, 6), "1:21: ");
-  EXPECT_EQ(first_error("create t trace until=3\n").substr(0, 6), "1:22: ");
+  EXPECT_EQ(told("create t trace of=nobody\n"), "name 1:19 nobody");
+  EXPECT_EQ(told("create t trace from=red\n"), "syntax 1:21 red");
+  EXPECT_EQ(told("create t trace last=-2s\n"), "range 1:21 -2s");
+  EXPECT_EQ(told("create t trace until=3\n"), "type 1:22 3");
 }
 
 }  // namespace

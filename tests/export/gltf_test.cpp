@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A .glb, read back as the specification of glTF 2.0 says, is where the film is. What three.js, Blender and the
+// validator make of such files is asked in tests/peers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "betwixt/export.h"
+#include "betwixt/language.h"
+#include "betwixt/pose.h"
+#include "support/folder.h"
+
+namespace betwixt {
+namespace gltf_test {
+
+using Json = nlohmann::json;
+using Numbers = std::vector<double>;
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+  std::uint32_t w = 0;
+  std::memcpy(&w, bytes.data() + at, sizeof w);
+  return w;
+}
+
+// The container: 12 bytes of head, then chunks of JSON and of bytes, each a multiple of four long.
+struct Glb {
+  explicit Glb(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    const std::string all{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_EQ(all.substr(0, 4), "glTF");
+    EXPECT_EQ(word(all, 4), 2u);
+    EXPECT_EQ(word(all, 8), all.size());
+    const std::size_t text = word(all, 12);
+    EXPECT_EQ(word(all, 16), 0x4E4F534Au);  // "JSON"
+    EXPECT_EQ(text % 4, 0u);
+    json = Json::parse(all.substr(20, text));
+    EXPECT_EQ(word(all, 24 + text), 0x004E4942u);  // "BIN"
+    EXPECT_EQ(28 + text + word(all, 20 + text), all.size());
+    bytes = all.substr(28 + text);
+  }
+
+  // The floats of an accessor, `width` for each element.
+  std::vector<Numbers> floats(int accessor) const {
+    static const std::map<std::string, std::size_t> widths{{"SCALAR", 1}, {"VEC3", 3}, {"VEC4", 4}};
+    const Json& a = json["accessors"][static_cast<std::size_t>(accessor)];
+    const Json& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
+    EXPECT_EQ(a["componentType"], 5126);
+    const std::size_t width = widths.at(a["type"]), from = view.value("byteOffset", 0u) + a.value("byteOffset", 0u);
+    std::vector<Numbers> out(a["count"], Numbers(width));
+    EXPECT_LE(from + out.size() * width * 4, bytes.size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+      for (std::size_t k = 0; k < width; ++k) {
+        float f = 0;
+        std::memcpy(&f, bytes.data() + from + 4 * (i * width + k), sizeof f);
+        out[i][k] = f;
+      }
+    return out;
+  }
+
+  Json json;
+  std::string bytes;
+};
+
+Numbers normalised(Numbers v) {
+  double length = 0;
+  for (const double x : v) length += x * x;
+  for (double& x : v) x /= std::sqrt(length);
+  return v;
+}
+
+Numbers slerp(const Numbers& a, Numbers b, double u) {
+  double cosine = 0;
+  for (int k = 0; k < 4; ++k) cosine += a[k] * b[k];
+  if (cosine < 0) {
+    cosine = -cosine;
+    for (double& x : b) x = -x;
+  }
+  const double angle = std::acos(std::min(cosine, 1.0));
+  const double p = angle < 1e-9 ? 1 - u : std::sin((1 - u) * angle) / std::sin(angle);
+  const double q = angle < 1e-9 ? u : std::sin(u * angle) / std::sin(angle);
+  Numbers out(4);
+  for (int k = 0; k < 4; ++k) out[k] = p * a[k] + q * b[k];
+  return out;
+}
+
+// Appendix C of the specification: STEP, LINEAR (slerp for rotations) and CUBICSPLINE with in-tangent, value,
+// out-tangent.
+Numbers sampled(const Glb& file, const Json& sampler, bool turn, double t) {
+  const auto times = file.floats(sampler["input"]), values = file.floats(sampler["output"]);
+  const std::string how = sampler.value("interpolation", "LINEAR");
+  const std::size_t each = how == "CUBICSPLINE" ? 3 : 1, middle = each / 2;
+  const auto value = [&](std::size_t i) { return values[each * i + middle]; };
+  if (t <= times.front()[0]) return value(0);
+  if (t >= times.back()[0]) return value(times.size() - 1);
+  std::size_t i = 0;
+  while (times[i + 1][0] <= t) ++i;
+  const double length = times[i + 1][0] - times[i][0], u = (t - times[i][0]) / length;
+  if (how == "STEP") return value(i);
+  if (how == "LINEAR" && turn) return slerp(value(i), value(i + 1), u);
+  Numbers out(value(i).size());
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const double a = value(i)[k], b = value(i + 1)[k];
+    out[k] = a + (b - a) * u;
+    if (how == "CUBICSPLINE") {
+      const double leaving = length * values[3 * i + 2][k], arriving = length * values[3 * i + 3][k];
+      out[k] = (2 * u * u * u - 3 * u * u + 1) * a + (u * u * u - 2 * u * u + u) * leaving +
+               (3 * u * u - 2 * u * u * u) * b + (u * u * u - u * u) * arriving;
+    }
+  }
+  return turn ? normalised(out) : out;
+}
+
+// A node's matrix in the world.
+Mat4 world(const Glb& file, std::size_t node, double t) {
+  const Json& n = file.json["nodes"][node];
+  Numbers move = n.value("translation", Numbers{0, 0, 0}), turn = n.value("rotation", Numbers{0, 0, 0, 1}),
+          grow = n.value("scale", Numbers{1, 1, 1});
+  for (const Json& animation : file.json.value("animations", Json::array()))
+    for (const Json& channel : animation["channels"]) {
+      if (channel["target"]["node"] != node) continue;
+      const std::string path = channel["target"]["path"];
+      const Numbers v =
+          sampled(file, animation["samplers"][channel["sampler"].get<std::size_t>()], path == "rotation", t);
+      (path == "translation" ? move : path == "rotation" ? turn : grow) = v;
+    }
+  const Mat4 own = translation({move[0], move[1], move[2]}) * rotation({turn[3], turn[0], turn[1], turn[2]}) *
+                   scaling({grow[0], grow[1], grow[2]});
+  for (std::size_t up = 0; up < file.json["nodes"].size(); ++up)
+    for (const Json& child : file.json["nodes"][up].value("children", Json::array()))
+      if (child == node) return world(file, up, t) * own;
+  return own;
+}
+
+const char* const film =
+    "rate 24\nrange 1f 73f\n"
+    "create ball sphere\nball.position\n  1f (-5 0 1) linear\n  20f (0 3 0) bezier(0.3 1.4 0.2 1)\n  49f (5 -2 0) "
+    "hold\n"
+    "  61f (0 0 0) ease-in=6f\n  73f (2 2 0)\nball.scale\n  1f (1 1 1) smooth\n  33f (2 0.5 1)\n  73f (1 1 1)\n"
+    "ball.rotation\n  1f axis(y 0deg) slerp\n  30f axis(y 170deg) slerp\n  37f axis(x 40deg)\n"
+    "create arm group position=(1 -2 3)\narm.rotation.z\n  1f 0deg linear\n  37f 720deg ease-in=12f\n  73f 90deg\n"
+    "create arm/tip box position=(1.5 0 0)\narm/tip.position.y\n  1f 0 smooth\n  11f 2\n  73f -1\n"
+    "create still cone position=(3 1 4) scale=(1 2 1)\n";
+
+// The matrices of all objects at many times, in both styles of keys.
+TEST(Gltf, AFileReadBySpecificationIsWhereTheFilmIs) {
+  const Folder folder;
+  const Loaded loaded = load_text(film, "test.bx");
+  ASSERT_FALSE(has_errors(loaded.diagnostics)) << to_string(loaded.diagnostics.front());
+  const Program program = Program::compile(loaded.document);
+  for (const KeyStyle style : {KeyStyle::cubic, KeyStyle::linear, KeyStyle::baked}) {
+    ExportOptions options;
+    options.path = folder / "x.glb";
+    std::tie(options.from, options.until) = loaded.document.range();
+    options.keys.style = style;
+    ASSERT_TRUE(export_film(program, options));
+    const Glb file(options.path);
+    std::mt19937 random(7);
+    for (const char* name : {"ball", "arm", "arm/tip", "still"}) {
+      std::size_t node = 0;
+      while (file.json["nodes"][node]["name"] != name) ++node;
+      for (int k = 0; k < 60; ++k) {
+        // Baked keys are exact on frames only.
+        const double frame = style == KeyStyle::baked ? random() % 73 : random() % 72001 / 1000.0;
+        const Time t = loaded.document.rate().frame(1 + frame);
+        const auto found = find_targets(std::string(name) + ".world", loaded.document);
+        ASSERT_TRUE(found);
+        const Mat4 is = world(file, node, frame / 24), due = *std::get<Matrix>(program.read(found->front(), t));
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 4; ++c)
+            EXPECT_NEAR(is(r, c), due(r, c), 5e-4) << name << " at frame " << 1 + frame << ", " << r << " " << c;
+      }
+    }
+  }
+}
+
+}  // namespace gltf_test
+}  // namespace betwixt

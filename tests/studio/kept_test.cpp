@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What must not be lost: a start, whatever was remembered; time while it plays; what is typed without a pause.
+#include <QTest>
+#include <QtWidgets>
+
+#include "studio/film.h"
+#include "studio/script_edit.h"
+#include "studio/theme.h"
+#include "studio/transport.h"
+#include "studio/window.h"
+
+using namespace betwixt;
+using namespace betwixt::studio;
+
+namespace {
+
+QSettings settings() { return QSettings("betwixt", "studio"); }
+
+// Starts the studio as its program does, and looks at it until it stands.
+void start_and_close(Qt::WindowStates states = {}) {
+  Desk desk;
+  Window window(desk, {.remembers = true});
+  window.show();
+  if (states) window.setWindowState(states);
+  QTRY_VERIFY(!settings().contains("starting"));
+  window.close();
+}
+
+}  // namespace
+
+class KeptTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { set_theme(*qApp, Theme::dark); }
+  void init() { settings().clear(); }
+
+  void itStartsAfterItWasMaximisedAndClosed() {
+    start_and_close(Qt::WindowMaximized);
+    QVERIFY(settings().contains("geometry"));
+    start_and_close();
+    start_and_close(Qt::WindowFullScreen);
+    start_and_close();
+  }
+
+  void aStartThatDidNotFinishIsForgotten() {
+    start_and_close();
+    const QByteArray panels = settings().value("panels").toByteArray();
+    settings().setValue("starting", true);
+    settings().setValue("geometry", "what no window has said");
+    settings().setValue("panels", "nor this");
+    {
+      Desk desk;
+      Window window(desk, {.remembers = true});
+      QVERIFY(!settings().contains("geometry"));
+      QVERIFY(!settings().contains("panels"));
+    }
+    settings().remove("starting");
+    settings().setValue("panels", panels.left(panels.size() / 2));
+    start_and_close();
+  }
+
+  // What is set again and again while it plays is where it would be without: messages of a fader come 100 times a
+  // second.
+  void nothingSlowsDownThatIsSetWhileItPlays() {
+    const Rate rate{24, 1};
+    for (const int direction : {1, -1}) {
+      Transport often, seldom;
+      for (Transport* t : {&often, &seldom}) t->set(rate, rate.frame(1), rate.frame(240)), t->go_to(rate.frame(120));
+      often.play(direction), seldom.play(direction);
+      for (int k = 0; k < 150; ++k) {
+        often.set(rate, rate.frame(1), rate.frame(240));
+        QTest::qSleep(5);
+      }
+      const auto clock = Transport::Clock::now();
+      const double a = rate.frame_number(often.now(clock)), b = rate.frame_number(seldom.now(clock));
+      QVERIFY2(std::abs(a - b) <= 1, qPrintable(QString("%1 %2").arg(a).arg(b)));
+      QVERIFY(direction * (a - 120) >= 15);
+    }
+  }
+
+  void whatIsTypedWithoutAPauseIsInTheJournal() {
+    Film film("create ball sphere\n");
+    ScriptEdit edit(film.desk);
+    edit.resize(400, 300);
+    edit.show();
+    edit.moveCursor(QTextCursor::End);
+    QElapsedTimer typed;
+    typed.start();
+    for (int k = 0; typed.elapsed() < 3000; ++k) {
+      if (k % 20 == 0) QTest::keyClick(&edit, Qt::Key_Return), QTest::keyClicks(&edit, "# ");
+      QTest::keyClick(&edit, Qt::Key_X);
+      QTest::qWait(20);
+    }
+    // A second's worth may be missing, and what a slow machine adds.
+    const std::string kept = film.desk.session().text();
+    QVERIFY2(kept.find("# xxx") != std::string::npos, kept.c_str());
+  }
+};
+
+QTEST_MAIN(KeptTest)
+#include "kept_test.moc"
