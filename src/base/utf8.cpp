@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/utf8.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace betwixt {
@@ -28,6 +30,46 @@ std::size_t character_length(std::string_view text, std::size_t i) {
   const bool too_long = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
   const bool surrogate = first == 0xED && second > 0x9F, beyond = first == 0xF4 && second > 0x8F;
   return more == 0 || too_long || surrogate || beyond ? 0 : more + 1;
+}
+
+namespace {
+
+// Characters that nobody sees, and that change how others are shown.
+bool hidden(char32_t c) {
+  struct Range {
+    char32_t first, last;
+  };
+  static constexpr Range ranges[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x61C, 0x61C},  {0x200E, 0x200F},
+                                     {0x2028, 0x202E}, {0x2066, 0x206F}, {0xFFF9, 0xFFFB}};
+  return std::any_of(std::begin(ranges), std::end(ranges), [c](const Range& r) { return c >= r.first && c <= r.last; });
+}
+
+char32_t character_at(std::string_view text, std::size_t i, std::size_t length) {
+  static constexpr unsigned char lead[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
+  char32_t c = static_cast<unsigned char>(text[i]) & lead[length];
+  for (std::size_t k = 1; k < length; ++k) c = c << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
+  return c;
+}
+
+}  // namespace
+
+std::string visible(std::string_view text, bool tabs) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    const char32_t c = length > 0 ? character_at(text, i, length) : 0;
+    if (length == 0)
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
+    else if (!hidden(c) || (tabs && c == '\t'))
+      out += text.substr(i, length);
+    else
+      out += c == '\n'  ? "\\n"
+             : c < 0x80 ? fmt::format("\\x{:02x}", static_cast<unsigned>(c))
+                        : fmt::format("\\u{{{:x}}}", static_cast<unsigned>(c));
+    i += std::max<std::size_t>(length, 1);
+  }
+  return out;
 }
 
 }  // namespace betwixt

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace betwixt {
@@ -18,5 +19,9 @@ std::string_view first_characters(std::string_view, std::size_t count);
 
 // How many bytes the character at `i` takes; 0: what stands there is no UTF-8.
 std::size_t character_length(std::string_view, std::size_t i);
+
+// Returns the text as a terminal or a log may show it: control characters, line separators, characters that turn the
+// direction of writing and bytes that are no UTF-8 are written as \x1b or \u{202e}. Tabs stay if `tabs` is set.
+std::string visible(std::string_view, bool tabs = false);
 
 }  // namespace betwixt

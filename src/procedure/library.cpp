@@ -4,6 +4,7 @@
 // The globals that code sees. It sees them through empty tables that cannot be written, so that nothing it does stays.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "procedure/arithmetic.h"
 #include "procedure/machine.h"
@@ -20,6 +21,8 @@ double span(lua_State* l, int first, int last, double otherwise) {
   const double a = luaL_optnumber(l, first, 1), b = luaL_optnumber(l, last, otherwise);
   return b >= a ? b - a + 1 : 0;
 }
+// Comparing may go through whole texts.
+double sorting(lua_State* l, double size) { return size * (1 + std::log2(size + 1)) * Machine::of(l).steps_each(); }
 template <Charge how>
 int charged(lua_State* l) {
   const double size = lua_type(l, 1) == LUA_TTABLE ? static_cast<double>(lua_rawlen(l, 1)) : 0;
@@ -29,12 +32,28 @@ int charged(lua_State* l) {
   if constexpr (how == Charge::list) steps = size + lua_gettop(l);
   if constexpr (how == Charge::range) steps = span(l, lua_type(l, 2) == LUA_TSTRING ? 3 : 2, 3, size) + size;
   if constexpr (how == Charge::move) steps = span(l, 2, 3, 0);
-  if constexpr (how == Charge::sort) steps = size * (1 + std::log2(size + 1));
+  if constexpr (how == Charge::sort) steps = sorting(l, size);
   charge(l, steps);
   lua_pushvalue(l, lua_upvalueindex(1));
   lua_insert(l, 1);
   lua_call(l, lua_gettop(l) - 1, LUA_MULTRET);
-  return lua_gettop(l);
+  const int results = lua_gettop(l);
+  if (results > 8) charge(l, results);
+  return results;
+}
+
+// The least or greatest of the arguments, of which there may be very many.
+template <bool least>
+int extreme(lua_State* l) {
+  const int count = lua_gettop(l);
+  int found = 1;
+  luaL_argcheck(l, count >= 1, 1, "number expected, got no value");
+  if (count > 8) charge(l, count);
+  for (int i = 1; i <= count; ++i) {
+    luaL_checknumber(l, i);
+    if (least ? lua_compare(l, i, found, LUA_OPLT) : lua_compare(l, found, i, LUA_OPLT)) found = i;
+  }
+  return lua_pushvalue(l, found), 1;
 }
 
 constexpr double longest_text = 1'000'000;
@@ -101,11 +120,12 @@ int next_pair(lua_State* l) {
   }
 }
 
-int sorted_pairs(lua_State* l, Machine&) {
+// Puts the list of a table's keys, as they come, behind the table.
+int keys_of(lua_State* l, Machine&) {
   if (lua_type(l, 1) != LUA_TTABLE) return fail_with(l, "pairs: a table is needed");
   lua_settop(l, 1);
-  lua_newtable(l);  // the keys as they come
-  std::vector<lua_Integer> order;
+  lua_newtable(l);
+  lua_Integer count = 0;
   lua_pushnil(l);
   while (lua_next(l, 1)) {
     lua_pop(l, 1);
@@ -113,9 +133,14 @@ int sorted_pairs(lua_State* l, Machine&) {
     if (type != LUA_TNUMBER && type != LUA_TSTRING)
       return fail_with(l, "pairs: a key that is neither a number nor a text has no place in an order");
     lua_pushvalue(l, -1);
-    order.push_back(static_cast<lua_Integer>(order.size()) + 1);
-    lua_rawseti(l, 2, order.back());
+    lua_rawseti(l, 2, ++count);
   }
+  return 2;
+}
+
+int sorted_pairs(lua_State* l, Machine&) {
+  std::vector<lua_Integer> order(lua_rawlen(l, 2));
+  std::iota(order.begin(), order.end(), 1);
   std::sort(order.begin(), order.end(), [l](lua_Integer a, lua_Integer b) {
     const int type_a = lua_rawgeti(l, 2, a), type_b = lua_rawgeti(l, 2, b);
     const bool less = type_a != type_b ? type_a == LUA_TNUMBER : lua_compare(l, -2, -1, LUA_OPLT) != 0;
@@ -133,19 +158,29 @@ int sorted_pairs(lua_State* l, Machine&) {
   return 2;
 }
 int pairs(lua_State* l) {
-  const int results = guarded<sorted_pairs>(l);
-  lua_getupvalue(l, -2, 1);
-  const double size = static_cast<double>(lua_rawlen(l, -1));
-  lua_pop(l, 1);
-  charge(l, size * (1 + std::log2(size + 1)));
-  return results;
+  const Machine& m = Machine::of(l);
+  charge(l, static_cast<double>(m.held() / 4096));  // a table may have many empty places
+  guarded<keys_of>(l);
+  charge(l, sorting(l, static_cast<double>(lua_rawlen(l, 2))));
+  return guarded<sorted_pairs>(l);
 }
 
-// Asking somebody else is more than one step.
+// Asking somebody else is more than one step, and whatever is handed over or comes back is copied.
+double copied(lua_State* l) {
+  double steps = 0;
+  for (int i = 1; i <= lua_gettop(l); ++i) {
+    const int type = lua_type(l, i);
+    if (type == LUA_TTABLE || type == LUA_TSTRING)
+      steps += static_cast<double>(lua_rawlen(l, i)) / (type == LUA_TTABLE ? 1 : 16);
+  }
+  return steps;
+}
 template <int (*body)(lua_State*, Machine&)>
 int priced(lua_State* l) {
+  charge(l, 20 + copied(l));
+  Machine::of(l).settle();
   const int results = guarded<body>(l);
-  return charge(l, 20), results;
+  return charge(l, copied(l)), results;
 }
 
 int push_answer(lua_State* l, const std::string& target, const Result<Value>& r) {
@@ -316,12 +351,14 @@ constexpr luaL_Reg own[] = {{"tostring", guarded<to_text>}, {"pairs", pairs},
 }  // namespace
 
 void open_library(lua_State* l, Machine& m) {
-  const auto of_math = {"abs",  "ceil", "floor", "fmod", "modf", "exp", "log", "sqrt", "sin",       "cos",  "tan",
-                        "asin", "acos", "atan",  "min",  "max",  "deg", "rad", "ult",  "tointeger", "huge", "pi"};
+  const auto of_math = {"abs", "ceil", "floor", "fmod", "modf", "exp", "log", "sqrt",      "sin",  "cos",
+                        "tan", "asin", "acos",  "atan", "deg",  "rad", "ult", "tointeger", "huge", "pi"};
+  constexpr luaL_Reg extremes[] = {{"min", extreme<true>}, {"max", extreme<false>}, {nullptr, nullptr}};
   lua_newtable(l);  // the library
   copy(l, luaopen_base, {"assert", "error", "ipairs", "select", "type", "rawequal", "rawlen"});
   copy(l, luaopen_base, {"tonumber"}, charged<Charge::text>);
   copy(l, luaopen_math, of_math);
+  luaL_setfuncs(l, extremes, 0);
   luaL_setfuncs(l, own, 0);
   luaL_setfuncs(l, arithmetic_functions, 0);
   lua_pushnumber(l, 2 * pi);
@@ -329,6 +366,7 @@ void open_library(lua_State* l, Machine& m) {
 
   lua_newtable(l);
   copy(l, luaopen_math, of_math);
+  luaL_setfuncs(l, extremes, 0);
   copy(l, luaopen_math, {"type", "maxinteger", "mininteger"});
   protect(l, no_library_writing);
   lua_setfield(l, -2, "math");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "procedure/lua.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <utility>
 
 #include "base/names.h"
+#include "base/utf8.h"
 #include "procedure/machine.h"
 #include "procedure/nested.h"
 
@@ -18,14 +21,22 @@ namespace {
 using lua::Call;
 using lua::Machine;
 
+// What code says of itself reaches terminals and logs: so much of it, and nothing that they would obey.
+std::string shown(std::string_view message) {
+  constexpr std::size_t most = 500;
+  const std::string_view begin = first_characters(message, most);
+  return visible(begin) + (begin.size() < message.size() ? "…" : "");
+}
+
 // "procedure:3: what" as Lua says it: without the file, and without the line where there is but one.
 std::string plain(std::string_view message, bool lines) {
   constexpr std::string_view chunk = "procedure:";
-  if (!message.starts_with(chunk)) return std::string(message);
-  message.remove_prefix(chunk.size());
-  const auto colon = message.find(": ");
-  const std::string_view line = message.substr(0, colon);
-  std::string rest(message.substr(colon + 2));
+  const std::size_t digits = std::min(message.find_first_not_of("0123456789", chunk.size()), message.size());
+  // Code says whatever it likes with error(), words that only begin so too.
+  if (!message.starts_with(chunk) || digits == chunk.size() || !message.substr(digits).starts_with(": "))
+    return shown(message);
+  const std::string_view line = message.substr(chunk.size(), digits - chunk.size());
+  std::string rest = shown(message.substr(digits + 2));
   if (rest.ends_with("(number has no integer representation)"))
     rest += ": floor(x) makes a whole number, and '%.0f' writes any";
   return lines ? "line " + std::string(line) + ": " + rest : rest;
@@ -60,8 +71,7 @@ class Lua final : public Routine {
     auto& machine_here = machine();
     Machine& m = *machine_here;
     lua_State* l = m.state;
-    m.push_code(serial, compiled);
-    m.begin(call);
+    m.begin(call, m.push_code(serial, compiled));
     int status = call_function(m, prepare(m));
     if (status == LUA_OK && lua_type(l, -1) == LUA_TFUNCTION) status = call_function(m, again(m));
     m.lenient = true;
@@ -184,11 +194,12 @@ class Lua final : public Routine {
   // "(global 'nosuch')": what has a name like that.
   static std::string near_global(lua_State* l, std::string_view why) {
     constexpr std::string_view before = "(global '";
+    constexpr std::size_t longest_name = 100;
     const auto at = why.find(before);
     if (at == std::string_view::npos) return {};
     const int top = lua_gettop(l);
-    const std::string_view name =
-        why.substr(at + before.size(), why.find('\'', at + before.size()) - at - before.size());
+    std::string_view name = why.substr(at + before.size(), longest_name);
+    name = name.substr(0, name.find('\''));
     std::vector<std::string> known;
     lua_pushglobaltable(l);  // each table stands before the next one
     for (bool more = true; more;) {
@@ -206,7 +217,9 @@ class Lua final : public Routine {
   Error said(lua_State* l, int status) const {
     if (status == LUA_ERRMEM) return fail(ErrorCode::range, lua::too_much_memory);
     if (lua_type(l, -1) != LUA_TSTRING) return fail(ErrorCode::type, "it ended with an error that is no text");
-    const std::string_view why = lua_tostring(l, -1);
+    std::size_t size = 0;
+    const char* text = lua_tolstring(l, -1, &size);
+    const std::string_view why(text, size);
     return fail(ErrorCode::type,
                 plain(why, has_lines(source) && !why.ends_with(Nested::error().message)) + near_global(l, why));
   }
@@ -240,6 +253,9 @@ bool is_chunk(std::string_view source) {
 
 Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
   if (source.find_first_not_of(" \t\r\n") == std::string::npos) return fail(ErrorCode::syntax, "there is no code");
+  if (source.size() > lua::longest_code)
+    return fail(ErrorCode::range,
+                fmt::format("the code has {} bytes; it may have {}", source.size(), lua::longest_code));
   lua_State* l = luaL_newstate();
   if (!l) return fail(ErrorCode::machine, "there is no memory for Lua");
   auto compiled = compile(l, "return " + source);

@@ -4,35 +4,43 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace betwixt::lua {
 namespace {
 
+// The size of a new state's stack in Lua 5.4: twice the least stack, and five slots to spare.
+constexpr std::size_t first_stack = (2 * LUA_MINSTACK + 5) * 16;
+
+thread_local Machine* running = nullptr;  // the innermost call
+
 void* allocate(void* data, void* block, std::size_t old_size, std::size_t size) {
   Machine& m = *static_cast<Machine*>(data);
-  if (!block) {  // Lua then says what the block is for
+  const bool is_new = !block;
+  if (is_new) {  // Lua then says what the block is for
     if (old_size == LUA_TSTRING) m.longest = std::max(m.longest, size);
     old_size = 0;
   }
   if (size == 0) {
+    if (block == m.stack.at) m.stack = m.newest;  // Lua copies a stack that grows, and then frees the old one
     std::free(block);
     m.live -= old_size;
     return nullptr;
   }
   if (size > old_size) {
-    if (!m.lenient && (m.live + size - old_size > m.floor + most_live || m.allocated + size > most_allocated))
+    if (!m.lenient &&
+        (m.live + m.outside + size - old_size > m.floor + most_live || m.allocated + size > most_allocated))
       return nullptr;
     m.allocated += size;
   }
   void* at = std::realloc(block, size);
   if (at) m.live += size - old_size;
+  if (at && is_new) m.newest = {at, size};
+  if (at && is_new && !m.stack.at && size == first_stack) m.stack = m.newest;
   return at;
 }
 
-void hook(lua_State* l, lua_Debug*) {
-  Machine& m = Machine::of(l);
-  charge(l, steps_between_hooks * (1 + static_cast<double>(m.longest / letters_a_step)));
-}
+void hook(lua_State* l, lua_Debug*) { charge(l, steps_between_hooks * Machine::of(l).steps_each()); }
 
 }  // namespace
 
@@ -49,35 +57,53 @@ Machine::~Machine() {
   lua_close(state);
 }
 
-void Machine::push_code(std::uint64_t serial, std::string_view compiled) {
+std::size_t Machine::push_code(std::uint64_t serial, std::string_view compiled) {
   if (const auto known = chunks_.find(serial); known != chunks_.end()) {
-    lua_rawgeti(state, LUA_REGISTRYINDEX, known->second);
+    lua_rawgeti(state, LUA_REGISTRYINDEX, known->second.reference);
+    longest = known->second.longest;
   } else {
     if (chunks_.size() >= most_chunks) {
-      for (const auto& [_, reference] : chunks_) luaL_unref(state, LUA_REGISTRYINDEX, reference);
+      for (const auto& [_, chunk] : chunks_) luaL_unref(state, LUA_REGISTRYINDEX, chunk.reference);
       chunks_.clear();
     }
+    longest = 0;
     luaL_loadbufferx(state, compiled.data(), compiled.size(), "=procedure", "b");
     lua_pushvalue(state, -1);
-    chunks_.emplace(serial, luaL_ref(state, LUA_REGISTRYINDEX));
+    chunks_.emplace(serial, Chunk{luaL_ref(state, LUA_REGISTRYINDEX), longest});
     lua_gc(state, LUA_GCCOLLECT);
     floor = live;
   }
   // Code may assign _ENV, which is kept with the function: give it back its own.
   lua_pushglobaltable(state);
   if (!lua_setupvalue(state, -2, 1)) lua_pop(state, 1);
+  return longest;
 }
 
-void Machine::begin(Call& c) {
+double Machine::steps_each() const {
+  return 1 + static_cast<double>(longest / letters_a_step + stack.bytes / 16 / slots_a_step);
+}
+
+std::size_t Machine::held() const { return live - std::min(live, floor + most_garbage); }
+
+void Machine::settle() {
+  if (held() == 0) return;
+  charge(state, static_cast<double>(live / 256));
+  lua_gc(state, LUA_GCCOLLECT);
+}
+
+void Machine::begin(Call& c, std::size_t longest_in_code) {
   call = &c;
   allocated = 0;
-  longest = 0;
+  longest = longest_in_code;
+  outside = running ? running->outside + running->held() : 0;
+  below_ = std::exchange(running, this);
   lua_sethook(state, hook, LUA_MASKCOUNT, steps_between_hooks);
 }
 
 void Machine::end() {
   lenient = true;
   call = nullptr;
+  running = below_;
   lua_settop(state, 0);
   lua_rawgeti(state, LUA_REGISTRYINDEX, now);
   lua_pushnil(state);
@@ -88,7 +114,9 @@ void Machine::end() {
     lua_rawset(state, 1);
   }
   lua_settop(state, 0);
-  if (live > floor + most_garbage) lua_gc(state, LUA_GCCOLLECT);  // each thread has a machine, and may rest from now on
+  longest = 0;
+  // Each thread has a machine, and may rest from now on. Collecting also shrinks the stack.
+  if (held() > 0 || steps_each() > 1) lua_gc(state, LUA_GCCOLLECT);
 }
 
 void Machine::set(const char* global) {

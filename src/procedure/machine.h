@@ -20,11 +20,14 @@ namespace betwixt::lua {
 
 inline constexpr std::uint64_t most_steps = 1'000'000;
 inline constexpr int steps_between_hooks = 100;
-// An instruction may go through a whole text, to compare it: where there are long ones, each counts once more for every
-// so many letters of the longest.
-inline constexpr std::size_t letters_a_step = 4096;
+// An instruction may go through a whole text, to compare it, and may copy as many arguments as the stack holds: each
+// counts once more for every so many letters of the longest text, and for every so many slots of the stack.
+inline constexpr std::size_t letters_a_step = 512, slots_a_step = 512;
+// Bytes that a call, and all calls that it waits for, may hold; and that one call may allocate in all.
 inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
-inline constexpr std::size_t most_garbage = 1 << 20;  // that a machine keeps from one call to the next
+// Lua's compiler takes quadratic time for some texts: `t and t and …` of a megabyte takes a minute.
+inline constexpr std::size_t longest_code = 65'536;
+inline constexpr std::size_t most_garbage = 256 << 10;  // that a machine keeps while it is not running
 inline constexpr const char* too_many_steps = "stopped: it took more than 1000000 steps";
 inline constexpr const char* too_much_memory = "stopped: it took too much memory";
 
@@ -54,18 +57,34 @@ class Machine {
   Call* call = nullptr;
   bool lenient = true;  // memory is not refused
   std::size_t live = 0, floor = 0, allocated = 0;
+  std::size_t outside = 0;    // bytes that the calls hold which wait for this one
   int now = LUA_NOREF;        // the globals of this call
   int metatable[kinds] = {};  // by Kind
-  std::size_t longest = 0;    // text that this call has made
+  std::size_t longest = 0;    // text that this call has made or has in its code
+  // Lua's own stack, which the allocator knows by its first size, and the block that was allocated last.
+  struct Block {
+    void* at = nullptr;
+    std::size_t bytes = 0;
+  } stack, newest;
 
-  void push_code(std::uint64_t serial, std::string_view compiled);  // as a function
-  void begin(Call&);
+  // Pushes the code as a function. Returns the length of the longest text in it.
+  std::size_t push_code(std::uint64_t serial, std::string_view compiled);
+  void begin(Call&, std::size_t longest_in_code);
   void end();
+  double steps_each() const;  // what an instruction may cost now
+  // Before another call: collects garbage, so that only what this call holds is counted against the other one.
+  void settle();
+  std::size_t held() const;      // bytes beyond `most_garbage`
   void set(const char* global);  // pops its value
 
  private:
   static constexpr std::size_t most_chunks = 256;
-  std::unordered_map<std::uint64_t, int> chunks_;  // compiled here already, by serial
+  struct Chunk {
+    int reference;
+    std::size_t longest;
+  };
+  std::unordered_map<std::uint64_t, Chunk> chunks_;  // compiled here already, by serial
+  Machine* below_ = nullptr;                         // whose call waits for this one
 };
 
 // Raises the error on the stack's top as one that ends the call, whatever the code would like.

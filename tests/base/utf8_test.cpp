@@ -51,5 +51,31 @@ TEST(Utf8, CharactersAreCounted) {
   EXPECT_EQ(character_length(text, 6), 4U);
 }
 
+// Every code point: what is shown has no control characters, and nothing is changed that may be seen.
+TEST(Utf8, VisibleTextHasNothingHidden) {
+  const auto utf8 = [](unsigned c) {
+    std::string out;
+    if (c < 0x80) return out += static_cast<char>(c);
+    const int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+    static constexpr unsigned leads[] = {0, 0xC0, 0xE0, 0xF0};
+    out += static_cast<char>(leads[more] | c >> (6 * more));
+    for (int k = more - 1; k >= 0; --k) out += static_cast<char>(0x80 | (c >> (6 * k) & 0x3F));
+    return out;
+  };
+  int hidden = 0;
+  for (unsigned c = 0; c < 0x110000; ++c) {
+    const std::string text = utf8(c), out = visible(text);
+    if (out == text) continue;
+    ++hidden;
+    EXPECT_TRUE(out.starts_with('\\')) << c;
+    for (const char byte : out) EXPECT_TRUE(byte >= ' ' && byte < 127) << c;
+  }
+  // C0 and DEL, C1, marks of direction, lines and their embeddings, isolates, annotations; 2048 surrogates are no
+  // UTF-8.
+  EXPECT_EQ(hidden, 33 + 32 + 1 + 2 + 7 + 10 + 3 + 2048);
+  EXPECT_EQ(visible("a\tb\n\x1b[0m\xC2\x9B\xE2\x80\xAE\xFF ö"), "a\\x09b\\n\\x1b[0m\\u{9b}\\u{202e}\\xff ö");
+  EXPECT_EQ(visible("a\tb", true), "a\tb");
+}
+
 }  // namespace
 }  // namespace betwixt
