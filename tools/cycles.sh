@@ -35,7 +35,7 @@ fi
 program=${BETWIXT_PROGRAM:-$root/build/release/bin/betwixt}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-blender -b --factory-startup --python-exit-code 3 --python "$root/clients/blender/render_with_cycles.py" -- \
+"$root/tools/blender.sh" -b --factory-startup --python-exit-code 3 --python "$root/clients/blender/render_with_cycles.py" -- \
   "$film" "$folder" "${how[@]}" >"$folder/log" 2>&1 || {
   status=$?
   grep -vE '^(Blender|Fra:|Saved:| Time:|Read|$)' "$folder/log" >&2

@@ -5,6 +5,7 @@
 import math
 import os
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -317,6 +318,26 @@ class AddOn(Case):
                 bpy.ops.import_scene.betwixt(filepath=example("nothing"))
         finally:
             betwixt_film.unregister()
+
+
+class Python(Case):
+    def test_another_python_on_the_path_is_not_blenders(self):
+        with tempfile.TemporaryDirectory() as folder:
+            # As pyenv lays it out: the standard library beside bin, and no numpy.
+            for name in ("bin", "lib"):
+                os.mkdir(os.path.join(folder, name))
+            version = "python%d.%d" % sys.version_info[:2]
+            os.symlink(os.path.dirname(os.__file__), os.path.join(folder, "lib", version))
+            other = os.path.join(folder, "bin", version)
+            with open(other, "w") as script:
+                script.write("#!/bin/sh\nexit 1\n")
+            os.chmod(other, 0o755)
+            said = subprocess.run(
+                [os.path.join(ROOT, "tools", "blender.sh"), "-b", "--factory-startup", "--python-exit-code", "3",
+                 "--python-expr", "import sys, numpy; print('PREFIX', sys.prefix)"],
+                env={**os.environ, "PATH": f"{folder}/bin:" + os.environ["PATH"]}, capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said)
+        self.assertIn(f"PREFIX {sys.prefix}\n", said.stdout)
 
 
 class Cycles(Case):

@@ -11,6 +11,6 @@ command -v blender >/dev/null || {
   exit 0
 }
 export BETWIXT_PYTHON=$build/python BETWIXT_PROGRAM=$build/bin/betwixt PYTHONDONTWRITEBYTECODE=1
-blender -b --factory-startup --python-exit-code 3 --python "$here/run.py" -- "$@" 2>&1 |
+"$here/../../tools/blender.sh" -b --factory-startup --python-exit-code 3 --python "$here/run.py" -- "$@" 2>&1 |
   grep -vE '^(Blender 3|Read prefs|Blender quit|Fra:|Saved:| Time:|$)|^Info:'
 exit "${PIPESTATUS[0]}"

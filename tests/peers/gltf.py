@@ -71,8 +71,7 @@ def check_in_blender(film):
                                 *[n + ".world" for n in names if n in placed]).stdout)
         answer.update({"from": (first - 1) / rate, "rate": rate})
         json.dump(answer, open(folder + "/v.json", "w"))
-        # Its Python looks for its home along the path.
-        asked = run("env", "PATH=/usr/bin:/bin", "blender", "-b", "--factory-startup", "--python", os.path.join(here, "blender_gltf.py"), "--",
+        asked = run(os.path.join(root, "tools", "blender.sh"), "-b", "--factory-startup", "--python", os.path.join(here, "blender_gltf.py"), "--",
                     folder + "/x.glb", folder + "/v.json")
         said = [line for line in asked.stdout.splitlines() if line.startswith("RESULT ")]
         got = json.loads(said[0][7:]) if said else {"most": 1e9, "where": asked.stdout[-500:] + asked.stderr[-500:]}
