@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/utf8.h"
@@ -30,6 +31,23 @@ std::string json_text(std::string_view s) {
     i += n == 0 ? 1 : n;
   }
   return out + "\"";
+}
+
+std::size_t json_depth(std::string_view s) {
+  std::size_t depth = 0, most = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const char c = s[i];
+    if (quoted && c == '\\')
+      ++i;
+    else if (c == '"')
+      quoted = !quoted;
+    else if (!quoted && (c == '[' || c == '{'))
+      most = std::max(most, ++depth);
+    else if (!quoted && (c == ']' || c == '}') && depth > 0)
+      --depth;
+  }
+  return most;
 }
 
 std::string json_number(double n) { return std::isfinite(n) ? fmt::format("{}", n == 0 ? 0.0 : n) : "null"; }

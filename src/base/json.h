@@ -11,6 +11,8 @@ namespace betwixt {
 
 // In double quotes. What is not UTF-8 becomes the replacement character, so that the answer can always be read.
 std::string json_text(std::string_view);
+// How many lists and objects stand in one another, where most do. The text need not be JSON.
+std::size_t json_depth(std::string_view);
 std::string json_number(double);  // JSON knows no numbers beyond all numbers: those are null
 
 }  // namespace betwixt

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "base/still_wanted.h"
 #include "commands/reader.h"
 #include "server/lsp_state.h"
@@ -290,6 +291,9 @@ void LanguageServer::State::publish(const std::string& uri) {
   send({{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}});
 }
 
+// Lists in lists of a message. A deeper one would overflow the stack where it is copied, answered or freed.
+constexpr std::size_t deepest = 200;
+
 LanguageServer::LanguageServer(const LoadOptions& options, const std::atomic<bool>* called_off)
     : state_(std::make_unique<State>()) {
   state_->options = options, state_->called_off = called_off;
@@ -302,9 +306,10 @@ void LanguageServer::come(std::string_view bytes) {
   s.frames.take(bytes);
   std::string refused;
   while (const auto message = s.frames.next(&refused)) {
-    Json read = Json::parse(*message, nullptr, false);
+    Json read =
+        json_depth(*message) <= deepest ? Json::parse(*message, nullptr, false) : Json(Json::value_t::discarded);
     if (read.is_discarded())
-      s.answer(nullptr, LspRefusal{LspRefusal::bad_message, "this is no JSON"});
+      s.answer(nullptr, LspRefusal{LspRefusal::bad_message, "this is no JSON, or it is nested too deep"});
     else
       s.waiting.push_back(std::move(read));
   }

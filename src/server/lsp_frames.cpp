@@ -12,6 +12,7 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t longest_head = 16'384;
+constexpr std::size_t longest_line = 64;  // that says a length
 
 // Where the empty line below the first lines is, and how many bytes it and the end of the line above it take.
 std::pair<std::size_t, std::size_t> end_of_head(std::string_view bytes) {
@@ -22,56 +23,75 @@ std::pair<std::size_t, std::size_t> end_of_head(std::string_view bytes) {
   return {std::string_view::npos, 0};
 }
 
-std::optional<std::size_t> content_length(std::string_view head) {
-  constexpr std::string_view key = "content-length:";
-  while (!head.empty()) {
-    const std::size_t end = std::min(head.find('\n'), head.size());
-    std::string_view line = head.substr(0, end);
-    head.remove_prefix(std::min(head.size(), end + 1));
-    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
-    if (line.size() < key.size() ||
-        !std::equal(key.begin(), key.end(), line.begin(), [&](char k, char c) { return same(c, k); }))
-      continue;
-    line.remove_prefix(key.size());
-    while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
-    std::size_t n = 0;
-    const auto [stop, error] = std::from_chars(line.data(), line.data() + line.size(), n);
-    if (error == std::errc() && stop == line.data() + line.size() && !line.empty()) return n;
-    return std::nullopt;
+constexpr std::string_view key = "content-length:";
+bool same(char letter, char of_key) { return std::tolower(static_cast<unsigned char>(letter)) == of_key; }
+
+// Where the first line "Content-Length: N" begins, from a place on.
+std::size_t find_length_line(std::string_view bytes, std::size_t from) {
+  for (;; from += key.size()) {
+    const auto at =
+        std::search(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end(), key.begin(), key.end(), same);
+    if (at == bytes.end()) return std::string_view::npos;
+    from = static_cast<std::size_t>(at - bytes.begin());
+    const std::size_t number = bytes.find_first_not_of(' ', from + key.size());
+    const std::size_t end = std::min(bytes.find_first_not_of("0123456789", number), bytes.size());
+    const std::string_view rest = bytes.substr(end, 2);
+    if (number < end && (rest.starts_with('\n') || rest == "\r\n")) return from;
   }
-  return std::nullopt;
+}
+
+std::optional<std::size_t> content_length(std::string_view head) {
+  const std::size_t at = find_length_line(head, 0);
+  if (at == std::string_view::npos) return std::nullopt;
+  const char* const begin = head.data() + head.find_first_not_of(' ', at + key.size());
+  std::size_t n = 0;
+  const auto read = std::from_chars(begin, head.data() + head.size(), n);
+  return read.ec == std::errc() ? n : static_cast<std::size_t>(-1);
 }
 
 }  // namespace
 
+// Passes over everything before the next head; false: it has not come yet.
+bool LspFrames::find_head() {
+  const std::size_t at = find_length_line(bytes_, begun_);
+  const std::size_t kept = std::min(bytes_.size() - begun_, longest_head);
+  begun_ = at != std::string::npos ? at : bytes_.size() - kept;
+  lost_ = at == std::string::npos;
+  return !lost_;
+}
+
 std::optional<std::string> LspFrames::next(std::string* refused) {
+  const auto lose = [&](std::size_t bytes, std::string why) {
+    begun_ += bytes, lost_ = true;
+    if (refused) *refused = std::move(why);
+  };
   for (;;) {
-    const std::size_t there = std::min(pass_over_, bytes_.size() - begun_);
-    begun_ += there, pass_over_ -= there;
-    if (begun_ > bytes_.size() / 2) bytes_.erase(0, begun_), begun_ = 0;
+    if (begun_ > bytes_.size() / 2) bytes_.erase(0, begun_), scanned_ -= std::min(scanned_, begun_), begun_ = 0;
+    if (lost_ && !find_head()) return std::nullopt;
     const std::string_view rest = std::string_view(bytes_).substr(begun_);
-    if (rest.empty() || pass_over_ > 0) return std::nullopt;
     const auto [end, gap] = end_of_head(rest.substr(0, longest_head));
     if (end == std::string_view::npos) {
       if (rest.size() < longest_head) return std::nullopt;
-      pass_over_ = rest.size();
-      if (refused) *refused = "this is no message: it does not say its length";
+      lose(1, "this is no message: it does not say its length");
       continue;
     }
-    const auto length = content_length(rest.substr(0, end));
+    const auto length = content_length(rest.substr(0, end + 1));
     if (!length || *length > longest) {
-      pass_over_ = end + gap + length.value_or(0);
-      if (pass_over_ < end + gap) pass_over_ = rest.size();  // no number of bytes
-      if (refused)
-        *refused = length ? fmt::format("a message of {} bytes is longer than any can be: {}", *length, longest)
-                          : "this is no message: it does not say its length";
+      lose(end + gap, length ? fmt::format("a message is longer than any can be, which is {} bytes", longest)
+                             : "this is no message: it does not say its length");
       continue;
     }
-    if (rest.size() - end - gap < *length) return std::nullopt;
-    std::string message(rest.substr(end + gap, *length));
-    begun_ += end + gap + *length;
-    return message;
+    const std::size_t body = end + gap, whole = std::min(body + *length, rest.size());
+    const std::size_t next_head =
+        find_length_line(rest.substr(0, whole), std::max(body, scanned_ - std::min(scanned_, begun_)));
+    if (next_head != std::string_view::npos) {
+      lose(next_head, "a message is shorter than it says");
+      continue;
+    }
+    scanned_ = begun_ + std::max(body, whole - std::min(whole, longest_line));
+    if (whole < body + *length) return std::nullopt;
+    begun_ += whole;
+    return std::string(rest.substr(body, *length));
   }
 }
 

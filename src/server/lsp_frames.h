@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Messages of the Language Server Protocol in a stream of bytes: "Content-Length: N", an empty line, N bytes. What is
-// no such thing is passed over up to where the next one can begin.
+// Messages of the Language Server Protocol in a stream of bytes: "Content-Length: N", an empty line, N bytes. Whatever
+// else comes is passed over, up to the next such line. No JSON holds one, as a text in JSON has no raw end of line: so
+// a length that is wrong costs one message,
+// or two where it ends in the next one's head.
 #pragma once
 
 #include <optional>
@@ -23,8 +25,11 @@ class LspFrames {
 
  private:
   std::string bytes_;
-  std::size_t begun_ = 0;      // what is before that has been given out
-  std::size_t pass_over_ = 0;  // so many bytes that are still to come
+  std::size_t begun_ = 0;    // what is before that has been given out
+  std::size_t scanned_ = 0;  // there is no head between the one at `begun_` and this place
+  bool lost_ = false;        // what comes is passed over
+
+  bool find_head();
 };
 
 }  // namespace betwixt

