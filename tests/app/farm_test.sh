@@ -1,0 +1,64 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What betwixt-farm keeps of a film is data. Slurm is played here by three scripts: tests/farm has the real one.
+farm=$(realpath -- "$(dirname -- "$0")/../../clients/slurm/betwixt-farm")
+. "$(dirname -- "$0")/support.sh"
+export HOME=$work/home BETWIXT=$program PATH=$work/slurm:$PATH
+unset XDG_STATE_HOME
+mkdir slurm home
+echo 'echo "MaxArraySize = 1001"' >slurm/scontrol
+echo 'exit 0' >slurm/squeue
+# Takes jobs, and remembers what they are.
+cat >slurm/sbatch <<'END'
+printf '%s\n' "$@" >>"$WORK/sent"
+echo "$RANDOM"
+END
+sed -i '1i #!/bin/bash' slurm/*
+chmod +x slurm/*
+export WORK=$work
+printf 'create a sphere\nat 24f set a.radius 2\n' >'a film.bx'
+resumed() { # TEXT ARGUMENT…: said on --resume
+  said=$("$farm" --resume "${@:2}" 2>&1)
+  code=$?
+}
+
+said=$("$farm" 'a film.bx' -o 'a film.mp4' --size '160x90' -- '--comment=$(touch ran) `touch ran` two words ' 2>&1)
+is 'a film is sent off' $? 0
+settings='a film.mp4.farm/settings'
+is 'options are kept as they are' "$(grep '^sbatch_options' "$settings")" 'sbatch_options --comment=$(touch ran) `touch ran` two words '
+is 'the script has the name that it has' "$(sed -n 's/^script //p' "$settings")" "$work/a film.bx"
+
+rm sent
+resumed '' 'a film.mp4'
+is 'what was kept here goes on' $code 0
+has 'with what was said before' "$(cat sent)" '--comment=$(touch ran) `touch ran` two words '
+cp -r 'a film.mp4.farm' kept
+
+# A stranger's folder: another program, arithmetic that runs one, lines that are no settings.
+echo 'touch ran' >evil && chmod +x evil
+for line in "s|^program .*|program $work/evil|" 's|^first .*|first a[$(touch ran)]|' 's|^rate .*|$(touch ran)|' 's|^chunk .*|PATH x|' \
+  's|^chunk .*|chunk 3; touch ran|' 's|^tasks .*|tasks|'; do
+  rm -rf 'a film.mp4.farm' && cp -r kept 'a film.mp4.farm' && sed -i "$line" "$settings"
+  resumed '' 'a film.mp4'
+  is "not followed: $line" $code 1
+done
+has 'the message says what would be called' "$("$farm" --resume 'a film.mp4' 2>&1)" 'damaged'
+rm -rf 'a film.mp4.farm' && cp -r kept 'a film.mp4.farm'
+sed -i "s|^program .*|program $work/other|" "$settings"
+resumed '' 'a film.mp4'
+is 'another program is not called' $code 1
+has 'it is named' "$said" "$work/other render"
+has 'and how it would be' "$said" '--trust'
+resumed '' 'a film.mp4' --trust
+is 'unless you say so' $code 0
+rm -rf home/.local
+rm -rf 'a film.mp4.farm' && cp -r kept 'a film.mp4.farm'
+resumed '' 'a film.mp4'
+is 'a folder of another machine is a stranger too' $code 1
+rm "$settings" && mkfifo "$settings"
+resumed '' 'a film.mp4'
+is 'nothing waits for a pipe' $code 1
+is 'nothing was run' "$([ -e ran ] && echo yes)" ''
+summary
