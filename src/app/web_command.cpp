@@ -51,8 +51,14 @@ Status no_two_of_one_name(const std::vector<PageFilm>& films) {
 
 Status put_player(const fs::path& page, const std::string& player, bool overwrite) {
   const std::string path = (page.parent_path() / "betwixt-player.js").string();
-  if (const auto there = read_contents(path); there.hindrance == Hindrance::none && there.text == player)
-    return Nothing{};
+  const auto there = read_contents(path);
+  if (there.hindrance == Hindrance::missing) return write_whole(path, player, overwrite);
+  if (there.hindrance == Hindrance::none && there.text == player) return Nothing{};
+  // Players of every version begin with this.
+  constexpr std::string_view mark = "// Betwixt ";
+  if (there.hindrance != Hindrance::none || !there.text.starts_with(mark))
+    return fail(ErrorCode::file, fmt::format("'{}' is there already, and is no player of Betwixt", path),
+                "move it away, or leave out --link");
   return write_whole(path, player, overwrite);
 }
 

@@ -7,7 +7,7 @@
 tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
 export LC_ALL=C.UTF-8 BETWIXT_PLAYER=$PWD/player.js
-echo 'globalThis.played = "by this";' >player.js
+printf '%s\n' '// Betwixt 9.9, a player' 'globalThis.played = "by this";' >player.js
 
 # What of a page? text NAME: a script; files: the names of its files; file NAME: one of them.
 cat >ask.py <<'PY'
@@ -91,6 +91,15 @@ is 'come with their font' "$(ask more.html files)" fonts/DejaVuSans.ttf
 check 'what plays may lie beside' 0 '' web ball.bx -o linked.html --link
 has 'the page refers to it' "$(cat linked.html)" '<script src="betwixt-player.js"></script>'
 is 'and there it is' "$(cmp player.js betwixt-player.js && echo same)" same
+sed -i '1s/Betwixt [^,]*/Betwixt 0.0.1/' betwixt-player.js
+check 'one of another version is replaced' 0 '' web ball.bx -o linked.html --link
+is 'by this one' "$(cmp player.js betwixt-player.js && echo same)" same
+echo 'my own work' >betwixt-player.js
+check 'another file is left alone' 2 'is no player of Betwixt' web ball.bx -o linked.html --link
+is 'as it was' "$(cat betwixt-player.js)" 'my own work'
+rm betwixt-player.js && mkfifo betwixt-player.js
+check 'nothing waits for a pipe' 2 'is no player of Betwixt' web ball.bx -o linked.html --link
+rm betwixt-player.js
 
 # What is refused.
 check 'no page' 2 'a page is a .html, not "ball.mp4"' web ball.bx -o ball.mp4
