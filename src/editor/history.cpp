@@ -19,7 +19,7 @@ namespace betwixt {
 namespace {
 
 Error not_kept(const Error& why) {
-  return fail(why.code, "nothing is done, as the history cannot be kept: " + why.message);
+  return fail(why.code, "nothing is done, as the history cannot be kept: " + why.message, why.hint);
 }
 
 std::size_t bytes_of_all(std::span<const Step> steps) {
@@ -204,15 +204,17 @@ Status History::unchanged() const {
 Status History::write(const std::string& script) {
   if (Status s = unchanged(); !s) return s;
   const Fingerprint print = fingerprint(script);
-  if (Status s = journal_->append(Did::save, to_string(print)); !s) return s;
+  const bool lost = !journal_->in_place();  // then the file holds everything, and a new journal begins behind it
+  if (!lost)
+    if (Status s = journal_->append(Did::save, to_string(print)); !s) return s;
   if (Status s = write_script(path_, script); !s) return s;
   known_ = print;
-  return Nothing{};
+  return lost ? journal_->begin(print) : Nothing{};
 }
 
 Status History::save(const std::string& base, std::span<const Step> steps) {
   const std::string script = as_script(base, steps);
-  return known_ == fingerprint(script) ? unchanged() : write(script);
+  return known_ == fingerprint(script) && (!journal_ || journal_->in_place()) ? unchanged() : write(script);
 }
 
 Status History::checkpoint(const std::optional<ScriptBeside>& to, std::size_t before, std::span<const Step> steps,

@@ -169,7 +169,18 @@ Status Journal::begin_with(const Fingerprint& base, std::vector<Record> records)
   return Nothing{};
 }
 
+bool Journal::in_place() const {
+  struct stat ours {
+  }, there{};
+  return ::fstat(file_, &ours) == 0 && ::stat(path_.c_str(), &there) == 0 && ours.st_dev == there.st_dev &&
+         ours.st_ino == there.st_ino;
+}
+
 Status Journal::write(Did what, std::string_view text) {
+  if (!in_place())
+    return fail(ErrorCode::machine,
+                fmt::format("the journal '{}' was moved or removed, so nothing more is kept", path_),
+                "put it back, or save: that begins a new one");
   if (torn_ > 0) {
     if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) return machine(path_, "mended");
     torn_ = 0;

@@ -83,6 +83,7 @@ class Journal {
   Status write(Did what, std::string_view text);
   Status sync();
   std::uint64_t size() const { return end_; }
+  bool in_place() const;  // its name still leads to it
   // A copy under another name that nothing has; the name.
   Result<std::string> keep_aside() const;
   void remove();

@@ -28,7 +28,7 @@ Status Session::State::write_down(Did what, std::string_view text) {
   const Status s = journal ? journal->append(what, text) : Status(Nothing{});
   if (s) return s;
   return fail(s.error().code, "nothing is done, as the journal cannot keep it: " + s.error().message,
-              "make room, then say it again");
+              s.error().hint.empty() ? "make room, then say it again" : s.error().hint);
 }
 
 // From now on, what is done is in the journal first.
@@ -103,7 +103,9 @@ Session::Answer Session::State::save(const std::string& to) {
   }
   const std::string all = text();
   const Fingerprint print = fingerprint(all);
-  if (own) {  // the journal says first what will be in the file: a stop between the two is understood
+  const bool lost =
+      own && journal && !journal->in_place();  // it was moved or removed: a new one begins behind the file
+  if (own && !lost) {  // the journal says first what will be in the file: a stop between the two is understood
     if (Status s = write_down(Did::save, to_string(print)); !s) return refused(s.error());
   }
   if (Status s = write_script(name, all); !s) {
@@ -115,7 +117,8 @@ Session::Answer Session::State::save(const std::string& to) {
     said += "no journal can be kept here\n";
   }
   if (!own) close(false), journal = std::move(next), file = name, editor.rename(name);
-  if (own && in_place && journal && !journal->begin(print)) said += "no journal can be kept here\n", close(false);
+  if (own && (in_place || lost) && journal && !journal->begin(print))
+    said += "no journal can be kept here\n", close(false);
   if (in_place) journal_knows = journal_undid = 0, editor.rename(name), read_text_again();
   known = print;
   tally.save();

@@ -416,4 +416,24 @@ served: True
 whole: True'
 end
 is 'ends well after it' "$code" 0
+# A journal that vanishes: nothing is answered that is not kept.
+mkdir vanish
+begin --socket vanish/s --save vanish/f.bx
+said=$(python3 - vanish <<'END'
+import os, socket, sys
+folder = sys.argv[1]
+host = socket.socket(socket.AF_UNIX)
+host.connect(f"{folder}/s")
+lines = host.makefile("rw")
+def ask(line):
+    print(line, file=lines, flush=True)
+    return '"ok":true' in lines.readline()
+print(ask("create a sphere"), end=" ")
+os.rename(f"{folder}/.f.bx.journal", f"{folder}/gone")
+print(ask("create b sphere"), ask("eval a.radius"), ask("save"), ask("create c sphere"), end="")
+END
+)
+is 'a vanished journal: refused, answered, saved, and taken again' "$said" 'True False True True True'
+end
+is 'and the film is what was answered' "$(tr '\n' ';' <vanish/f.bx)" 'create a sphere;create c sphere;'
 summary

@@ -206,4 +206,23 @@ film.bx*>'
   verdict 'history' "$(grep -q 'radius' "$work/state/betwixt/history" && echo yes)" "$(ls -R "$work/state")"
   screen kill-server 2>/dev/null
 fi
+# A journal that vanishes: what it cannot keep is refused, and `save` begins a new one.
+mkdir vanish
+said=$(cd vanish && python3 - "$program" <<'END'
+import os, subprocess, sys
+shell = subprocess.Popen([sys.argv[1], "shell", "f.bx"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
+def say(line):
+    print(line, file=shell.stdin, flush=True)
+    print("eval a.radius", file=shell.stdin, flush=True)  # when this is answered the line was carried out
+    while not (answer := shell.stdout.readline()).startswith("a.radius"):
+        pass
+    return answer.split()[-1]
+print(say("create a sphere"), say("save"), end=" ")
+os.rename(".f.bx.journal", "gone")
+print(say("set a.radius 3"), say("save"), say("set a.radius 4"), end="")
+shell.kill()
+END
+)
+is 'a vanished journal' "$said" '1 1 1 1 4'
+has 'a new one keeps what is done after the file' "$(cat vanish/.f.bx.journal)" 'set a.radius 4'
 summary

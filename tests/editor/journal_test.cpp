@@ -44,5 +44,29 @@ TEST(Journal, ATornRecordIsSeenAndDroppedWhereverItWasCut) {
   }
 }
 
+// What is answered is kept: where the journal is no longer under its name, nothing is taken.
+// shows: G22
+TEST(Journal, OneThatVanishesTakesNothingMore) {
+  for (const bool replaced : {false, true}) {
+    const Folder folder;
+    auto j = *Journal::open(folder / "j");
+    ASSERT_TRUE(j->begin(fingerprint("text")));
+    ASSERT_TRUE(j->append(Did::command, "rate 24"));
+    std::filesystem::rename(folder / "j", folder / "away");
+    if (replaced) folder.put("j", folder.get("away"));
+    const Status lost = j->append(Did::command, "rate 25");
+    ASSERT_FALSE(lost);
+    EXPECT_EQ(lost.error().code, ErrorCode::machine);
+    std::filesystem::rename(folder / "away", folder / "j");
+    ASSERT_TRUE(j->append(Did::command, "rate 30")) << "it is back";
+    std::filesystem::remove(folder / "j");
+    EXPECT_FALSE(j->append(Did::undo, ""));
+    ASSERT_TRUE(j->begin(fingerprint("text"))) << "a new one";
+    EXPECT_TRUE(j->append(Did::command, "rate 50"));
+    j.reset();
+    EXPECT_EQ((*Journal::open(folder / "j"))->records().size(), 1u);
+  }
+}
+
 }  // namespace
 }  // namespace betwixt

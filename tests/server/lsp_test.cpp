@@ -52,7 +52,8 @@ TEST(LspFrames, WhatIsNoMessageIsPassedOver) {
   EXPECT_EQ(noise.next(), "3");
 }
 
-// A length that is wrong, to either side, costs that message, and one more where it ends in its head, however the bytes come.
+// A length that is wrong, to either side, costs that message, and one more where it ends in its head, however the bytes
+// come.
 TEST(LspFrames, AWrongLengthCostsOneMessage) {
   for (const std::size_t wrong : {std::size_t{0}, std::size_t{1}, std::size_t{9}, std::size_t{11}, std::size_t{40},
                                   std::size_t{90}, std::size_t{100'000'000}, LspFrames::longest + 1})
