@@ -10,26 +10,45 @@
 
 namespace betwixt {
 
+namespace {
+
+// Lines as a terminal may show them.
+std::string lines_shown(std::string_view text) {
+  std::string out;
+  for (std::size_t end; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1))
+    out += visible(text.substr(0, end), true) + "\n";
+  return out + visible(text, true);
+}
+
+// Spaces below what is shown; tabs stay tabs, so that the caret stands where the eye expects it.
+std::string spaces_below(std::string_view shown) {
+  std::string out;
+  for (const char c : shown)
+    if (begins_character(c)) out += c == '\t' ? '\t' : ' ';
+  return out;
+}
+
+}  // namespace
+
 std::string to_string(const Diagnostic& d) {
   static constexpr const char* words[] = {"notice", "warning", "error"};
   const Place& at = d.what.place;
   std::string out;
-  if (!at.file.empty()) out += at.file + ":";
+  if (!at.file.empty()) out += visible(at.file) + ":";
   if (at.line > 0) out += fmt::format("{}:{}:", at.line, at.column);
   if (!out.empty()) out += " ";
-  out += fmt::format("{}: {}\n", words[static_cast<int>(d.severity)], d.what.message);
+  out += fmt::format("{}: {}\n", words[static_cast<int>(d.severity)], lines_shown(d.what.message));
   if (at.line > 0 && !d.line.empty()) {
-    std::string lead;  // tabs stay tabs, so that the caret stands where the eye expects it
-    int characters = 0;
-    for (std::size_t i = 0; i < d.line.size() && characters < d.caret; ++i) {
-      if (!begins_character(d.line[i])) continue;
-      lead += d.line[i] == '\t' ? '\t' : ' ';
-      ++characters;
-    }
-    out += "  " + d.line + "\n  " + lead + "^" +
-           std::string(static_cast<std::size_t>(std::clamp(at.length, 1, 60) - 1), '~') + "\n";
+    const std::string_view line = d.line,
+                           before = first_characters(line, static_cast<std::size_t>(std::max(d.caret, 0)));
+    const std::string_view marked =
+        first_characters(line.substr(before.size()), static_cast<std::size_t>(std::clamp(at.length, 1, 60)));
+    const std::size_t length =
+        std::clamp<std::size_t>(count_characters(visible(marked, true)), 1, 60);
+    out += "  " + visible(line, true) + "\n  " + spaces_below(visible(before, true)) + "^" +
+           std::string(length - 1, '~') + "\n";
   }
-  if (!d.what.hint.empty()) out += "  " + d.what.hint + "\n";
+  if (!d.what.hint.empty()) out += "  " + lines_shown(d.what.hint) + "\n";
   return out;
 }
 
