@@ -3,10 +3,12 @@
 //
 // betwixt eval: what values are at what times.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "app/command.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
+#include "base/utf8.h"
 #include "betwixt/evaluation.h"
 #include "editor/plain_values.h"
 #include "language/values.h"
@@ -56,6 +58,7 @@ int eval(const EvalCall& call) {
                                    [&](const std::vector<std::string>& said) { problems.say(said); }));
     return all_done;
   }
+  const bool terminal = ::isatty(STDOUT_FILENO) == 1;
   std::size_t width = 0;
   for (const Target& t : targets) width = std::max(width, document->name(t).size());
   for (const auto& [text, t] : times) {
@@ -63,9 +66,11 @@ int eval(const EvalCall& call) {
     std::vector<std::string> said;
     const auto values = program.read(targets, t, &said);
     problems.say(said);
-    for (std::size_t k = 0; k < targets.size(); ++k)
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      const std::string value = plain_value(values[k], targets[k], *document);
       fmt::print("{}{:{}}  {}\n", times.size() > 1 ? "  " : "", document->name(targets[k]), width,
-                 plain_value(values[k], targets[k], *document));
+                 terminal ? visible(value, true) : value);
+    }
   }
   return all_done;
 }

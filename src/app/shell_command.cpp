@@ -24,6 +24,7 @@
 
 #include "app/command.h"
 #include "app/subcommand.h"
+#include "base/utf8.h"
 #include "betwixt/session.h"
 
 namespace betwixt {
@@ -322,7 +323,7 @@ int shell(const ShellCall& call) {
   const auto say = [&](const Session::Answer& a, bool acknowledge) {
     wrong = wrong || a.refused;
     if (person)
-      page(a.said);
+      page(visible_lines(a.said));
     else
       std::fputs(a.said.c_str(), a.refused ? stderr : stdout);
     if (a.done && acknowledge && !person) std::fputs("ok\n", stdout);

@@ -12,14 +12,6 @@ namespace betwixt {
 
 namespace {
 
-// Lines as a terminal may show them.
-std::string lines_shown(std::string_view text) {
-  std::string out;
-  for (std::size_t end; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1))
-    out += visible(text.substr(0, end), true) + "\n";
-  return out + visible(text, true);
-}
-
 // Spaces below what is shown; tabs stay tabs, so that the caret stands where the eye expects it.
 std::string spaces_below(std::string_view shown) {
   std::string out;
@@ -37,18 +29,17 @@ std::string to_string(const Diagnostic& d) {
   if (!at.file.empty()) out += visible(at.file) + ":";
   if (at.line > 0) out += fmt::format("{}:{}:", at.line, at.column);
   if (!out.empty()) out += " ";
-  out += fmt::format("{}: {}\n", words[static_cast<int>(d.severity)], lines_shown(d.what.message));
+  out += fmt::format("{}: {}\n", words[static_cast<int>(d.severity)], visible_lines(d.what.message));
   if (at.line > 0 && !d.line.empty()) {
     const std::string_view line = d.line,
                            before = first_characters(line, static_cast<std::size_t>(std::max(d.caret, 0)));
     const std::string_view marked =
         first_characters(line.substr(before.size()), static_cast<std::size_t>(std::clamp(at.length, 1, 60)));
-    const std::size_t length =
-        std::clamp<std::size_t>(count_characters(visible(marked, true)), 1, 60);
+    const std::size_t length = std::clamp<std::size_t>(count_characters(visible(marked, true)), 1, 60);
     out += "  " + visible(line, true) + "\n  " + spaces_below(visible(before, true)) + "^" +
            std::string(length - 1, '~') + "\n";
   }
-  if (!d.what.hint.empty()) out += "  " + lines_shown(d.what.hint) + "\n";
+  if (!d.what.hint.empty()) out += "  " + visible_lines(d.what.hint) + "\n";
   return out;
 }
 

@@ -72,4 +72,24 @@ std::string visible(std::string_view text, bool tabs) {
   return out;
 }
 
+std::string visible_lines(std::string_view text) {
+  std::string out;
+  for (std::size_t end; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1))
+    out += visible(text.substr(0, end), true) + "\n";
+  return out + visible(text, true);
+}
+
+std::string clean_text(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    const char32_t c = length > 0 ? character_at(text, i, length) : 0;
+    const bool good = c >= 0xA0 || (c >= 0x20 && c < 0x7F) || c == '\n' || c == '\t';
+    out += good ? text.substr(i, length) : "\uFFFD";
+    i += std::max<std::size_t>(length, 1);
+  }
+  return out;
+}
+
 }  // namespace betwixt

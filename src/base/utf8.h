@@ -23,5 +23,11 @@ std::size_t character_length(std::string_view, std::size_t i);
 // Returns the text as a terminal or a log may show it: control characters, line separators, characters that turn the
 // direction of writing and bytes that are no UTF-8 are written as \x1b or \u{202e}. Tabs stay if `tabs` is set.
 std::string visible(std::string_view, bool tabs = false);
+// The same, where ends of lines and tabs stay.
+std::string visible_lines(std::string_view);
+
+// Returns a text that a film may have: what is no UTF-8, and each control character but a tab and the end of a line,
+// becomes the replacement character, U+FFFD.
+std::string clean_text(std::string_view);
 
 }  // namespace betwixt

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/utf8.h"
 #include "betwixt/program.h"
 #include "procedure/machine.h"
 #include "track/types.h"
@@ -219,7 +220,7 @@ Result<Value> to_value(lua_State* l, int index) {
     case LUA_TSTRING: {
       std::size_t size = 0;
       const char* text = lua_tolstring(l, index, &size);
-      return Value(Text(std::string(text, size)));
+      return Value(Text(clean_text({text, size})));
     }
     case LUA_TTABLE:
       break;

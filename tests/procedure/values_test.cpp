@@ -30,5 +30,12 @@ TEST(Lua, ValuesOfEveryKind) {
   EXPECT_EQ(get<Color>("value('c')", q), (Color{0.1, 0.2, 0.3}));
 }
 
+// shows: G54
+TEST(Lua, TextsOfCodeAreTextsThatAScriptMayHave) {
+  EXPECT_EQ(*get<Text>("'a\\27b\\7\\u{9b}c\\xffd\\te\\nf\\u{202e}é'"), "a\uFFFDb\uFFFD\uFFFDc\uFFFDd\te\nf\u202eé");
+  const auto names = get<Names>("{'a\\27', 'b'}");
+  EXPECT_EQ(*names, (std::vector<std::string>{"a\uFFFD", "b"}));
+}
+
 }  // namespace
 }  // namespace betwixt
