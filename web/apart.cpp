@@ -29,7 +29,7 @@ EM_JS(char*, betwixt_read_apart, (int task, const char* path), {
 
 namespace betwixt {
 
-std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read,
+std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool,
                                   std::optional<ParserCeilings>) {
   if (read_contents(path).hindrance != Hindrance::none) return read_whole(path).error();
   const std::unique_ptr<char, decltype(&std::free)> asked(betwixt_read_apart(static_cast<int>(task), path.c_str()),
@@ -45,7 +45,7 @@ std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, cons
 }
 
 // Never: it is read apart, or there is an error.
-Parsed parse_here(ParserTask, const std::string& path, Shelf&) {
+Parsed parse_here(ParserTask, const std::string& path, Shelf&, bool) {
   return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
 }
 

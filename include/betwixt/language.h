@@ -17,7 +17,9 @@
 namespace betwixt {
 
 struct LoadOptions {
-  bool read_anywhere = false;  // else a script reads files only below its own folder
+  // Else a script reads files only below its own folder, and those that unpack to at most 100 times their size and 64
+  // MiB, and to 1 GiB in all.
+  bool read_anywhere = false;
   // Lines of a live host happen when they come. Where this is set, `animate`, `halt`, `kill` and `cancel` that give no
   // time happen now; `set` puts what it names into environments (`environments`, `drive`) now, as `at` would; and a
   // `begin` below `make` or `edit` belongs to the environment that has the name now. In a history each of them stands

@@ -69,7 +69,7 @@ const std::vector<Subcommand>& subcommands() {
 const std::vector<Parameter>& common_parameters() {
   static const std::vector<Parameter> all{
       {.name = "--read-anywhere",
-       .sentence = "let the script read files outside its own folder",
+       .sentence = "let the script read files outside its own folder, and files that unpack to any size",
        .into = &load_options().read_anywhere},
       {.name = "--tex",
        .sentence = "let the script's formulas be set by the programs latex and dvisvgm",

@@ -42,7 +42,8 @@ bool create_drawing(Command& k, const std::vector<std::string>& names, const std
   auto& [s, c, time, layer, script] = k;
   std::filesystem::path where;
   if (!may_use(k, path, about, where)) return false;
-  const auto loaded = load_drawing(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
+  const auto loaded = load_drawing(
+      where.string(), [&](const std::string& p) { return k.script.may_read(p); }, k.script.options.read_anywhere);
   if (!loaded) return c.fail(loaded.error().code, loaded.error().message, about, loaded.error().hint);
   const DrawingFile& drawing = **loaded;
   if (s.objects.size() + names.size() * (1 + drawing.things.size()) > most_objects)

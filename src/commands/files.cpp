@@ -16,6 +16,7 @@
 #include "commands/reader.h"
 #include "exchange/fonts.h"
 #include "exchange/meshes.h"
+#include "exchange/pictures.h"
 #include "exchange/scene_file.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
@@ -170,7 +171,8 @@ bool part_of_scene(Command& k, std::string& path, std::string_view about) {
   if (!may_use(k, path, about, where)) return false;
   const std::string file = std::exchange(path, path + part);
   if (s.meshes->contains(path)) return true;
-  const auto scene = load_scene(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
+  const auto scene = load_scene(
+      where.string(), [&](const std::string& p) { return k.script.may_read(p); }, script.options.read_anywhere);
   if (!scene) return c.fail(scene.error().code, scene.error().message, about, scene.error().hint);
   keep_meshes(s, file, **scene);
   if (s.meshes->contains(path)) return true;
@@ -198,7 +200,8 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   const auto failed = [&](const Error& e) { return k.cursor.fail(e.code, e.message, about, e.hint); };
   if (f == fn::file) {
     if (s.meshes->contains(path)) return true;
-    auto mesh = load_mesh(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
+    auto mesh = load_mesh(
+        where.string(), [&](const std::string& p) { return k.script.may_read(p); }, script.options.read_anywhere);
     if (!mesh) return failed(mesh.error());
     s.meshes.edit()[path] = *mesh;
   } else if (f == fn::sound_file) {
@@ -208,7 +211,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
     s.sounds.edit()[path] = *sound;
   } else {
     if (s.pictures->contains(path)) return true;
-    auto picture = read_picture(where.string());
+    auto picture = load_picture(where.string(), script.options.read_anywhere);
     if (!picture) return failed(picture.error());
     s.pictures.edit()[path] = *picture;
   }

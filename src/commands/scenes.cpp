@@ -324,7 +324,8 @@ bool create_scene(Command& k, const std::vector<std::string>& names, const std::
   if (ending(wanted.path) == "svg") return create_drawing(k, names, parents, wanted.root, wanted.path, about);
   std::filesystem::path where;
   if (!may_use(k, wanted.path, about, where)) return false;
-  const auto loaded = load_scene(where.string(), [&](const std::string& p) { return k.script.may_read(p); });
+  const auto loaded = load_scene(
+      where.string(), [&](const std::string& p) { return k.script.may_read(p); }, k.script.options.read_anywhere);
   if (!loaded) return c.fail(loaded.error().code, loaded.error().message, about, loaded.error().hint);
   const SceneFile& file = **loaded;
   const SceneClip* clip = nullptr;

@@ -37,7 +37,8 @@ struct DrawingFile {
 };
 
 // Errors: file, range.
-Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read);
+Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read,
+                                                        bool any_size = false);
 // The same in this process, whatever the file does to it.
 Result<std::shared_ptr<const DrawingFile>> parse_drawing(const std::string& path, Shelf&);
 Result<std::shared_ptr<const DrawingFile>> read_svg(const std::string& text, const std::string& path);

@@ -8,18 +8,20 @@
 #include "exchange/drawing.h"
 #include "exchange/meshes.h"
 #include "exchange/parser_process.h"
+#include "exchange/pictures.h"
 #include "exchange/scene_file.h"
 
 namespace betwixt {
 namespace {
 
 template <class T>
-Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path, const MayRead& may_read) {
+Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path, const MayRead& may_read,
+                                        bool any_size) {
   using Wanted = std::shared_ptr<const T>;
-  auto read = parse_apart(task, path, may_read);
+  auto read = parse_apart(task, path, may_read, any_size);
   if (!read) {
     MachineShelf shelf(may_read);
-    read = parse_here(task, path, shelf);
+    read = parse_here(task, path, shelf, any_size);
   }
   if (auto* wanted = std::get_if<Wanted>(&*read)) return std::move(*wanted);
   if (auto* error = std::get_if<Error>(&*read)) return std::move(*error);
@@ -28,24 +30,26 @@ Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path
 
 }  // namespace
 
-Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read) {
+Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read, bool any_size) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
-  return parsed<Mesh>(ParserTask::mesh, path, may_read);
+  return parsed<Mesh>(ParserTask::mesh, path, may_read, any_size);
 }
 
-Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read) {
+Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read, bool any_size) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
-  return parsed<SceneFile>(ParserTask::scene, path, may_read);
+  return parsed<SceneFile>(ParserTask::scene, path, may_read, any_size);
 }
 
-Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read) {
+Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read,
+                                                        bool any_size) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
-  return parsed<DrawingFile>(ParserTask::drawing, path, may_read);
+  return parsed<DrawingFile>(ParserTask::drawing, path, may_read, any_size);
 }
 
-Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) {
+Result<std::shared_ptr<const Picture>> load_picture(const std::string& path, bool any_size) {
   const MayRead nothing_else = [&](const std::string& p) { return p == path; };
-  return parsed<Picture>(ParserTask::picture, path, nothing_else);
+  return parsed<Picture>(ParserTask::picture, path, nothing_else, any_size);
 }
+Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) { return load_picture(path, true); }
 
 }  // namespace betwixt

@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "exchange/pictures.h"
+#include "exchange/unpacking.h"
 
 namespace betwixt {
 namespace {
@@ -216,6 +217,7 @@ Result<GltfNumbers> GltfModel::accessor(int i, std::size_t width) const {
     return error(fmt::format("accessor {} has the wrong type", i));
   if (a->count > most_elements) return error(fmt::format("accessor {} has too many elements", i));
   const auto part = static_cast<std::size_t>(bytes);
+  if (const Status fits = unpack(a->count * width * sizeof(float), path_); !fits) return fits.error();
   GltfNumbers out{{}, width};
   out.values.resize(a->count * width);
   if (a->bufferView >= 0 || !a->sparse.isSparse) {

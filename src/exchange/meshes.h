@@ -14,7 +14,7 @@
 namespace betwixt {
 
 // All of the file's scene as one mesh, node transforms applied, y up, in the file's units. Errors: file.
-Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read);
+Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read, bool any_size = false);
 // The same in this process, whatever the file does to it.
 Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, Shelf&);
 

@@ -8,6 +8,7 @@
 #include "exchange/meshes.h"
 #include "exchange/parser_process.h"
 #include "exchange/pictures.h"
+#include "exchange/unpacking.h"
 
 namespace betwixt {
 namespace {
@@ -19,7 +20,9 @@ Parsed parsed(Result<T> result) {
 
 }  // namespace
 
-Parsed parse_here(ParserTask task, const std::string& path, Shelf& shelf) {
+Parsed parse_here(ParserTask task, const std::string& path, Shelf& files, bool any_size) {
+  Unpacking unpacking(any_size);
+  CountedShelf shelf(files, unpacking);
   try {
     switch (task) {
       case ParserTask::mesh:

@@ -24,9 +24,10 @@ struct ParserCeilings {
 };
 struct ParserRequest {
   ParserTask task = ParserTask::mesh;
+  std::uint32_t any_size = 0;  // whatever it unpacks to (unpacking.h)
   ParserCeilings most;
 };
-constexpr char parser_version[] = "3";  // of all this; its argument
+constexpr char parser_version[] = "4";  // of all this; its argument
 constexpr int parser_control = 3;       // the socket that requests come by
 
 // The first letter of what is said over a job's socket. A path is said behind `has` and `read`.

@@ -167,18 +167,20 @@ Error machine_error(const std::string& path, int reason) {
 
 }  // namespace
 
-ParserCeilings parser_ceilings(std::uint64_t size) {
+ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size) {
   const std::uint64_t seconds = 20 + size / megabyte;
-  return {6 * gigabyte + 32 * size, seconds, 3 * seconds};
+  const bool alone = ending(path) != "gltf";  // else what is large is in other files
+  return {(alone ? 3 : 6) * gigabyte + 32 * size, seconds, 3 * seconds};
 }
 
-std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read,
+std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool any_size,
                                   std::optional<ParserCeilings> most) {
   const auto file = open_whole(path);
   if (!file) return file.error();
   struct stat about {};
   if (::fstat(file->fd(), &about) != 0) return machine_error(path, errno);
-  const ParserRequest request{task, most.value_or(parser_ceilings(static_cast<std::uint64_t>(about.st_size)))};
+  const ParserRequest request{task, any_size,
+                              most.value_or(parser_ceilings(path, static_cast<std::uint64_t>(about.st_size)))};
   const OpenFile memory(::memfd_create("betwixt-parsed", MFD_CLOEXEC));
   if (!memory) return machine_error(path, errno);
   Line line;

@@ -18,13 +18,13 @@
 namespace betwixt {
 
 // So much that no good file of this size comes near it.
-ParserCeilings parser_ceilings(std::uint64_t size);
+ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size);
 // None: there is no such program on this machine. Errors: what the file is; machine. Ceilings of its own for tests.
-std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&,
+std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&, bool any_size = false,
                                   std::optional<ParserCeilings> = {});
 
 // The same in this process, whatever the file does to it.
-Parsed parse_here(ParserTask, const std::string& path, Shelf&);
+Parsed parse_here(ParserTask, const std::string& path, Shelf&, bool any_size = false);
 
 // Where the program is: $BETWIXT_PARSER; beside the program that runs, in libexec/betwixt beside its folder or that of
 // the library, or beside a folder of $PATH. Empty: nowhere.

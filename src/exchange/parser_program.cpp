@@ -60,7 +60,7 @@ void work(const ParserMessage& message) {
   if (!say(job, {&says_begun, 1})) return;
   give_up_all_but_reading(request.most);
   AskingShelf shelf(job, path, message.files[2].fd());
-  if (hand_over(parse_here(request.task, path, shelf), memory) == 0) say(job, {&says_done, 1});
+  if (hand_over(parse_here(request.task, path, shelf, request.any_size != 0), memory) == 0) say(job, {&says_done, 1});
 }
 
 int wait_for_work() {

@@ -12,6 +12,7 @@
 
 #include "base/files.h"
 #include "betwixt/picture.h"
+#include "exchange/unpacking.h"
 
 namespace betwixt {
 
@@ -55,6 +56,8 @@ Result<Raw<Channel>> read_png(std::span<const std::uint8_t> bytes, const std::st
   if (error == 0) error = spng_get_ihdr(png.get(), &head);
   if (error != 0) return broken(name, spng_strerror(error));
   if (const Status size = check_size(name, head.width, head.height); !size) return size.error();
+  if (const Status fits = unpack(4 * sizeof(Channel) * std::uint64_t{head.width} * head.height, name); !fits)
+    return fits.error();
   Raw<Channel> raw{static_cast<int>(head.width), static_cast<int>(head.height), {}};
   raw.rgba.resize(4 * static_cast<std::size_t>(head.width) * head.height);
   error = spng_decode_image(png.get(), raw.rgba.data(), raw.rgba.size() * sizeof(Channel),
@@ -75,6 +78,9 @@ Decoded decode_other(std::span<const std::uint8_t> bytes, const std::string& nam
   const auto why = [] { return stbi_failure_reason() != nullptr ? stbi_failure_reason() : "no reason given"; };
   if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0) return broken(name, why());
   if (const Status size = check_size(name, width, height); !size) return size.error();
+  if (const Status fits = unpack(4 * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height), name);
+      !fits)
+    return fits.error();
   const std::unique_ptr<stbi_uc, Free> pixels(
       stbi_load_from_memory(bytes.data(), length, &width, &height, &channels, 4));
   if (!pixels) return broken(name, why());

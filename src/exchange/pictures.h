@@ -18,6 +18,8 @@ namespace betwixt {
 
 // `name` for messages and, where the bytes do not say it, for its ending.
 Result<std::shared_ptr<const Picture>> decode_picture(std::span<const std::uint8_t> bytes, const std::string& name);
+// Reads a picture of a script. Errors: as those of read_picture; range (unpacking.h; not with `any_size`).
+Result<std::shared_ptr<const Picture>> load_picture(const std::string& path, bool any_size);
 // As read_picture().
 Result<std::shared_ptr<const Picture>> parse_picture(const std::string& path, Shelf&);
 

@@ -75,7 +75,8 @@ struct SceneFile {
 inline constexpr std::size_t most_joints = 1000, most_nodes = 100'000, most_scene_numbers = 100'000'000;
 
 // Reads a scene in a process of its own. Errors: file.
-Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read);
+Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read,
+                                                    bool any_size = false);
 // The same in this process, whatever the file does to it.
 Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, Shelf&);
 Result<std::shared_ptr<const SceneFile>> load_gltf_scene(const std::string& path, Shelf&);

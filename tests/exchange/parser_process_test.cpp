@@ -13,6 +13,7 @@
 #include "exchange/files.h"
 #include "exchange/meshes.h"
 #include "exchange/pictures.h"
+#include "exchange/unpacking.h"
 
 namespace betwixt {
 namespace {
@@ -91,15 +92,64 @@ TEST_F(Files, ThatEndTheirReaderAreErrors) {
 
 TEST_F(Files, TakeNoMoreThanTheirCeilings) {
   put("large.tga", large_picture());
-  const ParserCeilings plenty = parser_ceilings(4 << 20);
+  const ParserCeilings plenty = parser_ceilings("large.tga", 4 << 20);
   const auto why = [&](const ParserCeilings& most) {
-    const auto parsed = parse_apart(ParserTask::picture, at("large.tga"), anything, most);
+    const auto parsed = parse_apart(ParserTask::picture, at("large.tga"), anything, true, most);
     const Error* error = parsed ? std::get_if<Error>(&*parsed) : nullptr;
     return error ? error->message : "";
   };
   EXPECT_EQ(why({plenty.memory, 1, 60}), at("large.tga") + " takes more than 1 s to be read");
   EXPECT_EQ(why({plenty.memory, 60, 1}), why({plenty.memory, 1, 60}));
   EXPECT_NE(why({std::uint64_t{300} << 20, 60, 60}), "");
+}
+
+// A file of some bytes that would become gigabytes is refused before it does, unless the caller says so.
+TEST_F(Files, UnpackToNoMoreThanAHundredTimesTheirSize) {
+  const auto sparse = [](std::size_t points) {
+    return fmt::format(
+        R"({{"asset":{{"version":"2.0"}},"accessors":[{{"componentType":5126,"count":{},"type":"VEC3","sparse":{{"count":1,)"
+        R"("indices":{{"bufferView":0,"componentType":5121}},"values":{{"bufferView":0}}}}}}],"buffers":[{{"byteLength":16,)"
+        R"("uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}}],"bufferViews":[{{"buffer":0,"byteLength":)"
+        R"(16}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],"nodes":[{{"mesh":0}}],"scenes":[{{"nodes":)"
+        R"([0]}}]}})",
+        points);
+  };
+  // 12 bytes a point: 5.5 million are 63 MiB, 6 million 69.
+  const auto good = load_mesh(put("good.gltf", sparse(5'400'000)), anything);
+  EXPECT_EQ(good.error().code, ErrorCode::file) << "all points are one: no triangles";
+  const auto mesh = load_mesh(put("bomb.gltf", sparse(6'000'000)), anything);
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, ErrorCode::range);
+  const auto any = load_mesh(at("bomb.gltf"), anything, true);
+  EXPECT_EQ(any.error().code, ErrorCode::file);
+  const auto picture = load_picture(put("large.tga", large_picture()), false);
+  ASSERT_FALSE(picture);
+  EXPECT_EQ(picture.error().code, ErrorCode::range);
+  const Picture gray{4096, 4096,
+                     std::vector<std::uint8_t>(4 * 4096 * 4096, 77)};  // 64 MiB, within what any file may be
+  ASSERT_TRUE(write_png(at("gray.png"), gray));
+  EXPECT_TRUE(load_picture(at("gray.png"), false));
+}
+
+// What is counted: each file that was read, whatever was made of them, to the byte.
+TEST(Unpacking, AddsUp) {
+  EXPECT_TRUE(unpack(std::uint64_t{1} << 40, "a")) << "nobody counts";
+  constexpr std::uint64_t mebibyte = 1 << 20;
+  Unpacking all(false);
+  all.read(1000), all.read(500);
+  const std::uint64_t allowed = 64 * mebibyte + 150'000;
+  EXPECT_TRUE(unpack(allowed - 10, "a"));
+  EXPECT_FALSE(unpack(11, "a"));
+  EXPECT_TRUE(unpack(10, "a"));
+  EXPECT_FALSE(unpack(1, "a"));
+  {
+    Unpacking large(false);
+    large.read(std::uint64_t{1} << 40);
+    EXPECT_TRUE(unpack(1024 * mebibyte, "a"));
+    EXPECT_FALSE(unpack(1, "a"));
+    EXPECT_FALSE(unpack(UINT64_MAX, "a"));
+  }
+  EXPECT_FALSE(unpack(1, "a")) << "the one outside goes on";
 }
 
 TEST_F(Files, AreReadByManyAtOnce) {
