@@ -263,73 +263,74 @@ void Shadows::look(One& one, const Things& things) const {
     part.clip = projection * looking({0, 0, 0}, cone.backward);
     one.parts.push_back(part);
   };
-  for (const Numbers& shown : one.levels)
-    if (const auto cone = cone_of(things, shown, light.place, light.anchor)) {
+  const Numbers& all = one.levels.back();
+  const std::optional<Cone> around = cone_of(things, all, light.place, light.anchor);
+  for (const Numbers& shown : one.levels)  // if it is finer than what has all
+    if (const auto cone = cone_of(things, shown, light.place, light.anchor);
+        &shown != &all && cone && cone->tangent < 0.6 * (around ? around->tangent : side))
       put(*cone);
-    } else if (&shown == &one.levels.back()) {
-      const std::size_t before = one.parts.size();
-      for (const Vec3 back : {Vec3{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}}) {
-        put({back, side, 0});
-        const bool any = std::any_of(shown.begin(), shown.end(), [&](std::uint32_t i) {
-          const Bounds& b = things[i].bounds;
-          return reaches(one.parts.back().clip, b.center - light.place, b.radius());
-        });
-        if (!any) one.parts.pop_back();
-      }
-      if (one.parts.size() <= light.room) continue;
-      one.parts.resize(before);
-      const Vec3 back = (light.place - light.anchor) - around_all(things, shown, light.anchor).center;
-      put({normalize(back, {0, 1, 0}), widest, 0});
-    }
+  if (around) return put(*around);
+  const std::size_t before = one.parts.size();
+  for (const Vec3 back : {Vec3{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}}) {
+    put({back, side, 0});
+    const bool any = std::any_of(all.begin(), all.end(), [&](std::uint32_t i) {
+      const Bounds& b = things[i].bounds;
+      return reaches(one.parts.back().clip, b.center - light.place, b.radius());
+    });
+    if (!any) one.parts.pop_back();
+  }
+  if (one.parts.size() <= light.room) return;
+  one.parts.resize(before);
+  const Vec3 back = (light.place - light.anchor) - around_all(things, all, light.anchor).center;
+  put({normalize(back, {0, 1, 0}), widest, 0});
 }
 
-// All that may cast on something. A floor or a wall casts on nothing if all there is lies on the side that is lit, and
-// a room if all there is, and the lamp, are within: how large these are says nothing.
+// Whether what is plain keeps no light from anything: of a floor or a wall all there is lies on the side that is lit,
+// of a room all there is, and the lamp, are within. What is sunk into a floor up to its middle at most lies on it.
+bool Shadows::casts_on_nothing(Things& things, std::uint32_t i, const Made& light) {
+  const Turned box = turned(things[i], things.store());
+  if (!is_plain(things[i], box)) return false;
+  const double slack = 5e-3 * things[i].bounds.radius();
+  bool room = things[i].closed && !light.sun;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 a = normalize(cross(box.half[(k + 1) % 3], box.half[(k + 2) % 3]), {});
+    const double reach = box.reach(a);
+    double low = INFINITY, high = -INFINITY;
+    for (std::uint32_t j = 0; j < things.all().size(); ++j) {
+      const Bounds& b = things[j].bounds;
+      if (j == i || !things[j].there || !things[j].surface) continue;
+      const double at = dot(a, b.center - box.center);
+      double r = std::abs(a.x) * b.half.x + std::abs(a.y) * b.half.y + std::abs(a.z) * b.half.z;
+      if (b.radius() < 0.25 * things[i].bounds.radius())
+        r = 0;
+      else if (at - r < reach && at + r > -reach)  // as it is turned, it may still lie on one side
+        r = std::min(r, turned(things[j], things.store()).reach(a));
+      low = std::min(low, at - r), high = std::max(high, at + r);
+    }
+    const double floor = std::abs(a.y) > 0.999999 ? -a.y * box.center.y : NAN;
+    if (light.floor) low = std::isnan(floor) ? -INFINITY : std::min(low, floor);
+    if (light.floor) high = std::isnan(floor) ? INFINITY : std::max(high, floor);
+    const double lit = light.sun ? 1e300 * dot(a, light.place) : dot(a, light.place - box.center);
+    if (length(a) > 0 && low >= reach - slack && lit >= reach) return true;
+    if (length(a) > 0 && high <= slack - reach && lit <= -reach) return true;
+    room = room && low >= -reach - slack && high <= reach + slack && std::abs(lit) < reach;
+  }
+  return room;
+}
+
+// All that may cast on something: large floors, walls and rooms mostly do not, and would make maps coarse.
 Shadows::Numbers Shadows::without_backdrops(Things& things, const Made& light) const {
   constexpr std::size_t most = 8;
-  const double all = around_all(things, casters_, light.anchor).radius;
-  Numbers large;
-  for (const std::uint32_t i : casters_)
-    if (things[i].bounds.radius() > 0.25 * all) large.push_back(i);
   Numbers left = casters_;
-  if (large.size() > most) return left;
-  for (const std::uint32_t i : large) {
-    const Turned box = turned(things[i], things.store());
-    if (!is_plain(things[i], box)) continue;
-    const double slack = 5e-3 * things[i].bounds.radius();
-    bool free = false, inside = things[i].closed && !light.sun;
-    for (int k = 0; k < 3 && !free; ++k) {
-      const Vec3 other =
-          cross(box.half[static_cast<std::size_t>((k + 1) % 3)], box.half[static_cast<std::size_t>((k + 2) % 3)]);
-      const Vec3 own = box.half[static_cast<std::size_t>(k)];
-      const Vec3 a = normalize(length(own) > 1e-6 * things[i].bounds.radius() ? own : other, {});
-      if (length(a) == 0) continue;
-      const double reach = box.reach(a), least = reach - slack;
-      double low = INFINITY, high = -INFINITY;
-      for (std::uint32_t j = 0; j < things.all().size(); ++j) {
-        const Thing& t = things[j];
-        if (j == i || !t.there || !t.surface) continue;
-        const Vec3 half = t.bounds.half;
-        double at = dot(a, t.bounds.center - box.center);
-        double r = std::abs(a.x) * half.x + std::abs(a.y) * half.y + std::abs(a.z) * half.z;
-        if (at - r < least && at + r > -least) {  // as it is turned, it may still lie on one side
-          const Turned b = turned(t, things.store());
-          at = dot(a, b.center - box.center), r = std::min(r, t.round ? std::min(b.reach(a), t.size) : b.reach(a));
-        }
-        low = std::min(low, at - r), high = std::max(high, at + r);
-        if (low < least && high > -least && !inside) break;
-      }
-      if (light.floor && std::abs(a.y) > 0.999999) {
-        const double at = -a.y * box.center.y;
-        low = std::min(low, at), high = std::max(high, at);
-      } else if (light.floor) {
-        low = -INFINITY, high = INFINITY;
-      }
-      const double from = light.sun ? INFINITY * dot(a, light.place) : dot(a, light.place - box.center);
-      free = (low >= least && from >= reach) || (high <= -least && from <= -reach);
-      inside = inside && low >= -reach - slack && high <= reach + slack && std::abs(from) < reach;
-    }
-    if (free || inside) std::erase(left, i);
+  for (std::size_t before = 0; before != left.size() && !left.empty();) {
+    before = left.size();
+    const double all = around_all(things, left, light.anchor).radius;
+    Numbers large;
+    for (const std::uint32_t i : left)
+      if (things[i].bounds.radius() > 0.25 * all) large.push_back(i);
+    if (large.size() > most) break;
+    for (const std::uint32_t i : large)
+      if (casts_on_nothing(things, i, light)) std::erase(left, i);
   }
   return left.empty() ? casters_ : left;
 }

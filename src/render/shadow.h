@@ -62,6 +62,7 @@ class Shadows {
   };
   Status make_layers(std::size_t count);
   void find_casters(Things&, Vec3 anchor);
+  static bool casts_on_nothing(Things&, std::uint32_t thing, const Made&);
   Numbers without_backdrops(Things&, const Made&) const;
   std::vector<Numbers> levels(Things&, const Made&) const;
   Part part_of_sun(const Things&, const Made&, const Numbers&) const;
