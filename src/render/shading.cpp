@@ -68,9 +68,9 @@ uniform sampler2DArrayShadow shadows;  // a layer for each of the first lights
 uniform float shadow_step;             // between look-ups, in the map's measure
 uniform mat4 shadow_clip[MAPS];
 uniform vec4 shadow_shape[MAPS];  // of a texel, metres across, and the same per metre of distance; spread, top
+uniform int shadow_end[CASTERS];  // which of the maps is the first that is no longer that light's
 #if defined(RICH)
 uniform int casting;            // how many lights cast
-uniform int shadow_end[CASTERS];  // which of the maps is the first that is no longer that light's
 uniform sampler2DArray depths;  // the same layers, as they are
 uniform vec2 seeds[SEEDS];      // points of a disc of radius 1, evenly spread
 #if !defined(GROUND)
@@ -159,19 +159,43 @@ float lit(int light, vec3 spot, vec3 n, float nl, bool wanted) {
   return sum + left;
 }
 #else
-// How much of the first light reaches a point.
-float lit(vec3 spot, vec3 n) {
-  vec3 to = light_place[0].xyz - light_place[0].w * spot;
-  vec4 seen = in_light(0, spot, n, dot(n, to) * inversesqrt(max(dot(to, to), 1e-30)));
-  vec3 p = seen.xyz / seen.w * 0.5 + 0.5;
+// How much of the first light reaches a point, as a map has it, if it is wanted.
+float lit_by(int i, vec3 p, bool wanted) {
   p.z = min(p.z, 1.0);
   float sum = 0.0;
-  for (int y = 0; y < TAPS; ++y)
+#if defined(LEVELS)
+  int rows = wanted ? TAPS : 0;
+#else
+  const int rows = TAPS;
+#endif
+  for (int y = 0; y < rows; ++y)
     for (int x = 0; x < TAPS; ++x) {
       vec2 off = (vec2(x, y) - 0.5 * float(TAPS - 1)) * shadow_step;
-      sum += texture(shadows, vec4(p.xy + off, 0.0, p.z));
+      sum += texture(shadows, vec4(p.xy + off, i, p.z));
     }
-  return mix(1.0, sum * (1.0 / float(TAPS * TAPS)), within(seen, p.xy));
+  return sum * (1.0 / float(TAPS * TAPS));
+}
+
+// As above, of the first light.
+float lit(vec3 spot, vec3 n) {
+  vec3 to = light_place[0].xyz - light_place[0].w * spot;
+  float nl = dot(n, to) * inversesqrt(max(dot(to, to), 1e-30)), left = 1.0, sum = 0.0;
+#if defined(LEVELS)
+  int end = nl > 0.0 ? shadow_end[0] : 0;
+  for (int i = 0; i < end; ++i) {
+#else
+  const int i = 0;
+  {
+#endif
+    vec4 seen = in_light(i, spot, n, nl);
+    vec3 p = seen.xyz / seen.w * 0.5 + 0.5;
+    float part = left * within(seen, p.xy);
+    sum += part * lit_by(i, p, part > 0.0), left -= part;
+#if defined(LEVELS)
+    end = left > 0.0 ? end : 0;
+#endif
+  }
+  return sum + left;
 }
 #endif
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "render/balls.h"
 
@@ -168,7 +169,8 @@ Status Shadows::make_layers(std::size_t count) {
   if (!layers) return layers.error();
   std::tie(layers_, framebuffer_) = *std::move(layers);
   count_ = made;
-  for (One& one : all_) one.stale = true;
+  for (One& one : all_)
+    for (Part& part : one.parts) part.stale = true;
   return Nothing{};
 }
 
@@ -342,7 +344,8 @@ std::vector<Shadows::Numbers> Shadows::levels(Things& things, const Made& light)
   const auto is_fine = [&](const Ball& ball, double pixels) {
     return texel_of(ball, light.sun, lamp) * pixels <= coarse;
   };
-  Numbers all = without_backdrops(things, light);
+  const Numbers wanted = without_backdrops(things, light);
+  Numbers all = wanted;
   std::vector<Seen> major;
   const auto find_major = [&] {
     major.clear();
@@ -377,7 +380,7 @@ std::vector<Shadows::Numbers> Shadows::levels(Things& things, const Made& light)
     }
     return !shadow_in_view(things.view(), from, to);
   });
-  if (all.empty()) return {casters_};
+  if (all.empty()) return {wanted};
   find_major();
   std::vector<Numbers> r;
   Numbers shown;
@@ -391,8 +394,18 @@ std::vector<Shadows::Numbers> Shadows::levels(Things& things, const Made& light)
     }
     r.push_back(shown);
   }
-  // The last may as well be all if that is hardly more.
-  if (!r.empty() && around_all(things, all, light.anchor).radius <= 1.25 * ball.radius) r.pop_back();
+  // The last stays while the camera turns, where that costs little. A map that is hardly finer than the next is not
+  // worth it.
+  const double everywhere = around_all(things, wanted, light.anchor).radius;
+  if (everywhere <= 1.6 * around_all(things, all, light.anchor).radius) all = wanted;
+  double next = around_all(things, all, light.anchor).radius;
+  for (std::size_t k = r.size(); k-- > 0;) {
+    const double own = around_all(things, r[k], light.anchor).radius;
+    if (own > (k + 1 == r.size() ? 0.8 : 0.4) * next)
+      r.erase(r.begin() + static_cast<std::ptrdiff_t>(k));
+    else
+      next = own;
+  }
   r.push_back(std::move(all));
   return r;
 }
@@ -433,11 +446,16 @@ std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Li
       std::vector<Numbers> found = levels(things, now);
       while (found.size() > room) found.erase(found.begin());
       if (others || found != one.levels) {
-        one.levels = std::move(found), one.stale = true;
+        const std::vector<Part> before = std::exchange(one.parts, {});
+        const std::vector<Numbers> shown = std::exchange(one.levels, std::move(found));
         look(one, things);
+        // Of a sun each map follows from its own level.
+        for (std::size_t i = 0; light.sun && !others && i < std::min(before.size(), one.parts.size()); ++i)
+          if (shown[i] == one.levels[i]) one.parts[i].stale = before[i].stale;
       }
     }
-    if (one.first != used) one.stale = true;
+    if (one.first != used)
+      for (Part& part : one.parts) part.stale = true;
     one.first = used, used += one.parts.size();
   }
   if (!make_layers(used))
@@ -447,13 +465,12 @@ std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Li
   for (std::size_t k = 0; k < casting.size(); ++k) {
     One& one = all_[k];
     for (std::size_t i = 0; i < one.parts.size() && one.first + i < used; ++i) {
-      const Part& part = one.parts[i];
-      if (one.stale) draw(part, one.first + i, things, *one.made);
+      Part& part = one.parts[i];
+      if (std::exchange(part.stale, false)) draw(part, one.first + i, things, *one.made);
       Map& map = maps_[one.first + i];
       map = part.map, map.light = k;
       map.clip = part.clip * translation(eye - part.origin);
     }
-    one.stale = false;
   }
   return std::span(maps_).first(used);
 }

@@ -50,15 +50,15 @@ class Shadows {
   };
   struct Part {
     Map map;
-    Vec3 origin;  // in the world; what is drawn is placed relative to it
-    Mat4 clip;    // from there to the map's clip space
+    Vec3 origin;        // in the world; what is drawn is placed relative to it
+    Mat4 clip;          // from there to the map's clip space
+    bool stale = true;  // its layer shows something else
   };
   struct One {
     std::optional<Made> made;
     std::vector<Numbers> levels;  // what each map must show, or, the last of a lamp, all of its sides
     std::vector<Part> parts;
     std::size_t first = 0;  // of its layers
-    bool stale = true;      // its layers show something else
   };
   Status make_layers(std::size_t count);
   void find_casters(Things&, Vec3 anchor);

@@ -37,7 +37,7 @@ std::array<float, 2 * shadow_seeds> sunflower() {
 
 // Whether what the simple programs can is not enough.
 bool is_rich(const Surfaces::Circumstances& frame) {
-  return frame.shadows.size() > 1 || (!frame.shadows.empty() && frame.shadows.front().spread > 0) ||
+  return (!frame.shadows.empty() && (frame.shadows.back().light > 0 || frame.shadows.front().spread > 0)) ||
          (frame.metal && (frame.around.sky || frame.around.ground));
 }
 
@@ -58,9 +58,10 @@ Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const
       fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
   auto program = gl::new_program(
       vertex, std::string(encoded_function) + surface_fragment,
-      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n{}{}{}{}", shadow_taps,
+      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n{}{}{}{}{}", shadow_taps,
                   shadow_seeds, (variant & rich) != 0 ? Lighting::most_casting : 1,
-                  (variant & rich) != 0 ? Shadows::most_maps : 1, (variant & rich) != 0 ? "#define RICH\n" : "",
+                  (variant & (rich | levels)) != 0 ? Shadows::most_maps : 1,
+                  (variant & rich) != 0 ? "#define RICH\n" : "", (variant & levels) != 0 ? "#define LEVELS\n" : "",
                   (variant & contact) != 0 ? "#define RECEIVES\n" : "", open_ ? "#define OPEN\n" : "", defines));
   if (!program) return program.error();
   Look look;
@@ -169,7 +170,8 @@ bool Surfaces::use(std::size_t variant) {
 
 void Surfaces::set(const Circumstances& frame) {
   const std::size_t received = frame.contact ? contact : 0;
-  if (!use(received | (is_rich(frame) ? rich : 0)) && !use(received)) use(0);  // of what they can
+  const std::size_t wanted = is_rich(frame) ? rich : frame.shadows.size() > 1 ? levels : 0;
+  if (!use(received | wanted) && !use(received)) use(0);  // of what they can
   for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
     set_program(*look, frame);
     if ((variant_ & rich) != 0) set_mirrored(*look, frame);
