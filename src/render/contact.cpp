@@ -91,8 +91,10 @@ void main() {
       for (int j = 0; j < STEPS; ++j) {
         float t = (float(j) + start) / float(STEPS);
         ivec2 at = middle + side * ivec2(round((1.0 + (radius - 1.0) * t * t) * way)), inside = clamp(at, ivec2(0), last);
-        vec3 v = place(vec2(inside), away(depth_at(inside))) - here;
-        float vv = dot(v, v), part = vv / (far * far), near = at == inside ? max(1.0 - part * part, 0.0) : 0.0;
+        float there = depth_at(inside);
+        vec3 v = place(vec2(inside), away(there)) - here;
+        float vv = dot(v, v), part = vv / (far * far);
+        float near = at == inside && there < FARTHEST ? max(1.0 - part * part, 0.0) : 0.0;
         v *= inversesqrt(max(vv, 1e-30));
         near *= near * clamp(dot(v, n) / bias - 1.0, 0.0, 1.0);
         float c = clamp(dot(v, to_eye), -1.0, 1.0);

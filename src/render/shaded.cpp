@@ -33,7 +33,8 @@ class Shaded final : public Module {
     const View& view = things_.view();
     const Surroundings& around = scenery_.surroundings;
     const Lighting lighting = lighting_of(scenery_.lights, view, {}, around);
-    const auto shadows = shadows_.update(things_, std::span(lighting.lights).first(lighting.casting));
+    const auto shadows =
+        shadows_.update(things_, std::span(lighting.lights).first(lighting.casting), around.ground.has_value());
     const bool contact = need_contact();  // what is made binds what is drawn into
     const Surfaces::Circumstances now{view,   lighting, shadows, shadows_.texture(),
                                       around, metal,    contact, canvas_.deep() && around.clear};

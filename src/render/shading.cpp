@@ -66,8 +66,9 @@ uniform float receives;  // 1: alpha says how much contact shading there is, 0: 
 uniform float encodes;      // 1: colours are written encoded, 0: as linear light
 uniform sampler2DArrayShadow shadows;  // a layer for each of the first lights
 uniform float shadow_step;             // between look-ups, in the map's measure
-uniform mat4 shadow_clip[CASTERS];
-uniform vec4 shadow_shape[CASTERS];  // of a texel, metres across, and the same per metre of distance; spread, top
+uniform mat4 shadow_clip[MAPS];
+uniform vec4 shadow_shape[MAPS];  // of a texel, metres across, and the same per metre of distance; spread, top
+uniform int shadow_end[CASTERS];  // which of the maps is the first that is no longer that light's
 #if defined(RICH)
 uniform int casting;            // how many lights cast
 uniform sampler2DArray depths;  // the same layers, as they are
@@ -89,17 +90,23 @@ flat in vec3 move, turn;
 uniform vec4 depth_row, w_row;  // of the clip matrix
 out vec4 color;
 
-// Where a light's map is looked up for a point on a surface towards n: a little above it, against shadows of itself.
-vec4 in_light(int i, vec3 spot, vec3 n) {
+// Where a map is looked up for a point on a surface towards n: a little above it, against shadows of itself, by as many
+// texels as the light is slanting. The floor is in no map and casts none.
+vec4 in_light(int i, vec3 spot, vec3 n, float nl) {
   mat4 m = shadow_clip[i];
+#if defined(GROUND)
+  return m * vec4(spot, 1.0);
+#else
   float distance_to_light = dot(vec4(m[0].w, m[1].w, m[2].w, m[3].w), vec4(spot, 1.0));
-  return m * vec4(spot + (shadow_shape[i].x + shadow_shape[i].y * distance_to_light) * n, 1.0);
+  float texels = 0.4 + 2.0 * sqrt(max(1.0 - nl * nl, 0.0));
+  return m * vec4(spot + texels * (shadow_shape[i].x + shadow_shape[i].y * distance_to_light) * n, 1.0);
+#endif
 }
 
-// Fades out towards the border of the map, and behind the light.
-float within(vec4 seen, vec2 p, float sum) {
+// How much a map says: less towards its border, and nothing behind a lamp.
+float within(vec4 seen, vec2 p) {
   vec2 border = clamp((1.0 - abs(2.0 * p - 1.0)) * 16.0, 0.0, 1.0);
-  return seen.w > 0.0 ? mix(1.0, sum, border.x * border.y) : 1.0;
+  return seen.w > 0.0 ? border.x * border.y : 0.0;
 }
 
 #if defined(RICH)
@@ -113,11 +120,9 @@ vec2 slope(int i, vec4 seen, vec3 n) {
   return g * min(1.0, 0.7 / max(shadow_shape[i].z * length(g), 1e-30));
 }
 
-// How much of a light reaches a point. Percentage-closer soft shadows: what is in the way, in the cone from the point to the
-// light's disc, says by its mean depth how wide the penumbra is.
-float lit(int i, vec3 spot, vec3 n, bool wanted) {
-  vec4 seen = in_light(i, spot, n);
-  vec3 p = seen.xyz / seen.w * 0.5 + 0.5;  // deeper than 1 where nothing is that casts
+// How much of a light reaches a point, as a map has it, if it is wanted. Percentage-closer soft shadows: what is in the way, in the
+// cone from the point to the light's disc, says by its mean depth how wide the penumbra is.
+float lit_by(int i, vec4 seen, vec3 p, vec3 n, bool wanted) {
   float spread = shadow_shape[i].z, reach = min(spread * max(p.z - shadow_shape[i].w, 0.0), 0.1);
   bool soft = spread > 0.0;
   float blockers = 0.0, before = 0.0;
@@ -137,21 +142,60 @@ float lit(int i, vec3 spot, vec3 n, bool wanted) {
     vec2 off = soft ? radius * seeds[k] : (vec2(k % TAPS, k / TAPS) - 0.5 * float(TAPS - 1)) * shadow_step;
     sum += texture(shadows, vec4(p.xy + off, i, min(p.z + dot(tilt, off), 1.0)));
   }
-  return taps == 0 ? 1.0 : within(seen, p.xy, sum / float(taps));
+  return taps == 0 ? 1.0 : sum / float(taps);
+}
+
+// How much of a light reaches a point: its maps say, the finest first, and where that ends the next.
+float lit(int light, vec3 spot, vec3 n, float nl, bool wanted) {
+  float left = 1.0, sum = 0.0;
+  int end = wanted ? shadow_end[light] : 0;
+  for (int i = light == 0 ? 0 : shadow_end[light - 1]; i < end; ++i) {
+    vec4 seen = in_light(i, spot, n, nl);
+    vec3 p = seen.xyz / seen.w * 0.5 + 0.5;  // deeper than 1 where nothing is that casts
+    float part = left * within(seen, p.xy);
+    sum += part * lit_by(i, seen, p, n, part > 0.0), left -= part;
+    end = left > 0.0 ? end : 0;
+  }
+  return sum + left;
 }
 #else
-// How much of the first light reaches a point.
-float lit(vec3 spot, vec3 n) {
-  vec4 seen = in_light(0, spot, n);
-  vec3 p = seen.xyz / seen.w * 0.5 + 0.5;
+// How much of the first light reaches a point, as a map has it, if it is wanted.
+float lit_by(int i, vec3 p, bool wanted) {
   p.z = min(p.z, 1.0);
   float sum = 0.0;
-  for (int y = 0; y < TAPS; ++y)
+#if defined(LEVELS)
+  int rows = wanted ? TAPS : 0;
+#else
+  const int rows = TAPS;
+#endif
+  for (int y = 0; y < rows; ++y)
     for (int x = 0; x < TAPS; ++x) {
       vec2 off = (vec2(x, y) - 0.5 * float(TAPS - 1)) * shadow_step;
-      sum += texture(shadows, vec4(p.xy + off, 0.0, p.z));
+      sum += texture(shadows, vec4(p.xy + off, i, p.z));
     }
-  return within(seen, p.xy, sum * (1.0 / float(TAPS * TAPS)));
+  return sum * (1.0 / float(TAPS * TAPS));
+}
+
+// As above, of the first light.
+float lit(vec3 spot, vec3 n) {
+  vec3 to = light_place[0].xyz - light_place[0].w * spot;
+  float nl = dot(n, to) * inversesqrt(max(dot(to, to), 1e-30)), left = 1.0, sum = 0.0;
+#if defined(LEVELS)
+  int end = nl > 0.0 ? shadow_end[0] : 0;
+  for (int i = 0; i < end; ++i) {
+#else
+  const int i = 0;
+  {
+#endif
+    vec4 seen = in_light(i, spot, n, nl);
+    vec3 p = seen.xyz / seen.w * 0.5 + 0.5;
+    float part = left * within(seen, p.xy);
+    sum += part * lit_by(i, p, part > 0.0), left -= part;
+#if defined(LEVELS)
+    end = left > 0.0 ? end : 0;
+#endif
+  }
+  return sum + left;
 }
 #endif
 
@@ -266,7 +310,7 @@ void main() {
     float window = max(1.0 - d2 * light_color[i].w, 0.0);
     float strength = max(nl, 0.0) * window * window;
 #if defined(RICH)
-    if (i < casting) strength *= lit(i, spot, n, strength > 0.0);
+    if (i < casting) strength *= lit(i, spot, n, nl, strength > 0.0);
 #else
     strength *= i == 0 ? unshadowed : 1.0;
 #endif

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "render/balls.h"
 
@@ -69,29 +70,68 @@ Ball around_all(const Things& things, std::span<const std::uint32_t> casters, Ve
   return all;
 }
 
-// How many pixels a metre at the thing has, and about how large it is in the picture, wherever in it.
-struct Apparent {
-  double pixels, size;
+constexpr double coarse = 6;    // pixels a texel, where it is seen best
+constexpr double minor = 0.2;   // of the largest in the picture: what is smaller does not say how fine a map must be
+constexpr double widest = 2.5;  // the tangent of half the angle that one map of a lamp takes in
+constexpr double side = 1.07;   // of one of six: they lap over
+constexpr std::size_t most_levels = 3;
+
+// A caster, how many pixels a metre has where it is seen best, and about how large it is in the picture, wherever in
+// it.
+struct Seen {
+  std::uint32_t thing = 0;
+  double pixels = 0, size = 0;
 };
-Apparent apparent(const Thing& t, const View& view) {
-  const double r = t.bounds.radius(), away = std::max(length(t.bounds.center - view.eye) - r, 0.5 * r);
-  const double pixels = 0.5 * view.sx * view.width / (view.orthographic ? 1 : away);
-  return {pixels, pixels * r};
+Seen seen(std::uint32_t i, const Things& things) {
+  const Bounds& b = things[i].bounds;
+  const View& view = things.view();
+  const double r = b.radius(), scale = 0.5 * view.sx * view.width;
+  const Vec3 to = view.eye - b.center;
+  const Vec3 out{std::max(std::abs(to.x) - b.half.x, 0.0), std::max(std::abs(to.y) - b.half.y, 0.0),
+                 std::max(std::abs(to.z) - b.half.z, 0.0)};
+  const double away = std::max(length(out), 1e-3 * r);
+  return {i, view.orthographic ? scale : scale / away,
+          view.orthographic ? scale * r : scale * r / std::max(away, 0.5 * r)};
 }
 
-// Of casters by their size all but those that dwarf the rest (grounds and walls), whose own shadows nobody misses; and
-// the ball around them.
-Ball without_grounds(const Things& things, Vec3 anchor, std::vector<std::uint32_t>& by_size) {
-  Ball all;
-  for (std::size_t k = 0; k < by_size.size(); ++k) {
-    const Ball one = ball_of(things[by_size[k]], anchor);
-    if (k > 0 && one.radius > 4 * all.radius) {
-      by_size.resize(k);
-      break;
-    }
-    all = k == 0 ? one : around(all, one);
+// How wide a texel of a light's map is, at worst, at what a ball encloses.
+double texel_of(const Ball& ball, bool sun, Vec3 lamp) {
+  if (sun) return 2 * ball.radius / Shadows::map_size;
+  const double d = length(lamp - ball.center), r = ball.radius;
+  const double tangent = d > r ? std::min(r / std::sqrt(d * d - r * r), widest) : widest;
+  return 2 * tangent / Shadows::map_size * (d + r);
+}
+
+// A box as a thing is turned in space.
+struct Turned {
+  Vec3 center;
+  std::array<Vec3, 3> half;  // from there to the middles of three sides
+  // How far it reaches from its centre, along a direction.
+  double reach(Vec3 a) const {
+    return std::abs(dot(a, half[0])) + std::abs(dot(a, half[1])) + std::abs(dot(a, half[2]));
   }
-  return all;
+};
+Turned turned(const Thing& t, Store& store) {
+  const Form::Realised& plain = t.form->plain(store);
+  const Mat4 m = t.world * plain.local;
+  const Vec3 half = plain.mesh->box.half();
+  return {transform_point(m, plain.mesh->box.middle()),
+          {half.x * column(m, 0), half.y * column(m, 1), half.z * column(m, 2)}};
+}
+
+// Whether a thing is its box, or lies in one plane.
+bool is_plain(const Thing& t, const Turned& box) {
+  if (t.shape->kind == Kind::box && !t.form->blends()) return true;
+  double most = 0, least = INFINITY;
+  for (const Vec3& h : box.half) most = std::max(most, length(h)), least = std::min(least, length(h));
+  return least < 1e-6 * most;
+}
+
+// Whether the shadow of a ball may be in the picture: it goes along the light as far as there is anything to fall on.
+bool shadow_in_view(const View& view, const Ball& from, const Ball& to) {
+  if (view.orthographic) return true;
+  const auto outside = [&](Vec3 n) { return dot(n, from.center) < -from.radius && dot(n, to.center) < -to.radius; };
+  return !outside(-view.backward) && std::none_of(view.side.begin(), view.side.end(), outside);
 }
 
 Mat4 looking(Vec3 from, Vec3 backward) {
@@ -120,99 +160,266 @@ Result<Shadows> Shadows::create() {
   return s;
 }
 
-// One as long as one light casts: all are as large as the first.
+// As many as were ever wanted, in steps: all are as large as the first.
 Status Shadows::make_layers(std::size_t count) {
   if (count <= count_) return Nothing{};
-  auto layers = gl::new_depth_layers(map_size, static_cast<int>(count));
+  std::size_t made = 1;
+  while (made < count) made *= 2;
+  auto layers = gl::new_depth_layers(map_size, static_cast<int>(made));
   if (!layers) return layers.error();
   std::tie(layers_, framebuffer_) = *std::move(layers);
-  count_ = count;
-  for (One& one : all_) one.made.reset();
+  count_ = made;
+  for (One& one : all_)
+    for (Part& part : one.parts) part.stale = true;
   return Nothing{};
 }
 
-// The map's view. Positions are relative to the lamp, or for suns to a place by the middle of what is shown, which
+// A map's view. Positions are relative to the lamp, or for suns to a place by the middle of what is shown, which
 // jumps by steps, so that f32 is enough for what is small and far from the world's origin.
-void Shadows::look(One& one, const Things& things, const Lighting::One& light) const {
-  const Vec3 anchor = one.made->anchor;
-  Ball ball = around_all(things, one.fine, anchor);
-  Map& map = one.map;
-  map.perspective = !light.sun;
+Shadows::Part Shadows::part_of_sun(const Things& things, const Made& light, const Numbers& shown) const {
+  Part part;
+  Ball ball = around_all(things, shown, light.anchor);
+  // Measured and placed in steps, so that edges do not swim while things move about.
+  ball.radius = std::exp2(std::ceil(std::log2(ball.radius) * 4) / 4) * 1.02;
+  part.map.texel = 2 * ball.radius / map_size;
+  Vec3 step = 1 / ball.radius * ball.center;
+  for (int i = 0; i < 3; ++i) step[i] = std::round(step[i]) * ball.radius;
+  part.origin = light.anchor + step;
+  const Mat4 view = looking({0, 0, 0}, light.place);
+  const Vec3 c = transform_point(view, ball.center), shift = transform_point(view, step);
+  double low = c.z - ball.radius, high = c.z + ball.radius;
+  for (const std::uint32_t i : casters_) {
+    const Bounds& b = things[i].bounds;
+    const double z = transform_point(view, b.center - light.anchor).z, r = b.radius();
+    high = std::max(high, z + r), low = std::min(low, z - r);
+  }
   Mat4 projection;
-  if (light.sun) {
-    // Measured and placed in steps, so that edges do not swim while things move about.
-    ball.radius = std::exp2(std::ceil(std::log2(ball.radius) * 4) / 4) * 1.02;
-    map.texel = 2 * ball.radius / map_size;
-    Vec3 step = 1 / ball.radius * ball.center;
-    for (int i = 0; i < 3; ++i) step[i] = std::round(step[i]) * ball.radius;
-    one.origin = anchor + step;
-    const Mat4 view = looking({0, 0, 0}, light.place);
-    const Vec3 c = transform_point(view, ball.center), shift = transform_point(view, step);
-    double low = c.z - ball.radius, high = c.z + ball.radius;
-    for (const std::uint32_t i : casters_) {
-      const Bounds& b = things[i].bounds;
-      const double z = transform_point(view, b.center - anchor).z, r = b.radius();
-      high = std::max(high, z + r), low = std::min(low, z - r);
+  projection(0, 0) = projection(1, 1) = 1 / ball.radius;
+  projection(0, 3) = (shift.x - std::round(c.x / part.map.texel) * part.map.texel) / ball.radius;
+  projection(1, 3) = (shift.y - std::round(c.y / part.map.texel) * part.map.texel) / ball.radius;
+  projection(2, 2) = -2 / (high - low), projection(2, 3) = (high + low - 2 * shift.z) / (high - low);
+  part.map.spread = light.size * 0.5 * (high - low) / ball.radius;
+  part.map.top = (high - c.z - ball.radius) / (high - low);
+  part.clip = projection * view;
+  return part;
+}
+
+namespace {
+
+// What a lamp sees towards a direction: where, how wide, from which distance on.
+struct Cone {
+  Vec3 backward;
+  double tangent = 0, before = 0;
+};
+
+// One that takes in all of them, if one can.
+std::optional<Cone> cone_of(const Things& things, std::span<const std::uint32_t> shown, Vec3 lamp, Vec3 anchor) {
+  const Vec3 back = (lamp - anchor) - around_all(things, shown, anchor).center;
+  Cone cone{normalize(back, {0, 1, 0}), 0, INFINITY};
+  for (const std::uint32_t i : shown) {
+    const Vec3 to = things[i].bounds.center - lamp;
+    const double d = length(to), r = things[i].bounds.radius(), ahead = -dot(to, cone.backward);
+    if (d <= r || ahead <= 0) return std::nullopt;
+    const double angle = std::atan2(std::sqrt(std::max(d * d - ahead * ahead, 0.0)), ahead) + std::asin(r / d);
+    if (angle >= std::atan(widest)) return std::nullopt;
+    cone.tangent = std::max(cone.tangent, std::tan(angle)), cone.before = std::min(cone.before, d - r);
+  }
+  // In steps, so that edges do not swim while things move about.
+  cone.tangent = std::min(std::exp2(std::ceil(std::log2(std::max(cone.tangent, 1e-9)) * 4) / 4) * 1.02, widest);
+  return cone;
+}
+
+// Whether a ball, relative to what a map is drawn from, may be in it, or keep light from what is.
+bool reaches(const Mat4& clip, Vec3 center, double radius) {
+  for (int row = 0; row < 2; ++row)
+    for (const double sign : {-1.0, 1.0}) {
+      const auto at = [&](int c) { return clip(3, c) + sign * clip(row, c); };
+      const Vec3 n{at(0), at(1), at(2)};
+      if (dot(n, center) + at(3) < -radius * length(n)) return false;
     }
-    projection(0, 0) = projection(1, 1) = 1 / ball.radius;
-    projection(0, 3) = (shift.x - std::round(c.x / map.texel) * map.texel) / ball.radius;
-    projection(1, 3) = (shift.y - std::round(c.y / map.texel) * map.texel) / ball.radius;
-    projection(2, 2) = -2 / (high - low), projection(2, 3) = (high + low - 2 * shift.z) / (high - low);
-    map.spread = light.size * 0.5 * (high - low) / ball.radius, map.top = (high - c.z - ball.radius) / (high - low);
-    one.clip = projection * view;
-  } else {
-    one.origin = light.world;
-    const Vec3 back = (light.world - anchor) - ball.center;
-    const double d = std::max(length(back), 1e-9);
-    const double tangent =
-        d > ball.radius ? std::min(ball.radius / std::sqrt(d * d - ball.radius * ball.radius), 2.5) : 2.5;
-    map.texel = 2 * tangent / map_size;
+  return true;
+}
+
+}  // namespace
+
+void Shadows::look(One& one, const Things& things) const {
+  const Made& light = *one.made;
+  one.parts.clear();
+  if (light.sun) {
+    for (const Numbers& shown : one.levels) one.parts.push_back(part_of_sun(things, light, shown));
+    return;
+  }
+  const auto put = [&](const Cone& cone) {
+    Part part;
+    Mat4 projection;
     const double far = std::max(light.range, 1e-6), near = far * 1e-3;
-    projection(0, 0) = projection(1, 1) = 1 / tangent;
+    projection(0, 0) = projection(1, 1) = 1 / cone.tangent;
     projection(2, 2) = -(far + near) / (far - near), projection(2, 3) = -2 * far * near / (far - near);
     projection(3, 2) = -1, projection(3, 3) = 0;
     // What is w away has the depth (1/near - 1/w) / (1/near - 1/far).
-    const double inverse = 1 / near - 1 / far, before = std::clamp(d - ball.radius, near, far);
-    map.spread = light.size * inverse / (2 * tangent), map.top = (1 / near - 1 / before) / inverse;
-    one.clip = projection * looking({0, 0, 0}, normalize(back, {0, 1, 0}));
+    const double inverse = 1 / near - 1 / far;
+    part.map.perspective = true, part.map.texel = 2 * cone.tangent / map_size;
+    part.map.spread = light.size * inverse / (2 * cone.tangent);
+    part.map.top = (1 / near - 1 / std::clamp(cone.before, near, far)) / inverse;
+    part.origin = light.place;
+    part.clip = projection * looking({0, 0, 0}, cone.backward);
+    one.parts.push_back(part);
+  };
+  const Numbers& all = one.levels.back();
+  const std::optional<Cone> around = cone_of(things, all, light.place, light.anchor);
+  for (const Numbers& shown : one.levels)  // if it is finer than what has all
+    if (const auto cone = cone_of(things, shown, light.place, light.anchor);
+        &shown != &all && cone && cone->tangent < 0.6 * (around ? around->tangent : side))
+      put(*cone);
+  if (around) return put(*around);
+  const std::size_t before = one.parts.size();
+  for (const Vec3 back : {Vec3{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}}) {
+    put({back, side, 0});
+    const bool any = std::any_of(all.begin(), all.end(), [&](std::uint32_t i) {
+      const Bounds& b = things[i].bounds;
+      return reaches(one.parts.back().clip, b.center - light.place, b.radius());
+    });
+    if (!any) one.parts.pop_back();
   }
+  if (one.parts.size() <= light.room) return;
+  one.parts.resize(before);
+  const Vec3 back = (light.place - light.anchor) - around_all(things, all, light.anchor).center;
+  put({normalize(back, {0, 1, 0}), widest, 0});
 }
 
-// What the map must show finely: all but grounds; and where the map would be coarse for what is seen best, all but what
-// is small beside it. How large that is which the eye is within, as above a ground, says nothing then: without small
-// things far off it may be seen to dwarf the rest.
-std::vector<std::uint32_t> Shadows::subject(const Things& things, Vec3 anchor) const {
-  std::vector<std::uint32_t> found = by_size_;
-  const Ball all = without_grounds(things, anchor, found);
-  Apparent best{}, outside{};
-  for (const std::uint32_t i : found) {
-    const Apparent a = apparent(things[i], things.view());
-    best = {std::max(best.pixels, a.pixels), std::max(best.size, a.size)};
-    if (length(things[i].bounds.center - things.view().eye) > things[i].bounds.radius())
-      outside.size = std::max(outside.size, a.size);
+// Whether what is plain keeps no light from anything: of a floor or a wall all there is lies on the side that is lit,
+// of a room all there is, and the lamp, are within. What is sunk into a floor up to its middle at most lies on it.
+bool Shadows::casts_on_nothing(Things& things, std::uint32_t i, const Made& light) {
+  const Turned box = turned(things[i], things.store());
+  if (!is_plain(things[i], box)) return false;
+  const double slack = 5e-3 * things[i].bounds.radius();
+  bool room = things[i].closed && !light.sun;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 a = normalize(cross(box.half[(k + 1) % 3], box.half[(k + 2) % 3]), {});
+    const double reach = box.reach(a);
+    double low = INFINITY, high = -INFINITY;
+    for (std::uint32_t j = 0; j < things.all().size(); ++j) {
+      const Bounds& b = things[j].bounds;
+      if (j == i || !things[j].there || !things[j].surface) continue;
+      const double at = dot(a, b.center - box.center);
+      double r = std::abs(a.x) * b.half.x + std::abs(a.y) * b.half.y + std::abs(a.z) * b.half.z;
+      if (b.radius() < 0.25 * things[i].bounds.radius())
+        r = 0;
+      else if (at - r < reach && at + r > -reach)  // as it is turned, it may still lie on one side
+        r = std::min(r, turned(things[j], things.store()).reach(a));
+      low = std::min(low, at - r), high = std::max(high, at + r);
+    }
+    const double floor = std::abs(a.y) > 0.999999 ? -a.y * box.center.y : NAN;
+    if (light.floor) low = std::isnan(floor) ? -INFINITY : std::min(low, floor);
+    if (light.floor) high = std::isnan(floor) ? INFINITY : std::max(high, floor);
+    const double lit = light.sun ? 1e300 * dot(a, light.place) : dot(a, light.place - box.center);
+    if (length(a) > 0 && low >= reach - slack && lit >= reach) return true;
+    if (length(a) > 0 && high <= slack - reach && lit <= -reach) return true;
+    room = room && low >= -reach - slack && high <= reach + slack && std::abs(lit) < reach;
   }
-  constexpr double coarse = 6, small = 0.2;  // pixels a texel; of the largest
-  if (2 * all.radius / map_size * best.pixels <= coarse) return found;
-  const double least = small * (outside.size > 0 ? outside.size : best.size);
-  std::erase_if(found, [&](std::uint32_t i) { return apparent(things[i], things.view()).size < least; });
-  without_grounds(things, anchor, found);
-  return found;
+  return room;
 }
 
-void Shadows::find_casters(const Things& things, Vec3 anchor) {
+// All that may cast on something: large floors, walls and rooms mostly do not, and would make maps coarse.
+Shadows::Numbers Shadows::without_backdrops(Things& things, const Made& light) const {
+  constexpr std::size_t most = 8;
+  Numbers left = casters_;
+  for (std::size_t before = 0; before != left.size() && !left.empty();) {
+    before = left.size();
+    const double all = around_all(things, left, light.anchor).radius;
+    Numbers large;
+    for (const std::uint32_t i : left)
+      if (things[i].bounds.radius() > 0.25 * all) large.push_back(i);
+    if (large.size() > most) break;
+    for (const std::uint32_t i : large)
+      if (casts_on_nothing(things, i, light)) std::erase(left, i);
+  }
+  return left.empty() ? casters_ : left;
+}
+
+// What each of a light's maps must show, the finest first; the last has all. What is minor in the picture says nothing
+// about how fine it must be, nor does what the eye is so near to, or within, that no map would be fine.
+std::vector<Shadows::Numbers> Shadows::levels(Things& things, const Made& light) const {
+  const Vec3 lamp = light.place - light.anchor;
+  const auto is_fine = [&](const Ball& ball, double pixels) {
+    return texel_of(ball, light.sun, lamp) * pixels <= coarse;
+  };
+  const Numbers wanted = without_backdrops(things, light);
+  Numbers all = wanted;
+  std::vector<Seen> major;
+  const auto find_major = [&] {
+    major.clear();
+    double largest = 0;
+    for (const std::uint32_t i : all)
+      if (const Seen s = seen(i, things); is_fine(ball_of(things[i], light.anchor), s.pixels))
+        major.push_back(s), largest = std::max(largest, s.size);
+    std::erase_if(major, [&](const Seen& s) { return s.size < minor * largest; });
+    std::stable_sort(major.begin(), major.end(), [](const Seen& a, const Seen& b) { return a.pixels > b.pixels; });
+  };
+  find_major();
+  if (major.empty() || is_fine(around_all(things, all, light.anchor), major.front().pixels)) return {all};
+  double low = INFINITY;  // along a sun's light
+  if (light.sun)
+    for (const Thing& t : things.all())
+      if (t.there && t.surface)
+        low = std::min(low, dot(t.bounds.center - light.anchor, light.place) - t.bounds.radius());
+  std::erase_if(all, [&](std::uint32_t i) {
+    const Vec3 eye = things.view().eye;
+    const Bounds& b = things[i].bounds;
+    const Ball from{b.center - eye, b.radius()};
+    Ball to = from;
+    if (light.sun) {
+      double far = std::max(dot(b.center - light.anchor, light.place) - low, 0.0);
+      if (light.floor) far = std::max(far, (b.center.y + b.radius()) / std::max(light.place.y, 1e-3));
+      to.center = from.center - far * light.place;
+    } else {
+      const Vec3 way = b.center - light.place;
+      const double d = std::max(length(way), 1e-9), grown = std::max(light.range / d, 1.0);
+      if (d <= b.radius()) return false;
+      to = {from.center + (grown - 1) * way, from.radius * grown};
+    }
+    return !shadow_in_view(things.view(), from, to);
+  });
+  if (all.empty()) return {wanted};
+  find_major();
+  std::vector<Numbers> r;
+  Numbers shown;
+  Ball ball;
+  for (std::size_t k = 0; k < major.size() && r.size() + 1 < most_levels;) {
+    const double pixels = major[k].pixels;
+    for (const std::size_t first = k; k < major.size(); ++k) {
+      const Ball one = ball_of(things[major[k].thing], light.anchor), with = shown.empty() ? one : around(ball, one);
+      if (k > first && !is_fine(with, pixels)) break;
+      ball = with, shown.push_back(major[k].thing);
+    }
+    r.push_back(shown);
+  }
+  // The last stays while the camera turns, where that costs little. A map that is hardly finer than the next is not
+  // worth it.
+  const double everywhere = around_all(things, wanted, light.anchor).radius;
+  if (everywhere <= 1.6 * around_all(things, all, light.anchor).radius) all = wanted;
+  double next = around_all(things, all, light.anchor).radius;
+  for (std::size_t k = r.size(); k-- > 0;) {
+    const double own = around_all(things, r[k], light.anchor).radius;
+    if (own > (k + 1 == r.size() ? 0.8 : 0.4) * next)
+      r.erase(r.begin() + static_cast<std::ptrdiff_t>(k));
+    else
+      next = own;
+  }
+  r.push_back(std::move(all));
+  return r;
+}
+
+void Shadows::find_casters(Things& things, Vec3 anchor) {
   const std::pair now(things.casters(), anchor);
   if (found_ == now) return;
   found_ = now;
   casters_.clear();
   for (std::uint32_t i = 0; i < things.all().size(); ++i)
     if (things[i].casts && length(things[i].bounds.center - anchor) < 1e15) casters_.push_back(i);
-  by_size_ = casters_;
-  std::stable_sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return things[a].bounds.radius() < things[b].bounds.radius();
-  });
 }
 
-std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Lighting::One> casting) {
+std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Lighting::One> casting, bool floor) {
   if (casting.empty()) return {};
   const Vec3 eye = things.view().eye;
   // A whole kilometre by the eye: steps are measured from there, and they stay while the eye moves about.
@@ -220,40 +427,68 @@ std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Li
   for (int i = 0; i < 3; ++i) anchor[i] = 1000 * std::round(eye[i] / 1000);
   find_casters(things, anchor);
   if (casters_.empty()) return {};
-  if (casting.size() > count_ && !make_layers(Lighting::most_casting)) casting = casting.first(count_);
+  std::size_t used = 0;
   for (std::size_t k = 0; k < casting.size(); ++k) {
     const Lighting::One& light = casting[k];
     One& one = all_[k];
-    const Made now{things.casters(), light.sun, light.sun ? light.place : light.world, light.range, light.size, anchor};
+    const std::size_t room = most_maps - used - (casting.size() - 1 - k);  // one is left to each of the others
+    const Made now{things.casters(),
+                   light.sun,
+                   light.sun ? light.place : light.world,
+                   light.range,
+                   light.size,
+                   anchor,
+                   floor,
+                   room};
     const bool others = !one.made || !(*one.made == now);
     one.made = now;
     if (others || things.all_changed()) {
-      std::vector<std::uint32_t> fine = subject(things, anchor);
-      if (others || fine != one.fine) {
-        one.fine = std::move(fine);
-        look(one, things, light);
-        draw(one, k, things, light);
+      std::vector<Numbers> found = levels(things, now);
+      while (found.size() > room) found.erase(found.begin());
+      if (others || found != one.levels) {
+        const std::vector<Part> before = std::exchange(one.parts, {});
+        const std::vector<Numbers> shown = std::exchange(one.levels, std::move(found));
+        look(one, things);
+        // Of a sun each map follows from its own level.
+        for (std::size_t i = 0; light.sun && !others && i < std::min(before.size(), one.parts.size()); ++i)
+          if (shown[i] == one.levels[i]) one.parts[i].stale = before[i].stale;
       }
     }
-    maps_[k] = one.map;
-    maps_[k].clip = one.clip * translation(eye - one.origin);
+    if (one.first != used)
+      for (Part& part : one.parts) part.stale = true;
+    one.first = used, used += one.parts.size();
   }
-  return std::span(maps_).first(casting.size());
+  if (!make_layers(used))
+    while (casting.size() > 1 && used > count_)
+      used = all_[casting.size() - 1].first, casting = casting.first(casting.size() - 1);
+  used = std::min(used, count_);
+  for (std::size_t k = 0; k < casting.size(); ++k) {
+    One& one = all_[k];
+    for (std::size_t i = 0; i < one.parts.size() && one.first + i < used; ++i) {
+      Part& part = one.parts[i];
+      if (std::exchange(part.stale, false)) draw(part, one.first + i, things, *one.made);
+      Map& map = maps_[one.first + i];
+      map = part.map, map.light = k;
+      map.clip = part.clip * translation(eye - part.origin);
+    }
+  }
+  return std::span(maps_).first(used);
 }
 
 // Those that let some light through, or those that let none.
-void Shadows::draw_some(const One& one, Things& things, bool veils) {
+void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   struct Group {
     Batch batch;
     std::vector<Instance> instances;
   };
-  std::map<std::tuple<const StoredMesh*, bool, bool>, Group> groups;
+  std::map<std::tuple<const StoredMesh*, bool, bool, bool>, Group> groups;
   for (const std::uint32_t i : casters_) {
     const Thing& t = things[i];
     if (t.transparent != veils || t.look.transparency >= 0.5) continue;  // what lets half of it through casts none
+    const Vec3 center = t.bounds.center - one.origin;
+    if (!reaches(one.clip, center, t.bounds.radius())) continue;
     Mat4 world = t.world;
     for (int k = 0; k < 3; ++k) world(k, 3) -= one.origin[k];
-    const Vec3 center = t.bounds.center - one.origin;
     const double away = one.map.perspective ? std::max(length(center) - t.size, 0.1 * t.size) : 1;
     const double texels = t.size / (away * one.map.texel);
     const bool ball = t.round && (!one.map.perspective || length(center) > 2 * t.bounds.radius());
@@ -266,7 +501,9 @@ void Shadows::draw_some(const One& one, Things& things, bool veils) {
       const Form::Realised& cast = t.form->at(Detail::for_pixels(0.4 * texels), things.store());
       mesh = cast.mesh.get(), local = cast.local;
     }
-    Group& g = groups[{mesh, t.mirrored, t.closed}];
+    const bool within = one.map.perspective && length(center) <= t.bounds.radius();
+    const bool far = t.closed && !ball && (t.shape->kind != Kind::box || t.form->blends() || within);
+    Group& g = groups[{mesh, t.mirrored, t.closed, far}];
     g.batch = {mesh, nullptr, t.mirrored, t.closed, ball, false, 0, g.batch.count + 1};
     g.instances.push_back(instance_of(t, world * local));
   }
@@ -278,11 +515,17 @@ void Shadows::draw_some(const One& one, Things& things, bool veils) {
   instances_.set(std::move(all));
   for (const auto& [key, g] : groups) {
     glUseProgram(veils ? veils_.id() : g.batch.ball ? balls_.id() : meshes_.id());
+    // What is closed casts by its far side: what faces the light is never in its own shadow, however few triangles it
+    // has. No light may leak in where that stands on something, so it is not pushed away. Boxes, which are exact, cast
+    // by the near one: nothing leaks at all.
+    const bool far = std::get<3>(key);
+    glCullFace(far ? GL_FRONT : GL_BACK);
+    (far ? glDisable : glEnable)(GL_POLYGON_OFFSET_FILL);
     draw_triangles(g.batch, instances_, false);
   }
 }
 
-void Shadows::draw(One& one, std::size_t layer, Things& things, const Lighting::One& light) {
+void Shadows::draw(const Part& one, std::size_t layer, Things& things, const Made& light) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, layers_.id(), 0, static_cast<GLint>(layer));
   glViewport(0, 0, map_size, map_size);
@@ -298,9 +541,7 @@ void Shadows::draw(One& one, std::size_t layer, Things& things, const Lighting::
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.5F, 2.0F);
-  glCullFace(GL_FRONT);  // closed things cast by their far side: what faces the light is never in its own shadow
+  glPolygonOffset(1.0F, 2.0F);
   for (const bool veils : {false, true}) draw_some(one, things, veils);
   glCullFace(GL_BACK);
   glDisable(GL_POLYGON_OFFSET_FILL);

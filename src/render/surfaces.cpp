@@ -37,7 +37,7 @@ std::array<float, 2 * shadow_seeds> sunflower() {
 
 // Whether what the simple programs can is not enough.
 bool is_rich(const Surfaces::Circumstances& frame) {
-  return frame.shadows.size() > 1 || (!frame.shadows.empty() && frame.shadows.front().spread > 0) ||
+  return (!frame.shadows.empty() && (frame.shadows.back().light > 0 || frame.shadows.front().spread > 0)) ||
          (frame.metal && (frame.around.sky || frame.around.ground));
 }
 
@@ -58,8 +58,10 @@ Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const
       fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
   auto program = gl::new_program(
       vertex, std::string(encoded_function) + surface_fragment,
-      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n{}{}{}{}", shadow_taps, shadow_seeds,
-                  (variant & rich) != 0 ? Lighting::most_casting : 1, (variant & rich) != 0 ? "#define RICH\n" : "",
+      fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n{}{}{}{}{}", shadow_taps,
+                  shadow_seeds, (variant & rich) != 0 ? Lighting::most_casting : 1,
+                  (variant & (rich | levels)) != 0 ? Shadows::most_maps : 1,
+                  (variant & rich) != 0 ? "#define RICH\n" : "", (variant & levels) != 0 ? "#define LEVELS\n" : "",
                   (variant & contact) != 0 ? "#define RECEIVES\n" : "", open_ ? "#define OPEN\n" : "", defines));
   if (!program) return program.error();
   Look look;
@@ -127,18 +129,22 @@ void Surfaces::set_program(const Look& look, const Circumstances& frame) {
 void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   // Without a shadow nothing is before the light.
-  std::array<std::array<float, 16>, Lighting::most_casting> clips{};
-  std::array<std::array<float, 4>, Lighting::most_casting> shapes{};
+  std::array<std::array<float, 16>, Shadows::most_maps> clips{};
+  std::array<std::array<float, 4>, Shadows::most_maps> shapes{};
+  std::array<GLint, Lighting::most_casting> ends{};
   for (std::size_t i = 0; i < frame.shadows.size(); ++i) {
     const Shadows::Map& map = frame.shadows[i];
-    const double texel = 2 * map.texel;
     clips[i] = to_float(map.clip);
-    shapes[i] = four({map.perspective ? 0 : texel, map.perspective ? texel : 0, map.spread}, map.top);
+    shapes[i] = four({map.perspective ? 0 : map.texel, map.perspective ? map.texel : 0, map.spread}, map.top);
+    ends[map.light] = static_cast<GLint>(i + 1);
   }
+  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] = std::max(ends[i], ends[i - 1]);
+  const std::size_t casting = frame.shadows.empty() ? 0 : frame.shadows.back().light + 1;
   const auto count = static_cast<GLsizei>(std::max<std::size_t>(frame.shadows.size(), 1));
   glUniformMatrix4fv(at("shadow_clip"), count, GL_FALSE, clips.front().data());
   glUniform4fv(at("shadow_shape"), count, shapes.front().data());
-  glUniform1i(at("casting"), static_cast<GLint>(frame.shadows.size()));
+  glUniform1i(at("casting"), static_cast<GLint>(casting));
+  if (casting > 0) glUniform1iv(at("shadow_end"), static_cast<GLsizei>(casting), ends.data());
   glUniform1f(at("shadow_step"), shadow_step / Shadows::map_size);
 }
 
@@ -164,7 +170,8 @@ bool Surfaces::use(std::size_t variant) {
 
 void Surfaces::set(const Circumstances& frame) {
   const std::size_t received = frame.contact ? contact : 0;
-  if (!use(received | (is_rich(frame) ? rich : 0)) && !use(received)) use(0);  // of what they can
+  const std::size_t wanted = is_rich(frame) ? rich : frame.shadows.size() > 1 ? levels : 0;
+  if (!use(received | wanted) && !use(received)) use(0);  // of what they can
   for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
     set_program(*look, frame);
     if ((variant_ & rich) != 0) set_mirrored(*look, frame);

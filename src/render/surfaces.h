@@ -52,9 +52,9 @@ class Surfaces {
   static void set_program(const Look&, const Circumstances&);
   static void set_shadows(const Look&, const Circumstances&);
   static void set_mirrored(const Look&, const Circumstances&);
-  static constexpr std::size_t rich = 1,
-                               contact = 2;  // what a variant can, beside the simple ones; all made when wanted
-  std::array<std::optional<Looks>, 4> variants_;
+  // What a variant can, beside the simple ones; all made when wanted. `levels`: one light, hard, has several maps.
+  static constexpr std::size_t rich = 1, contact = 2, levels = 4;
+  std::array<std::optional<Looks>, 8> variants_;
   std::size_t variant_ = 0;  // which of them is set
   gl::Sampler depths_;
   Instances solid_, glass_;

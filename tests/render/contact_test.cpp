@@ -151,6 +151,25 @@ TEST(RenderContact, ABoxDarkensTheFloorFromItsEdgeToAsFarAsItReaches) {
     for (int x = 0; x < 400; ++x) ASSERT_EQ(pixel(p, x, y), pixel(plain, x, y)) << x << " " << y;
 }
 
+// The floor goes on behind all that is on it, where depths end: that is no wall.
+TEST(RenderContact, NoLineAcrossTheFloorTowardsTheHorizon) {
+  for (const double height : {0.4, 1.5, 5.0})
+    for (const bool orthographic : {false, true}) {
+      Frame f = evenly_lit();
+      f.camera.world = look_at({1, height, 5}, {0.5, 0.6, 0}), f.camera.fov = 0.9;
+      f.camera.orthographic = orthographic, f.camera.height = 4;
+      f.surroundings.ground = Vec3{0.5, 0.5, 0.5};
+      f.items = {item(sphere(0.5), translation({0.5, 0.5, 0}), {0.8, 0.8, 0.8}, Material::matte)};
+      const RenderOptions options{1280, 720, 1, "shaded"};
+      const Picture p = draw(f, options), plain = draw(without(f), options);
+      int most = 0;
+      for (int y = 0; y < p.height; ++y)
+        for (const int x : {5, 100, 250, 1030, 1180, 1275})
+          most = std::max(most, std::abs(pixel(p, x, y).r - pixel(plain, x, y).r));
+      EXPECT_LE(most, 1) << height << orthographic;
+    }
+}
+
 Frame ball_on_floor() {
   Frame f = evenly_lit();
   f.camera.world = look_at({0, 3, 8}, {0, 0.7, 0});

@@ -3,7 +3,9 @@
 //
 // Shadows are fine where one looks, several lights cast them, and soft ones are as wide as closed forms say.
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <random>
 
 #include "render/scenes.h"
 
@@ -235,6 +237,195 @@ TEST(RenderShadow, SoftOnesAreCrispWhereThingsTouch) {
   };
   EXPECT_LE(between(0.1), 5);
   EXPECT_GT(between(1.2), between(0.1) + 3);
+}
+
+// What can be seen of the light, by another route: whether the sun meets any of these balls and boxes along the axes.
+struct Solid {
+  Vec3 center, half;
+  bool ball;
+};
+bool in_shadow(Vec3 p, Vec3 to_sun, const std::vector<Solid>& solids, double grown) {
+  return std::any_of(solids.begin(), solids.end(), [&](const Solid& s) {
+    const Vec3 c = s.center - p;
+    if (s.ball) {
+      const double r = s.half.x + grown, along = dot(c, to_sun);
+      return r > 0 && along > -r && dot(c, c) - along * along < r * r;
+    }
+    if (std::min({s.half.x, s.half.y, s.half.z}) + grown <= 0) return false;
+    double from = 0, to = INFINITY;
+    for (int i = 0; i < 3; ++i) {
+      const double h = s.half[i] + grown, a = (c[i] - h) / to_sun[i], b = (c[i] + h) / to_sun[i];
+      from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+    }
+    return from < to;
+  });
+}
+std::shared_ptr<const Shape> box(Vec3 size) {
+  auto shape = std::make_shared<Shape>();
+  shape->kind = Kind::box, shape->size = size;
+  return shape;
+}
+Item item_of(const Solid& s) {
+  return item(s.ball ? sphere(s.half.x) : box(2 * s.half), translation(s.center), {0.02, 0.02, 0.02}, Material::matte);
+}
+
+// A ground, things that stand on it, a sun.
+Frame standing(const std::vector<Solid>& solids, Vec3 to_sun, Vec3 eye, Vec3 target) {
+  Frame f;
+  f.camera.world = look_at(eye, target), f.camera.fov = 0.9;
+  f.background = Vec3{}, f.surroundings.ambient = Vec3{}, f.surroundings.ground = Vec3{0.5, 0.5, 0.5};
+  for (const Solid& s : solids) f.items.push_back(item_of(s));
+  f.lights = {sun(-to_sun, Casting::on)};
+  return f;
+}
+
+// Where a pixel's line of sight meets the ground; nothing where a solid is before that, or nearly, or where it is far.
+std::optional<Vec3> on_ground(const Frame& f, const RenderOptions& o, int x, int y, const std::vector<Solid>& solids) {
+  const double scale = 2 * std::tan(f.camera.fov / 2) / o.width;
+  const Vec3 way =
+      transform_vector(f.camera.world, {(x + 0.5 - o.width / 2.0) * scale, (o.height / 2.0 - y - 0.5) * scale, -1});
+  const Vec3 eye = translation_of(f.camera.world);
+  if (way.y > -0.15) return {};
+  const Vec3 spot = eye + -eye.y / way.y * way;
+  const double pixel = scale * length(spot - eye);
+  if (in_shadow(eye, normalize(way), solids, 2 * pixel)) return {};
+  return spot;
+}
+
+// Of the pixels that show the ground: how many there are, and how many are not lit as they must be, but for those
+// `slack` metres from where a shadow ends.
+struct Found {
+  int dark = 0, lit = 0, wrong = 0;
+};
+Found compared(const Frame& f, const std::vector<Solid>& solids, Vec3 to_sun, double slack,
+               const RenderOptions& options) {
+  const Picture p = draw(f, options);
+  const double all = sent(f.lights.front());
+  Found r;
+  for (int y = 0; y < p.height; ++y)
+    for (int x = 0; x < p.width; ++x) {
+      const auto spot = on_ground(f, options, x, y, solids);
+      if (!spot) continue;
+      const bool dark = in_shadow(*spot, to_sun, solids, -slack);
+      if (!dark && in_shadow(*spot, to_sun, solids, slack)) continue;
+      const bool is = linear(pixel(p, x, y)) < 0.5 * all;
+      ++(dark ? r.dark : r.lit), r.wrong += is != dark;
+    }
+  return r;
+}
+
+// Of each thing, whatever the size of the others: from a thousandth of the largest on.
+TEST(RenderShadow, AllCastHoweverSmallOthersAre) {
+  const RenderOptions options{320, 180, 4, "shaded"};
+  std::mt19937 random(7);
+  const auto any = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
+  for (const double unit : {0.01, 1.0, 1000.0})
+    for (int turn = 0; turn < 6; ++turn) {
+      std::vector<Solid> solids;
+      for (const Vec3 c : {Vec3{0, 1, 0}, {2.5, 0.7, -1}, {-2, 0.5, 1}})
+        solids.push_back({unit * c, unit * c.y * Vec3{1, 1, 1}, turn % 2 == 0 || c.x == 0});
+      for (int k = 0; k < 1 + turn % 3; ++k) {
+        const double r = std::pow(10.0, any(-3, -0.7));
+        solids.push_back(
+            {unit * Vec3{any(-3, 3), r + any(0, 3), any(-2, 2)}, unit * r * Vec3{1, 1, 1}, any(0, 1) < 0.5});
+      }
+      const Vec3 to_sun = normalize(Vec3{any(-1, 1), any(0.8, 2), any(-1, 0.5)});
+      const Frame f = standing(solids, to_sun, unit * Vec3{1, 4, 8}, unit * Vec3{0, 0.5, 0});
+      const Found found = compared(f, solids, to_sun, 0.07 * unit, options);
+      EXPECT_GT(found.dark, 300) << unit << ' ' << turn;
+      EXPECT_LE(found.wrong, 5) << unit << ' ' << turn << " of " << found.dark << " and " << found.lit;
+    }
+}
+
+// A street of houses up to a kilometre away, and who stands near the eye with a nail's head beside.
+TEST(RenderShadow, WhatIsNearAndWhatIsFarCastTogether) {
+  const RenderOptions options{640, 360, 4, "shaded"};
+  std::vector<Solid> solids = {{{0.5, 0.9, 0}, {0.25, 0.9, 0.2}, false}, {{-0.7, 0.02, 1}, {0.02, 0.02, 0.02}, true}};
+  for (const double z : {-15, -40, -100, -250, -500, -1000})
+    solids.push_back({{14, 4, z}, {4, 4, 4}, false}), solids.push_back({{-14, 4, z}, {4, 4, 4}, false});
+  const Vec3 to_sun = normalize(Vec3{-1, 1, 0.2});
+  const Frame f = standing(solids, to_sun, {0, 3, 5}, {0, 0, -6});
+  const std::vector<Solid> near(solids.begin(), solids.begin() + 2);
+  const Found found = compared(f, solids, to_sun, 0.3, options),
+              fine = compared(f, near, to_sun, 0.03, {640, 360, 4, "shaded"});
+  EXPECT_GT(found.dark, 3000);
+  EXPECT_LE(found.wrong, 20);
+  EXPECT_GT(fine.dark, 500);
+  Frame alone = f;
+  alone.items.resize(2);
+  EXPECT_LE(compared(alone, near, to_sun, 0.02, options).wrong, 5);
+}
+
+// The sun's shadow of what was there before stays where it was while a small thing flies about, near the eye and far.
+TEST(RenderShadow, WhatIsSmallAndMovesDoesNotStirOthers) {
+  const RenderOptions options{320, 180, 4, "shaded"};
+  const std::vector<Solid> solids = {{{0, 1, 0}, {1, 1, 1}, true}, {{2.5, 0.5, -1}, {0.5, 0.5, 0.5}, false}};
+  const Vec3 to_sun = normalize(Vec3{-0.6, 1, 0.3});
+  const Frame plain = standing(solids, to_sun, {1, 3, 7}, {0.7, 0.5, 0});
+  const Picture before = draw(plain, options);
+  const auto keeping = renderer(options);
+  for (int k = 0; k < 12; ++k) {
+    std::vector<Solid> with = solids;
+    with.push_back({Vec3{1, 3, 7} + 0.4 * (k + 1) * Vec3{-0.15, -0.27 + 0.03 * k, -0.95}, {0.01, 0.01, 0.01}, true});
+    Frame f = standing(with, to_sun, {1, 3, 7}, {0.7, 0.5, 0});
+    Picture p;
+    ASSERT_TRUE(keeping->render(f, p));
+    int others = 0;
+    for (int y = 0; y < p.height; ++y)
+      for (int x = 0; x < p.width; ++x) {
+        const auto spot = on_ground(f, options, x, y, with);
+        if (!spot || in_shadow(*spot, to_sun, {with.back()}, 0.05)) continue;
+        others += std::abs(pixel(p, x, y).g - pixel(before, x, y).g) > 90;
+      }
+    EXPECT_LE(others, 10) << k;  // of thousands, where edges are
+  }
+}
+
+// Where a box stands, its shaded side and its shadow are dark, and no line of light is between them.
+TEST(RenderShadow, NoLightLeaksInBetweenABoxAndItsShadow) {
+  for (const Vec3 to_sun : {Vec3{-0.6, 1, -0.8}, {0.2, 2, -1}, {0.5, 0.5, -0.5}})
+    for (const double size : {0.1, 1.0, 30.0}) {
+      Frame f = standing({{size * Vec3{0, 0.5, 0}, size * Vec3{0.5, 0.5, 0.5}, false}}, normalize(to_sun),
+                         size * Vec3{0.3, 1.5, 5}, size * Vec3{0, 0.4, 0});
+      f.items.push_back(item(sphere(0.01 * size), translation(size * Vec3{-3, 2, -3}), {0.5, 0.5, 0.5}));
+      const Picture p = draw(f, {1280, 720, 4, "shaded"});
+      const Mat4 to_eye = *inverse(f.camera.world);
+      int light = 0;
+      for (double x = -0.4; x < 0.4; x += 0.005) {
+        const Vec3 e = transform_point(to_eye, size * Vec3{x, 0, 0.5});
+        const double scale = 640 / std::tan(f.camera.fov / 2) / -e.z;
+        const int px = static_cast<int>(640 + scale * e.x), py = static_cast<int>(360 - scale * e.y);
+        for (int y = py - 4; y <= py + 4; ++y) light += pixel(p, px, y).g > 30;
+      }
+      EXPECT_EQ(light, 0) << size << ' ' << to_sun.y;
+    }
+}
+
+// A lamp in the midst of a ring of balls: each has a shadow behind it, whichever way that is.
+TEST(RenderShadow, ALampAmidThingsCastsAllAround) {
+  for (const Casting casting : {Casting::on, Casting::soft})
+    for (const double unit : {0.01, 1.0, 1000.0}) {
+      Frame f = from_above(16 * unit);
+      f.camera.world = translation({0, 20 * unit, 0}) * rotation(axis_angle({1, 0, 0}, -pi / 2));
+      f.items[0].world = rotation(axis_angle({1, 0, 0}, -pi / 2)) * scaling({60 * unit, 60 * unit, 1});
+      const int count = 9;
+      const auto at = [&](double k, double away) {
+        return Vec3{away * std::cos(2 * pi * k / count), 0, away * std::sin(2 * pi * k / count)};
+      };
+      for (int k = 0; k < count; ++k)
+        f.items.push_back(
+            item(sphere(0.4 * unit), translation(unit * (at(k, 3) + Vec3{0, 0.4, 0})), {1, 1, 1}, Material::matte));
+      f.items.push_back(item(sphere(0.01 * unit), translation(unit * Vec3{1, 0.5, 1}), {1, 1, 1}, Material::matte));
+      f.lights = {lamp({0, 1.2 * unit, 0}, 12 * unit)};
+      f.lights[0].casting = casting;
+      const Picture p = draw(f, {400, 400, 4, "shaded"});
+      for (int k = 0; k < count; ++k) {
+        const Vec3 behind = unit * at(k, 3.7), between = unit * at(k + 0.5, 3.7);
+        EXPECT_LT(seen_from_above(p, 16 * unit, behind.x, behind.z),
+                  0.2 * seen_from_above(p, 16 * unit, between.x, between.z))
+            << k << ' ' << unit;
+      }
+    }
 }
 
 // The same bits, whatever was drawn before.
