@@ -29,7 +29,7 @@ constexpr std::size_t most_numbers = 20'000'000;  // of outlines that change: a 
 struct SeenThen {
   Time time;
   std::shared_ptr<const PlanarDrawn> drawn;  // null: nothing is seen
-  bool jumps = false;                        // what was before does not go on to it
+  bool jumps = false;                        // it may jump to it from the look before, which is just before
 };
 using PlanarLooks = std::vector<SeenThen>;
 
@@ -107,7 +107,7 @@ class PlanarWatch {
   // What stayed as it was goes on from the time before.
   void put(Watched& w, SeenThen l) {
     if (w.looks.empty() && l.time > options_.from) w.looks.push_back({options_.from, nullptr, true});
-    if (!w.looks.empty() && w.looks.back().time < before_ && !l.jumps)
+    if (!w.looks.empty() && w.looks.back().time < before_)
       w.looks.push_back({before_, w.looks.back().drawn, false});
     if (l.drawn) numbers_ += l.drawn->numbers();
     w.looks.push_back(std::move(l));
@@ -130,7 +130,7 @@ template <class Off>
 std::vector<PlanarKey> needed(const PlanarLooks& looks, double tolerance, Off off) {
   constexpr std::size_t longest = 100;
   const auto straight = [&](std::size_t a, std::size_t b) {
-    if (looks[b].jumps || b - a > longest) return false;
+    if ((looks[b].jumps && b == a + 1) || b - a > longest) return false;
     for (std::size_t k = a + 1; k <= b; ++k)
       if (const double o = off(a, k, b); o < 0 || o > tolerance) return false;
     return true;
@@ -150,6 +150,24 @@ double share_between(const PlanarLooks& looks, std::size_t a, std::size_t k, std
 
 using Parts = std::vector<DrawnPart> PlanarDrawn::*;
 
+bool same(const PlanarForm& a, const PlanarForm& b) {
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const DrawnPart& p, const DrawnPart& q) { return p.closed == q.closed && p.points == q.points; });
+}
+// Of what stays as it is only the beginning is said, and its end where it goes on to something else.
+void thin_out(PlanarForms& forms) {
+  PlanarForms kept;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (!kept.empty() && same(kept.back(), forms[i])) {
+      kept.back().goes_on = false;
+      const bool leaves = forms[i].goes_on && i + 1 < forms.size() && !same(forms[i], forms[i + 1]);
+      if (!leaves) continue;
+    }
+    kept.push_back(std::move(forms[i]));
+  }
+  forms = std::move(kept);
+}
+
 // The contours that are `parts` of what is drawn.
 PlanarForms forms_of(const PlanarLooks& looks, Parts parts, double tolerance) {
   const auto off = [&](std::size_t a, std::size_t k, std::size_t b) -> double {
@@ -164,23 +182,9 @@ PlanarForms forms_of(const PlanarLooks& looks, Parts parts, double tolerance) {
     PlanarForm form{looks[s.look].time, s.goes_on, {}};
     if (looks[s.look].drawn) form.parts = (*looks[s.look].drawn).*parts;
     any = any || !form.parts.empty();
-    const auto equal = [](const DrawnPart& a, const DrawnPart& b) {
-      return a.closed == b.closed && a.points == b.points;
-    };
-    const auto as = [&](const PlanarForm& f) {
-      return std::equal(f.parts.begin(), f.parts.end(), form.parts.begin(), form.parts.end(), equal);
-    };
-    // What neither leaves nor comes is one.
-    if (!out.empty() && as(out.back())) {
-      const bool stays = !out.back().goes_on || (out.size() > 1 && !out[out.size() - 2].goes_on);
-      if (stays && !s.goes_on) {
-        out.back().goes_on = false;
-        continue;
-      }
-      out.back().goes_on = false;
-    }
     out.push_back(std::move(form));
   }
+  thin_out(out);
   return any ? out : PlanarForms{};
 }
 

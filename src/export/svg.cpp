@@ -56,8 +56,11 @@ class SvgMaker {
   }
 
  private:
+  // Browsers count in whole microseconds, and who asks for a frame's time means what begins with it.
   double share(Time t) const {
-    return seconds_ > 0 ? std::clamp((t - options_.from).seconds() / seconds_, 0.0, 1.0) : 0;
+    constexpr double a_moment = 1.5e-6;
+    if (t >= options_.until) return seconds_ > 0 ? 1 : 0;
+    return seconds_ > 0 ? std::clamp(((t - options_.from).seconds() - a_moment) / seconds_, 0.0, 1.0) : 0;
   }
 
   void add_background(int width, int height, std::string& out) const {
