@@ -3,12 +3,16 @@
 //
 // A flat film as Lottie: a layer with its shape for each object, below layers without one where it takes several to
 // say what moves it. Each number has curves of its own.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <map>
 
+#include "export/fit.h"
 #include "export/formats.h"
 #include "export/json.h"
 #include "export/planar_look.h"
+#include "export/seen.h"
 #include "track/track.h"
 
 namespace betwixt {
@@ -35,6 +39,10 @@ class LottieMaker {
     }
     for (const PlanarPlace& place : film->order) {
       const PlanarThing& thing = film->things[place.thing];
+      if (place.first && !thing.look.stroked.empty() && stretched(thing.motion.steps))
+        leave_out(made_, fmt::format(
+                             "the stroke of '{}' is stretched with it: lottie-web draws it so, rlottie draws it evenly",
+                             program_.document().name(thing.motion.id)));
       for (Json& layer : layers_of(thing, place.shown)) back_to_front.push_back(std::move(layer));
     }
     // The first layer is in front.
@@ -130,6 +138,20 @@ class LottieMaker {
     return ks;
   }
 
+  // More along one axis than along the other, at some time.
+  bool stretched(const std::vector<PlanarStep>& steps) const {
+    for (int i = 0; i <= 64; ++i) {
+      const Time t{options_.from.flicks + (options_.until - options_.from).flicks / 64 * i};
+      double x = 1, y = 1;
+      for (const PlanarStep& s : steps) {
+        if (s.what == PlanarStep::grow_x) x *= value_at(s.curves, t);
+        if (s.what == PlanarStep::grow_y) y *= value_at(s.curves, t);
+      }
+      if (std::abs(x - y) > 0.02 * std::max(std::abs(x), std::abs(y))) return true;
+    }
+    return false;
+  }
+
   // Layers that move as the steps say, the outermost one first; all but it hang on the one before, and it on `above`
   // (0: on the picture). The last one draws, unless all of them only move.
   std::vector<Json> layers(const std::vector<PlanarStep>& steps, const std::string& name, int above, bool move_only) {
@@ -211,7 +233,8 @@ class LottieMaker {
       }
       items.push_back({{"ty", "sh"}, {"ks", {{"a", 1}, {"k", std::move(keys)}}}});
     }
-    if (forms.size() > 1) ++made_.channels, made_.keys += forms.size(), made_.baked += static_cast<std::size_t>(frames_);
+    if (forms.size() > 1)
+      ++made_.channels, made_.keys += forms.size(), made_.baked += static_cast<std::size_t>(frames_);
   }
   // Where what is drawn has parts at some times only, it is a group that is seen then: the points that stand for
   // nothing would have round ends.
@@ -219,7 +242,8 @@ class LottieMaker {
     Channel out{1, false, {}};
     for (std::size_t k = 0; k < forms.size(); ++k) {
       const double v = forms[k].parts.empty() ? 0 : 1;
-      const Time from = k == 0 ? options_.from : forms[k].from, until = k + 1 < forms.size() ? forms[k + 1].from : options_.until;
+      const Time from = k == 0 ? options_.from : forms[k].from,
+                 until = k + 1 < forms.size() ? forms[k + 1].from : options_.until;
       if (!out.pieces.empty() && out.pieces.back().begin[0] == v)
         out.pieces.back().until = until;
       else
@@ -308,13 +332,17 @@ class LottieMaker {
         for (const double v : {static_cast<double>(i) / static_cast<double>(stops.size() - 1), c.r, c.g, c.b})
           all.push_back(v);
       }
-      fill = {{"ty", "gf"},        {"o", still(100)},   {"r", 1},
-              {"t", 1},            {"s", still({0, 0})}, {"e", still({0, h})},
+      fill = {{"ty", "gf"},
+              {"o", still(100)},
+              {"r", 1},
+              {"t", 1},
+              {"s", still({0, 0})},
+              {"e", still({0, h})},
               {"g", {{"p", stops.size()}, {"k", still(all)}}}};
     }
     const DrawnPart whole{{{0, 0, 0}, {w / pixels_, 0, 0}, {w / pixels_, -h / pixels_, 0}, {0, -h / pixels_, 0}}, true};
-    layer["shapes"] = Json::array(
-        {group(Json::array({{{"ty", "sh"}, {"ks", still(path(&whole, 4))}}, std::move(fill)}))});
+    layer["shapes"] =
+        Json::array({group(Json::array({{{"ty", "sh"}, {"ks", still(path(&whole, 4))}}, std::move(fill)}))});
     return layer;
   }
 

@@ -123,8 +123,9 @@ bool same_parts(const std::vector<DrawnPart>& a, const std::vector<DrawnPart>& b
   });
 }
 bool equal_parts(const std::vector<DrawnPart>& a, const std::vector<DrawnPart>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const DrawnPart& p, const DrawnPart& q) { return p.closed == q.closed && p.points == q.points; });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DrawnPart& p, const DrawnPart& q) {
+    return p.closed == q.closed && p.points == q.points;
+  });
 }
 double most_off(const std::vector<DrawnPart>& a, const std::vector<DrawnPart>& b, double s,
                 const std::vector<DrawnPart>& there) {
@@ -169,7 +170,8 @@ std::optional<PlanarDrawn> drawn_of(const std::shared_ptr<const Shape>& shape,
       mixed = sum_of(std::array{ShapeShare{shape.get(), 1 - blend}, ShapeShare{toward.get(), blend}}), s = &mixed;
     } else if (has_outline(*shape) && has_outline(*toward)) {
       const double share = std::clamp(blend, 0.0, 1.0);
-      flat = FlatDrawn{contours_between(*shape, *toward, share).contours, between(pen_of(*shape), pen_of(*toward), share)};
+      flat =
+          FlatDrawn{contours_between(*shape, *toward, share).contours, between(pen_of(*shape), pen_of(*toward), share)};
     } else if (blend >= 1) {
       s = toward.get();
     }

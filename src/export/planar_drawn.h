@@ -26,8 +26,8 @@ struct PlanarDrawn {
   std::size_t numbers() const;
 };
 
-// In the shape's own space; with a matrix, as that shows it from the front. None: it is no flat thing, and no body whose
-// outline is known.
+// In the shape's own space; with a matrix, as that shows it from the front. None: it is no flat thing, and no body
+// whose outline is known.
 std::optional<PlanarDrawn> drawn_of(const std::shared_ptr<const Shape>&, const std::shared_ptr<const Shape>& toward,
                                     double blend, const Mat4* seen_by = nullptr);
 void carry(PlanarDrawn&, const Mat4&);

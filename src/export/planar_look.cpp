@@ -7,14 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_map>
 
-#include "betwixt/evaluation.h"
 #include "betwixt/object.h"
-#include "betwixt/pose.h"
 #include "export/fit.h"
-#include "export/planar_drawn.h"
-#include "export/planar_order.h"
+#include "export/joined_lines.h"
+#include "export/planar_watch.h"
 #include "export/seen.h"
 #include "scene/functions.h"
 #include "scene/kinds.h"
@@ -22,103 +19,6 @@
 
 namespace betwixt {
 namespace {
-
-constexpr std::size_t most_numbers = 20'000'000;  // of outlines that change: a file of some 200 MB
-
-// What is drawn of one object, as it was looked at: again where anything of it changes.
-struct SeenThen {
-  Time time;
-  std::shared_ptr<const PlanarDrawn> drawn;  // null: nothing is seen
-  bool jumps = false;                        // it may jump to it from the look before, which is just before
-};
-using PlanarLooks = std::vector<SeenThen>;
-
-struct Watched {
-  bool turns_out = false;  // it is drawn as it is seen, and so does not move
-  ObjectId paper;          // what it is drawn on
-  PlanarLooks looks;
-  PlanarDepths depths;
-  bool textured = false;
-  std::string no_drawing;  // "a torus": why there is none
-  // When something of it was seen to change last, and what it was then.
-  std::shared_ptr<const Shape> shape, toward;
-  double blend = 0;
-};
-
-class PlanarWatch {
- public:
-  PlanarWatch(const Program& program, const ExportOptions& options) : program_(program), options_(options) {}
-
-  void add(ObjectId id, bool turns_out) {
-    Watched& w = all_[id.index];
-    w.turns_out = turns_out, w.paper = drawn_within(program_, id, options_.from);
-  }
-  Watched& of(ObjectId id) { return all_[id.index]; }
-
-  Status run() {
-    Evaluation e(program_);
-    const std::vector<Time> times = looks_of(program_, options_.from, options_.until);
-    const std::vector<Time> breaks = program_.breaks(options_.from, options_.until);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      if (options_.keys.go_on && i % 16 == 0 &&
-          !options_.keys.go_on(static_cast<double>(i) / static_cast<double>(times.size())))
-        return fail(ErrorCode::machine, "stopped");
-      const bool jumps = i > 0 && std::binary_search(breaks.begin(), breaks.end(), times[i]);
-      if (jumps && times[i].flicks - 1 > times[i - 1].flicks) look(e, {times[i].flicks - 1}, false);
-      look(e, times[i], jumps);
-      if (numbers_ > most_numbers)
-        return fail(ErrorCode::range,
-                    fmt::format("outlines that change take more than {} million numbers", most_numbers / 1'000'000),
-                    "fewer frames: --frames 1f..24f; or name the objects that are wanted");
-    }
-    return Nothing{};
-  }
-
- private:
-  void look(Evaluation& e, Time t, bool jumps) {
-    e.to(t);
-    for (const std::uint32_t i : e.changed()) {
-      const auto found = all_.find(e.drawables()[i].index);
-      if (found != all_.end()) look(e, i, found->second, jumps);
-    }
-    before_ = t;
-  }
-  void look(Evaluation& e, std::uint32_t i, Watched& w, bool jumps) {
-    const Evaluation::Look& l = e.looks()[i];
-    if (!l.visible) {
-      if (!w.looks.empty() && w.looks.back().drawn) put(w, {e.time(), nullptr, true});
-      return betwixt::put(w.depths, e.time(), {});
-    }
-    const Mat4& world = e.worlds()[i];
-    const std::shared_ptr<const Shape>& shape = e.shape(l.shape);
-    const auto toward = l.toward == Evaluation::Look::none ? nullptr : e.shape(l.toward);
-    w.textured = w.textured || l.texture != Evaluation::Look::none;
-    betwixt::put(w.depths, e.time(), translation_of(world).z + front_of(*shape) * length(column(world, 2)));
-    const bool known = !w.looks.empty() && w.looks.back().drawn && shape == w.shape && toward == w.toward;
-    if (known && l.blend == w.blend && !w.turns_out && !w.paper) return;
-    w.shape = shape, w.toward = toward, w.blend = l.blend;
-    auto drawn = drawn_of(shape, toward, l.blend, w.turns_out ? &world : nullptr);
-    if (!drawn) w.no_drawing = a_kind(shape->kind);
-    if (drawn && w.paper)
-      if (const auto back = inverse(pose(program_, w.paper, e.time()).world)) carry(*drawn, *back * world);
-    if (drawn && known && w.looks.back().drawn->looks_like(*drawn)) return;
-    put(w, {e.time(), drawn ? std::make_shared<const PlanarDrawn>(*std::move(drawn)) : nullptr, jumps});
-  }
-  // What stayed as it was goes on from the time before.
-  void put(Watched& w, SeenThen l) {
-    if (w.looks.empty() && l.time > options_.from) w.looks.push_back({options_.from, nullptr, true});
-    if (!w.looks.empty() && w.looks.back().time < before_)
-      w.looks.push_back({before_, w.looks.back().drawn, false});
-    if (l.drawn) numbers_ += l.drawn->numbers();
-    w.looks.push_back(std::move(l));
-  }
-
-  const Program& program_;
-  const ExportOptions& options_;
-  Time before_;
-  std::unordered_map<std::uint32_t, Watched> all_;
-  std::size_t numbers_ = 0;
-};
 
 // Of looks, those that say all: each goes straight on to the next one that is named, or holds until then.
 struct PlanarKey {
@@ -151,8 +51,9 @@ double share_between(const PlanarLooks& looks, std::size_t a, std::size_t k, std
 using Parts = std::vector<DrawnPart> PlanarDrawn::*;
 
 bool same(const PlanarForm& a, const PlanarForm& b) {
-  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
-                    [](const DrawnPart& p, const DrawnPart& q) { return p.closed == q.closed && p.points == q.points; });
+  return std::equal(
+      a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+      [](const DrawnPart& p, const DrawnPart& q) { return p.closed == q.closed && p.points == q.points; });
 }
 // Of what stays as it is only the beginning is said, and its end where it goes on to something else.
 void thin_out(PlanarForms& forms) {
@@ -221,103 +122,6 @@ Channel channel_of(const PlanarLooks& looks, const ExportOptions& options, std::
   return out;
 }
 
-// ---- A line that is drawn on, and perhaps goes at its other end: one line, of which a part is seen
-
-struct DrawnOn {
-  std::vector<Vec3> line;
-  std::vector<std::pair<double, double>> shares;  // of each look: from where to where
-};
-
-// The looks' lines have their points in common, but for their ends.
-class JoinedLines {
- public:
-  explicit JoinedLines(const PlanarLooks& looks) : looks_(looks) {}
-
-  std::optional<DrawnOn> one_line(double tolerance) {
-    std::size_t fewest = SIZE_MAX, most = 0;
-    for (const SeenThen& l : looks_) {
-      if (!l.drawn) continue;
-      const PlanarDrawn& d = *l.drawn;
-      if (!d.filled.empty() || !d.bordered.empty() || d.stroked.size() > 1 || d.from > 0 || d.to < 1 || d.toward)
-        return std::nullopt;
-      if (d.stroked.empty()) continue;
-      if (d.stroked[0].closed) return std::nullopt;
-      fewest = std::min(fewest, d.stroked[0].points.size()), most = std::max(most, d.stroked[0].points.size());
-    }
-    if (most < 3 || fewest == most) return std::nullopt;
-    for (const SeenThen& l : looks_)
-      if (!join(points_of(l))) return std::nullopt;
-    if (!tip_.empty()) core_.push_back(tip_.back());
-    at_ = {0};
-    for (std::size_t i = 1; i < core_.size(); ++i) at_.push_back(at_.back() + length(core_[i] - core_[i - 1]));
-    if (!(at_.back() > 0)) return std::nullopt;
-    DrawnOn out{core_, {}};
-    for (std::size_t i = 0; i < looks_.size(); ++i) {
-      const auto points = points_of(looks_[i]);
-      if (points.size() < 2) {
-        const double there = out.shares.empty() ? 0 : out.shares.back().second;
-        out.shares.emplace_back(there, there);
-        continue;
-      }
-      const auto from = place(points.front(), firsts_[i] == 0 ? 0 : firsts_[i] - 1, tolerance);
-      const auto to = place(points.back(), firsts_[i] + points.size() - 3, tolerance);
-      if (!from || !to) return std::nullopt;
-      out.shares.emplace_back(*from / at_.back(), std::max(*from, *to) / at_.back());
-    }
-    return out;
-  }
-
- private:
-  static std::vector<Vec3> points_of(const SeenThen& l) {
-    return l.drawn && !l.drawn->stroked.empty() ? l.drawn->stroked[0].points : std::vector<Vec3>{};
-  }
-  static bool near(Vec3 a, Vec3 b) { return length(a - b) <= 1e-9 * (1 + length(a)); }
-
-  // Its inner points are some of those that are known, and more behind them.
-  bool join(const std::vector<Vec3>& points) {
-    if (points.size() < 2) {
-      firsts_.push_back(1);
-      return true;
-    }
-    if (core_.empty()) core_.push_back(points[0]), first_ = 1;
-    const std::size_t inner = points.size() - 2;
-    if (inner > 0) {
-      std::size_t at = first_;
-      while (at < core_.size() && !near(core_[at], points[1])) ++at;
-      first_ = at;
-      for (std::size_t k = 0; k < inner; ++k) {
-        if (at + k == core_.size())
-          core_.push_back(points[k + 1]);
-        else if (!near(core_[at + k], points[k + 1]))
-          return false;
-      }
-      if (at + inner != core_.size()) return false;  // it has become shorter at its tip
-    } else if (first_ != core_.size()) {
-      first_ = core_.size();
-    }
-    firsts_.push_back(first_);
-    tip_ = {points.back()};
-    return true;
-  }
-  // How far along it a point of the side that begins at `side` is.
-  std::optional<double> place(Vec3 p, std::size_t side, double tolerance) const {
-    side = std::min(side, core_.size() - 2);
-    double best = INFINITY, where = 0;
-    for (std::size_t i = side; i < std::min(side + 2, core_.size() - 1); ++i) {
-      const Vec3 a = core_[i], way = core_[i + 1] - a;
-      const double s = dot(way, way) > 0 ? std::clamp(dot(p - a, way) / dot(way, way), 0.0, 1.0) : 0;
-      if (const double off = length(a + s * way - p); off < best) best = off, where = at_[i] + s * length(way);
-    }
-    return best <= tolerance ? std::optional(where) : std::nullopt;
-  }
-
-  const PlanarLooks& looks_;
-  std::vector<Vec3> core_, tip_;
-  std::vector<std::size_t> firsts_;  // of each look: which of the core its second point is
-  std::size_t first_ = 1;
-  std::vector<double> at_;
-};
-
 // ---- All of a thing
 
 constexpr double line_tolerance = 1.0 / 4000;  // of how far a line that is drawn on goes: half a pixel
@@ -351,9 +155,11 @@ class LookMaker {
       trimmed = trimmed || d.from > 0 || d.to < 1 - 1e-12;
       alone = alone && !d.toward && d.from <= d.to;
     }
-    out.width = channel_of(looks, options_, 1, tolerance, [](const PlanarDrawn& d) { return KeyValue{d.width, 0, 0, 0}; });
+    out.width = channel_of(looks, options_, 1, tolerance, [](const PlanarDrawn& d) {
+      return KeyValue{d.width, 0, 0, 0};
+    });
     out.stroke = own ? channel_of(looks, options_, 3, 1.0 / 512, stroke_of) : out.color;
-    if (auto drawing = JoinedLines(looks).one_line(line_tolerance * extent_of(looks))) {
+    if (auto drawing = joined_lines(looks, line_tolerance * extent_of(looks))) {
       out.stroked = {{options_.from, false, {{drawing->line, false}}}};
       PlanarLooks times;
       for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -426,8 +232,7 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
   auto motions = planar_motions(program, options, in_unit, &turned);
   if (!motions) return motions.error();
   PlanarWatch watch(program, options);
-  for (const PlanarMotion& m : *motions)
-    watch.add(m.id, std::find(turned.begin(), turned.end(), m.id) != turned.end());
+  for (const PlanarMotion& m : *motions) watch.add(m.id, std::find(turned.begin(), turned.end(), m.id) != turned.end());
   if (Status s = watch.run(); !s) return s.error();
   std::vector<PlanarDepths> depths;
   std::vector<ObjectId> textured;
@@ -459,8 +264,8 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
   leave_out_surroundings(program, options.from, false, made);
   bool whole = true;
   for (const StackPlace& place : stack_of(depths, options.until, whole)) {
-    const bool again = std::any_of(film.order.begin(), film.order.end(),
-                                   [&](const PlanarPlace& p) { return p.thing == place.thing; });
+    const bool again =
+        std::any_of(film.order.begin(), film.order.end(), [&](const PlanarPlace& p) { return p.thing == place.thing; });
     film.order.push_back({place.thing, shown_in(place, options), !again});
   }
   if (!whole) leave_out(made, "left out: what passes in front of what; things lie as they do at the beginning");

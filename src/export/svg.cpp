@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A flat film as a picture that moves (SVG): a group for each thing, with its steps as animations that are added to each
-// other; in it paths, whose outlines, colours and dashes are animated.
+// A flat film as a picture that moves (SVG): a group for each thing, with its steps as animations that are added to
+// each other; in it paths, whose outlines, colours and dashes are animated.
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "export/fit.h"
 #include "export/formats.h"
 #include "export/planar_look.h"
 #include "track/track.h"
@@ -25,7 +26,10 @@ std::string svg_color(const KeyValue& v) { return svg_color(Color{v[0], v[1], v[
 class SvgMaker {
  public:
   SvgMaker(const Program& program, const ExportOptions& options, Exported& made)
-      : program_(program), options_(options), made_(made), seconds_((options.until - options.from).seconds()),
+      : program_(program),
+        options_(options),
+        made_(made),
+        seconds_((options.until - options.from).seconds()),
         frames_(static_cast<std::size_t>(std::max(1.0, seconds_ * program.document().rate().per_second()))) {}
 
   Result<std::string> make() {
@@ -109,7 +113,9 @@ class SvgMaker {
   // Each line that is cut is a path of its own: a path's dashes go on from one of its lines to the next.
   void add_stroked(const PlanarLook& look, std::string& out) {
     if (look.stroked.empty()) return;
-    if (!look.trim) return add_lines(look, "", "", [&](const PlanarForm& f) { return path_of(f.parts); }, out);
+    if (!look.trim)
+      return add_lines(
+          look, "", "", [&](const PlanarForm& f) { return path_of(f.parts); }, out);
     std::size_t lines = 0;
     for (const PlanarForm& f : look.stroked) lines = std::max(lines, f.parts.size());
     const PlanarCurves length = length_of(*look.trim);
@@ -137,12 +143,11 @@ class SvgMaker {
   template <class F>
   void add_lines(const PlanarLook& look, const std::string& attributes, const std::string& inside, F written,
                  std::string& out) {
-    out += fmt::format(
-        "    <path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}>\n", written(look.stroked[0]),
-        svg_color(look.stroke.pieces[0].begin),
-        look.hairline ? short_number(hairline) : short_number(look.width.pieces[0].begin[0] * pixels_),
-        look.round ? " stroke-linecap=\"round\" stroke-linejoin=\"round\"" : "",
-        look.hairline ? " vector-effect=\"non-scaling-stroke\"" : "", attributes);
+    out += fmt::format("    <path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}>\n",
+                       written(look.stroked[0]), svg_color(look.stroke.pieces[0].begin),
+                       look.hairline ? short_number(hairline) : short_number(look.width.pieces[0].begin[0] * pixels_),
+                       look.round ? " stroke-linecap=\"round\" stroke-linejoin=\"round\"" : "",
+                       look.hairline ? " vector-effect=\"non-scaling-stroke\"" : "", attributes);
     animate_forms(look.stroked, out, written);
     animate(look.stroke, "stroke", "      ", out, [](const KeyValue& v) { return svg_color(v); });
     if (!look.hairline)
@@ -211,8 +216,7 @@ class SvgMaker {
     for (const DrawnPart& part : parts) {
       char command = 'M';
       for (const Vec3 p : part.points)
-        d += fmt::format("{}{} {}", std::exchange(command, 'L'), coordinate(p.x * pixels_),
-                         coordinate(-p.y * pixels_));
+        d += fmt::format("{}{} {}", std::exchange(command, 'L'), coordinate(p.x * pixels_), coordinate(-p.y * pixels_));
       if (part.closed && !part.points.empty()) d += 'Z';
     }
     return d;
@@ -316,8 +320,8 @@ class SvgMaker {
     constexpr std::string_view functions[] = {"translate({})", "translate({})", "rotate({})", "scale({})", "scale({})"};
     std::string all;
     for (const PlanarStep& step : steps)
-      all += (all.empty() ? "" : " ") + fmt::format(fmt::runtime(functions[step.what]),
-                                                    argument(step.what, step.curves.front().begin));
+      all += (all.empty() ? "" : " ") +
+             fmt::format(fmt::runtime(functions[step.what]), argument(step.what, step.curves.front().begin));
     return all.empty() ? "" : fmt::format(" transform=\"{}\"", all);
   }
 

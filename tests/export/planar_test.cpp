@@ -120,9 +120,9 @@ TEST(Planar, RefusesWhatIsNotFlat) {
       "'b' turns out of the plane of the picture");
   EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_lottie), "'b' is a torus, and not flat");
   EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_svg), "'b' is a torus, and not flat");
-  EXPECT_EQ(refusal("film flat\ncreate eye camera height=9 position=(9 0 9) look-at=(0 0 0)\ncreate b circle\n",
-                    make_lottie),
-            "the camera does not look along -z, and a drawing lies in the plane of x and y");
+  EXPECT_EQ(
+      refusal("film flat\ncreate eye camera height=9 position=(9 0 9) look-at=(0 0 0)\ncreate b circle\n", make_lottie),
+      "the camera does not look along -z, and a drawing lies in the plane of x and y");
   EXPECT_EQ(refusal("film flat\n", make_css), "nothing is drawn in the film");
 }
 
@@ -194,7 +194,8 @@ TEST(PlanarLook, OutlinesAreThoseOfEachFrame) {
   for (int f = 1; f <= 73; ++f) {
     const Time t = film.loaded.document.rate().frame(f);
     const auto size = std::get<Vec3>(film.program.read({film["box"], *find_built_in(Kind::rectangle, "size")}, t));
-    const Box box = box_of(parts_at(film.of("box").look.filled, t)), disc = box_of(parts_at(film.of("disc").look.filled, t));
+    const Box box = box_of(parts_at(film.of("box").look.filled, t)),
+              disc = box_of(parts_at(film.of("disc").look.filled, t));
     EXPECT_NEAR(box.high.x, size.x / 2, 2e-4) << f;
     EXPECT_NEAR(box.high.y, size.y / 2, 2e-4) << f;
     EXPECT_NEAR(disc.high.x, 1 + 2 * (f - 1) / 72.0, 2e-4) << f;
@@ -219,7 +220,8 @@ TEST(PlanarLook, TrimsAreTheCurvesOfTheFilm) {
 TEST(PlanarLook, ALineThatIsDrawnOnIsOneLine) {
   const Drawn film(
       "film flat\nrange 1f 73f\ncreate paper group\nat 1f..73f paper.motion T(6 0)\ncreate pen circle radius=0.1\n"
-      "at 1f..73f pen.motion R(1turn @ 2 0)\ncreate wave trace of=pen within=paper\ncreate tail trace of=pen last=1s\n");
+      "at 1f..73f pen.motion R(1turn @ 2 0)\ncreate wave trace of=pen within=paper\ncreate tail trace of=pen "
+      "last=1s\n");
   for (const char* name : {"wave", "tail"}) {
     const PlanarLook& look = film.of(name).look;
     ASSERT_EQ(look.stroked.size(), 1U) << name;
@@ -239,12 +241,14 @@ TEST(PlanarLook, ALineThatIsDrawnOnIsOneLine) {
 }
 
 TEST(PlanarLook, CardsThatTurnAreSeenAsTheyAre) {
-  const Drawn film("film flat\nrange 1f 49f\ncreate card rectangle size=(2 1)\nat 1f card.rotation.y 0deg linear\n"
-                   "at 49f card.rotation.y 180deg\n");
+  const Drawn film(
+      "film flat\nrange 1f 49f\ncreate card rectangle size=(2 1)\nat 1f card.rotation.y 0deg linear\n"
+      "at 49f card.rotation.y 180deg\n");
   EXPECT_TRUE(film.of("card").motion.steps.empty());
   for (int f = 1; f <= 49; ++f) {
     const Time t = film.loaded.document.rate().frame(f);
-    EXPECT_NEAR(box_of(parts_at(film.of("card").look.filled, t)).high.x, std::abs(std::cos(pi * (f - 1) / 48)), 5e-4) << f;
+    EXPECT_NEAR(box_of(parts_at(film.of("card").look.filled, t)).high.x, std::abs(std::cos(pi * (f - 1) / 48)), 5e-4)
+        << f;
   }
 }
 
@@ -305,7 +309,8 @@ TEST(PlanarOrder, ThingsThatPassEachOtherAreInOrderAtEachTime) {
 }
 
 const char* const changing =
-    "film flat\nsize 640x360\nrange 1f 49f\nrate 24\ncreate a text text=\"1\"\nset a.text = \"string.format('%.0f', 8 + 2 * t)\"\n"
+    "film flat\nsize 640x360\nrange 1f 49f\nrate 24\ncreate a text text=\"1\"\nset a.text = \"string.format('%.0f', 8 "
+    "+ 2 * t)\"\n"
     "create b polygon points=((0 1) (-1 -1) (1 -1))\nb.points\n  1f ((0 1) (-1 -1) (1 -1)) linear\n"
     "  49f ((-1 1) (-1 -1) (1 -1) (1 1))\ncreate c circle fill=off stroke=red stroke-width=0.1\n"
     "c.trim\n  1f (0 0) smooth\n  49f (0 1)\n";
