@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Flat films as Lottie, drawn by rlottie and by lottie-web, and as SVG, drawn by a browser, beside the film's own pictures, pixel by pixel.
-#   drawings.py PROGRAM FOLDER [FILM…]   DRAWINGS_OUT=FOLDER keeps the pictures of all three, side by side
+#   drawings.py PROGRAM FOLDER [NAME|FILM.bx…]   DRAWINGS_OUT=FOLDER keeps the pictures of all three, side by side
 import os, random, shutil, subprocess, sys, tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
@@ -157,7 +157,7 @@ def check(name, film, last, rate, folder):
         os.makedirs(keep, exist_ok=True)
         sheet = np.concatenate([np.concatenate(row, 0) for row in rows], 1).astype(np.uint8)
         run("ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{sheet.shape[1]}x{sheet.shape[0]}", "-i", "-",
-            f"{keep}/{name}.png", input=sheet.tobytes())
+            f"{keep}/{os.path.basename(name)}.png", input=sheet.tobytes())
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -173,6 +173,8 @@ with tempfile.TemporaryDirectory() as folder:
         path = f"{folder}/random{seed}.bx"
         open(path, "w").write(random_film(seed))
         films[f"random{seed}"] = (path, 48, 24)
+    for path in wanted:
+        if path.endswith(".bx"): films[path] = (path, 24, 24)
     for name, (film, last, rate) in films.items():
         if not wanted or name in wanted: check(name, film, last, rate, folder)
 print(f"{passed} passed, {failed} failed")
