@@ -133,7 +133,8 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
       .manual =
           "Objects keep their names and what they hang on; motion becomes keys that are as many as the tolerance "
           "needs. "
-          "What the format cannot say is told."};
+          "Lottie and SVG take flat films: outlines that change, lines that are drawn on by trim, cameras that move. "
+          "What the format cannot say is left out and named."};
 });
 
 }  // namespace

@@ -300,17 +300,19 @@ std::shared_ptr<const Morph> morph_of(const Shape& a, const Shape& b) {
 
 bool has_outline(const Shape& s) { return has_letters(s) || row_of(s.kind).contours != nullptr; }
 
-Mesh outline_between(const Shape& a, const Shape& b, double s) {
-  const auto made = morph_of(a, b);
-  const Morph& morph = *made;
+Outline contours_between(const Shape& a, const Shape& b, double s) {
   Outline outline;
-  for (const auto& [from, to] : morph.pairs) {
+  for (const auto& [from, to] : morph_of(a, b)->pairs) {
     Contour c(from.size());
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = lerp(from[i], to[i], s);
     outline.contours.push_back(std::move(c));
   }
-  const double depth = lerp(morph.a.depth, morph.b.depth, s);
-  return drawn(outline, between(pen_of(morph.a), pen_of(morph.b), s), depth, morph.winding);
+  return outline;
+}
+
+Mesh outline_between(const Shape& a, const Shape& b, double s) {
+  const double depth = lerp(a.depth, b.depth, s);
+  return drawn(contours_between(a, b, s), between(pen_of(a), pen_of(b), s), depth, morph_of(a, b)->winding);
 }
 
 }  // namespace betwixt

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "betwixt/frame.h"
+#include "scene/outline.h"
 
 namespace betwixt {
 
@@ -12,7 +13,8 @@ inline double lerp(double a, double b, double s) { return (1 - s) * a + s * b; }
 inline Vec3 lerp(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
 
 bool has_outline(const Shape&);
-// Of two that have outlines, at s from 0 to 1.
+// Of two that have outlines, at s from 0 to 1. As many contours with as many points at each s.
+Outline contours_between(const Shape& a, const Shape& b, double s);
 Mesh outline_between(const Shape& a, const Shape& b, double s);
 
 }  // namespace betwixt

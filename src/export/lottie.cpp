@@ -3,12 +3,16 @@
 //
 // A flat film as Lottie: a layer with its shape for each object, below layers without one where it takes several to
 // say what moves it. Each number has curves of its own.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <map>
 
+#include "export/fit.h"
 #include "export/formats.h"
 #include "export/json.h"
-#include "export/planar.h"
+#include "export/planar_look.h"
+#include "export/seen.h"
 #include "track/track.h"
 
 namespace betwixt {
@@ -24,30 +28,37 @@ class LottieMaker {
   }
 
   Result<std::string> make() {
-    const auto view = planar_view(program_, options_);
-    if (!view) return view.error();
-    pixels_ = height_ / view->height;
-    const auto motions = planar_motions(program_, options_, *view);
-    if (!motions) return motions.error();
-    std::vector<std::pair<double, std::vector<Json>>> all;
-    for (const PlanarMotion& m : *motions) {
-      const auto look = planar_look(program_, options_, m.id);
-      if (!look) return look.error();
-      all.emplace_back(look->z, layers(m, *look));
+    const auto film = planar_film(program_, options_, made_);
+    if (!film) return film.error();
+    pixels_ = height_ / film->view.height;
+    std::vector<Json> back_to_front;
+    std::vector<Json> seen_by;
+    if (!film->view.steps.empty()) {
+      seen_by = layers(film->view.steps, "camera", 0, true);
+      camera_ = number_;
     }
-    made_.objects = motions->size();
+    for (const PlanarPlace& place : film->order) {
+      const PlanarThing& thing = film->things[place.thing];
+      if (place.first && !thing.look.stroked.empty() && stretched(thing.motion.steps))
+        leave_out(made_, fmt::format(
+                             "the stroke of '{}' is stretched with it: lottie-web draws it so, rlottie draws it evenly",
+                             program_.document().name(thing.motion.id)));
+      for (Json& layer : layers_of(thing, place.shown)) back_to_front.push_back(std::move(layer));
+    }
     // The first layer is in front.
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     auto in_order = Json::array();
-    for (auto one = all.rbegin(); one != all.rend(); ++one)
-      for (Json& layer : one->second) in_order.push_back(std::move(layer));
-    if (const auto background = planar_background(program_, options_)) in_order.push_back(backdrop(*background));
+    for (auto one = back_to_front.rbegin(); one != back_to_front.rend(); ++one) in_order.push_back(std::move(*one));
+    for (Json& layer : seen_by) in_order.push_back(std::move(layer));
+    if (const auto stops = planar_background(program_, options_); !stops.empty()) in_order.push_back(backdrop(stops));
     const Json file{{"v", "5.7.4"}, {"fr", rate_},  {"ip", 0},  {"op", frames_},           {"w", width_},
                     {"h", height_}, {"nm", "film"}, {"ddd", 0}, {"assets", Json::array()}, {"layers", in_order}};
     return file.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   }
 
  private:
+  static constexpr double apart = 1e-4;    // frames: a jump takes that long, as no two keys have one time
+  static constexpr double hairline = 1.4;  // pixels, as the film draws it
+
   double frame(Time t) const { return (t - options_.from).seconds() * rate_; }
 
   static Json still(Json v) { return {{"a", 0}, {"k", std::move(v)}}; }
@@ -81,7 +92,6 @@ class LottieMaker {
     if (constant(exact)) return still(value(exact[0].begin));
     PlanarCurves curves;
     for (const PlanarCurve& c : exact) tell_apart(c, unit, 6, curves);
-    constexpr double apart = 1e-4;  // frames: a jump takes that long, as no two keys have one time
     auto keys = Json::array();
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const PlanarCurve& c = curves[i];
@@ -128,10 +138,25 @@ class LottieMaker {
     return ks;
   }
 
-  // From the inside out; each but the last one has the next one as its parent.
-  std::vector<Json> layers(const PlanarMotion& m, const PlanarLook& look) {
+  // More along one axis than along the other, at some time.
+  bool stretched(const std::vector<PlanarStep>& steps) const {
+    for (int i = 0; i <= 64; ++i) {
+      const Time t{options_.from.flicks + (options_.until - options_.from).flicks / 64 * i};
+      double x = 1, y = 1;
+      for (const PlanarStep& s : steps) {
+        if (s.what == PlanarStep::grow_x) x *= value_at(s.curves, t);
+        if (s.what == PlanarStep::grow_y) y *= value_at(s.curves, t);
+      }
+      if (std::abs(x - y) > 0.02 * std::max(std::abs(x), std::abs(y))) return true;
+    }
+    return false;
+  }
+
+  // Layers that move as the steps say, the outermost one first; all but it hang on the one before, and it on `above`
+  // (0: on the picture). The last one draws, unless all of them only move.
+  std::vector<Json> layers(const std::vector<PlanarStep>& steps, const std::string& name, int above, bool move_only) {
     std::vector<Link> links(1);
-    for (const PlanarStep& s : m.steps) {
+    for (const PlanarStep& s : steps) {
       Link& last = links.back();
       bool free = true;
       for (int i = s.what; i < 5; ++i) free = free && !last.steps[i];
@@ -142,18 +167,27 @@ class LottieMaker {
       links.back().steps[s.what] = &s;
     }
     std::vector<Json> out;
-    const std::string name = program_.document().name(m.id);
-    for (std::size_t i = links.size(); i-- > 0;) {
-      Json layer = plain(out.empty() ? name : name + " moves", out.empty() ? 4 : 3);
-      if (i > 0) layer["parent"] = number_ + 1;
-      layer["ks"] = transform(links[i], i == 0);
-      if (out.empty()) {
-        layer["ks"]["o"] = moving(planar_curves(planar_opacity(program_, options_, m.id), 0), 100,
-                                  [](double v) { return Json(100 * v); });
-        layer["shapes"] = shapes(m.id, look);
-      }
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const bool draws = i + 1 == links.size() && !move_only;
+      Json layer = plain(draws ? name : name + " moves", draws ? 4 : 3);
+      const int hangs_on = i > 0 ? number_ - 1 : above;
+      if (hangs_on > 0) layer["parent"] = hangs_on;
+      layer["ks"] = transform(links[i], hangs_on == 0);
       out.push_back(std::move(layer));
     }
+    return out;
+  }
+  std::vector<Json> layers_of(const PlanarThing& thing, const Channel& shown) {
+    std::vector<Json> out =
+        layers(thing.motion.steps, std::string(program_.document().name(thing.motion.id)), camera_, false);
+    out.back()["ks"]["o"] = moving(planar_curves(thing.look.opacity, 0), 100, [](double v) { return Json(100 * v); });
+    Json drawn = shapes(thing.look);
+    if (!shown.pieces.empty()) {
+      Json whole = group(std::move(drawn));
+      whole["it"].back()["o"] = moving(planar_curves(shown, 0), 100, [](double v) { return Json(100 * v); });
+      drawn = Json::array({std::move(whole)});
+    }
+    out.back()["shapes"] = std::move(drawn);
     return out;
   }
   Json plain(const std::string& name, int type) {
@@ -161,10 +195,61 @@ class LottieMaker {
             {"ip", 0},  {"op", frames_},    {"st", 0},    {"bm", 0}};
   }
 
-  Json path(const std::vector<Vec3>& points, bool closed) const {
+  // A key's outlines: as many points as `most` has, the last one again and again.
+  Json path(const DrawnPart* part, std::size_t most) const {
     auto v = Json::array(), zero = Json::array();
-    for (const Vec3 p : points) v.push_back({p.x * pixels_, -p.y * pixels_}), zero.push_back({0, 0});
-    return {{"ty", "sh"}, {"ks", still({{"c", closed}, {"v", v}, {"i", zero}, {"o", zero}})}};
+    for (std::size_t i = 0; i < most; ++i) {
+      const bool there = part != nullptr && !part->points.empty();
+      const Vec3 p = there ? part->points[std::min(i, part->points.size() - 1)] : Vec3{};
+      v.push_back({rounded(p.x * pixels_), rounded(-p.y * pixels_)}), zero.push_back({0, 0});
+    }
+    return {{"c", part == nullptr || part->closed}, {"v", v}, {"i", zero}, {"o", zero}};
+  }
+  static double rounded(double v) { return std::round(v * 1e4) / 1e4; }
+
+  // A path for each part; where their number varies, those that are too many are points, which draw nothing.
+  void add_paths(const PlanarForms& forms, Json& items) {
+    std::vector<std::size_t> most;
+    for (const PlanarForm& f : forms)
+      for (std::size_t i = 0; i < f.parts.size(); ++i) {
+        if (i == most.size()) most.push_back(0);
+        most[i] = std::max(most[i], f.parts[i].points.size());
+      }
+    for (std::size_t i = 0; i < most.size(); ++i) {
+      const auto at = [&](const PlanarForm& f) { return path(i < f.parts.size() ? &f.parts[i] : nullptr, most[i]); };
+      if (forms.size() == 1) {
+        items.push_back({{"ty", "sh"}, {"ks", still(at(forms[0]))}});
+        continue;
+      }
+      auto keys = Json::array();
+      double last = -1;
+      for (std::size_t k = 0; k < forms.size(); ++k) {
+        PlanarCurve way;
+        way.shape = forms[k].goes_on ? PlanarCurve::straight : PlanarCurve::held;
+        last = std::max(k == 0 ? 0 : frame(forms[k].from), last + apart);
+        const bool ends = k + 1 == forms.size();
+        keys.push_back(key(last, Json::array({at(forms[k])}), &way));
+        if (ends) keys.push_back(key(std::max(frames_, last + apart), Json::array({at(forms[k])}), nullptr));
+      }
+      items.push_back({{"ty", "sh"}, {"ks", {{"a", 1}, {"k", std::move(keys)}}}});
+    }
+    if (forms.size() > 1)
+      ++made_.channels, made_.keys += forms.size(), made_.baked += static_cast<std::size_t>(frames_);
+  }
+  // Where what is drawn has parts at some times only, it is a group that is seen then: the points that stand for
+  // nothing would have round ends.
+  Channel there(const PlanarForms& forms) const {
+    Channel out{1, false, {}};
+    for (std::size_t k = 0; k < forms.size(); ++k) {
+      const double v = forms[k].parts.empty() ? 0 : 1;
+      const Time from = k == 0 ? options_.from : forms[k].from,
+                 until = k + 1 < forms.size() ? forms[k + 1].from : options_.until;
+      if (!out.pieces.empty() && out.pieces.back().begin[0] == v)
+        out.pieces.back().until = until;
+      else
+        out.pieces.push_back({KeyPiece::held, from, until, {v}, {v}, {}, {}});
+    }
+    return out;
   }
   static Json group(Json items) {
     items.push_back({{"ty", "tr"},
@@ -175,60 +260,89 @@ class LottieMaker {
                      {"o", still(100)}});
     return {{"ty", "gr"}, {"it", std::move(items)}};
   }
-  static Json color(Vec3 light) {
-    const Color c = to_srgb(light);
-    return {c.r, c.g, c.b, 1};
-  }
-
   // What is in front stands first: strokes.
-  Json shapes(ObjectId id, const PlanarLook& look) {
+  Json shapes(const PlanarLook& look) {
     auto out = Json::array();
-    Json own = still(color(look.color));
-    if (const Channel varies = planar_color(program_, options_, id); !varies.constant()) own = colors(varies);
     if (!look.stroked.empty()) {
       auto items = Json::array();
-      for (const DrawnPart& part : look.stroked) items.push_back(path(part.points, part.closed));
+      add_paths(look.stroked, items);
+      if (look.trim) {
+        const auto percent = [](double v) { return Json(100 * v); };
+        items.push_back({{"ty", "tm"},
+                         {"s", moving(look.trim->from, 100, percent)},
+                         {"e", moving(look.trim->to, 100, percent)},
+                         {"o", still(0)},
+                         {"m", 1}});
+      }
       items.push_back({{"ty", "st"},
-                       {"c", look.stroke == look.color ? own : still(color(look.stroke))},
+                       {"c", colors(look.stroke)},
                        {"o", still(100)},
-                       {"w", still(look.width * pixels_)},
+                       {"w", look.hairline ? still(hairline)
+                                           : moving(planar_curves(look.width, 0), pixels_,
+                                                    [this](double v) { return Json(v * pixels_); })},
                        {"lc", look.round ? 2 : 1},
                        {"lj", look.round ? 2 : 1},
                        {"ml", 4}});
-      out.push_back(group(std::move(items)));
+      Json whole = group(std::move(items));
+      if (const Channel seen = there(look.stroked); !seen.constant())
+        whole["it"].back()["o"] = moving(planar_curves(seen, 0), 100, [](double v) { return Json(100 * v); });
+      out.push_back(std::move(whole));
     }
-    if (!look.filled.empty()) {
+    for (const auto& [forms, color] : {std::pair(&look.bordered, &look.stroke), std::pair(&look.filled, &look.color)}) {
+      if (forms->empty()) continue;
       auto items = Json::array();
-      for (const auto& contour : look.filled) items.push_back(path(contour, true));
-      items.push_back({{"ty", "fl"}, {"c", own}, {"o", still(100)}, {"r", 1}});
+      add_paths(*forms, items);
+      items.push_back({{"ty", "fl"}, {"c", colors(*color)}, {"o", still(100)}, {"r", 1}});
       out.push_back(group(std::move(items)));
     }
     return out;
   }
   Json colors(const Channel& c) {
+    const auto value = [](const KeyValue& v) { return Json{v[0], v[1], v[2], 1}; };
+    if (c.constant()) return still(value(c.pieces[0].begin));
     auto keys = Json::array();
-    for (const KeyPiece& p : c.pieces) {
-      PlanarCurve way{p.shape == KeyPiece::held ? PlanarCurve::held : PlanarCurve::straight, p.from, p.until};
-      keys.push_back(key(frame(p.from), {p.begin[0], p.begin[1], p.begin[2], 1}, &way));
+    for (std::size_t i = 0; i < c.pieces.size(); ++i) {
+      const KeyPiece& p = c.pieces[i];
+      PlanarCurve way{p.shape == KeyPiece::held ? PlanarCurve::held : PlanarCurve::straight, p.from, p.until}, wait;
+      keys.push_back(key(frame(p.from), value(p.begin), &way));
+      const bool last = i + 1 == c.pieces.size();
+      if (last)
+        keys.push_back(key(frame(p.until), value(p.end), nullptr));
+      else if (p.shape != KeyPiece::held && c.pieces[i + 1].begin != p.end)
+        keys.push_back(key(frame(p.until) - apart, value(p.end), &wait));
     }
-    const KeyPiece& last = c.pieces.back();
-    keys.push_back(key(frame(last.until), {last.end[0], last.end[1], last.end[2], 1}, nullptr));
     ++made_.channels;
     made_.keys += keys.size(), made_.baked += static_cast<std::size_t>(frames_);
     return {{"a", 1}, {"k", std::move(keys)}};
   }
 
-  Json backdrop(Vec3 light) {
-    Json layer = plain("background", 1);
-    layer["sw"] = width_, layer["sh"] = height_;
-    const Color c = to_srgb(light);
-    char hex[8];
-    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", static_cast<unsigned>(std::lround(255 * c.r)) & 255,
-                  static_cast<unsigned>(std::lround(255 * c.g)) & 255,
-                  static_cast<unsigned>(std::lround(255 * c.b)) & 255);
-    layer["sc"] = hex;
+  Json backdrop(const std::vector<Vec3>& stops) {
+    Json layer = plain("background", 4);
     layer["ks"] = {
         {"o", still(100)}, {"r", still(0)}, {"p", still({0, 0})}, {"a", still({0, 0})}, {"s", still({100, 100})}};
+    const double w = width_, h = height_;
+    Json fill;
+    if (stops.size() == 1) {
+      const Color c = to_srgb(stops[0]);
+      fill = {{"ty", "fl"}, {"c", still({c.r, c.g, c.b, 1})}, {"o", still(100)}, {"r", 1}};
+    } else {
+      auto all = Json::array();
+      for (std::size_t i = 0; i < stops.size(); ++i) {
+        const Color c = to_srgb(stops[i]);
+        for (const double v : {static_cast<double>(i) / static_cast<double>(stops.size() - 1), c.r, c.g, c.b})
+          all.push_back(v);
+      }
+      fill = {{"ty", "gf"},
+              {"o", still(100)},
+              {"r", 1},
+              {"t", 1},
+              {"s", still({0, 0})},
+              {"e", still({0, h})},
+              {"g", {{"p", stops.size()}, {"k", still(all)}}}};
+    }
+    const DrawnPart whole{{{0, 0, 0}, {w / pixels_, 0, 0}, {w / pixels_, -h / pixels_, 0}, {0, -h / pixels_, 0}}, true};
+    layer["shapes"] =
+        Json::array({group(Json::array({{{"ty", "sh"}, {"ks", still(path(&whole, 4))}}, std::move(fill)}))});
     return layer;
   }
 
@@ -236,7 +350,7 @@ class LottieMaker {
   const ExportOptions& options_;
   Exported& made_;
   const double rate_;
-  int width_ = 0, height_ = 0, number_ = 0;
+  int width_ = 0, height_ = 0, number_ = 0, camera_ = 0;
   double frames_ = 1, pixels_ = 1;
   std::map<std::pair<long, long>, std::pair<double, double>> handles_{
       {{33, 67}, {1.0 / 3, 2.0 / 3}}};  // by two digits: those of the first curve

@@ -11,11 +11,8 @@
 
 #include "betwixt/object.h"
 #include "betwixt/track.h"
-#include "exchange/shapes.h"
 #include "export/fit.h"
 #include "scene/functions.h"
-#include "scene/kind_extents.h"
-#include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
@@ -148,13 +145,15 @@ class Planar {
     for (std::size_t i = 0; i < keys_.size(); ++i) place_[keys_[i].id.index] = i;
   }
 
-  Result<std::vector<PlanarMotion>> all(const PlanarView& view) {
+  Result<std::vector<PlanarMotion>> all(std::vector<ObjectId>* turned) {
     std::vector<PlanarMotion> out;
     for (const ObjectKeys& k : keys_) {
       if (!wanted(k.id)) continue;
       PlanarMotion m{k.id, {}};
-      put(m.steps, PlanarStep::move_x, -view.middle.x), put(m.steps, PlanarStep::move_y, -view.middle.y);
-      if (Status s = add(k, m.steps, 0); !s) return s.error();
+      if (const Status s = add(moved_with(k), m.steps, 0); !s) {
+        if (turned == nullptr) return s.error();
+        turned->push_back(k.id), m.steps.clear();
+      }
       std::erase_if(m.steps, [](const PlanarStep& s) { return s.nothing(); });
       out.push_back(std::move(m));
     }
@@ -168,8 +167,10 @@ class Planar {
     const Kind what = kind(program_.document(), id);
     return what != Kind::camera && what != Kind::light && what != Kind::sound && what != Kind::group;
   }
-  void put(std::vector<PlanarStep>& to, PlanarStep::What what, double v) const {
-    to.push_back({what, {{PlanarCurve::held, options_.from, options_.until, v, v}}});
+  // What is drawn on something moves with that.
+  const ObjectKeys& moved_with(const ObjectKeys& k) const {
+    const auto paper = place_.find(drawn_within(program_, k.id, options_.from).index);
+    return paper == place_.end() ? k : keys_[paper->second];
   }
 
   Status add(const ObjectKeys& k, std::vector<PlanarStep>& to, std::size_t depth) {
@@ -305,45 +306,38 @@ double value_at(const PlanarCurves& all, Time t) {
 
 bool constant(const PlanarCurves& all) { return all.size() == 1 && all[0].shape == PlanarCurve::held; }
 
+ObjectId drawn_within(const Program& program, ObjectId id, Time t) {
+  if (kind(program.document(), id) != Kind::trace) return {};
+  const Value v = program.read({id, fn::trace_within}, t);
+  const auto* paper = std::get_if<ObjectId>(&v);
+  return paper != nullptr ? *paper : ObjectId{};
+}
+
 bool PlanarStep::nothing() const {
   return constant(curves) && curves[0].begin == (what == grow_x || what == grow_y ? 1.0 : 0.0);
 }
 
-Result<PlanarView> planar_view(const Program& program, const ExportOptions& options) {
-  const Camera first = program.frame(options.from).camera;
-  const std::string hint = "film flat, or a camera that stands still with height=…, position=(0 0 10) and no look-at";
-  if (!first.orthographic)
-    return fail(ErrorCode::range, "the film is seen in perspective, and a drawing is flat", hint);
-  const Vec3 ahead = column(first.world, 2), up = column(first.world, 1);
-  if (length(ahead - Vec3{0, 0, 1}) > 1e-6 || length(up - Vec3{0, 1, 0}) > 1e-6)
-    return fail(ErrorCode::range, "the camera does not look along -z, and a drawing lies in the plane of x and y",
-                hint);
-  for (int i = 1; i <= 64; ++i) {
-    const Time t{options.from.flicks + (options.until - options.from).flicks / 64 * i};
-    if (!(program.frame(t).camera == first))
-      return fail(ErrorCode::range, "the camera moves, and a drawing is seen from one place", hint);
+double on_page(PlanarStep::What what, double v, double pixels) {
+  switch (what) {
+    case PlanarStep::move_x:
+      return v * pixels;
+    case PlanarStep::move_y:
+      return -v * pixels;
+    case PlanarStep::turn:
+      return -v * 180 / pi;
+    default:
+      return v;
   }
-  return PlanarView{translation_of(first.world), first.height * first.aspect, first.height};
 }
 
-Result<std::vector<PlanarMotion>> planar_motions(const Program& program, const ExportOptions& options,
-                                                 const PlanarView& view, bool in_unit) {
-  return Planar(program, options, in_unit).all(view);
-}
-
-std::optional<Vec3> planar_background(const Program& program, const ExportOptions& options) {
-  const Frame frame = program.frame(options.from);
-  return frame.surroundings.clear ? std::nullopt : frame.background;
+Result<std::vector<PlanarMotion>> planar_motions(const Program& program, const ExportOptions& options, bool in_unit,
+                                                 std::vector<ObjectId>* out) {
+  return Planar(program, options, in_unit).all(out);
 }
 
 std::pair<int, int> picture_size(const Document& document) { return document.size().value_or(std::pair(1280, 720)); }
 
 namespace {
-
-const Item* item_of(const Frame& frame, ObjectId id) {
-  const auto found = std::find_if(frame.items.begin(), frame.items.end(), [&](const Item& i) { return i.id == id; });
-  return found == frame.items.end() ? nullptr : &*found;
-}
 
 Channel straight(const Program& program, const ExportOptions& options, std::size_t width,
                  std::function<KeyValue(Time)> at) {
@@ -371,44 +365,6 @@ Channel planar_opacity(const Program& program, const ExportOptions& options, Obj
     };
     return KeyValue{number(fn::display) != 0 ? 1 - number(fn::transparency) : 0, 0, 0, 0};
   });
-}
-
-Result<PlanarLook> planar_look(const Program& program, const ExportOptions& options, ObjectId id) {
-  const std::string name = program.document().name(id);
-  std::shared_ptr<const Shape> shape;
-  PlanarLook look;
-  for (int i = 0; i <= 32; ++i) {
-    const Frame frame = program.frame({options.from.flicks + (options.until - options.from).flicks / 32 * i});
-    const Item* item = item_of(frame, id);
-    if (!item) continue;
-    if (item->toward || (shape && !(*shape == *item->shape)))
-      return fail(ErrorCode::range, fmt::format("the shape of '{}' changes", name),
-                  "a drawing's things move, turn, grow and change their colours; name those that do no more");
-    if (shape) continue;
-    shape = item->shape;
-    look.color = look.stroke = item->color;
-    look.opacity = 1 - item->transparency;
-    look.z = translation_of(item->world).z;
-  }
-  if (!shape) return look;  // never seen
-  const KindRow& row = row_of(shape->kind);
-  if (row.line && !row.contours) {
-    for (auto& points : drawn_lines(*shape)) look.stroked.push_back({points, false});
-    look.width = shape->width, look.round = true;
-    return look;
-  }
-  const Outline outline = outline_of(*shape);
-  if (outline.contours.empty() || shape->depth > 0)
-    return fail(ErrorCode::range, fmt::format("'{}' is {}, and not flat", name, a_kind(shape->kind)),
-                "name what is to be drawn, or write glTF (.glb), which takes everything");
-  const Pen pen = pen_of(*shape);
-  if (pen.fills) look.filled = outline.contours;
-  if (pen.color) look.stroke = *pen.color;
-  look.width = pen.width, look.round = pen.round;
-  if (pen.width > 0)
-    for (const auto& contour : outline.contours)
-      for (DrawnPart& part : stretches(contour, true, pen.dashes)) look.stroked.push_back(std::move(part));
-  return look;
 }
 
 std::vector<std::string> plain_names(const Document& document, const std::vector<ObjectId>& ids) {

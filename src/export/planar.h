@@ -38,6 +38,9 @@ struct PlanarStep {
   bool nothing() const;  // always the identity
 };
 
+// Of a step's value, as pages count: pixels downwards, degrees clockwise.
+double on_page(PlanarStep::What, double value, double pixels_of_a_metre);
+
 // An object: its matrix in the picture is the product of its steps, the first one outermost. What it hangs on is among
 // them.
 struct PlanarMotion {
@@ -45,36 +48,28 @@ struct PlanarMotion {
   std::vector<PlanarStep> steps;
 };
 
-// What a drawing's film is seen by: it stands still, and looks along -z, upright.
+// What a drawing's film is seen by: it looks along -z.
 struct PlanarView {
-  Vec3 middle;                    // of the picture, in the world
-  double width = 16, height = 9;  // metres
+  double width = 16, height = 9;  // metres, at the beginning
+  // What is done to the world so that it is seen, outermost first: with a growth where the camera's height changes, and
+  // a turn where it rolls.
+  std::vector<PlanarStep> steps;
+  bool moves() const;
 };
-// Errors (range): the film is seen in perspective, or the camera moves or is tilted.
-Result<PlanarView> planar_view(const Program&, const ExportOptions&);
+// Errors (range): the film is seen in perspective, or the camera is tilted.
+Result<PlanarView> planar_view(const Program&, const ExportOptions&, bool in_unit = false);
 
-// Of the objects that are asked for, or of all that are drawn. Errors (range): one turns out of the plane.
-Result<std::vector<PlanarMotion>> planar_motions(const Program&, const ExportOptions&, const PlanarView&,
-                                                 bool in_unit = false);
+// Of the objects that are asked for, or of all that are drawn; without the steps of the view. `out`: those that turn
+// out of the plane, which have no steps; where nobody asks for these, one is an error (range).
+Result<std::vector<PlanarMotion>> planar_motions(const Program&, const ExportOptions&, bool in_unit = false,
+                                                 std::vector<ObjectId>* out = nullptr);
 
-// What a drawing has of an object: what is filled, and lines along which it is stroked.
-struct PlanarLook {
-  Contours filled;
-  std::vector<DrawnPart> stroked;
-  double width = 0;
-  bool round = false;
-  Vec3 color, stroke;  // linear light
-  double opacity = 1;
-  double z = 0;  // how far in front
-};
-// As it is at the beginning, where it is not seen as if it were. Errors (range): it is no flat thing, or its shape
-// changes.
-Result<PlanarLook> planar_look(const Program&, const ExportOptions&, ObjectId);
+// What a trace is drawn on, and so moves with; none: the world.
+ObjectId drawn_within(const Program&, ObjectId, Time);
+
 // Its colour in sRGB, and how opaque it is (0 where it is not shown), in straight pieces.
 Channel planar_color(const Program&, const ExportOptions&, ObjectId);
 Channel planar_opacity(const Program&, const ExportOptions&, ObjectId);
-// What is behind everything at the beginning, in linear light; none: nothing is.
-std::optional<Vec3> planar_background(const Program&, const ExportOptions&);
 // Pixels of the film's pictures.
 std::pair<int, int> picture_size(const Document&);
 

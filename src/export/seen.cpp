@@ -21,19 +21,6 @@ namespace {
 constexpr std::size_t most_triangles = 20'000'000;
 constexpr std::size_t most_points = 1'000'000, fewest_forms = 24, most_forms = 600;  // of one object
 
-// The frames of the film, and when something may jump in between.
-std::vector<Time> looks_of(const Program& program, Time from, Time until) {
-  const Rate rate = program.document().rate();
-  std::vector<Time> all = program.breaks(from, until);
-  const double first = std::ceil(rate.frame_number(from));
-  for (double n = first; rate.frame(n) <= until; ++n) all.push_back(rate.frame(n));
-  all.push_back(from);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  std::erase_if(all, [&](Time t) { return t < from; });
-  return all;
-}
-
 class Watch {
  public:
   Watch(const Program& program, const ExportOptions& options, const std::function<bool(const Skin&)>& as_skin)
@@ -171,6 +158,18 @@ class Watch {
 
 }  // namespace
 
+std::vector<Time> looks_of(const Program& program, Time from, Time until) {
+  const Rate rate = program.document().rate();
+  std::vector<Time> all = program.breaks(from, until);
+  const double first = std::ceil(rate.frame_number(from));
+  for (double n = first; rate.frame(n) <= until; ++n) all.push_back(rate.frame(n));
+  all.push_back(from);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::erase_if(all, [&](Time t) { return t < from; });
+  return all;
+}
+
 void leave_out(Exported& made, std::string sentence) {
   if (std::find(made.left_out.begin(), made.left_out.end(), sentence) == made.left_out.end())
     made.left_out.push_back(std::move(sentence));
@@ -190,17 +189,14 @@ void keep_asked(std::vector<ObjectKeys>& all, const std::vector<ObjectId>& asked
   std::erase_if(all, [&](const ObjectKeys& k) { return !kept.contains(k.id.index); });
 }
 
-namespace {
-
-// What is around the things, and what no file of motion has.
-void leave_out_surroundings(const Program& program, Time t, Exported& made) {
+void leave_out_surroundings(const Program& program, Time t, bool background, Exported& made) {
   const Frame frame = program.frame(t);
   const Surroundings& s = frame.surroundings;
   std::string words;
   const auto add = [&](bool there, const char* word) {
     if (there) words += (words.empty() ? "" : ", ") + std::string(word);
   };
-  add(frame.background || s.below, "the background");
+  add(background && (frame.background || s.below), "the background");
   add(s.fog.has_value(), "fog"), add(s.sky, "the sky"), add(s.ground.has_value(), "the ground");
   add(frame.camera.shutter > 0, "blur"), add(frame.camera.aperture > 0, "depth of field");
   const std::vector<ObjectId> all = objects(program.document());
@@ -209,12 +205,10 @@ void leave_out_surroundings(const Program& program, Time t, Exported& made) {
   if (!words.empty()) leave_out(made, "left out: " + words);
 }
 
-}  // namespace
-
 Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& options, Exported& made,
                                    const std::function<bool(const Skin&)>& as_skin) {
   Watch watch(program, options, as_skin);
-  leave_out_surroundings(program, options.from, made);
+  leave_out_surroundings(program, options.from, true, made);
   Evaluation e(program);
   const std::vector<Time> looks = looks_of(program, options.from, options.until);
   std::optional<Time> next = options.from;  // before it nothing differs

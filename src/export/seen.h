@@ -46,6 +46,11 @@ Result<std::vector<Seen>> all_seen(const Program&, const ExportOptions&, Exporte
 void keep_asked(std::vector<ObjectKeys>&, const std::vector<ObjectId>& asked);
 bool is_asked(ObjectId, const std::vector<ObjectId>& asked);
 
+// The frames of the film, and when something may jump in between.
+std::vector<Time> looks_of(const Program&, Time from, Time until);
+
+// Says what is around the things and goes into no file of motion; with or without the background.
+void leave_out_surroundings(const Program&, Time, bool background, Exported&);
 // Each sentence once.
 void leave_out(Exported&, std::string sentence);
 

@@ -8,10 +8,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
+#include <sstream>
 
 #include "betwixt/language.h"
 #include "betwixt/pose.h"
 #include "export/formats.h"
+#include "export/planar_look.h"
+#include "export/planar_order.h"
+#include "scene/functions.h"
 
 namespace betwixt {
 namespace {
@@ -59,7 +64,7 @@ TEST(Planar, IsWhereTheFilmIs) {
   ASSERT_TRUE(view);
   std::mt19937 random(5);
   for (const bool in_unit : {false, true}) {
-    const auto motions = planar_motions(film.program, film.options, *view, in_unit);
+    const auto motions = planar_motions(film.program, film.options, in_unit);
     ASSERT_TRUE(motions) << motions.error().message;
     ASSERT_EQ(motions->size(), 3U) << "a group draws nothing";
     for (const PlanarMotion& m : *motions)
@@ -88,7 +93,7 @@ TEST(Planar, WhatCssCanSayIsExact) {
       "ease-in-out\n"
       "  49f (5 5 0)\ncreate b circle\nb.position\n  1f (0 0 0) hermite tangent=(0 4 0)\n  49f (0 0 0) hermite "
       "tangent=(0 -4 0)\n");
-  const auto motions = planar_motions(film.program, film.options, *planar_view(film.program, film.options));
+  const auto motions = planar_motions(film.program, film.options);
   ASSERT_TRUE(motions);
   const PlanarCurves& x = (*motions)[0].steps[0].curves;
   ASSERT_EQ(x.size(), 2U);
@@ -113,15 +118,11 @@ TEST(Planar, RefusesWhatIsNotFlat) {
   EXPECT_EQ(
       refusal("film flat\ncreate b circle\nb.rotation\n  1f euler(0 0 0) linear\n  24f euler(0 80deg 0)\n", make_css),
       "'b' turns out of the plane of the picture");
-  EXPECT_EQ(refusal("film flat\ncreate b sphere\n", make_lottie), "'b' is a sphere, and not flat");
-  EXPECT_EQ(refusal("film flat\ncreate b box\n", make_svg), "'b' is a box, and not flat");
-  EXPECT_EQ(refusal("film flat\ncreate b circle\nb.radius\n  1f 1 linear\n  24f 2\n", make_lottie),
-            "the shape of 'b' changes");
+  EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_lottie), "'b' is a torus, and not flat");
+  EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_svg), "'b' is a torus, and not flat");
   EXPECT_EQ(
-      refusal(
-          "film flat\ncreate eye camera height=9\ncreate b circle\neye.position\n  1f (0 0 9) linear\n  24f (2 0 9)\n",
-          make_lottie),
-      "the camera moves, and a drawing is seen from one place");
+      refusal("film flat\ncreate eye camera height=9 position=(9 0 9) look-at=(0 0 0)\ncreate b circle\n", make_lottie),
+      "the camera does not look along -z, and a drawing lies in the plane of x and y");
   EXPECT_EQ(refusal("film flat\n", make_css), "nothing is drawn in the film");
 }
 
@@ -150,6 +151,241 @@ TEST(Lottie, SaysItsFilm) {
   const auto& opacity = json["layers"][0]["ks"]["o"]["k"];
   EXPECT_EQ(opacity[0]["s"][0], 100);
   EXPECT_EQ(opacity.back()["s"][0], 0);
+}
+
+// ---- What changes its looks
+
+std::vector<DrawnPart> parts_at(const PlanarForms& forms, Time t) {
+  std::size_t i = 0;
+  while (i + 1 < forms.size() && forms[i + 1].from <= t) ++i;
+  std::vector<DrawnPart> out = forms[i].parts;
+  if (!forms[i].goes_on || i + 1 == forms.size()) return out;
+  const double s = (t - forms[i].from).seconds() / (forms[i + 1].from - forms[i].from).seconds();
+  for (std::size_t k = 0; k < out.size(); ++k)
+    for (std::size_t n = 0; n < out[k].points.size(); ++n)
+      out[k].points[n] = (1 - s) * out[k].points[n] + s * forms[i + 1].parts[k].points[n];
+  return out;
+}
+Box box_of(const std::vector<DrawnPart>& parts) {
+  Box all;
+  for (const DrawnPart& part : parts)
+    for (const Vec3 p : part.points) all.add(p);
+  return all;
+}
+struct Drawn : Film {
+  explicit Drawn(const std::string& text) : Film(text), drawn(planar_film(program, options, made)) {
+    EXPECT_TRUE(drawn) << drawn.error().message;
+  }
+  const PlanarThing& of(const char* name) const {
+    return *std::find_if(drawn->things.begin(), drawn->things.end(),
+                         [&](const PlanarThing& t) { return t.motion.id == (*this)[name]; });
+  }
+  Exported made;
+  Result<PlanarFilm> drawn;
+};
+
+TEST(PlanarLook, OutlinesAreThoseOfEachFrame) {
+  const Drawn film(
+      "film flat\nrange 1f 73f\ncreate box rectangle size=(1 1)\nbox.size\n  1f (1 1) smooth\n  30f (3 2) hold\n"
+      "  50f (2 0.5) ease-in-out\n  73f (1 4)\ncreate disc circle\nat 1f disc.radius 1 linear\nat 73f disc.radius 3\n");
+  ASSERT_EQ(film.drawn->things.size(), 2U);
+  EXPECT_EQ(film.of("disc").look.filled.size(), 2U) << "what grows evenly is two outlines";
+  EXPECT_LT(film.of("box").look.filled.size(), 60U);
+  for (int f = 1; f <= 73; ++f) {
+    const Time t = film.loaded.document.rate().frame(f);
+    const auto size = std::get<Vec3>(film.program.read({film["box"], *find_built_in(Kind::rectangle, "size")}, t));
+    const Box box = box_of(parts_at(film.of("box").look.filled, t)),
+              disc = box_of(parts_at(film.of("disc").look.filled, t));
+    EXPECT_NEAR(box.high.x, size.x / 2, 2e-4) << f;
+    EXPECT_NEAR(box.high.y, size.y / 2, 2e-4) << f;
+    EXPECT_NEAR(disc.high.x, 1 + 2 * (f - 1) / 72.0, 2e-4) << f;
+  }
+}
+
+TEST(PlanarLook, TrimsAreTheCurvesOfTheFilm) {
+  const Drawn film(
+      "film flat\nrange 1f 49f\ncreate way line to=(4 0 0)\nway.trim\n  1f (0 0) ease-in-out\n  25f (0 1) linear\n"
+      "  49f (0.5 1)\n");
+  const auto& trim = film.of("way").look.trim;
+  ASSERT_TRUE(trim);
+  EXPECT_EQ(film.of("way").look.stroked.size(), 1U) << "the line itself stays as it is";
+  const FunctionId f = *find_built_in(Kind::line, "trim");
+  for (double s = 0; s <= 2; s += 0.037) {
+    const auto n = numbers(film.program.read({film["way"], f}, from_seconds(s)));
+    EXPECT_NEAR(value_at(trim->from, from_seconds(s)), n[0], 1e-3) << s;
+    EXPECT_NEAR(value_at(trim->to, from_seconds(s)), n[1], 1e-3) << s;
+  }
+}
+
+TEST(PlanarLook, ALineThatIsDrawnOnIsOneLine) {
+  const Drawn film(
+      "film flat\nrange 1f 73f\ncreate paper group\nat 1f..73f paper.motion T(6 0)\ncreate pen circle radius=0.1\n"
+      "at 1f..73f pen.motion R(1turn @ 2 0)\ncreate wave trace of=pen within=paper\ncreate tail trace of=pen "
+      "last=1s\n");
+  for (const char* name : {"wave", "tail"}) {
+    const PlanarLook& look = film.of(name).look;
+    ASSERT_EQ(look.stroked.size(), 1U) << name;
+    ASSERT_TRUE(look.trim) << name;
+    EXPECT_NEAR(value_at(look.trim->to, film.options.until), 1, 1e-6) << name;
+  }
+  // A second of three, of a circle that is gone round once.
+  const PlanarTrim& tail = *film.of("tail").look.trim;
+  EXPECT_NEAR(value_at(tail.to, film.options.until) - value_at(tail.from, film.options.until), 1.0 / 3, 2e-3);
+  EXPECT_NEAR(value_at(tail.from, from_seconds(0.5)), 0, 1e-3);
+  // The pen is where the line ends, on its paper.
+  const PlanarThing& wave = film.of("wave");
+  const Time end = film.options.until;
+  const Vec3 tip = transform_point(matrix_at(wave.motion, end), wave.look.stroked[0].parts[0].points.back());
+  const Vec3 pen = translation_of(pose(film.program, film["pen"], end).world);
+  EXPECT_LT(std::hypot(tip.x - pen.x, tip.y - pen.y), 1e-3);
+}
+
+TEST(PlanarLook, CardsThatTurnAreSeenAsTheyAre) {
+  const Drawn film(
+      "film flat\nrange 1f 49f\ncreate card rectangle size=(2 1)\nat 1f card.rotation.y 0deg linear\n"
+      "at 49f card.rotation.y 180deg\n");
+  EXPECT_TRUE(film.of("card").motion.steps.empty());
+  for (int f = 1; f <= 49; ++f) {
+    const Time t = film.loaded.document.rate().frame(f);
+    EXPECT_NEAR(box_of(parts_at(film.of("card").look.filled, t)).high.x, std::abs(std::cos(pi * (f - 1) / 48)), 5e-4)
+        << f;
+  }
+}
+
+TEST(PlanarLook, CamerasMoveGrowAndRoll) {
+  const Drawn film(
+      "film flat\nrange 1f 49f\ncreate eye camera height=9\neye.position\n  1f (0 0 9) smooth\n  49f (2 1 9)\n"
+      "eye.height\n  1f 9 linear\n  49f 3\nat 1f eye.rotation.z 0deg linear\nat 49f eye.rotation.z 400deg\n"
+      "look through eye\ncreate b circle position=(1 2 0)\n");
+  for (int i = 0; i <= 48; ++i) {
+    const Time t = film.loaded.document.rate().frame(1 + i);
+    const Camera c = film.program.frame(t).camera;
+    const Vec3 seen = transform_point(*inverse(c.world), {1, 2, 0});
+    const Vec3 page = transform_point(matrix_at({{}, film.drawn->view.steps}, t), {1, 2, 0});
+    EXPECT_LT(std::hypot(page.x - 9 / c.height * seen.x, page.y - 9 / c.height * seen.y), 2e-3) << i;
+  }
+}
+
+TEST(PlanarLook, LeavesOutWhatIsNoDrawingByName) {
+  const Drawn film("film flat\ncreate a circle\ncreate hoop torus\ncreate ball sphere radius=2\n");
+  EXPECT_EQ(film.made.left_out, std::vector<std::string>{"left out, as a torus is not flat: 'hoop'"});
+  ASSERT_EQ(film.drawn->things.size(), 2U);
+  EXPECT_NEAR(box_of(film.of("ball").look.filled[0].parts).high.y, 2, 0.01) << "a ball is a disc from the front";
+}
+
+// At each time every thing that is seen is drawn once, the farthest first.
+TEST(PlanarOrder, ThingsThatPassEachOtherAreInOrderAtEachTime) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<PlanarDepths> all(2 + random() % 6);
+    for (PlanarDepths& d : all)
+      for (int t = 0; t < 10; ++t)
+        if (t == 0 || random() % 3 == 0)
+          put(d, Time{t}, random() % 5 == 0 ? std::nullopt : std::optional(static_cast<double>(random() % 4)));
+    bool whole = false;
+    const auto stack = stack_of(all, Time{10}, whole);
+    for (int t = 0; t < 10 && whole; ++t) {
+      std::vector<std::pair<double, std::size_t>> wanted, got;
+      const auto depth = [&](std::size_t thing) {
+        std::optional<double> now;
+        for (const auto& [at, d] : all[thing])
+          if (at.flicks <= t) now = d;
+        return now;
+      };
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (const auto d = depth(i)) wanted.emplace_back(*d, i);
+      std::stable_sort(wanted.begin(), wanted.end());
+      for (const StackPlace& p : stack) {
+        const bool there = p.spans.empty() || std::any_of(p.spans.begin(), p.spans.end(), [&](const auto& s) {
+                             return s.first.flicks <= t && t < s.second.flicks;
+                           });
+        if (const auto d = depth(p.thing); d && there) got.emplace_back(*d, p.thing);
+      }
+      EXPECT_EQ(got, wanted) << round << ' ' << t;
+    }
+  }
+  bool whole = false;
+  EXPECT_EQ(stack_of({{{Time{}, 1.0}}, {{Time{}, 0.0}}}, Time{10}, whole).size(), 2U);
+}
+
+const char* const changing =
+    "film flat\nsize 640x360\nrange 1f 49f\nrate 24\ncreate a text text=\"1\"\nset a.text = \"string.format('%.0f', 8 "
+    "+ 2 * t)\"\n"
+    "create b polygon points=((0 1) (-1 -1) (1 -1))\nb.points\n  1f ((0 1) (-1 -1) (1 -1)) linear\n"
+    "  49f ((-1 1) (-1 -1) (1 -1) (1 1))\ncreate c circle fill=off stroke=red stroke-width=0.1\n"
+    "c.trim\n  1f (0 0) smooth\n  49f (0 1)\n";
+
+TEST(Lottie, OutlinesHaveAsManyPointsInAllKeys) {
+  const Film film(changing);
+  Exported made;
+  const auto text = make_lottie(film.program, film.options, made);
+  ASSERT_TRUE(text) << text.error().message;
+  std::size_t animated = 0, trims = 0;
+  const std::function<void(const nlohmann::json&)> visit = [&](const nlohmann::json& j) {
+    if (j.is_object() && j.value("ty", nlohmann::json()) == "tm") {
+      ++trims;
+      EXPECT_EQ(j["s"]["k"], 0);
+      EXPECT_EQ(j["e"]["k"].front()["s"][0], 0);
+      EXPECT_NEAR(j["e"]["k"].back()["s"][0].get<double>(), 100, 1e-9);
+    }
+    if (j.is_object() && j.value("ty", nlohmann::json()) == "sh" && j["ks"]["a"] == 1) {
+      ++animated;
+      double before = -1;
+      for (const auto& k : j["ks"]["k"]) {
+        EXPECT_EQ(k["s"][0]["v"].size(), j["ks"]["k"][0]["s"][0]["v"].size());
+        EXPECT_EQ(k["s"][0]["i"].size(), k["s"][0]["v"].size());
+        EXPECT_GT(k["t"].get<double>(), before);
+        before = k["t"];
+      }
+    }
+    if (j.is_structured())
+      for (const auto& inner : j) visit(inner);
+  };
+  visit(nlohmann::json::parse(*text));
+  EXPECT_GE(animated, 3U);
+  EXPECT_EQ(trims, 1U);
+}
+
+// SVG 1.1, 19.2.6: as many values as times, from 0 to 1, none before the one before; and between two times outlines of
+// the same commands.
+TEST(Svg, KeyTimesAndOutlinesFit) {
+  const Film film(changing);
+  Exported made;
+  const auto text = make_svg(film.program, film.options, made);
+  ASSERT_TRUE(text) << text.error().message;
+  const auto word = [](const std::string& element, const std::string& name) {
+    const std::size_t at = element.find(" " + name + "=\"");
+    if (at == std::string::npos) return std::string();
+    const std::size_t begin = at + name.size() + 3;
+    return element.substr(begin, element.find('"', begin) - begin);
+  };
+  const auto split = [](const std::string& list) {
+    std::vector<std::string> out;
+    std::istringstream in(list);
+    for (std::string one; std::getline(in, one, ';');) out.push_back(one);
+    return out;
+  };
+  std::set<std::string> attributes;
+  for (std::size_t at = text->find("<animate"); at != std::string::npos; at = text->find("<animate", at + 1)) {
+    const std::string element = text->substr(at, text->find("/>", at) - at), name = word(element, "attributeName");
+    attributes.insert(name);
+    const auto times = split(word(element, "keyTimes")), values = split(word(element, "values"));
+    ASSERT_EQ(times.size(), values.size()) << name;
+    EXPECT_EQ(times.front(), "0") << name;
+    if (word(element, "calcMode") != "discrete") {
+      EXPECT_EQ(times.back(), "1") << name;
+    }
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      EXPECT_LE(std::stod(times[i - 1]), std::stod(times[i])) << name;
+      if (name != "d" || word(element, "calcMode") == "discrete" || times[i - 1] == times[i]) continue;
+      const auto commands = [](std::string d) {
+        std::erase_if(d, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; });
+        return d;
+      };
+      EXPECT_EQ(commands(values[i - 1]), commands(values[i]));
+    }
+  }
+  EXPECT_TRUE(attributes.contains("d") && attributes.contains("stroke-dasharray"));
 }
 
 TEST(Usda, SaysItsFilm) {

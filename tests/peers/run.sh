@@ -29,7 +29,7 @@ PY
 fi
 [ "$program" != --install ] || exit 0
 program=$(realpath -- "$program")
-[ $# -gt 0 ] || set -- gltf usda lottie web typescript editor
+[ $# -gt 0 ] || set -- gltf usda lottie drawings web typescript editor
 passed=0 failed=0
 for script; do
   said=$(python3 "$root/tests/peers/$script.py" "$program" "$peers" 2>&1)

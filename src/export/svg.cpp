@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A flat film as a picture that moves (SVG): a group for each thing, with its steps as animations that are added to
+// each other; in it paths, whose outlines, colours and dashes are animated.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "export/fit.h"
+#include "export/formats.h"
+#include "export/planar_look.h"
+#include "track/track.h"
+
+namespace betwixt {
+namespace {
+
+constexpr double hairline = 1.4;  // pixels, as the film draws it
+
+std::string svg_color(const Color& c) {
+  const auto byte = [](double v) { return std::lround(255 * std::clamp(v, 0.0, 1.0)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
+}
+std::string svg_color(const KeyValue& v) { return svg_color(Color{v[0], v[1], v[2]}); }
+
+class SvgMaker {
+ public:
+  SvgMaker(const Program& program, const ExportOptions& options, Exported& made)
+      : program_(program),
+        options_(options),
+        made_(made),
+        seconds_((options.until - options.from).seconds()),
+        frames_(static_cast<std::size_t>(std::max(1.0, seconds_ * program.document().rate().per_second()))) {}
+
+  Result<std::string> make() {
+    const auto film = planar_film(program_, options_, made_, true);
+    if (!film) return film.error();
+    const auto [width, height] = picture_size(program_.document());
+    pixels_ = height / film->view.height;
+    std::string out =
+        fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n",
+                    width, height, short_number(-width / 2.0), short_number(-height / 2.0), width, height);
+    add_background(width, height, out);
+    const bool seen_by = !film->view.steps.empty();
+    if (seen_by) {
+      out += fmt::format("  <g{}>\n", rest(film->view.steps));
+      add_steps(film->view.steps, "    ", out);
+    }
+    std::vector<ObjectId> ids;
+    for (const PlanarThing& thing : film->things) ids.push_back(thing.motion.id);
+    const std::vector<std::string> names = plain_names(program_.document(), ids);
+    std::vector<std::size_t> copies(names.size());
+    for (const PlanarPlace& place : film->order) {
+      const std::size_t copy = copies[place.thing]++;
+      const std::string id = copy == 0 ? names[place.thing] : fmt::format("{}.{}", names[place.thing], copy + 1);
+      add_thing(film->things[place.thing], place.shown, id, out);
+    }
+    if (seen_by) out += "  </g>\n";
+    return out + "</svg>\n";
+  }
+
+ private:
+  // Browsers count in whole microseconds, and who asks for a frame's time means what begins with it.
+  double share(Time t) const {
+    constexpr double a_moment = 1.5e-6;
+    if (t >= options_.until) return seconds_ > 0 ? 1 : 0;
+    return seconds_ > 0 ? std::clamp(((t - options_.from).seconds() - a_moment) / seconds_, 0.0, 1.0) : 0;
+  }
+
+  void add_background(int width, int height, std::string& out) const {
+    const std::vector<Vec3> stops = planar_background(program_, options_);
+    if (stops.empty()) return;
+    std::string fill = svg_color(to_srgb(stops[0]));
+    if (stops.size() > 1) {
+      out += "  <defs><linearGradient id=\".background\" x2=\"0\" y2=\"1\">";
+      for (std::size_t i = 0; i < stops.size(); ++i)
+        out += fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>",
+                           short_number(static_cast<double>(i) / static_cast<double>(stops.size() - 1)),
+                           svg_color(to_srgb(stops[i])));
+      out += "</linearGradient></defs>\n";
+      fill = "url(#.background)";
+    }
+    out += fmt::format("  <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
+                       short_number(-width / 2.0), short_number(-height / 2.0), width, height, fill);
+  }
+
+  void add_thing(const PlanarThing& thing, const Channel& shown, const std::string& id, std::string& out) {
+    const PlanarLook& look = thing.look;
+    const bool some = !shown.pieces.empty();
+    if (some) {
+      out += fmt::format("  <g opacity=\"{}\">\n", shown.pieces[0].begin[0]);
+      animate(shown, "opacity", "    ", out, [](const KeyValue& v) { return short_number(v[0]); });
+    }
+    out += fmt::format("  <g id=\"{}\" opacity=\"{}\"{}>\n", id, short_number(look.opacity.pieces[0].begin[0]),
+                       rest(thing.motion.steps));
+    add_steps(thing.motion.steps, "    ", out);
+    animate(look.opacity, "opacity", "    ", out, [](const KeyValue& v) { return short_number(v[0]); });
+    add_filled(look.filled, look.color, out);
+    add_filled(look.bordered, look.stroke, out);
+    add_stroked(look, out);
+    out += "  </g>\n";
+    if (some) out += "  </g>\n";
+  }
+
+  void add_filled(const PlanarForms& forms, const Channel& color, std::string& out) {
+    if (forms.empty()) return;
+    out += fmt::format("    <path d=\"{}\" fill=\"{}\">\n", path_of(forms[0].parts), svg_color(color.pieces[0].begin));
+    animate_forms(forms, out, [&](const PlanarForm& f) { return path_of(f.parts); });
+    animate(color, "fill", "      ", out, [](const KeyValue& v) { return svg_color(v); });
+    out += "    </path>\n";
+  }
+
+  // Each line that is cut is a path of its own: a path's dashes go on from one of its lines to the next.
+  void add_stroked(const PlanarLook& look, std::string& out) {
+    if (look.stroked.empty()) return;
+    if (!look.trim)
+      return add_lines(
+          look, "", "", [&](const PlanarForm& f) { return path_of(f.parts); }, out);
+    std::size_t lines = 0;
+    for (const PlanarForm& f : look.stroked) lines = std::max(lines, f.parts.size());
+    const PlanarCurves length = length_of(*look.trim);
+    std::string inside = displayed(length, false);
+    if (!constant(length))
+      inside += animation("stroke-dasharray", length, [](double v) { return short_number(std::max(0.0, v)) + " 2"; });
+    if (!constant(look.trim->from))
+      inside += animation("stroke-dashoffset", look.trim->from, [](double v) { return short_number(-v); });
+    const std::string cut =
+        fmt::format(" pathLength=\"1\" stroke-dasharray=\"{} 2\" stroke-dashoffset=\"{}\"",
+                    short_number(std::max(0.0, length[0].begin)), short_number(-look.trim->from[0].begin));
+    const auto is_whole = [](const PlanarCurve& c) { return c.shape == PlanarCurve::held && c.begin >= 1 - 1e-9; };
+    const bool whole = std::any_of(length.begin(), length.end(), is_whole);
+    for (std::size_t line = 0; line < lines; ++line) {
+      const auto written = [&](const PlanarForm& f) {
+        return line < f.parts.size() ? path_of({f.parts[line]}) : std::string();
+      };
+      add_lines(look, cut, inside, written, out);
+      // A dash has ends, and a closed line has none.
+      const auto& parts = look.stroked[0].parts;
+      if (whole && line < parts.size() && parts[line].closed)
+        add_lines(look, "", displayed(length, true), written, out);
+    }
+  }
+  template <class F>
+  void add_lines(const PlanarLook& look, const std::string& attributes, const std::string& inside, F written,
+                 std::string& out) {
+    out += fmt::format("    <path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}>\n",
+                       written(look.stroked[0]), svg_color(look.stroke.pieces[0].begin),
+                       look.hairline ? short_number(hairline) : short_number(look.width.pieces[0].begin[0] * pixels_),
+                       look.round ? " stroke-linecap=\"round\" stroke-linejoin=\"round\"" : "",
+                       look.hairline ? " vector-effect=\"non-scaling-stroke\"" : "", attributes);
+    animate_forms(look.stroked, out, written);
+    animate(look.stroke, "stroke", "      ", out, [](const KeyValue& v) { return svg_color(v); });
+    if (!look.hairline)
+      animate(look.width, "stroke-width", "      ", out,
+              [this](const KeyValue& v) { return short_number(v[0] * pixels_); });
+    out += inside + "    </path>\n";
+  }
+
+  // What is drawn of a line is its one dash.
+  PlanarCurves length_of(const PlanarTrim& trim) const {
+    PlanarCurves length;
+    if (constant(trim.from)) {
+      length = trim.to;
+      for (PlanarCurve& c : length) c.begin -= trim.from[0].begin, c.end -= trim.from[0].begin;
+      return length;
+    }
+    if (constant(trim.to)) {
+      length = trim.from;
+      for (PlanarCurve& c : length) c.begin = trim.to[0].begin - c.begin, c.end = trim.to[0].begin - c.end;
+      return length;
+    }
+    // Of two ends that move: straight from frame to frame.
+    std::vector<Time> knots;
+    for (const PlanarCurves* curves : {&trim.from, &trim.to})
+      for (const PlanarCurve& c : *curves) knots.push_back(c.from), knots.push_back(c.until);
+    const std::int64_t whole = (options_.until - options_.from).flicks, frames = static_cast<std::int64_t>(frames_);
+    for (std::int64_t i = 0; i <= frames; ++i) knots.push_back({options_.from.flicks + whole / frames * i});
+    std::sort(knots.begin(), knots.end());
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    const auto at = [&](Time t) { return value_at(trim.to, t) - value_at(trim.from, t); };
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+      const double begin = at(knots[i]), end = at({knots[i + 1].flicks - 1});
+      length.push_back({begin == end ? PlanarCurve::held : PlanarCurve::straight, knots[i], knots[i + 1], begin, end});
+    }
+    if (length.empty()) length.push_back({PlanarCurve::held, options_.from, options_.until, at(options_.from), 0});
+    return length;
+  }
+
+  // When a line is seen: where it has a length, as a dash of none still has its round ends; or where it is whole.
+  std::string displayed(const PlanarCurves& length, bool whole) const {
+    constexpr double nothing = 1e-9, a_moment = 1e-7;
+    std::string times, values;
+    const auto add = [&](double at, bool seen) {
+      const char *word = seen ? "inline" : "none", *between = times.empty() ? "" : ";";
+      if (values.ends_with(word)) return;
+      times += fmt::format("{}{:.9g}", between, at), values += between, values += word;
+    };
+    for (const PlanarCurve& c : length) {
+      const double from = times.empty() ? 0 : share(c.from);
+      if (whole) {
+        add(from, c.shape == PlanarCurve::held && c.begin >= 1 - nothing);
+        continue;
+      }
+      add(from, c.begin > nothing);
+      if (c.begin <= nothing && c.end > nothing) add(std::min(1.0, from + a_moment), true);
+    }
+    if (values == "inline") return "";
+    return fmt::format(
+        "      <animate attributeName=\"display\" dur=\"{}s\" fill=\"freeze\" calcMode=\"discrete\" keyTimes=\"{}\" "
+        "values=\"{}\"/>\n",
+        short_number(std::max(seconds_, 1e-9)), times, values);
+  }
+
+  std::string path_of(const std::vector<DrawnPart>& parts) const {
+    std::string d;
+    for (const DrawnPart& part : parts) {
+      char command = 'M';
+      for (const Vec3 p : part.points)
+        d += fmt::format("{}{} {}", std::exchange(command, 'L'), coordinate(p.x * pixels_), coordinate(-p.y * pixels_));
+      if (part.closed && !part.points.empty()) d += 'Z';
+    }
+    return d;
+  }
+  static std::string coordinate(double v) {
+    std::string s = fmt::format("{:.4f}", v);
+    s.erase(s.find_last_not_of('0') + 1);
+    if (s.back() == '.') s.pop_back();
+    return s == "-0" ? "0" : s;
+  }
+
+  void count(std::size_t keys) { ++made_.channels, made_.keys += keys, made_.baked += frames_; }
+
+  template <class F>
+  void animate_forms(const PlanarForms& forms, std::string& out, F written) {
+    if (forms.size() < 2) return;
+    const bool steps = std::none_of(forms.begin(), forms.end(), [](const PlanarForm& f) { return f.goes_on; });
+    std::string times, values;
+    const auto add = [&](double at, const std::string& d) {
+      if (!times.empty()) times += ';', values += ';';
+      // A path of nothing, which is an error elsewhere.
+      times += fmt::format("{:.9g}", at), values += d.empty() ? "M0 0" : d;
+    };
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      const std::string d = written(forms[i]);
+      add(i == 0 ? 0 : share(forms[i].from), d);
+      const bool last = i + 1 == forms.size();
+      if (!steps && (last || !forms[i].goes_on)) add(last ? 1 : share(forms[i + 1].from), d);
+    }
+    count(forms.size());
+    out += fmt::format(
+        "      <animate attributeName=\"d\" dur=\"{}s\" fill=\"freeze\" calcMode=\"{}\" keyTimes=\"{}\" "
+        "values=\"{}\"/>\n",
+        short_number(std::max(seconds_, 1e-9)), steps ? "discrete" : "linear", times, values);
+  }
+
+  // What goes straight from value to value.
+  template <class F>
+  void animate(const Channel& c, std::string_view attribute, std::string_view indent, std::string& out, F value) {
+    if (c.constant()) return;
+    std::string times, values;
+    for (const KeyPiece& p : c.pieces)
+      for (const auto& [t, v] : {std::pair(p.from, p.begin), std::pair(p.until, p.end)}) {
+        const char* between = times.empty() ? "" : ";";
+        times += fmt::format("{}{:.9g}", between, share(t)), values += between + value(v);
+      }
+    close(times, values);
+    out += fmt::format("{}<animate attributeName=\"{}\" dur=\"{}s\" fill=\"freeze\" keyTimes=\"{}\" values=\"{}\"/>\n",
+                       indent, attribute, short_number(std::max(seconds_, 1e-9)), times, values);
+  }
+  // Key times begin with 0 and end with 1.
+  static void close(std::string& times, std::string& values) {
+    if (times.ends_with(";1")) return;
+    times += ";1", values += values.substr(values.rfind(';'));
+  }
+
+  template <class F>
+  std::string animation(std::string_view attribute, const PlanarCurves& curves, F value) {
+    return fmt::format("      <animate attributeName=\"{}\" {}/>\n", attribute, keys_of(curves, value));
+  }
+  // A moment that comes twice is a jump; what is held has a key at its end.
+  template <class F>
+  std::string keys_of(const PlanarCurves& curves, F value) {
+    std::string times, values, splines;
+    for (const PlanarCurve& c : curves) {
+      const bool first = times.empty();
+      for (const auto& [at, v] : {std::pair(c.from, c.begin), std::pair(c.until, c.end)}) {
+        if (!times.empty()) times += ';', values += ';';
+        times += fmt::format("{:.9g}", share(at)), values += value(v);
+      }
+      if (!first) splines += "0 0 1 1;";  // from the end of one to the beginning of the next: no time
+      splines += c.shape == PlanarCurve::cubic ? fmt::format("{} {} {} {};", short_number(c.x1), short_number(c.y1),
+                                                             short_number(c.x2), short_number(c.y2))
+                                               : "0 0 1 1;";
+    }
+    splines.pop_back();
+    if (!constant(curves)) count(curves.size() + 1);
+    return fmt::format(
+        "dur=\"{}s\" fill=\"freeze\" calcMode=\"spline\" keyTimes=\"{}\" values=\"{}\" keySplines=\"{}\"",
+        short_number(std::max(seconds_, 1e-9)), times, values, splines);
+  }
+
+  // The first one takes the place of what stands there at rest, the others are added to it.
+  void add_steps(const std::vector<PlanarStep>& steps, std::string_view indent, std::string& out) {
+    if (std::all_of(steps.begin(), steps.end(), [](const PlanarStep& s) { return constant(s.curves); })) return;
+    constexpr std::string_view types[] = {"translate", "translate", "rotate", "scale", "scale"};
+    for (const PlanarStep& step : steps)
+      out += fmt::format("{}<animateTransform attributeName=\"transform\" type=\"{}\" additive=\"{}\" {}/>\n", indent,
+                         types[step.what], &step == steps.data() ? "replace" : "sum",
+                         keys_of(step.curves, [&](double v) { return argument(step.what, v); }));
+  }
+  std::string argument(PlanarStep::What what, double v) const {
+    const std::string n = short_number(on_page(what, v, pixels_));
+    return what == PlanarStep::move_y   ? "0 " + n
+           : what == PlanarStep::grow_x ? n + " 1"
+           : what == PlanarStep::grow_y ? "1 " + n
+                                        : n;
+  }
+  // Where it is at the beginning: for those who show it at rest.
+  std::string rest(const std::vector<PlanarStep>& steps) const {
+    constexpr std::string_view functions[] = {"translate({})", "translate({})", "rotate({})", "scale({})", "scale({})"};
+    std::string all;
+    for (const PlanarStep& step : steps)
+      all += (all.empty() ? "" : " ") +
+             fmt::format(fmt::runtime(functions[step.what]), argument(step.what, step.curves.front().begin));
+    return all.empty() ? "" : fmt::format(" transform=\"{}\"", all);
+  }
+
+  const Program& program_;
+  const ExportOptions& options_;
+  Exported& made_;
+  const double seconds_;
+  const std::size_t frames_;
+  double pixels_ = 1;
+};
+
+}  // namespace
+
+Result<std::string> make_svg(const Program& program, const ExportOptions& options, Exported& made) {
+  return SvgMaker(program, options, made).make();
+}
+
+}  // namespace betwixt
