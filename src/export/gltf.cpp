@@ -362,7 +362,7 @@ class Maker {
     if (rest == all.begin() || std::any_of(rest, all.end(), [&](const Json& c) { return c["target"] == target; }))
       return;
     const auto place = nodes_[0].value("translation", std::vector<float>{0, 0, 0});
-    film_.animate({"STEP", {0}, place}, 3, target);
+    film_.animate({"LINEAR", {0}, place}, 3, target);
   }
 
   void finish() {
