@@ -41,4 +41,9 @@ struct ExportFormat {
 };
 std::vector<ExportFormat> export_formats();
 
+// How a file of this name is written where nobody says otherwise: the style of keys that all programs which read the
+// format play alike, or one that is asked for, and how far off that may be: a tenth of a millimetre, a whole one where
+// keys go straight.
+KeyOptions usual_keys(std::string_view path, std::optional<KeyStyle> asked = {});
+
 }  // namespace betwixt

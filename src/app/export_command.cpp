@@ -16,9 +16,9 @@ namespace betwixt {
 namespace {
 
 struct ExportCall {
-  std::string file, out, frames, keys = "cubic";
+  std::string file, out, frames, keys;
   std::vector<std::string> targets;
-  double tolerance = 1e-4;
+  std::optional<double> tolerance;
   bool keep_old = false;
 };
 
@@ -57,6 +57,13 @@ class Percent {
   int shown_ = -1;
 };
 
+std::optional<KeyStyle> style_of(std::string_view word) {
+  if (word == "cubic") return KeyStyle::cubic;
+  if (word == "linear") return KeyStyle::linear;
+  if (word == "baked") return KeyStyle::baked;
+  return std::nullopt;
+}
+
 int export_motion(const ExportCall& call) {
   const auto document = open_script(call.file);
   if (!document) return wrong_input;
@@ -67,10 +74,8 @@ int export_motion(const ExportCall& call) {
   ExportOptions options;
   options.path = call.out, options.from = frames->first, options.until = frames->last;
   options.objects = *chosen, options.overwrite = !call.keep_old;
-  options.keys.style = call.keys == "linear"  ? KeyStyle::linear
-                       : call.keys == "baked" ? KeyStyle::baked
-                                              : KeyStyle::cubic;
-  options.keys.metres = options.keys.radians = call.tolerance;
+  options.keys = usual_keys(call.out, style_of(call.keys));
+  if (call.tolerance) options.keys.metres = options.keys.radians = *call.tolerance;
   catch_stops();
   const Result<Exported> made = [&] {
     Percent percent;
@@ -109,14 +114,18 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
                 frames_parameter(call.frames),
                 {.name = "--keys",
                  .value = "WORD",
-                 .sentence = "cubic: as few as there can be; linear: straight ones, for programs that drop tangents; "
-                             "baked: one a frame",
+                 .sentence =
+                     "linear: straight ones, which all programs play alike (what .glb, .gltf and .usda have if "
+                     "nothing is said); cubic: as few as there can be, for programs that keep tangents (Blender "
+                     "and assimp do not); baked: one a frame",
                  .into = &call.keys,
                  .words_only = true,
                  .words = {"cubic", "linear", "baked"}},
                 {.name = "--tolerance",
                  .value = "NUMBER",
-                 .sentence = "how far off it may be, in metres and radians; 0.0001 if nothing is said",
+                 .sentence =
+                     "how far off it may be, in metres and radians; if nothing is said, 0.001 where keys are straight, "
+                     "else 0.0001",
                  .into = ReadValue([&call](const std::string& text) -> Status {
                    std::size_t read = 0;
                    try {

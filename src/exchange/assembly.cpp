@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t most_indices = 3 * 50'000'000;
 constexpr double crease = 60 * pi / 180;  // where a file brings no normals
+constexpr double same_plane = 1e-4;
 
 bool in_reach(const std::array<float, 3>& p) {
   return std::all_of(p.begin(), p.end(), [](float f) { return std::abs(f) < 1e15F; });  // false for NaN
@@ -97,6 +98,26 @@ void follow(Rig& rig, const std::vector<std::uint32_t>& from) {
   for (Rig::Target& t : rig.targets) follow(t.positions, from), follow(t.normals, from);
 }
 
+// The normals that faces have where a target's weight is 1, as what is added to those at rest.
+// Source: glTF 2.0, section 3.7.2.2: flat normals are worked out for each target, and its own are ignored.
+void flatten_targets(const Mesh& mesh, Rig& rig) {
+  for (Rig::Target& t : rig.targets) {
+    t.normals.clear();
+    if (t.positions.size() != mesh.positions.size()) continue;
+    const auto at = [&](std::uint32_t v) { return widen(mesh.positions[v]) + widen(t.positions[v]); };
+    std::vector<Vec3> sums(mesh.positions.size());
+    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+      const auto* v = &mesh.triangles[i];
+      const Vec3 area = cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]));
+      for (int k = 0; k < 3; ++k) sums[v[k]] = sums[v[k]] + area;
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+      const Vec3 rest = widen(mesh.normals[v]);
+      t.normals.push_back(narrow(normalize(sums[v], rest) - rest));
+    }
+  }
+}
+
 }  // namespace
 
 Error Assembly::error(const std::string& what) const {
@@ -147,8 +168,9 @@ Status Assembly::append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* ri
   }
   if (!normals) {
     std::vector<std::uint32_t> from;
-    make_normals(piece, crease, &from);
+    make_normals(piece, missing_ == Normals::flat ? same_plane : crease, &from);
     if (rig) follow(*rig, from);
+    if (rig && missing_ == Normals::flat) flatten_targets(piece, *rig);
   }
   if (piece.triangles.empty()) return Nothing{};  // none of them had an area
   if (!rig) join_vertices(piece);

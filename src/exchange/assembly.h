@@ -18,8 +18,11 @@ namespace betwixt {
 
 class Assembly {
  public:
+  // Of a mesh that brings no normals: smooth but for creases, or each face by itself, as glTF demands.
+  enum class Normals : std::uint8_t { creased, flat };
   // `as`: what the file is read as.
-  explicit Assembly(std::string path, std::string as = "mesh") : path_(std::move(path)), as_(std::move(as)) {}
+  explicit Assembly(std::string path, std::string as = "mesh", Normals missing = Normals::creased)
+      : path_(std::move(path)), as_(std::move(as)), missing_(missing) {}
 
   // A mesh in its own space: positions and triangles; normals and uvs as many as positions, or none; edges as drawn, or
   // none. Of `look` only the color and the texture count. A piece with a `rig` keeps its vertices; all pieces then have
@@ -35,6 +38,7 @@ class Assembly {
   void take(Rig);
 
   std::string path_, as_;
+  Normals missing_;
   Mesh mesh_;
   std::optional<Rig> rig_;
   std::size_t rig_size_ = 0;  // vertices that it speaks of

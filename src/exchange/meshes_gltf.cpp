@@ -11,7 +11,7 @@ Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf& sh
   auto opened = GltfModel::open(path, shelf, "mesh");
   if (!opened) return opened.error();
   GltfModel& file = **opened;
-  Assembly assembly(path);
+  Assembly assembly(path, "mesh", Assembly::Normals::flat);
   std::vector<Mat4> worlds(file.model().nodes.size());
   const auto add = [&](const tinygltf::Primitive& primitive, const Mat4& world) -> Status {
     MeshPart look;

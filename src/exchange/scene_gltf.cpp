@@ -121,7 +121,7 @@ class GltfScene {
   // Without a mesh: there are no triangles in it.
   Result<SceneMesh> read_mesh(const gltf::Mesh& mesh, int skin) {
     SceneMesh out;
-    Assembly all(file_.path(), "scene");
+    Assembly all(file_.path(), "scene", Assembly::Normals::flat);
     const bool rigged = skin >= 0 || std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                                                  [](const auto& p) { return !p.targets.empty(); });
     const std::vector<std::string> targets = target_names(mesh);

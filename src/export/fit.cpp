@@ -49,6 +49,8 @@ KeyValue piece_at(const KeyPiece& p, double u, bool turn) {
                                          : cubic_at(p, u, turn);
 }
 
+Time in_flicks(float seconds, Time beginning) { return beginning + from_seconds(static_cast<double>(seconds)); }
+
 class Follower {
  public:
   Follower(const Followed& f, const KeyOptions& options, Time beginning, std::size_t most, bool straight, bool cubic)
@@ -91,24 +93,16 @@ class Follower {
 
   // The time a file would keep: the nearest.
   Time kept(Time t) const { return options_.in_floats ? in_flicks(static_cast<float>((t - beginning_).seconds())) : t; }
-  // The last one that it can keep up to a time, where the new value has to be there, and the one before.
   std::pair<Time, Time> kept_around(Time t) {
-    if (!options_.in_floats) return {t, t};
-    const double seconds = (t - beginning_).seconds();
-    float f = static_cast<float>(seconds);
-    if (static_cast<double>(f) > seconds) f = std::nextafter(f, -1e30F);
-    const Time after = in_flicks(f);
-    // Blender takes keys for one that are nearer than a hundredth of a frame.
-    if (options_.style == KeyStyle::linear) f = static_cast<float>(seconds - 0.021 * f_.step.seconds());
-    while (in_flicks(f) >= after) f = std::nextafter(f, -1e30F);
-    early_[after] = t;
-    return {in_flicks(f), after};
+    const auto around = around_jump(t, beginning_, f_.step, options_);
+    if (options_.in_floats) early_[around.second] = t;
+    return around;
   }
   // What a piece comes to that ends before a jump.
   KeyValue just_before(Time end, Time jump) const {
     return options_.style == KeyStyle::linear && options_.in_floats ? value(end) : f_.at({jump.flicks - 1});
   }
-  Time in_flicks(float seconds) const { return beginning_ + from_seconds(static_cast<double>(seconds)); }
+  Time in_flicks(float seconds) const { return betwixt::in_flicks(seconds, beginning_); }
 
   // From where the last piece has ended up to a time at which it may jump.
   bool stretch(Time from, Time until) {
@@ -318,6 +312,20 @@ std::array<double, 4> value_at(const Channel& c, Time t) {
 
 Followed followed(const Document& d, std::size_t width, double tolerance, std::function<KeyValue(Time)> at) {
   return {width, false, 0.5 * tolerance, std::move(at), Time{std::max<std::int64_t>(d.rate().span(0.5).flicks, 1)}};
+}
+
+std::pair<Time, Time> around_jump(Time jump, Time beginning, Time step, const KeyOptions& options) {
+  if (!options.in_floats) return {jump, jump};
+  const double seconds = (jump - beginning).seconds();
+  float f = static_cast<float>(seconds);
+  if (static_cast<double>(f) > seconds) f = std::nextafter(f, -1e30F);
+  // Who counts in frames or milliseconds multiplies, and rounds again: assimp by floats.
+  if (options.style == KeyStyle::linear) f = std::nextafter(std::nextafter(f, -1e30F), -1e30F);
+  const Time after = in_flicks(f, beginning);
+  // Blender takes keys for one that are nearer than a hundredth of a frame.
+  if (options.style == KeyStyle::linear) f = static_cast<float>(seconds - 0.021 * step.seconds());
+  while (in_flicks(f, beginning) >= after) f = std::nextafter(f, -1e30F);
+  return {in_flicks(f, beginning), after};
 }
 
 std::vector<Time> knots_between(std::vector<Time> all, Time from, Time until) {

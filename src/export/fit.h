@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <span>
+#include <utility>
 
 #include "betwixt/keys.h"
 
@@ -22,6 +23,10 @@ struct Followed {
 };
 // Half a frame, and half of what may be off: the rest is for what adds up.
 Followed followed(const Document&, std::size_t width, double tolerance, std::function<KeyValue(Time)> at);
+
+// Where a jump at a time lies in a file, in seconds since the beginning: the last moment before it and the one from
+// which on it is over. Floats, where options ask for them, the second one never after the jump.
+std::pair<Time, Time> around_jump(Time jump, Time beginning, Time step, const KeyOptions&);
 
 // Each once, in order, between two times, and these.
 std::vector<Time> knots_between(std::vector<Time> all, Time from, Time until);

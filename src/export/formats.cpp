@@ -13,9 +13,9 @@ namespace {
 constexpr int most_frames = 1'000'000;
 
 constexpr ExportRow rows[] = {
-    {".glb", "glTF 2.0: for three.js, Blender, Godot, web pages", make_glb},
-    {".gltf", "the same as text", make_gltf},
-    {".usda", "USD as text: for Houdini, Maya, Omniverse, usdview", make_usda},
+    {".glb", "glTF 2.0: for three.js, Blender, Godot, web pages", make_glb, KeyStyle::linear},
+    {".gltf", "the same as text", make_gltf, KeyStyle::linear},
+    {".usda", "USD as text: for Houdini, Maya, Omniverse, usdview", make_usda, KeyStyle::linear},
     {".json", "Lottie: a flat film for apps and pages", make_lottie},
     {".css", "keyframes of web pages: how flat things move", make_css},
     {".js", "the same for element.animate()", make_waapi},
@@ -30,6 +30,16 @@ std::vector<ExportFormat> export_formats() {
   std::vector<ExportFormat> all;
   for (const ExportRow& row : rows) all.push_back({row.ending, row.sentence});
   return all;
+}
+
+KeyOptions usual_keys(std::string_view path, std::optional<KeyStyle> asked) {
+  const std::string end = "." + ending(std::string(path));
+  KeyOptions keys;
+  for (const ExportRow& row : rows)
+    if (row.ending == end) keys.style = row.usual;
+  keys.style = asked.value_or(keys.style);
+  if (keys.style == KeyStyle::linear) keys.metres = keys.radians = 1e-3;
+  return keys;
 }
 
 Result<Exported> export_film(const Program& program, const ExportOptions& options) {

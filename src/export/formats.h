@@ -12,6 +12,7 @@ struct ExportRow {
   std::string_view ending, sentence;
   // The bytes of the file; says in `made` what it is, and what is left out.
   Result<std::string> (*make)(const Program&, const ExportOptions&, Exported& made) = nullptr;
+  KeyStyle usual = KeyStyle::cubic;
 };
 
 std::span<const ExportRow> export_rows();

@@ -28,7 +28,7 @@ class Maker {
         document_(program.document()),
         options_(std::move(options)),
         made_(made),
-        film_{options_.from, 1, made, {}},
+        film_{options_.from, 1, options_.keys.style != KeyStyle::linear, made, {}},
         surfaces_(program, options_, film_) {
     options_.keys.in_floats = true;
     film_.frames = static_cast<std::size_t>(std::max(
@@ -214,16 +214,17 @@ class Maker {
     }
     return with_leaps(c);
   }
-  // Where pieces that were put together jump, a leap of one float.
-  Channel with_leaps(Channel c) const {
-    if (c.steps()) return c;
+  // Where pieces that were put together jump, a leap.
+  Channel with_leaps(const Channel& c) const {
+    const Time step{std::max<std::int64_t>(document_.rate().span(0.5).flicks, 1)};
     Channel out{c.width, c.turn, {}};
     for (KeyPiece p : c.pieces) {
       if (!out.pieces.empty() && out.pieces.back().end != p.begin) {
-        const float now = static_cast<float>((p.from - options_.from).seconds());
-        const Time before = options_.from + from_seconds(static_cast<double>(std::nextafter(now, -1.0F)));
-        out.pieces.back().until = before;
-        out.pieces.push_back({KeyPiece::leap, before, p.from, out.pieces.back().end, p.begin, {}, {}});
+        KeyPiece& last = out.pieces.back();
+        auto [before, after] = around_jump(p.from, options_.from, step, options_.keys);
+        before = std::max(before, last.from), after = std::max(after, before);
+        last.until = before, p.from = after;
+        out.pieces.push_back({KeyPiece::leap, before, after, last.end, p.begin, {}, {}});
       }
       out.pieces.push_back(p);
     }
@@ -351,7 +352,21 @@ class Maker {
 
   // ---- the file
 
+  // assimp takes a channel without a node for the translation of the first node, and refuses files where it does not
+  // fit. The last channel of a node counts there: so these come first, and that translation is said behind them.
+  void put_pointers_first() {
+    const auto points = [](const Json& channel) { return channel["target"]["path"] == "pointer"; };
+    auto& all = film_.channels.get_ref<Json::array_t&>();
+    const auto rest = std::stable_partition(all.begin(), all.end(), points);
+    const Json target{{"node", 0}, {"path", "translation"}};
+    if (rest == all.begin() || std::any_of(rest, all.end(), [&](const Json& c) { return c["target"] == target; }))
+      return;
+    const auto place = nodes_[0].value("translation", std::vector<float>{0, 0, 0});
+    film_.animate({"LINEAR", {0}, place}, 3, target);
+  }
+
   void finish() {
+    put_pointers_first();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (!children_[i].empty()) nodes_[i]["children"] = children_[i];
     Json cuts = Json::array();

@@ -87,7 +87,7 @@ std::size_t Buffer::joints(const std::vector<std::array<std::uint16_t, 4>>& all,
 
 std::size_t Buffer::picture(std::string_view png) { return view(png, plain); }
 
-Sampled sampled(const Channel& c, Time beginning) {
+Sampled sampled(const Channel& c, Time beginning, bool steps) {
   Sampled s;
   const std::array<double, 4> none{};
   // A key for a time that has one already is the newer one's.
@@ -103,7 +103,7 @@ Sampled sampled(const Channel& c, Time beginning) {
     add(s.values, v, c.width);
     if (out) add(s.values, *out, c.width);
   };
-  if (c.steps()) {
+  if (steps && c.steps()) {
     s.way = "STEP";
     for (std::size_t i = 0; i < c.pieces.size(); ++i)
       if (c.pieces[i].shape == KeyPiece::held) key(c.pieces[i].from, c.pieces[i].begin);
@@ -132,7 +132,9 @@ Sampled sampled(const Channel& c, Time beginning) {
   return s;
 }
 
-void Timeline::animate(const Channel& c, Json target) { animate(sampled(c, beginning), c.width, std::move(target)); }
+void Timeline::animate(const Channel& c, Json target) {
+  animate(sampled(c, beginning, steps), c.width, std::move(target));
+}
 
 void Timeline::animate(const Sampled& s, std::size_t width, Json target) {
   const std::size_t input = buffer.floats(s.times, 1, Buffer::plain, true);

@@ -41,12 +41,14 @@ struct Sampled {
   std::string way;
   std::vector<float> times, values;  // CUBICSPLINE: three values a key: how it comes, what it is, how it goes
 };
-Sampled sampled(const Channel&, Time beginning);
+// `steps`: what is held has STEP. Else two LINEAR keys: assimp takes STEP for LINEAR.
+Sampled sampled(const Channel&, Time beginning, bool steps);
 
 // What varies of a file, and the numbers of all of it.
 struct Timeline {
   Time beginning;
   std::size_t frames = 1;  // of the film
+  bool steps = true;       // whether STEP is written
   Exported& made;          // counts its keys
   Buffer buffer;
   Json channels = Json::array(), samplers = Json::array();

@@ -261,7 +261,7 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
   const Frame first = program.frame(options.from);
   if (!first.surroundings.flat) leave_out(made, "left out: light and shade; things have their own colours");
   if (!first.surroundings.clear && !first.background) leave_out(made, "left out: the background, as none was said");
-  leave_out_surroundings(program, options.from, false, made);
+  leave_out_surroundings(program, options, false, made);
   bool whole = true;
   for (const StackPlace& place : stack_of(depths, options.until, whole)) {
     const bool again =

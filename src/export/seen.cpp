@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -189,26 +190,56 @@ void keep_asked(std::vector<ObjectKeys>& all, const std::vector<ObjectId>& asked
   std::erase_if(all, [&](const ObjectKeys& k) { return !kept.contains(k.id.index); });
 }
 
-void leave_out_surroundings(const Program& program, Time t, bool background, Exported& made) {
-  const Frame frame = program.frame(t);
-  const Surroundings& s = frame.surroundings;
-  std::string words;
-  const auto add = [&](bool there, const char* word) {
-    if (there) words += (words.empty() ? "" : ", ") + std::string(word);
-  };
-  add(background && (frame.background || s.below), "the background");
-  add(s.fog.has_value(), "fog"), add(s.sky, "the sky"), add(s.ground.has_value(), "the ground");
-  add(frame.camera.shutter > 0, "blur"), add(frame.camera.aperture > 0, "depth of field");
+// What is around the things, and what no file of motion has: a sentence each.
+void leave_out_surroundings(const Program& program, const ExportOptions& options, bool background, Exported& made) {
   const std::vector<ObjectId> all = objects(program.document());
-  add(std::any_of(all.begin(), all.end(), [&](ObjectId id) { return kind(program.document(), id) == Kind::sound; }),
-      "sounds");
-  if (!words.empty()) leave_out(made, "left out: " + words);
+  const auto any = [&](Kind k) {
+    return std::any_of(all.begin(), all.end(), [&](ObjectId id) { return kind(program.document(), id) == k; });
+  };
+  std::set<std::string_view> there;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const Frame frame = program.frame(
+        {options.from.flicks + std::llround(share * static_cast<double>((options.until - options.from).flicks))});
+    const Surroundings& s = frame.surroundings;
+    const auto add = [&](bool is, std::string_view what) {
+      if (is) there.insert(what);
+    };
+    const bool seen = !frame.items.empty(), lit = seen && !s.flat;
+    const bool casts = frame.lights.empty() || std::any_of(frame.lights.begin(), frame.lights.end(),
+                                                           [](const Light& l) { return l.casting != Casting::off; });
+    add(background && (frame.background || s.below), "background"), add(s.fog.has_value(), "fog"), add(s.sky, "sky");
+    add(s.ground.has_value(), "ground"), add(lit && frame.lights.empty(), "light");
+    add(lit, "ambient"), add(lit && casts, "shadows"), add(lit && s.contact, "contact"),
+        add(s.exposure != 0, "exposure");
+    add(frame.camera.shutter > 0, "blur"), add(frame.camera.aperture > 0, "focus");
+  }
+  if (any(Kind::sound)) there.insert("sounds");
+  if (!program.document().notes(options.from, options.until).empty()) there.insert("notes");
+  if (any(Kind::text)) there.insert("texts");
+  constexpr std::pair<std::string_view, std::string_view> sentences[] = {
+      {"background", "the background is left out"},
+      {"fog", "fog is left out"},
+      {"sky", "the sky is left out, and the light that comes from it"},
+      {"ground", "the ground is left out"},
+      {"light", "the film has no light of its own: the one that Betwixt brings is left out"},
+      {"ambient", "the light from everywhere (ambient) is left out"},
+      {"shadows", "shadows are left out: the program that reads the file makes its own, or none"},
+      {"contact", "the darkening where things meet (contact) is left out"},
+      {"exposure", "the exposure is left out"},
+      {"blur", "motion blur (shutter) is left out"},
+      {"focus", "depth of field (aperture) is left out"},
+      {"sounds", "sounds are left out"},
+      {"notes", "notes are left out"},
+      {"texts", "texts are written as shapes: they are no text to be edited"},
+  };
+  for (const auto& [what, sentence] : sentences)
+    if (there.contains(what)) leave_out(made, std::string(sentence));
 }
 
 Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& options, Exported& made,
                                    const std::function<bool(const Skin&)>& as_skin) {
   Watch watch(program, options, as_skin);
-  leave_out_surroundings(program, options.from, true, made);
+  leave_out_surroundings(program, options, true, made);
   Evaluation e(program);
   const std::vector<Time> looks = looks_of(program, options.from, options.until);
   std::optional<Time> next = options.from;  // before it nothing differs

@@ -50,7 +50,7 @@ bool is_asked(ObjectId, const std::vector<ObjectId>& asked);
 std::vector<Time> looks_of(const Program&, Time from, Time until);
 
 // Says what is around the things and goes into no file of motion; with or without the background.
-void leave_out_surroundings(const Program&, Time, bool background, Exported&);
+void leave_out_surroundings(const Program&, const ExportOptions&, bool background, Exported&);
 // Each sentence once.
 void leave_out(Exported&, std::string sentence);
 

@@ -15,7 +15,9 @@
 #include "export/fit.h"
 #include "export/formats.h"
 #include "export/seen.h"
+#include "program/compiled.h"
 #include "scene/functions.h"
+#include "scene/rig.h"
 
 namespace betwixt {
 namespace {
@@ -33,17 +35,19 @@ class UsdMaker {
   }
 
   Result<std::string> make() {
-    Result<std::vector<Seen>> seen = all_seen(program_, options_, made_);
-    if (!seen) return seen.error();
-    for (Seen& s : *seen)
-      if (is_asked(s.id, options_.objects)) seen_[s.id.index] = &s;
     keys_ = motion_keys(program_, options_.from, options_.until, options_.keys);
     keep_asked(keys_, options_.objects);
     made_.objects = keys_.size();
-    std::set<std::uint32_t> known;
-    for (const ObjectKeys& k : keys_) known.insert(k.id.index);
+    for (const ObjectKeys& k : keys_) keys_of_[k.id.index] = &k;
     for (const ObjectKeys& k : keys_)
-      below_[k.parent && known.contains(k.parent.index) ? k.parent.index : ObjectId::nothing].push_back(&k);
+      below_[k.parent && keys_of_.contains(k.parent.index) ? k.parent.index : ObjectId::nothing].push_back(&k);
+    Result<std::vector<Seen>> seen =
+        all_seen(program_, options_, made_, [&](const Skin& skin) { return !joints_of(skin).empty(); });
+    if (!seen) return seen.error();
+    for (Seen& s : *seen)
+      if (is_asked(s.id, options_.objects) && keys_of_.contains(s.id.index)) seen_[s.id.index] = &s;
+    for (const auto& [index, s] : seen_)
+      for (std::size_t form = 0; form < s->forms.size() && s->skin < 0; ++form) ++users_[s->forms[form].mesh.get()];
     const double last = (options_.until - options_.from).seconds() * rate_;
     out_ = fmt::format(
         "#usda 1.0\n(\n    defaultPrim = \"film\"\n    doc = \"Made by Betwixt\"\n    metersPerUnit = 1\n    upAxis = "
@@ -52,7 +56,11 @@ class UsdMaker {
         "def Xform \"film\"\n{{\n",
         number(rate_), number(last));
     add_below(ObjectId::nothing, 1, "/film");
+    for (const auto& [index, s] : std::map(seen_.begin(), seen_.end()))
+      if (s->skin >= 0) skinned(*s);
+    for (const auto& [index, l] : suns_) sun(l);
     add_own_camera();
+    add_shared();
     out_ += "}\n";
     return std::move(out_);
   }
@@ -114,10 +122,14 @@ class UsdMaker {
   }
 
   // Letters, digits and '_'. No two are the same in the whole file, as some readers look for names only.
-  std::string plain(std::string_view name) {
+  static std::string letters(std::string_view name) {
     std::string out(name.substr(name.rfind('/') + 1));
     for (char& c : out)
       if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return out;
+  }
+  std::string plain(std::string_view name) {
+    const std::string out = letters(name);
     std::string one = out;
     for (int n = 2; !taken_.insert(one).second; ++n) one = fmt::format("{}_{}", out, n);
     return one;
@@ -160,32 +172,242 @@ class UsdMaker {
   // ---- What is seen
 
   void draw(int depth, const Seen& s, const std::string& path) {
-    for (std::size_t form = 0; form < s.forms.size(); ++form) {
+    for (std::size_t form = 0; form < s.forms.size() && s.skin < 0; ++form) {
       const Mesh& mesh = *s.forms[form].mesh;
       if (mesh.triangles.empty()) {
         leave_out(made_, fmt::format("{} is a line without a width, which is not written", document_.name(s.id)));
         continue;
       }
       const std::string name = plain(path.substr(path.rfind('/') + 1) + "_shape");
-      line(depth, fmt::format("def Mesh \"{}\"", name));
+      // A mesh that several have is written once, and each of them is an instance of it.
+      const bool shared = users_[&mesh] > 1;
+      if (shared) {
+        const auto [known, fresh] = shared_.try_emplace(&mesh, fmt::format("shape_{}", shared_.size() + 1));
+        line(depth, fmt::format("def Xform \"{}\" (", name));
+        line(depth + 1, "prepend apiSchemas = [\"MaterialBindingAPI\"]");
+        line(depth + 1, "instanceable = true");
+        line(depth + 1, fmt::format("prepend references = </film/shapes/{}>", known->second));
+        line(depth, ")");
+        if (fresh) meshes_.push_back(s.forms[form].mesh);
+      } else {
+        line(depth, fmt::format("def Mesh \"{}\" (", name));
+        line(depth + 1, "prepend apiSchemas = [\"MaterialBindingAPI\"]");
+        line(depth, ")");
+      }
       line(depth, "{");
       visibility(depth + 1, s, static_cast<int>(form));
-      geometry(depth + 1, mesh);
-      attribute(depth + 1, "color3f[] primvars:displayColor", s.color,
-                [](const KeyValue& v, std::size_t) { return "[" + row(v, 3) + "]"; });
-      if (!s.opacity.constant() || s.opacity.pieces[0].begin[0] < 1)
-        attribute(depth + 1, "float[] primvars:displayOpacity", s.opacity,
-                  [](const KeyValue& v, std::size_t) { return "[" + number(v[0]) + "]"; });
+      if (!shared) geometry(depth + 1, mesh);
+      looks(depth + 1, s);
       const Mat4& local = s.forms[form].local;
       if (!s.stretch.pieces.empty())
         attribute(depth + 1, "float3 xformOp:scale", s.stretch);
       else
         line(depth + 1, "float3 xformOp:scale = " + row({local(0, 0), local(1, 1), local(2, 2), 0}, 3));
       line(depth + 1, "uniform token[] xformOpOrder = [\"xformOp:scale\"]");
-      material(depth + 1, s, path + "/" + name);
       line(depth, "}");
     }
-    if (s.texture) leave_out(made_, "pictures on things (textures)");
+    if (s.texture) leave_out(made_, "pictures on things (textures) are left out");
+  }
+
+  // Colours as readers without materials show them, and the material.
+  void looks(int depth, const Seen& s) {
+    attribute(depth, "color3f[] primvars:displayColor", s.color,
+              [](const KeyValue& v, std::size_t) { return "[" + row(v, 3) + "]"; });
+    if (!s.opacity.constant() || s.opacity.pieces[0].begin[0] < 1)
+      attribute(depth, "float[] primvars:displayOpacity", s.opacity,
+                [](const KeyValue& v, std::size_t) { return "[" + number(v[0]) + "]"; });
+    if (!s.color.constant() || !s.opacity.constant())
+      leave_out(made_,
+                fmt::format("the material of {} stays as it is at the beginning; displayColor and displayOpacity "
+                            "change",
+                            document_.name(s.id)));
+    line(depth, fmt::format("rel material:binding = </film/looks/{}>", material(s)));
+  }
+
+  // What several have: meshes as prototypes, which are not seen by themselves, and materials.
+  void add_shared() {
+    if (!meshes_.empty()) {
+      line(1, "class Scope \"shapes\"");
+      line(1, "{");
+      for (const auto& mesh : meshes_) {
+        line(2, fmt::format("def Xform \"{}\"", shared_.at(mesh.get())));
+        line(2, "{");
+        line(3, "def Mesh \"mesh\"");
+        line(3, "{");
+        geometry(4, *mesh);
+        line(3, "}");
+        line(2, "}");
+      }
+      line(1, "}");
+    }
+    if (materials_.empty()) return;
+    line(1, "def Scope \"looks\"");
+    line(1, "{");
+    std::map<std::size_t, const std::string*> in_order;
+    for (const auto& [inputs, number] : materials_) in_order[number] = &inputs;
+    for (const auto& [number, inputs] : in_order) {
+      line(2, fmt::format("def Material \"look_{}\"", number));
+      line(2, "{");
+      line(3, fmt::format("token outputs:surface.connect = </film/looks/look_{}/surface.outputs:surface>", number));
+      line(3, "def Shader \"surface\"");
+      line(3, "{");
+      line(4, "uniform token info:id = \"UsdPreviewSurface\"");
+      out_ += *inputs;
+      line(4, "token outputs:surface");
+      line(3, "}");
+      line(2, "}");
+    }
+    line(1, "}");
+  }
+
+  // ---- What joints deform
+
+  // The joints of a skin and all that they hang on, above first; none: they cannot be told as a skeleton.
+  std::vector<const ObjectKeys*> joints_of(const Skin& skin) const {
+    if (skin.joints.empty() || !skin.rest->rig || !skin.rest->rig->targets.empty()) return {};
+    std::vector<const ObjectKeys*> all;
+    std::set<std::uint32_t> known, once;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      if (!once.insert(joint(skin, i)).second) return {};  // two places at rest, and a skeleton has one
+      std::vector<const ObjectKeys*> chain;
+      for (ObjectId at{joint(skin, i)}; at && !known.contains(at.index);) {
+        const auto found = keys_of_.find(at.index);
+        if (found == keys_of_.end() || found->second->sheared) return {};
+        chain.push_back(found->second), known.insert(at.index);
+        at = found->second->parent;
+      }
+      all.insert(all.end(), chain.rbegin(), chain.rend());
+    }
+    return all;
+  }
+  std::uint32_t joint(const Skin& skin, std::size_t i) const {
+    const std::int32_t node = skin.joints[i];
+    return program_.compiled().nodes[node < 0 ? skin.drawable : static_cast<std::uint32_t>(node)].object;
+  }
+
+  static Mat4 local_of(const ObjectKeys& k, Time t) {
+    const KeyValue move = value_at(k.translation, t), turn = value_at(k.rotation, t), grow = value_at(k.scale, t);
+    return translation({move[0], move[1], move[2]}) * rotation({turn[3], turn[0], turn[1], turn[2]}) *
+           scaling({grow[0], grow[1], grow[2]});
+  }
+  static std::string matrix(const Mat4& m) {  // USD has rows of what multiplies from the left: our columns
+    std::string all;
+    for (int c = 0; c < 4; ++c) all += (c ? ", " : "") + row({m(0, c), m(1, c), m(2, c), m(3, c)}, 4);
+    return "(" + all + ")";
+  }
+  template <class One>
+  void list(int depth, const std::string& name, std::size_t count, const One& one, std::string_view behind = {}) {
+    out_.append(static_cast<std::size_t>(4 * depth), ' ');
+    out_ += name;
+    out_ += " [";
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i) out_ += ", ";
+      out_ += one(i);
+    }
+    out_ += "]";
+    out_ += behind;
+    out_ += '\n';
+  }
+
+  // Of all joints together: samples at the times of all.
+  void together(int depth, const std::string& name, const std::vector<const ObjectKeys*>& joints,
+                Channel ObjectKeys::*channel, std::string (*written)(const KeyValue&, std::size_t)) {
+    std::set<Time> times{options_.from};
+    const Time apart{std::max<std::int64_t>(document_.rate().span(1e-6).flicks, 1)};
+    bool still = true;
+    for (const ObjectKeys* k : joints) {
+      const Channel& c = k->*channel;
+      still = still && c.constant();
+      for (std::size_t i = 0; i < c.pieces.size(); ++i) {
+        times.insert(c.pieces[i].from);
+        times.insert(c.jumps_behind(i) ? c.pieces[i].until - apart : c.pieces[i].until);
+      }
+    }
+    std::vector<KeyValue> last(joints.size());
+    const auto at = [&](Time t) {
+      return [&, t](std::size_t i) {
+        const Channel& c = joints[i]->*channel;
+        KeyValue v = value_at(c, t);
+        const KeyValue& l = last[i];
+        if (c.turn && v[0] * l[0] + v[1] * l[1] + v[2] * l[2] + v[3] * l[3] < 0)
+          for (double& n : v) n = -n;
+        return written(last[i] = v, c.width);
+      };
+    };
+    if (still) return list(depth, name + " =", joints.size(), at(options_.from));
+    line(depth, name + ".timeSamples = {");
+    for (const Time t : times)
+      list(depth + 1, moment((t - options_.from).seconds() * rate_) + ":", joints.size(), at(t), ",");
+    line(depth, "}");
+    ++made_.channels;
+    made_.keys += times.size();
+    made_.baked += static_cast<std::size_t>((options_.until - options_.from).seconds() * rate_) + 1;
+  }
+
+  // A skeleton has a joint for each object that moves the mesh, above it and below; it stands in the world.
+  void skinned(const Seen& s) {
+    const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
+    const std::vector<const ObjectKeys*> joints = joints_of(skin);
+    const Mesh& mesh = *s.forms[0].mesh;
+    std::unordered_map<std::uint32_t, std::size_t> place;
+    std::vector<std::string> tokens;
+    std::vector<Mat4> bind;
+    for (const ObjectKeys* k : joints) {
+      const auto above = k->parent ? place.find(k->parent.index) : place.end();
+      const Mat4 local = local_of(*k, options_.from);
+      bind.push_back(above == place.end() ? local : bind[above->second] * local);
+      const std::string one = plain(letters(document_.name(k->id)) + "_joint");
+      const std::string token = above == place.end() ? one : tokens[above->second] + "/" + one;
+      place[k->id.index] = tokens.size();
+      tokens.push_back(token);
+    }
+    std::vector<std::size_t> index;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      index.push_back(place.at(joint(skin, i)));
+      if (const auto back = inverse(skin.joints[i] < 0 ? Mat4{} : mesh.rig->inverse_bind[i]))
+        bind[index.back()] = *back;
+    }
+    const std::string name = plain(letters(document_.name(s.id)) + "_skin"), path = "/film/" + name;
+    line(1, fmt::format("def SkelRoot \"{}\"", name));
+    line(1, "{");
+    line(2, "def Skeleton \"skeleton\" (");
+    line(3, "prepend apiSchemas = [\"SkelBindingAPI\"]");
+    line(2, ")");
+    line(2, "{");
+    const auto word = [&](std::size_t i) { return "\"" + tokens[i] + "\""; };
+    list(3, "uniform token[] joints =", tokens.size(), word);
+    list(3, "uniform matrix4d[] bindTransforms =", bind.size(), [&](std::size_t i) { return matrix(bind[i]); });
+    list(3, "uniform matrix4d[] restTransforms =", joints.size(),
+         [&](std::size_t i) { return matrix(local_of(*joints[i], options_.from)); });
+    line(3, fmt::format("rel skel:animationSource = <{}/skeleton/animation>", path));
+    line(3, "def SkelAnimation \"animation\"");
+    line(3, "{");
+    list(4, "uniform token[] joints =", tokens.size(), word);
+    together(4, "float3[] translations", joints, &ObjectKeys::translation, row);
+    together(4, "quatf[] rotations", joints, &ObjectKeys::rotation, turn);
+    together(4, "half3[] scales", joints, &ObjectKeys::scale, row);
+    line(3, "}");
+    line(2, "}");
+    line(2, "def Mesh \"mesh\" (");
+    line(3, "prepend apiSchemas = [\"SkelBindingAPI\", \"MaterialBindingAPI\"]");
+    line(2, ")");
+    line(2, "{");
+    visibility(3, s, 0);
+    geometry(3, mesh);
+    looks(3, s);
+    constexpr std::string_view four =
+        " (\n                elementSize = 4\n                interpolation = \"vertex\"\n            )";
+    const Rig& rig = *mesh.rig;
+    list(
+        3, "int[] primvars:skel:jointIndices =", 4 * rig.joints.size(),
+        [&](std::size_t i) { return fmt::format("{}", index[rig.joints[i / 4][i % 4]]); }, four);
+    list(
+        3, "float[] primvars:skel:jointWeights =", 4 * rig.weights.size(),
+        [&](std::size_t i) { return shortest(rig.weights[i / 4][i % 4]); }, four);
+    line(3, "matrix4d primvars:skel:geomBindTransform = " + matrix({}));
+    line(3, fmt::format("rel skel:skeleton = <{}/skeleton>", path));
+    line(2, "}");
+    line(1, "}");
   }
 
   void visibility(int depth, const Seen& s, int form) {
@@ -197,42 +419,38 @@ class UsdMaker {
     line(depth, "}");
   }
 
+  static std::string shortest(float f) { return f == 0 ? "0" : fmt::format("{}", f); }
+
   void geometry(int depth, const Mesh& mesh) {
-    const auto list = [&](const char* name, std::size_t count, auto&& one) {
-      std::string all = fmt::format("{} = [", name);
-      for (std::size_t i = 0; i < count; ++i) all += (i ? ", " : "") + one(i);
-      line(depth, all + "]");
+    const auto three = [](const std::array<float, 3>& p) {
+      return fmt::format("({}, {}, {})", shortest(p[0]), shortest(p[1]), shortest(p[2]));
     };
-    const auto three = [](const std::array<float, 3>& p) { return row({p[0], p[1], p[2], 0}, 3); };
+    const Box box = mesh.box();
+    const auto corner = [&](const Vec3& v) { return row({v.x, v.y, v.z, 0}, 3); };
     line(depth, "uniform token subdivisionScheme = \"none\"");
     line(depth, "uniform bool doubleSided = 1");
-    list("int[] faceVertexCounts", mesh.triangles.size() / 3, [](std::size_t) { return std::string("3"); });
-    list("int[] faceVertexIndices", mesh.triangles.size(),
+    line(depth, fmt::format("float3[] extent = [{}, {}]", corner(box.low), corner(box.high)));
+    list(depth, "int[] faceVertexCounts =", mesh.triangles.size() / 3, [](std::size_t) { return "3"; });
+    list(depth, "int[] faceVertexIndices =", mesh.triangles.size(),
          [&](std::size_t i) { return fmt::format("{}", mesh.triangles[i]); });
-    list("point3f[] points", mesh.positions.size(), [&](std::size_t i) { return three(mesh.positions[i]); });
-    if (mesh.normals.size() != mesh.positions.size()) return;
-    list("normal3f[] normals", mesh.normals.size(), [&](std::size_t i) { return three(mesh.normals[i]); });
-    line(depth, "uniform token normals:interpolation = \"vertex\"");
+    list(depth, "point3f[] points =", mesh.positions.size(), [&](std::size_t i) { return three(mesh.positions[i]); });
+    if (mesh.normals.size() == mesh.positions.size())
+      list(
+          depth, "normal3f[] normals =", mesh.normals.size(), [&](std::size_t i) { return three(mesh.normals[i]); },
+          " (interpolation = \"vertex\")");
   }
 
-  // In the same place as the mesh, so that nothing has to be found.
-  void material(int depth, const Seen& s, const std::string& path) {
+  // Materials that are the same are one. Its name.
+  std::string material(const Seen& s) {
     const KeyValue& color = s.color.pieces[0].begin;
-    line(depth, fmt::format("rel material:binding = <{}/look>", path));
-    line(depth, "def Material \"look\"");
-    line(depth, "{");
-    line(depth + 1, fmt::format("token outputs:surface.connect = <{}/look/surface.outputs:surface>", path));
-    line(depth + 1, "def Shader \"surface\"");
-    line(depth + 1, "{");
-    line(depth + 2, "uniform token info:id = \"UsdPreviewSurface\"");
-    line(depth + 2, "color3f inputs:diffuseColor = " + row(s.material == Material::glow ? KeyValue{} : color, 3));
-    if (s.material == Material::glow) line(depth + 2, "color3f inputs:emissiveColor = " + row(color, 3));
-    line(depth + 2, fmt::format("float inputs:metallic = {}", s.material == Material::metal ? 1 : 0));
-    line(depth + 2, "float inputs:roughness = " + number(s.material == Material::matte ? 1 : 1 - s.shininess));
-    line(depth + 2, "float inputs:opacity = " + number(s.opacity.pieces[0].begin[0]));
-    line(depth + 2, "token outputs:surface");
-    line(depth + 1, "}");
-    line(depth, "}");
+    std::string inputs;
+    const auto input = [&](const std::string& text) { inputs += "                " + text + "\n"; };
+    input("color3f inputs:diffuseColor = " + row(s.material == Material::glow ? KeyValue{} : color, 3));
+    if (s.material == Material::glow) input("color3f inputs:emissiveColor = " + row(color, 3));
+    input(fmt::format("float inputs:metallic = {}", s.material == Material::metal ? 1 : 0));
+    input("float inputs:roughness = " + number(s.material == Material::matte ? 1 : 1 - s.shininess));
+    input("float inputs:opacity = " + number(s.opacity.pieces[0].begin[0]));
+    return fmt::format("look_{}", materials_.try_emplace(inputs, materials_.size() + 1).first->second);
   }
 
   // ---- Cameras and lights
@@ -282,13 +500,38 @@ class UsdMaker {
     const auto found =
         std::find_if(frame.lights.begin(), frame.lights.end(), [&](const Light& l) { return l.id == id; });
     if (found == frame.lights.end()) return;
-    if (found->sun) return leave_out(made_, fmt::format("{} is a sun, and is left out", document_.name(id)));
+    if (found->sun) {
+      suns_.emplace(id.index, *found);
+      return;
+    }
     line(depth, "def SphereLight \"light\"");
     line(depth, "{");
     line(depth + 1, "float inputs:radius = 0.1");
     line(depth + 1, "color3f inputs:color = " + row({found->color.x, found->color.y, found->color.z, 0}, 3));
     line(depth + 1, "float inputs:intensity = " + number(found->range * found->range));
     line(depth, "}");
+  }
+
+  // It shines to the middle of the world, whichever way it is turned: full light is pi lux.
+  void sun(const Light& l) {
+    Channel power = value_keys(program_, {l.id, fn::intensity}, options_.from, options_.until, options_.keys);
+    for (KeyPiece& p : power.pieces) p.begin[0] *= pi, p.end[0] *= pi;
+    Followed f = followed(document_, 4, options_.keys.radians, [&](Time t) -> KeyValue {
+      const Vec3 from = translation_of(pose(program_, l.id, t).world);
+      const Quat q = from_matrix(look_at({}, normalize(-from, {0, -1, 0})));
+      return {q.x, q.y, q.z, q.w};
+    });
+    f.turn = true;
+    const auto knots = knots_between(program_.breaks(options_.from, options_.until), options_.from, options_.until);
+    line(1, fmt::format("def DistantLight \"{}\"", plain(letters(document_.name(l.id)) + "_rays")));
+    line(1, "{");
+    attribute(2, "float inputs:intensity", power);
+    attribute(2, "color3f inputs:color",
+              value_keys(program_, {l.id, fn::color}, options_.from, options_.until, options_.keys));
+    line(2, "bool inputs:normalize = 1");
+    attribute(2, "quatf xformOp:orient", follow(f, knots, options_.keys), turn);
+    line(2, "uniform token[] xformOpOrder = [\"xformOp:orient\"]");
+    line(1, "}");
   }
 
   const Program& program_;
@@ -298,9 +541,16 @@ class UsdMaker {
   const double rate_;
   std::string out_;
   std::vector<ObjectKeys> keys_;
+  std::unordered_map<std::uint32_t, const ObjectKeys*> keys_of_;
   std::unordered_map<std::uint32_t, Seen*> seen_;
+  std::unordered_map<const Mesh*, std::size_t> users_;      // how many forms have it
+  std::unordered_map<const Mesh*, std::string> shared_;     // its prototype
+  std::vector<std::shared_ptr<const Mesh>> meshes_;         // of prototypes, in order
+  std::unordered_map<std::string, std::size_t> materials_;  // by what they say
+  std::map<std::uint32_t, Light> suns_;
   std::unordered_map<std::uint32_t, std::vector<const ObjectKeys*>> below_;
-  std::set<std::string> taken_{"film", "camera", "light", "look", "surface", "view"};
+  std::set<std::string> taken_{"film", "camera",   "light",     "looks",   "shapes",
+                               "mesh", "skeleton", "animation", "surface", "view"};
   bool has_camera_ = false;
 };
 

@@ -38,12 +38,42 @@ check 'a film goes out' 0 'objects, ' export film.bx -o a.gltf
 is 'what is coupled is below it' "$(ask a.gltf '[n["name"] for n in f["nodes"] if n.get("children")]')" "['hand', 'word']"
 is 'colours are keys of materials' "$(ask a.gltf 'f["extensionsUsed"]')" "['KHR_animation_pointer']"
 is 'the rest of it' "$(ask a.gltf 'f["scenes"][0]["extras"]["frames"]')" 49
-is 'what is hidden has steps' "$(ask a.gltf '[f["animations"][0]["samplers"][c["sampler"]]["interpolation"] for c in f["animations"][0]["channels"] if c["target"]["path"] == "scale"]')" "['STEP']"
+check 'as few keys as there can be' 0 'objects, ' export film.bx -o few.gltf --keys cubic
+is 'what is hidden has steps' "$(ask few.gltf '[f["animations"][0]["samplers"][c["sampler"]]["interpolation"] for c in f["animations"][0]["channels"] if c["target"]["path"] == "scale"]')" "['STEP']"
 check 'one object, and what it hangs on' 0 '2 objects' export film.bx finger -o f.gltf
+is 'all programs play what is written where nobody says more' "$(ask a.gltf 'sorted({s["interpolation"] for s in f["animations"][0]["samplers"]})')" "['LINEAR']"
 is 'nothing else' "$(ask f.gltf '[n["name"] for n in f["nodes"]]')" "['hand', 'finger']"
 check 'the same as USD' 0 '2 objects' export film.bx finger -o f.usda
 verdict 'nothing else there' "$(grep -q '"ball"' f.usda || echo yes)" "$(grep 'def Xform' f.usda)"
-check 'what is around is told of' 0 'left out: the background, fog, the ground' export <(printf 'ground on\nfog gray from 1 to 20\ncreate s box\n') -o s.glb
+python3 -c 'import wave; w = wave.open("hum.wav", "wb"); w.setparams((1, 2, 8000, 0, "NONE", "")); w.writeframes(bytes(16000))'
+cat >around.bx <<'BX'
+ground on
+sky on
+background gray
+fog gray from 1 to 20
+contact on
+exposure 1
+create s box
+create w text text="on"
+create hum sound file="hum.wav"
+create eye camera position=(0 0 9) f-stop=2 shutter=90deg
+at 1f note "here"
+BX
+cat >flat.bx <<'BX'
+film flat
+create s rectangle
+BX
+# One plain sentence each, and none of what is not there.
+for file in around.glb around.usda; do
+  "$program" export around.bx -o $file 2>said.txt
+  for what in 'the background is' 'fog is' 'the sky is' 'the ground is' 'the film has no light of its own' '(ambient) is' \
+    'shadows are' '(contact) is' 'the exposure is' '(shutter) is' '(aperture) is' 'sounds are' 'notes are' \
+    'texts are written as shapes'; do
+    is "$file: $what told of" "$(grep -cF "notice: " said.txt) $(grep -cF "$what" said.txt)" '14 1'
+  done
+done
+check 'a drawing loses its background' 0 'the background is left out' export flat.bx -o flat.glb
+is 'and nothing else' "$(grep -c notice <<<"$said")" 1
 check 'patterns' 0 '3 objects' export film.bx '{ball,word,hand}' -o f.gltf
 check 'keys of each frame' 0 '100 % of one a frame' export film.bx hand -o b.gltf --keys baked
 check 'a part of the film' 0 'objects' export film.bx -o p.gltf --frames 25f..49f

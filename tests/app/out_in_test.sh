@@ -8,7 +8,7 @@ tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
 export LC_ALL=C.UTF-8
 
-keys() { "$program" export "$1" -o "$2" 2>&1 | sed -nE 's/.*, ([0-9]+) keys.*/\1/p'; } # FILE OUT
+keys() { "$program" export "$1" -o "$2" --keys cubic 2>&1 | sed -nE 's/.*, ([0-9]+) keys.*/\1/p'; } # FILE OUT
 numbers() { "$program" eval "$1" --at 0.3s,0.71s,1.234s,1.9s,2.5s "$2" 2>/dev/null | grep -oE 'matrix\(.*' | tr -c '0-9.e\n-' ' '; }
 # apart BOUND A B: whether any number is farther off than the bound.
 apart() {
@@ -29,6 +29,10 @@ there_and_back() {
   is "$1: no more than the first time" "$((second <= first))" 1
   is "$1: $2 is within the tolerance" "$(apart 1e-4 "$(numbers "$tests/../../examples/$1.bx" "$2.world")" \
     "$(numbers one.bx "it/$2.world")")" well
+  "$program" export "$tests/../../examples/$1.bx" -o straight.glb 2>/dev/null
+  echo 'create it scene file="straight.glb"' >straight.bx
+  is "$1: $2 is within the tolerance of straight keys" "$(apart 1e-3 "$(numbers "$tests/../../examples/$1.bx" "$2.world")" \
+    "$(numbers straight.bx "it/$2.world")")" well
   is "$1: $2 stays there" "$(apart 1e-6 "$(numbers one.bx "it/$2.world")" "$(numbers two.bx "it/it-$2.world")")" well
 }
 there_and_back bounce ball

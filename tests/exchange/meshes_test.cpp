@@ -5,13 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
 
+#include "base/base64.h"
 #include "betwixt/picture.h"
 #include "exchange/files.h"
+#include "exchange/scene_file.h"
 #include "scene/topology.h"
 
 namespace betwixt {
@@ -61,6 +64,48 @@ TEST_F(Files, GltfIsKnownByItsFirstBytes) {
   ASSERT_TRUE(plain && other);
   EXPECT_EQ((*plain)->positions, (*other)->positions);
   EXPECT_EQ((*plain)->triangles, (*other)->triangles);
+}
+
+// A roof, 20 degrees from side to side: the specification demands flat faces of a file without normals.
+TEST_F(Files, GltfWithoutNormalsIsFlat) {
+  const float rise = std::tan(10 * static_cast<float>(pi) / 180);
+  const std::vector<float> places{-1, 0, 0, 0, rise, 0, 0, rise, 1, -1, 0, 1, 1, 0, 0, 1, 0, 1};
+  const std::string bytes(reinterpret_cast<const char*>(places.data()), places.size() * sizeof(float));
+  const auto file = [&](const std::string& more) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1)" +
+           more + R"(}]}],"accessors":[
+      {"bufferView":0,"componentType":5126,"count":6,"type":"VEC3","min":[-1,0,0],"max":[1,1,1]},
+      {"bufferView":1,"componentType":5121,"count":12,"type":"SCALAR"}],
+      "bufferViews":[{"buffer":0,"byteLength":72},{"buffer":0,"byteOffset":72,"byteLength":12}],
+      "buffers":[{"byteLength":84,"uri":"data:application/octet-stream;base64,)" +
+           base64(bytes + std::string({0, 3, 2, 0, 2, 1, 1, 2, 5, 1, 5, 4})) + "\"}]}";
+  };
+  const auto roof = load(put("roof.gltf", file("")));
+  ASSERT_TRUE(roof) << roof.error().message;
+  const auto flat = [](const Mesh& mesh, auto&& normal, auto&& place) {
+    ASSERT_EQ(mesh.triangles.size(), 12U);
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+      const auto* v = &mesh.triangles[i];
+      const Vec3 face = normalize(cross(place(v[1]) - place(v[0]), place(v[2]) - place(v[0])));
+      for (int k = 0; k < 3; ++k) EXPECT_LT(length(normal(v[k]) - face), 1e-6) << i << " " << k;
+    }
+  };
+  const Mesh& m = **roof;
+  flat(
+      m, [&](auto v) { return widen(m.normals[v]); }, [&](auto v) { return widen(m.positions[v]); });
+
+  // Where a target raises the roof, its faces are flat again.
+  const auto raised = load_scene(put("raised.gltf", file(R"(,"targets":[{"POSITION":0}])")), anything);
+  ASSERT_TRUE(raised) << raised.error().message;
+  const Mesh& r = *(*raised)->meshes.at(0).mesh;
+  const Rig::Target& t = r.rig->targets.at(0);
+  ASSERT_EQ(t.normals.size(), r.normals.size());
+  flat(
+      r, [&](auto v) { return widen(r.normals[v]); }, [&](auto v) { return widen(r.positions[v]); });
+  flat(
+      r, [&](auto v) { return widen(r.normals[v]) + widen(t.normals[v]); },
+      [&](auto v) { return widen(r.positions[v]) + widen(t.positions[v]); });
 }
 
 TEST_F(Files, QuadsKeepTheirEdges) {

@@ -124,7 +124,7 @@ Mat4 world(const Glb& file, std::size_t node, double t) {
           grow = n.value("scale", Numbers{1, 1, 1});
   for (const Json& animation : file.json.value("animations", Json::array()))
     for (const Json& channel : animation["channels"]) {
-      if (channel["target"]["node"] != node) continue;
+      if (channel["target"].value("node", file.json["nodes"].size()) != node) continue;
       const std::string path = channel["target"]["path"];
       const Numbers v =
           sampled(file, animation["samplers"][channel["sampler"].get<std::size_t>()], path == "rotation", t);
@@ -177,6 +177,65 @@ TEST(Gltf, AFileReadBySpecificationIsWhereTheFilmIs) {
             EXPECT_NEAR(is(r, c), due(r, c), 5e-4) << name << " at frame " << 1 + frame << ", " << r << " " << c;
       }
     }
+  }
+}
+
+// As Blender's importer and assimp read it: the values alone, straight from one to the next, whatever a sampler says;
+// of a node's channels the last one counts, and one without a node is the first node's translation.
+Mat4 by_values(const Glb& file, std::size_t node, double t) {
+  Glb straight = file;
+  Json kept = Json::array();
+  for (Json channel : file.json["animations"][0]["channels"]) {
+    if (!channel["target"].contains("node")) channel["target"] = {{"node", 0}, {"path", "translation"}};
+    std::erase_if(kept.get_ref<Json::array_t&>(), [&](const Json& k) { return k["target"] == channel["target"]; });
+    kept.push_back(channel);
+  }
+  straight.json["animations"][0]["channels"] = kept;
+  for (Json& s : straight.json["animations"][0]["samplers"]) {
+    EXPECT_NE(s["interpolation"], "CUBICSPLINE");
+    s["interpolation"] = "LINEAR";
+  }
+  return world(straight, node, t);
+}
+
+TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
+  const Folder folder;
+  const std::string text = std::string(film) +
+                           "create sign box color=red\nsign.color\n  1f red\n  73f blue\nsign.position\n"
+                           "  1f (0 0 0) hold\n  24f (3 0 0) hold\n  47f (0 1 0)\n";
+  const Loaded loaded = load_text("create post box position=(7 0 0)\n" + text, "test.bx");
+  ASSERT_FALSE(has_errors(loaded.diagnostics)) << to_string(loaded.diagnostics.front());
+  const Program program = Program::compile(loaded.document);
+  ExportOptions options;
+  options.path = folder / "x.glb";
+  std::tie(options.from, options.until) = loaded.document.range();
+  options.keys = usual_keys(options.path);
+  EXPECT_EQ(options.keys.style, KeyStyle::linear);
+  ASSERT_TRUE(export_film(program, options));
+  const Glb file(options.path);
+  for (const char* name : {"post", "ball", "arm", "arm/tip", "still", "sign"}) {
+    std::size_t node = 0;
+    while (file.json["nodes"][node]["name"] != name) ++node;
+    const auto found = find_targets(std::string(name) + ".world", loaded.document);
+    ASSERT_TRUE(found);
+    for (int frame = 0; frame < 73; ++frame) {
+      // Who counts in milliseconds, by floats, is later or earlier by that.
+      const double seconds = static_cast<float>(frame / 24.0F * 1000.0F) / 1000.0;
+      const Mat4 is = by_values(file, node, std::max(seconds, frame / 24.0)),
+                 due = *std::get<Matrix>(program.read(found->front(), loaded.document.rate().frame(1 + frame)));
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(is(r, c), due(r, c), 1e-3) << name << " at frame " << 1 + frame;
+    }
+  }
+}
+
+TEST(Gltf, EachFormatHasItsUsualKeys) {
+  EXPECT_EQ(usual_keys("a.gltf").metres, 1e-3);
+  EXPECT_EQ(usual_keys("a.glb", KeyStyle::cubic).metres, 1e-4);
+  EXPECT_EQ(usual_keys("a.usda").style, KeyStyle::linear);
+  for (const char* path : {"a.json", "a.css", "a.js", "a.svg"}) {
+    EXPECT_EQ(usual_keys(path).style, KeyStyle::cubic);
+    EXPECT_EQ(usual_keys(path).metres, 1e-4);
   }
 }
 
