@@ -102,28 +102,29 @@ int web(WebCall& call) {
 }
 
 const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
-  return {.rank = 18,
-          .name = "web",
-          .sentence = "makes a page that plays films in any browser, where they can be edited too",
-          .takes = {{.name = "FILE",
-                     .sentence = "the scripts, in the order in which they stand on the page",
-                     .into = &call.files,
-                     .required = true,
-                     .offer = Offer::scripts},
-                    output_parameter(call.out, "PAGE.html", "the page", "html"),
-                    option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
-                    size_parameter(call.size, "how large the pictures are; else as wide as there is room"),
-                    flag("--no-edit", "the films alone, without their texts beside them", call.no_edit),
-                    flag("--link", "what plays lies beside the page (betwixt-player.js, betwixt-page.css), for many pages",
-                         call.link),
-                    flag("--no-overwrite", "leave a page alone that is there already", call.keep_old)},
-          .note = "What plays is built when ./betwixt web is called for the first time.",
-          .example = "betwixt web examples/bounce.bx -o bounce.html",
-          .manual =
-              "The page is one file and needs no other: it plays offline, from a folder too. The script stands in "
-              "it as text, with the files that it uses. Whoever types in it changes the film at once. What the film "
-              "has and no page shows is said, a line each: sound, motion blur, depth of field, live input. Where a "
-              "server's policy forbids scripts and styles that stand in pages, --link makes one that needs none."};
+  return {
+      .rank = 18,
+      .name = "web",
+      .sentence = "makes a page that plays films in any browser, where they can be edited too",
+      .takes = {{.name = "FILE",
+                 .sentence = "the scripts, in the order in which they stand on the page",
+                 .into = &call.files,
+                 .required = true,
+                 .offer = Offer::scripts},
+                output_parameter(call.out, "PAGE.html", "the page", "html"),
+                option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
+                size_parameter(call.size, "how large the pictures are; else as wide as there is room"),
+                flag("--no-edit", "the films alone, without their texts beside them", call.no_edit),
+                flag("--link", "what plays lies beside the page (betwixt-player.js, betwixt-page.css), for many pages",
+                     call.link),
+                flag("--no-overwrite", "leave a page alone that is there already", call.keep_old)},
+      .note = "What plays is built when ./betwixt web is called for the first time.",
+      .example = "betwixt web examples/bounce.bx -o bounce.html",
+      .manual =
+          "The page is one file and needs no other: it plays offline, from a folder too. The script stands in "
+          "it as text, with the files that it uses. Whoever types in it changes the film at once. What the film "
+          "has and no page shows is said, a line each: sound, motion blur, depth of field, live input. Where a "
+          "server's policy forbids scripts and styles that stand in pages, --link makes one that needs none."};
 });
 
 }  // namespace

@@ -87,7 +87,8 @@ bool has_only_usual_letters(std::string_view text) {
   return true;
 }
 
-// Fonts that a page has to bring along, those of all texts that are seen some time; and what pages leave out of pictures.
+// Fonts that a page has to bring along, those of all texts that are seen some time; and what pages leave out of
+// pictures.
 void look_through(PageFilm& film, const Document& document) {
   const Program program = Program::compile(document);
   const auto [first, last] = document.range();
@@ -99,8 +100,10 @@ void look_through(PageFilm& film, const Document& document) {
     if (face == Typeface{std::string(usual_font)} && has_only_usual_letters(*shape->text)) return;
     if (!find_font(face.family)) return;
     const FontFile file = font_file(face);
-    if (file.index == 0 && !file.path.empty()) paths.insert(file.path);
-    else left.insert(face.family);
+    if (file.index == 0 && !file.path.empty())
+      paths.insert(file.path);
+    else
+      left.insert(face.family);
   };
   const int count = last > first ? most_looks : 1;
   for (int i = 0; i < count; ++i) {
@@ -114,7 +117,8 @@ void look_through(PageFilm& film, const Document& document) {
   if (moves) film.lost.emplace_back("the page has no motion blur: its pictures are sharp (shutter)");
   if (focuses) film.lost.emplace_back("the page has no depth of field: all is in focus (f-stop)");
   for (const std::string& family : left)
-    film.lost.push_back(fmt::format("the page has {} in place of the font {}, which is one of a collection", usual_font, family));
+    film.lost.push_back(
+        fmt::format("the page has {} in place of the font {}, which is one of a collection", usual_font, family));
 }
 
 // What else pages cannot do, of what films may have.
@@ -220,10 +224,10 @@ std::string web_page(const std::vector<PageFilm>& films, const PageOptions& opti
     files.insert(film.files.begin(), film.files.end());
   }
   const bool beside = options.player.empty();
-  const std::string player = beside ? "<script src=\"betwixt-player.js\"></script>"
-                                    : "<script>\n" + options.player + "</script>";
-  const std::string look = beside ? "<link rel=\"stylesheet\" href=\"betwixt-page.css\">"
-                                  : fmt::format("<style>\n{}</style>", page_css);
+  const std::string player =
+      beside ? "<script src=\"betwixt-player.js\"></script>" : "<script>\n" + options.player + "</script>";
+  const std::string look =
+      beside ? "<link rel=\"stylesheet\" href=\"betwixt-page.css\">" : fmt::format("<style>\n{}</style>", page_css);
   return filled(page_html, {{"version", BETWIXT_VERSION},
                             {"title", escaped(options.title)},
                             {"look", look},
