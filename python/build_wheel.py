@@ -25,7 +25,7 @@ def _project():
 
 
 def _say(words):
-    """To who waits: pip shows what is printed here only with -v, so a terminal is told by itself."""
+    """Prints it, on the terminal too: pip shows printed lines only with -v."""
     print(words, flush=True)
     try:
         with open("/dev/tty", "w", encoding="utf-8") as terminal:
@@ -35,7 +35,7 @@ def _say(words):
 
 
 def _run(command):
-    """Runs it and says how far it is, at each tenth of the steps that ninja counts; if it fails, what it said last."""
+    """Runs it, with a line for each tenth of ninja's steps; after a failure, its last lines."""
     environment = {"CCACHE_SLOPPINESS": "pch_defines,time_macros,include_file_mtime,include_file_ctime", **os.environ,
                    "NINJA_STATUS": "[%f/%t] "}
     said, tenth = [], 0

@@ -15,7 +15,7 @@
 
 namespace {
 
-// pybind11 would make room for what __new__ alone has made, and go on with what is there by chance.
+// pybind11 would give an object that __new__ alone has made uninitialised memory, and use that.
 void refuse_what_was_never_made(const pybind11::module_& m) {
   for (const auto& [name, what] : m.attr("__dict__").cast<pybind11::dict>())
     if (PyType_Check(what.ptr()))

@@ -62,21 +62,19 @@ void bind_errors(py::module_& m) {
           "severity", [](const Diagnostic& d) { return word_of(d.severity); }, "\"notice\", \"warning\" or \"error\".")
       .def_property_readonly(
           "code", [](const Diagnostic& d) { return word_of(d.what.code); },
-          "What sort it is: \"syntax\", \"name\", \"type\", \"range\", \"file\" or \"machine\".")
+          "Its sort: \"syntax\", \"name\", \"type\", \"range\", \"file\" or \"machine\".")
       .def_property_readonly(
-          "message", [](const Diagnostic& d) { return shown(d.what.message); }, "What is wrong, in plain words.")
+          "message", [](const Diagnostic& d) { return shown(d.what.message); }, "The mistake, in plain words.")
       .def_property_readonly(
-          "hint", [](const Diagnostic& d) { return shown(d.what.hint); }, "What may help; may be empty.")
+          "hint", [](const Diagnostic& d) { return shown(d.what.hint); }, "A way out; may be empty.")
       .def_property_readonly(
-          "file", [](const Diagnostic& d) { return shown(d.what.place.file); },
-          "The file that it is about; may be empty.")
+          "file", [](const Diagnostic& d) { return shown(d.what.place.file); }, "The file; may be empty.")
       .def_property_readonly(
           "line", [](const Diagnostic& d) { return d.what.place.line; }, "The line, from 1; 0: no place is known.")
       .def_property_readonly(
           "column", [](const Diagnostic& d) { return d.what.place.column; }, "The column, from 1, in characters.")
       .def_property_readonly(
-          "length", [](const Diagnostic& d) { return d.what.place.length; },
-          "How many characters of the line it is about.")
+          "length", [](const Diagnostic& d) { return d.what.place.length; }, "The number of characters.")
       .def_property_readonly(
           "text", [](const Diagnostic& d) { return shown(d.line); }, "The text of the line.")
       .def(

@@ -205,7 +205,7 @@ std::vector<double> breaks(const Film& film, py::handle after, py::handle until)
 }  // namespace
 
 py::class_<Film> bind_film(py::module_& m) {
-  py::class_<Film> film(m, "Film",  // What can be called as a class says how, too.
+  py::class_<Film> film(m, "Film",  // inspect.signature of a class reads this, not __init__.
                         "Film(text, name='', *, read_anywhere=False, tex=False)\n--\n\n"
                         "A film: what a script says. Any thread may ask it, and change it.");
   film.def(py::init([](std::string text, const std::string& name, bool read_anywhere, bool tex) {
@@ -216,7 +216,7 @@ py::class_<Film> bind_film(py::module_& m) {
              return film;
            }),
            py::arg("text"), py::arg("name") = "", py::kw_only(), py::arg("read_anywhere") = false,
-           py::arg("tex") = false, says("Of a script's text. `name` is that of the file in which it could stand."))
+           py::arg("tex") = false, says("Opens the text of a script. `name` is the name of its file."))
       .def_property_readonly("name", &Film::name, "The name of its file; empty if it has none.")
       .def_property_readonly(
           "text", [](const Film& f) { return unlocked([&] { return f.text(); }); }, "The script, as it is now.")
@@ -228,13 +228,13 @@ py::class_<Film> bind_film(py::module_& m) {
                              }),
                              "The first frame and the last.")
       .def_property_readonly("size", of_document([](const Document& d) { return d.size(); }),
-                             "Width and height of its pictures in pixels; None: the script does not say.")
+                             "Width and height of its pictures in pixels; None if the script gives none.")
       .def_property_readonly("objects", of_document([](const Document& d) { return d.names(); }),
                              "The names of all objects, as they were created.")
       .def_property_readonly("notes", of_document(notes),
-                             "What `note` says in the script: frame and text, in the order of time.")
+                             "The notes of the script: frame and text, in the order of time.")
       .def_property_readonly("cuts", of_document(cuts),
-                             "Where the camera changes: frame and camera. A frame of minus infinity: the first one.")
+                             "Where the camera changes: frame and camera. Minus infinity marks the first camera.")
       .def("kind", kind_named, py::arg("name"), says("What kind of object that is: \"sphere\"."))
       .def(
           "time",
@@ -254,17 +254,17 @@ py::class_<Film> bind_film(py::module_& m) {
            says("The value of a target at a time, or at many: an array then, a row for each. A time is a frame, words "
                 "such as \"24f\" or \"2.5s\", or a timedelta."))
       .def("values", values, py::arg("time"), py::arg("pattern") = "",
-           says("All values that a pattern names, by name; without one, all there is to say of all objects."))
+           says("All values that a pattern names, by name; without a pattern, all values of all objects."))
       .def(
           "say", [](Film& f, const std::string& lines) { return told(unlocked([&] { return f.say(lines); })); },
           py::arg("lines"),
-          says("Carries out lines of the language, all of them or none, and gives back what a shell would answer."))
+          says("Carries out lines of the language, all of them or none, and returns the answer of a shell."))
       .def(
           "undo", [](Film& f) { return told(unlocked([&] { return f.enter("undo"); })); },
           says("Takes back the last step."))
       .def(
           "redo", [](Film& f) { return told(unlocked([&] { return f.enter("redo"); })); },
-          says("Does again what was taken back."))
+          says("Repeats the step taken back."))
       .def(
           "write",
           [](const Film& f, const std::filesystem::path& path) {

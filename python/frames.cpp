@@ -121,16 +121,16 @@ void bind_meshes(py::module_& m) {
       .def_property_readonly(
           "color", [](const MeshPart& p) { return py::array_t<float>(3, p.color.data()); }, "Its colour, linear light.")
       .def_property_readonly(
-          "texture", [](const MeshPart& p) { return picture_or_none(p.texture); }, "Its picture; None: it has none.")
+          "texture", [](const MeshPart& p) { return picture_or_none(p.texture); }, "Its picture, or None.")
       .def_readonly("tinted", &MeshPart::tinted, "Whether the object's own colour multiplies it.");
   py::class_<Triangles>(m, "Mesh", "Triangles in the space of their object.")
       .def_property_readonly(
           "positions", [](const Triangles& t) { return rows(t, t.mesh->positions); }, "The corners: x, y, z.")
       .def_property_readonly(
-          "normals", [](const Triangles& t) { return rows(t, t.mesh->normals); }, "What each corner faces.")
+          "normals", [](const Triangles& t) { return rows(t, t.mesh->normals); }, "The normal of each corner.")
       .def_property_readonly(
           "uvs", [](const Triangles& t) { return rows(t, t.mesh->uvs); },
-          "Where each corner is on the picture; (0 0) is its top left. None, or as many as positions.")
+          "The place of each corner on the picture, whose top left is (0 0); empty without a picture.")
       .def_property_readonly(
           "triangles", [](const Triangles& t) { return groups(t, t.mesh->triangles, 3); }, "Three corners each.")
       .def_property_readonly(
@@ -138,7 +138,7 @@ void bind_meshes(py::module_& m) {
           "Two corners each: what lines are drawn along.")
       .def_property_readonly(
           "parts", [](const Triangles& t) { return t.mesh->parts; },
-          "Runs of triangles that share a look; none: one plain part.")
+          "Runs of triangles that share a look; an empty list for one plain part.")
       .def_property_readonly(
           "closed", [](const Triangles& t) { return t.mesh->closed; }, "Whether it encloses a space.")
       .def(
@@ -155,7 +155,7 @@ void bind_items(py::module_& m) {
           "body", [](const ItemOf& i) { return name_of(i->body, i.made->document); },
           "The object that it is one body with.")
       .def_property_readonly(
-          "kind", [](const ItemOf& i) { return betwixt::name_of(i->shape->kind); }, "What it is: \"sphere\".")
+          "kind", [](const ItemOf& i) { return betwixt::name_of(i->shape->kind); }, "Its kind: \"sphere\".")
       .def_property_readonly("world", world_of<Item>, "Where it is: a matrix, [row, column].")
       .def_property_readonly(
           "color", [](const ItemOf& i) { return array_of(i->color); }, "Its colour, linear light.")
@@ -169,7 +169,7 @@ void bind_items(py::module_& m) {
       .def_property_readonly(
           "casts", [](const ItemOf& i) { return i->casts; }, "Whether it casts shadows.")
       .def_property_readonly(
-          "texture", [](const ItemOf& i) { return picture_or_none(i->texture); }, "Its picture; None: it has none.")
+          "texture", [](const ItemOf& i) { return picture_or_none(i->texture); }, "Its picture, or None.")
       .def("has_shape_of", has_shape_of, py::arg("other"), says("Whether its triangles are the other's too."))
       .def(
           "mesh",
@@ -191,7 +191,7 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "name", [](const LightOf& l) { return name_of(l->id, l.made->document); }, "Its name.")
       .def_property_readonly(
-          "sun", [](const LightOf& l) { return l->sun; }, "Whether it is a sun; else it is a lamp.")
+          "sun", [](const LightOf& l) { return l->sun; }, "True for a sun, False for a lamp.")
       .def_property_readonly(
           "position", [](const LightOf& l) { return array_of(l->position); }, "Where it is.")
       .def_property_readonly(
@@ -203,7 +203,7 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
   py::class_<CameraOf>(m, "Camera", "The camera that is looked through.")
       .def_property_readonly(
           "name", [](const CameraOf& c) { return name_of(c.made->camera, c.made->document); },
-          "Its name; empty: the film has none.")
+          "Its name; empty if the film has no camera.")
       .def_property_readonly("world", world_of<Camera>, "Where it is: a matrix, [row, column].")
       .def_property_readonly(
           "orthographic", [](const CameraOf& c) { return c->orthographic; }, "Whether it sees without perspective.")
@@ -218,7 +218,7 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "aperture", [](const CameraOf& c) { return c->aperture; }, "How wide its opening is, in metres.")
       .def_property_readonly(
-          "focus", [](const CameraOf& c) { return c->focus; }, "How far away what is sharp is, in metres.")
+          "focus", [](const CameraOf& c) { return c->focus; }, "The distance of sharp things, in metres.")
       .def_property_readonly(
           "shift", [](const CameraOf& c) { return py::make_tuple(c->shift_x, c->shift_y); },
           "How far the picture is shifted, in halves of it.");
@@ -230,7 +230,7 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "items",
           [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.items); },
-          "What is drawn.")
+          "The things drawn.")
       .def_property_readonly(
           "lights",
           [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.lights); },
@@ -243,13 +243,13 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
           "The camera that is looked through.")
       .def_property_readonly(
           "background", [](const Made& f) { return array_or_none(f.frame.background); },
-          "The colour behind everything, linear light; None: the film says none.")
+          "The colour behind everything, linear light; None without one.")
       .def_property_readonly(
           "ambient", [](const Made& f) { return array_or_none(f.frame.surroundings.ambient); },
-          "Light from everywhere; None: the film says none.")
+          "Light from everywhere; None without one.")
       .def_property_readonly(
           "ground", [](const Made& f) { return array_or_none(f.frame.surroundings.ground); },
-          "The colour of the endless ground; None: there is none.")
+          "The colour of the endless ground; None without one.")
       .def_property_readonly(
           "exposure", [](const Made& f) { return f.frame.surroundings.exposure; },
           "All light is multiplied by 2 to the power of this.")
@@ -263,7 +263,7 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "notes", [](const Made& f) { return f.frame.notes; }, "What `note` says at this time.")
       .def_property_readonly(
-          "problems", [](const Made& f) { return f.frame.problems; }, "What code did wrong.")
+          "problems", [](const Made& f) { return f.frame.problems; }, "The mistakes of code in the script.")
       .def(
           "__repr__", [](const Made& f) { return "<Frame of " + std::to_string(f.frame.items.size()) + " things>"; },
           says("How many things are drawn."));

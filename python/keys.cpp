@@ -152,7 +152,7 @@ void bind_keys(py::module_& m, py::class_<Film>& film) {
             if (!k.keys.parent) return py::none();
             return name_of(k.keys.parent, k.document);
           },
-          "What it hangs on; None: nothing.")
+          "Its parent; None for no parent.")
       .def_property_readonly(
           "sheared", [](const KeysOf& k) { return k.keys.sheared; }, "Whether it needs `inner` too.")
       .def_property_readonly(

@@ -189,9 +189,9 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
   py::class_<FilmStats>(m, "Made", "What a film took.")
       .def_readonly("frames", &FilmStats::frames, "How many frames it has.")
       .def_readonly("found", &FilmStats::found, "How many pictures were there already.")
-      .def_readonly("seconds", &FilmStats::seconds, "How long it took.")
-      .def_readonly("painting", &FilmStats::painting, "How long was painted, in seconds, by all painters together.")
-      .def_readonly("encoding", &FilmStats::encoding, "How long was encoded, in seconds.")
+      .def_readonly("seconds", &FilmStats::seconds, "The seconds that it took.")
+      .def_readonly("painting", &FilmStats::painting, "Seconds of painting, summed over all painters.")
+      .def_readonly("encoding", &FilmStats::encoding, "Seconds of encoding.")
       .def(
           "__repr__", [](const FilmStats& s) { return "<Made of " + std::to_string(s.frames) + " frames>"; },
           says("How many frames it has."));

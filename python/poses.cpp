@@ -99,7 +99,7 @@ void bind_poses(py::module_& m, py::class_<Film>& film) {
             const py::ssize_t n = std::ssize(p->names), whole = sizeof(std::int32_t);
             return view(p->parents.data(), {std::ssize(p->frames), n}, {n * whole, whole}, keep<Poses>(p));
           },
-          "What each hangs on, by frame and object: places among the names; -1: nothing holds it.")
+          "The parents, by frame and object: places among the names, -1 for no parent.")
       .def(
           "__len__", [](const Held& p) { return p->frames.size(); }, says("How many frames there are."))
       .def(

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What notebooks and editors show of a function: `says("…")`, last among what pybind11 is told of it, puts the
-// signature in front that follows from its arguments, as inspect.signature reads it.
+// Docstrings with signatures: `says("…")`, the last argument of def(), makes the signature of the py::arg before it, in
+// the form that inspect.signature reads. Notebooks and editors show both.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,9 +22,7 @@ inline Says says(const char* words) { return {words}; }
 // "eval(self, target, time)".
 inline std::string signature_of(const py::detail::function_record& f) {
   std::string all = std::string(f.name) + "(";
-  auto add = [&, first = true](const std::string& word) mutable {
-    all += (first ? "" : ", ") + word, first = false;
-  };
+  auto add = [&, first = true](const std::string& word) mutable { all += (first ? "" : ", ") + word, first = false; };
   if (f.is_method && f.args.empty()) add("self");
   for (std::size_t i = 0; i < f.args.size(); ++i) {
     if (i == f.nargs_pos) add("*");

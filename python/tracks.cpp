@@ -79,16 +79,16 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "seconds", [](const EventOf& e) { return e.view.time.seconds(); }, "The same in seconds since the beginning.")
       .def_property_readonly(
           "what", [](const EventOf& e) { return word_of(e.view.what); },
-          "\"value\"; \"keep\": only how to go on changes; \"release\": a velocity no longer reigns.")
+          "\"value\"; \"keep\": only the twerper changes; \"release\": a velocity no longer reigns.")
       .def_property_readonly(
           "value", [](const EventOf& e) { return value_or_none(e.view.value, e); },
-          "What the track comes to; None where it says none.")
+          "The value; None for an event without one.")
       .def_property_readonly(
           "before", [](const EventOf& e) { return value_or_none(e.view.before, e); },
-          "Of a cut: what the track comes to before it jumps; else None.")
+          "The value before the jump of a cut; None for other events.")
       .def_property_readonly(
           "twerper", [](const EventOf& e) { return e.view.twerper; },
-          "How the track goes on to the next event; empty: nobody has said.")
+          "The twerper to the next event; empty if none is given.")
       .def_property_readonly(
           "arguments", [](const EventOf& e) { return e.view.arguments; }, "The numbers of its twerper.")
       .def_property_readonly(
@@ -102,16 +102,16 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "For how many frames it loses speed before the next event.")
       .def_property_readonly(
           "tangent_in", [](const EventOf& e) { return value_or_none(e.view.tangent_in, e); },
-          "How fast hermite comes here, per second; None: not said.")
+          "How fast hermite comes here, per second; None if it is not given.")
       .def_property_readonly(
           "tangent_out", [](const EventOf& e) { return value_or_none(e.view.tangent_out, e); },
-          "How fast hermite leaves, per second; None: not said.")
+          "How fast hermite leaves, per second; None if it is not given.")
       .def_property_readonly(
           "handle_in", [](const EventOf& e) { return length_or_none(e.view.handle_in, e.document); },
-          "How long the handle before it is, in frames; None: not said.")
+          "How long the handle before it is, in frames; None if it is not given.")
       .def_property_readonly(
           "handle_out", [](const EventOf& e) { return length_or_none(e.view.handle_out, e.document); },
-          "How long the handle behind it is, in frames; None: not said.")
+          "How long the handle behind it is, in frames; None if it is not given.")
       .def(
           "__repr__",
           [](const EventOf& e) {
@@ -121,7 +121,7 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           says("Its time and value."));
   py::class_<TrackOf>(m, "Track", "The events of one display function.")
       .def_property_readonly(
-          "name", [](const TrackOf& t) { return t.document.name(t.view.target); }, "What it is of: \"ball.position\".")
+          "name", [](const TrackOf& t) { return t.document.name(t.view.target); }, "Its target: \"ball.position\".")
       .def_property_readonly(
           "object", [](const TrackOf& t) { return name_of(t.view.target.object, t.document); },
           "The name of the object.")
@@ -133,17 +133,17 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
             if (!t.view.target.layer) return py::none();
             return name_of(t.view.target.layer, t.document);
           },
-          "The layer that it lies on; None: it is the object's own.")
+          "Its layer; None for the object's own track.")
       .def_property_readonly(
           "twerper", [](const TrackOf& t) { return t.view.twerper; },
-          "That of the whole track; empty: each event's own.")
+          "The twerper of the whole track; empty if each event has its own.")
       .def_property_readonly(
-          "unsaid", [](const TrackOf& t) { return t.view.unsaid; }, "The twerper where nobody has said one.")
+          "unsaid", [](const TrackOf& t) { return t.view.unsaid; }, "The default twerper.")
       .def_property_readonly(
           "before", [](const TrackOf& t) { return t.view.before; },
-          "What it is before the first event: a word of `before`.")
+          "The way before the first event, a word of `before`.")
       .def_property_readonly(
-          "after", [](const TrackOf& t) { return t.view.after; }, "What it is after the last event: a word of `after`.")
+          "after", [](const TrackOf& t) { return t.view.after; }, "The way after the last event, a word of `after`.")
       .def_property_readonly("events", events_of, "Its events, in the order of time.")
       .def(
           "__len__", [](const TrackOf& t) { return t.view.events; }, says("How many events it has."))

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What player and editor make their insides of, so that a page may forbid text that becomes markup, styles that stand in
-// it, and scripts other than those that it names (docs/web.md#which-policy-it-needs).
+// Player and editor make their insides by these. So a page may forbid markup from text, styles in the page, and scripts
+// that it does not name (docs/web.md#which-policy-it-needs).
 
 // An element, its attributes, and what is in it: elements and texts.
 const element = (name, attributes = {}, ...inside) => {

@@ -24,7 +24,7 @@ if (globalThis.customElements && !customElements.get("betwixt-editor")) {
     }
     all.push(line.slice(at));
     if (!bad) return all;
-    // What stands before the first letter is not underlined; of a line of blanks one is.
+    // Leading blanks are not underlined; in a line of blanks one blank is.
     const blanks = line.match(/^\s*/)[0].length;
     let left = blanks;
     const within = all.map((one) => {

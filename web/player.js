@@ -196,7 +196,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
 
     #root;
     #parts;
-    #size = sheet();      // how large it is, and what is behind it
+    #size = sheet();      // its size and its background
     #said_size = "";
     #film = null;         // that is shown
     #engine = null;
@@ -217,7 +217,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #begin = 0;           // where it is to begin, said before there was a film
     #rate = 1;
     #seeking = false;
-    #held = null;         // an AbortController: the slider is being dragged, and the clock waits
+    #held = null;         // an AbortController: the slider is dragged, and the clock waits
     #visible = false;
     #pulse = 0;
     #updated = 0;
@@ -672,7 +672,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         this.#update();
       }
     }
-    // Nothing follows where it has come to: it stops.
+    // At its end a film stops.
     #end() {
       if (this.#paused || this.#held || !this.ended || this.#rate <= 0) return;
       this.#paused = true;
@@ -708,7 +708,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#update();
     }
 
-    // Who drags the slider has the film stand where it is; let go, it goes on.
+    // While the slider is dragged the film waits.
     #hold() {
       if (this.#held) return;
       this.#set_clock(this.currentTime);
@@ -843,7 +843,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       const { width, height } = this.#film ?? this;
       const aspect = width && height ? `aspect-ratio: ${width} / ${height};` : "";
       const side = this.width ? `width: ${this.width}px;` : this.height ? `width: auto; height: ${this.height}px;` : "";
-      // What has nothing behind it shows the page.
+      // The page shows through a transparent film.
       const behind = this.#film?.clear ? "background: var(--betwixt-letterbox, transparent);" : "";
       const rule = `:host { ${aspect} ${side} ${behind} }`;
       if (this.#said_size !== rule) this.#size.replaceSync((this.#said_size = rule));

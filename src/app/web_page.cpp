@@ -121,7 +121,7 @@ void look_through(PageFilm& film, const Document& document) {
         fmt::format("the page has {} in place of the font {}, which is one of a collection", usual_font, family));
 }
 
-// What else pages cannot do, of what films may have.
+// Other things that films have and pages lack.
 void add_losses(PageFilm& film, const Document& document) {
   const Scene& scene = document.scene();
   std::vector<std::string> sounds, dials;
@@ -134,8 +134,6 @@ void add_losses(PageFilm& film, const Document& document) {
   if (!dials.empty())
     film.lost.push_back(fmt::format("the page hears no live input: {} ({})", dials.size() == 1 ? "a dial" : "dials",
                                     fmt::join(dials, ", ")));
-  if (document.samples().value_or(0) > 16)
-    film.lost.push_back(fmt::format("the page draws 4 samples a pixel, not {}", *document.samples()));
 }
 
 Status add_files(PageFiles& to, const std::string& script, const Document& document,

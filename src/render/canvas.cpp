@@ -45,8 +45,8 @@ void main() {
 }
 )";
 
-// The picture's first row is what is shown on top. What is clear is multiplied in, as graphics that are laid over
-// others have it; an opacity is at least so much that light without it can be as bright (to_shown).
+// The picture's first row is what is shown on top. A deep one has its opacity multiplied in, as graphics that are laid
+// over others have it; an opacity is at least so much that light without it can be as bright (to_shown).
 const char* const show_fragment = R"(
 uniform sampler2D picture;
 out vec4 color;

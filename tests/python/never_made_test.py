@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What __new__ alone has made holds nothing: whatever is asked of it raises, and nothing falls over."""
+"""An object that __new__ alone has made holds nothing: using it raises, and never crashes."""
 
 import copy
 import inspect

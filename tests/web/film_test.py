@@ -118,7 +118,7 @@ def code_errs(browser):
     page.close()
 
 
-# What has nothing behind it shows the page: the numbers are those of the program's picture, multiplied in.
+# The page shows through a transparent film. Its pixels are those of the program's picture, with opacity multiplied in.
 def clear(browser):
     page = opened(browser, f"file://{folder}/clear.html", size=(1200, 800))
     page.until("p.readyState === 4")

@@ -210,7 +210,7 @@ def hands(browser, served):
     x, y, w, h = page.ask("(() => { const r = p.shadowRoot.querySelector('input').getBoundingClientRect(); return [r.x, r.y, r.width, r.height] })()")
     page.click(x + w / 2, y + h / 2)
     same("the slider seeks", page.do("await calm(); return Math.abs(p.currentTime - 1.5) < 0.05"), True)
-    # Dragged while it plays, the film stands below the thumb, and goes on from there; nobody hears of a pause.
+    # While the slider is dragged the film waits under the thumb, without an event of a pause.
     page.do("window.heard = []; for (const n of ['play', 'pause']) p.addEventListener(n, () => heard.push(n)); p.currentTime = 0; await p.play(); await calm(); heard.length = 0;")
     page.mouse("mousePressed", x + w / 4, y + h / 2)
     held = page.do("await calm(); const t = p.currentTime; await calm(); await calm(); return [t, p.currentTime, p.paused]")

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Pages under the strictest policy that docs/web.md says they need: of what stands in a page no script runs and no style
-# counts, and no text becomes markup. Left out where what plays has not been built (./betwixt web does that).
+# Pages under the policy of docs/web.md: no script or style in the page counts, and no text becomes markup. Left out while
+# the player is not built (./betwixt web builds it).
 #   strict_test.py PROGRAM
 import os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
