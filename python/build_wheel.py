@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What pip asks for: a wheel, which is what CMake installs, zipped."""
 
+import atexit
 import base64
 import hashlib
 import os
+import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -21,12 +24,49 @@ def _project():
         return tomllib.load(said)["project"]
 
 
+def _say(words):
+    """Prints it, on the terminal too: pip shows printed lines only with -v."""
+    print(words, flush=True)
+    try:
+        with open("/dev/tty", "w", encoding="utf-8") as terminal:
+            terminal.write(f"\r\033[K{words}\n")
+    except OSError:
+        pass  # there is none
+
+
+def _run(command):
+    """Runs it, with a line for each tenth of ninja's steps; after a failure, its last lines."""
+    environment = {"CCACHE_SLOPPINESS": "pch_defines,time_macros,include_file_mtime,include_file_ctime", **os.environ,
+                   "NINJA_STATUS": "[%f/%t] "}
+    said, tenth = [], 0
+    with subprocess.Popen(command, cwd=ROOT, env=environment, text=True, errors="replace", stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT) as running:
+        assert running.stdout
+        for line in running.stdout:
+            said.append(line)
+            step = re.match(r"\[(\d+)/(\d+)\]", line)
+            if step and int(step[2]) > 3 and 10 * int(step[1]) // int(step[2]) > tenth:
+                tenth = 10 * int(step[1]) // int(step[2])
+                _say(f"betwixt: building the module, {step[1]} of {step[2]} steps")
+    if running.returncode:
+        _say("".join(said[-40:]))
+        raise subprocess.CalledProcessError(running.returncode, command)
+
+
 def _built():
-    """The folder of the package, from the source tree's own build."""
-    build = os.path.join(ROOT, "build", "release")
-    for command in (["cmake", "--preset", "release", "-DBETWIXT_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"],
-                    ["cmake", "--build", build, "--target", "betwixt_python"]):
-        subprocess.run(command, cwd=ROOT, check=True)
+    """The folder of the package. It is built in a folder of its own, which makes the next time short; the source tree's
+    own build, which is for another Python perhaps, stays as it is."""
+    build = os.path.join(ROOT, "build", f"pip-cp{sys.version_info[0]}{sys.version_info[1]}")
+    try:
+        os.makedirs(build, exist_ok=True)
+    except OSError:  # a source tree that belongs to others
+        build = tempfile.mkdtemp(prefix="betwixt-")
+        atexit.register(shutil.rmtree, build, True)
+    _say(f"betwixt: building the module in {build}: some minutes the first time")
+    quick = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    _run(["cmake", "--preset", "release", "-B", build, "-DBETWIXT_PYTHON=ON", "-DBETWIXT_STUDIO=OFF", "-DBETWIXT_TESTS=OFF",
+          f"-DPython_EXECUTABLE={sys.executable}", *quick])
+    _run(["cmake", "--build", build, "--target", "betwixt_python"])
     return os.path.join(build, "python", "betwixt")
 
 

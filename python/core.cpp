@@ -13,6 +13,22 @@
 #include "poses.h"
 #include "tracks.h"
 
+namespace {
+
+// pybind11 would give an object that __new__ alone has made uninitialised memory, and use that.
+void refuse_what_was_never_made(const pybind11::module_& m) {
+  for (const auto& [name, what] : m.attr("__dict__").cast<pybind11::dict>())
+    if (PyType_Check(what.ptr()))
+      if (auto* type = pybind11::detail::get_type_info(reinterpret_cast<PyTypeObject*>(what.ptr())))
+        type->operator_new = [](std::size_t) -> void* {
+          throw pybind11::type_error(
+              "this was made by __new__ alone and holds nothing: betwixt.load gives films, and "
+              "films give all else");
+        };
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_core, m) {
   pybind11::options options;
   options.disable_function_signatures();  // the stubs say them better
@@ -33,4 +49,5 @@ PYBIND11_MODULE(_core, m) {
   betwixt::python::bind_frames(m, film);
   betwixt::python::bind_keys(m, film);
   betwixt::python::bind_pictures(m, film);
+  refuse_what_was_never_made(m);
 }

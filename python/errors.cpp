@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "says.h"
+
 namespace betwixt::python {
 namespace {
 
@@ -56,20 +58,35 @@ void warn(const Diagnostics& all) {
 
 void bind_errors(py::module_& m) {
   py::class_<Diagnostic>(m, "Diagnostic", "Something to tell the author about a text.")
-      .def_property_readonly("severity", [](const Diagnostic& d) { return word_of(d.severity); })
-      .def_property_readonly("code", [](const Diagnostic& d) { return word_of(d.what.code); })
-      .def_property_readonly("message", [](const Diagnostic& d) { return shown(d.what.message); })
-      .def_property_readonly("hint", [](const Diagnostic& d) { return shown(d.what.hint); })
-      .def_property_readonly("file", [](const Diagnostic& d) { return shown(d.what.place.file); })
-      .def_property_readonly("line", [](const Diagnostic& d) { return d.what.place.line; })
-      .def_property_readonly("column", [](const Diagnostic& d) { return d.what.place.column; })
-      .def_property_readonly("length", [](const Diagnostic& d) { return d.what.place.length; })
-      .def_property_readonly("text", [](const Diagnostic& d) { return shown(d.line); })
-      .def("__str__", [](const Diagnostic& d) { return shown(without_newline(to_string(d))); })
-      .def("__repr__", [](const Diagnostic& d) {
-        return py::str("<Diagnostic {}>")
-            .format(shown(without_newline(to_string(d))).attr("splitlines")().attr("__getitem__")(0));
-      });
+      .def_property_readonly(
+          "severity", [](const Diagnostic& d) { return word_of(d.severity); }, "\"notice\", \"warning\" or \"error\".")
+      .def_property_readonly(
+          "code", [](const Diagnostic& d) { return word_of(d.what.code); },
+          "Its sort: \"syntax\", \"name\", \"type\", \"range\", \"file\" or \"machine\".")
+      .def_property_readonly(
+          "message", [](const Diagnostic& d) { return shown(d.what.message); }, "The mistake, in plain words.")
+      .def_property_readonly(
+          "hint", [](const Diagnostic& d) { return shown(d.what.hint); }, "A way out; may be empty.")
+      .def_property_readonly(
+          "file", [](const Diagnostic& d) { return shown(d.what.place.file); }, "The file; may be empty.")
+      .def_property_readonly(
+          "line", [](const Diagnostic& d) { return d.what.place.line; }, "The line, from 1; 0: no place is known.")
+      .def_property_readonly(
+          "column", [](const Diagnostic& d) { return d.what.place.column; }, "The column, from 1, in characters.")
+      .def_property_readonly(
+          "length", [](const Diagnostic& d) { return d.what.place.length; }, "The number of characters.")
+      .def_property_readonly(
+          "text", [](const Diagnostic& d) { return shown(d.line); }, "The text of the line.")
+      .def(
+          "__str__", [](const Diagnostic& d) { return shown(without_newline(to_string(d))); },
+          says("As the program says it: the line, a caret below the place, a hint."))
+      .def(
+          "__repr__",
+          [](const Diagnostic& d) {
+            return py::str("<Diagnostic {}>")
+                .format(shown(without_newline(to_string(d))).attr("splitlines")().attr("__getitem__")(0));
+          },
+          says("Its first line."));
   py::register_exception_translator([](std::exception_ptr p) {
     try {
       if (p) std::rethrow_exception(p);

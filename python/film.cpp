@@ -11,6 +11,7 @@
 #include "betwixt/language.h"
 #include "betwixt/object.h"
 #include "errors.h"
+#include "says.h"
 #include "times.h"
 #include "values.h"
 
@@ -130,14 +131,18 @@ py::object eval(const Film& film, const std::string& name, py::handle when) {
   const Document& document = program.document();
   const Target target = one_target(name, document);
   const bool one = is_one_time(when);
-  const std::vector<Time> times = one ? std::vector{time_of(when, document)} : times_of(when, document);
+  std::vector<Time> times = one ? std::vector{time_of(when, document)} : times_of(when, document);
+  const bool none = times.empty();
+  if (none) times = {document.range().first};  // of no time there is an array too, as wide as of others
   std::vector<Value> values;
   std::vector<std::string> problems;
   unlocked([&] {
     for (const Time t : times) values.push_back(program.read(std::vector{target}, t, &problems).front());
   });
-  warn_all(problems);
-  return one ? to_python(values.front(), target, document) : to_python(values, target, document);
+  if (!none) warn_all(problems);
+  if (one) return to_python(values.front(), target, document);
+  py::object all = to_python(values, target, document);
+  return none ? all[py::slice(0, 0, 1)] : all;
 }
 
 py::dict values(const Film& film, py::handle when, const std::string& pattern) {
@@ -200,7 +205,9 @@ std::vector<double> breaks(const Film& film, py::handle after, py::handle until)
 }  // namespace
 
 py::class_<Film> bind_film(py::module_& m) {
-  py::class_<Film> film(m, "Film", "A film: what a script says. Any thread may ask it, and change it.");
+  py::class_<Film> film(m, "Film",  // inspect.signature of a class reads this, not __init__.
+                        "Film(text, name='', *, read_anywhere=False, tex=False)\n--\n\n"
+                        "A film: what a script says. Any thread may ask it, and change it.");
   film.def(py::init([](std::string text, const std::string& name, bool read_anywhere, bool tex) {
              const LoadOptions options{.read_anywhere = read_anywhere, .tex = tex};
              auto film = unlocked([&] { return std::make_unique<Film>(std::move(text), name, options); });
@@ -209,57 +216,83 @@ py::class_<Film> bind_film(py::module_& m) {
              return film;
            }),
            py::arg("text"), py::arg("name") = "", py::kw_only(), py::arg("read_anywhere") = false,
-           py::arg("tex") = false)
-      .def_property_readonly("name", &Film::name)
-      .def_property_readonly("text", [](const Film& f) { return unlocked([&] { return f.text(); }); })
-      .def_property_readonly("rate", of_document([](const Document& d) { return d.rate().per_second(); }))
+           py::arg("tex") = false, says("Opens the text of a script. `name` is the name of its file."))
+      .def_property_readonly("name", &Film::name, "The name of its file; empty if it has none.")
+      .def_property_readonly(
+          "text", [](const Film& f) { return unlocked([&] { return f.text(); }); }, "The script, as it is now.")
+      .def_property_readonly("rate", of_document([](const Document& d) { return d.rate().per_second(); }),
+                             "Frames a second.")
       .def_property_readonly("range", of_document([](const Document& d) {
                                const auto [first, last] = d.range();
                                return std::pair(frame_of(first, d), frame_of(last, d));
-                             }))
-      .def_property_readonly("size", of_document([](const Document& d) { return d.size(); }))
-      .def_property_readonly("objects", of_document([](const Document& d) { return d.names(); }))
-      .def_property_readonly("notes", of_document(notes))
-      .def_property_readonly("cuts", of_document(cuts))
-      .def("kind", kind_named, py::arg("name"), "What kind of object that is: \"sphere\".")
+                             }),
+                             "The first frame and the last.")
+      .def_property_readonly("size", of_document([](const Document& d) { return d.size(); }),
+                             "Width and height of its pictures in pixels; None if the script gives none.")
+      .def_property_readonly("objects", of_document([](const Document& d) { return d.names(); }),
+                             "The names of all objects, as they were created.")
+      .def_property_readonly("notes", of_document(notes),
+                             "The notes of the script: frame and text, in the order of time.")
+      .def_property_readonly("cuts", of_document(cuts),
+                             "Where the camera changes: frame and camera. Minus infinity marks the first camera.")
+      .def("kind", kind_named, py::arg("name"), says("What kind of object that is: \"sphere\"."))
       .def(
           "time",
           [](const Film& f, py::handle t) {
             return in_document(f, [&](const Document& d) { return frame_of(time_of(t, d), d); });
           },
-          py::arg("time"), "The number of the frame at a time.")
+          py::arg("time"), says("The number of the frame at a time."))
       .def(
           "seconds",
           [](const Film& f, py::handle t) {
             return in_document(f, [&](const Document& d) { return time_of(t, d).seconds(); });
           },
-          py::arg("time"), "Seconds since the beginning, which is frame 1.")
+          py::arg("time"), says("Seconds since the beginning, which is frame 1."))
       .def("breaks", breaks, py::arg("after"), py::arg("until"),
-           "The frames behind the first and up to the other at which something may jump.")
-      .def("eval", eval, py::arg("target"), py::arg("time"))
-      .def("values", values, py::arg("time"), py::arg("pattern") = "")
+           says("The frames behind the first and up to the other at which something may jump."))
+      .def("eval", eval, py::arg("target"), py::arg("time"),
+           says("The value of a target at a time, or at many: an array then, a row for each. A time is a frame, words "
+                "such as \"24f\" or \"2.5s\", or a timedelta."))
+      .def("values", values, py::arg("time"), py::arg("pattern") = "",
+           says("All values that a pattern names, by name; without a pattern, all values of all objects."))
       .def(
           "say", [](Film& f, const std::string& lines) { return told(unlocked([&] { return f.say(lines); })); },
-          py::arg("lines"))
-      .def("undo", [](Film& f) { return told(unlocked([&] { return f.enter("undo"); })); })
-      .def("redo", [](Film& f) { return told(unlocked([&] { return f.enter("redo"); })); })
+          py::arg("lines"),
+          says("Carries out lines of the language, all of them or none, and returns the answer of a shell."))
+      .def(
+          "undo", [](Film& f) { return told(unlocked([&] { return f.enter("undo"); })); },
+          says("Takes back the last step."))
+      .def(
+          "redo", [](Film& f) { return told(unlocked([&] { return f.enter("redo"); })); },
+          says("Repeats the step taken back."))
       .def(
           "write",
           [](const Film& f, const std::filesystem::path& path) {
             const auto text = py::bytes(unlocked([&] { return f.text(); }));
             py::module_::import("pathlib").attr("Path")(path).attr("write_bytes")(text);
           },
-          py::arg("path"), "Writes the script, as `text` has it.")
+          py::arg("path"), says("Writes the script, as `text` has it."))
       .def(
           "player",
-          [](const py::object& self, const py::args& args, const py::kwargs& how) {
-            return py::module_::import("betwixt._player").attr("Player")(self, *args, **how);
+          [](const py::object& self, const py::object& first, const py::object& last, const py::object& size,
+             const std::string& style, int most) {
+            return py::module_::import("betwixt._player")
+                .attr("Player")(self, first, last, py::arg("size") = size, py::arg("style") = style,
+                                py::arg("most") = most);
           },
-          "What a notebook plays: first=None, last=None, *, size=(480, 270), style=\"shaded\", most=60 pictures.")
-      .def("_repr_html_", [](const py::object& self) { return self.attr("player")().attr("_repr_html_")(); })
-      .def("__repr__", [](const Film& f) {
-        return py::str("<Film {!r} of {} objects>").format(f.name(), f.document().names().size());
-      });
+          py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
+          py::arg("size") = py::make_tuple(480, 270), py::arg("style") = "shaded", py::arg("most") = 60,
+          says("What a notebook plays: pictures from the first frame to the last, at most `most`, with a button and a "
+               "slider."))
+      .def(
+          "_repr_html_", [](const py::object& self) { return self.attr("player")().attr("_repr_html_")(); },
+          says("The player, for notebooks."))
+      .def(
+          "__repr__",
+          [](const Film& f) {
+            return py::str("<Film {!r} of {} objects>").format(f.name(), f.document().names().size());
+          },
+          says("Its name, and how many objects it has."));
   return film;
 }
 

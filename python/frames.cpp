@@ -12,6 +12,7 @@
 #include "betwixt/pose.h"
 #include "errors.h"
 #include "pictures.h"
+#include "says.h"
 #include "times.h"
 #include "values.h"
 
@@ -113,45 +114,72 @@ py::array_t<double> world_of(const Of<Part>& o) {
 
 void bind_meshes(py::module_& m) {
   py::class_<MeshPart>(m, "MeshPart", "A run of triangles that share a look.")
-      .def_property_readonly("first", [](const MeshPart& p) { return p.first / 3; })
-      .def_property_readonly("count", [](const MeshPart& p) { return p.count / 3; })
-      .def_property_readonly("color", [](const MeshPart& p) { return py::array_t<float>(3, p.color.data()); })
-      .def_property_readonly("texture", [](const MeshPart& p) { return picture_or_none(p.texture); })
-      .def_readonly("tinted", &MeshPart::tinted);
+      .def_property_readonly(
+          "first", [](const MeshPart& p) { return p.first / 3; }, "The first of its triangles.")
+      .def_property_readonly(
+          "count", [](const MeshPart& p) { return p.count / 3; }, "How many triangles it has.")
+      .def_property_readonly(
+          "color", [](const MeshPart& p) { return py::array_t<float>(3, p.color.data()); }, "Its colour, linear light.")
+      .def_property_readonly(
+          "texture", [](const MeshPart& p) { return picture_or_none(p.texture); }, "Its picture, or None.")
+      .def_readonly("tinted", &MeshPart::tinted, "Whether the object's own colour multiplies it.");
   py::class_<Triangles>(m, "Mesh", "Triangles in the space of their object.")
-      .def_property_readonly("positions", [](const Triangles& t) { return rows(t, t.mesh->positions); })
-      .def_property_readonly("normals", [](const Triangles& t) { return rows(t, t.mesh->normals); })
-      .def_property_readonly("uvs", [](const Triangles& t) { return rows(t, t.mesh->uvs); })
-      .def_property_readonly("triangles", [](const Triangles& t) { return groups(t, t.mesh->triangles, 3); })
-      .def_property_readonly("edges", [](const Triangles& t) { return groups(t, t.mesh->edges, 2); })
-      .def_property_readonly("parts", [](const Triangles& t) { return t.mesh->parts; })
-      .def_property_readonly("closed", [](const Triangles& t) { return t.mesh->closed; })
-      .def("__repr__", [](const Triangles& t) {
-        return "<Mesh of " + std::to_string(t.mesh->triangles.size() / 3) + " triangles>";
-      });
+      .def_property_readonly(
+          "positions", [](const Triangles& t) { return rows(t, t.mesh->positions); }, "The corners: x, y, z.")
+      .def_property_readonly(
+          "normals", [](const Triangles& t) { return rows(t, t.mesh->normals); }, "The normal of each corner.")
+      .def_property_readonly(
+          "uvs", [](const Triangles& t) { return rows(t, t.mesh->uvs); },
+          "The place of each corner on the picture, whose top left is (0 0); empty without a picture.")
+      .def_property_readonly(
+          "triangles", [](const Triangles& t) { return groups(t, t.mesh->triangles, 3); }, "Three corners each.")
+      .def_property_readonly(
+          "edges", [](const Triangles& t) { return groups(t, t.mesh->edges, 2); },
+          "Two corners each: what lines are drawn along.")
+      .def_property_readonly(
+          "parts", [](const Triangles& t) { return t.mesh->parts; },
+          "Runs of triangles that share a look; an empty list for one plain part.")
+      .def_property_readonly(
+          "closed", [](const Triangles& t) { return t.mesh->closed; }, "Whether it encloses a space.")
+      .def(
+          "__repr__",
+          [](const Triangles& t) { return "<Mesh of " + std::to_string(t.mesh->triangles.size() / 3) + " triangles>"; },
+          says("How many triangles it has."));
 }
 
 void bind_items(py::module_& m) {
   py::class_<ItemOf>(m, "Item", "What is drawn of an object.")
-      .def_property_readonly("name", [](const ItemOf& i) { return name_of(i->id, i.made->document); })
-      .def_property_readonly("body", [](const ItemOf& i) { return name_of(i->body, i.made->document); })
-      .def_property_readonly("kind", [](const ItemOf& i) { return betwixt::name_of(i->shape->kind); })
-      .def_property_readonly("world", world_of<Item>)
-      .def_property_readonly("color", [](const ItemOf& i) { return array_of(i->color); })
-      .def_property_readonly("transparency", [](const ItemOf& i) { return i->transparency; })
-      .def_property_readonly("shininess", [](const ItemOf& i) { return i->shininess; })
-      .def_property_readonly("material", [](const ItemOf& i) { return word_of(i->material); })
-      .def_property_readonly("casts", [](const ItemOf& i) { return i->casts; })
-      .def_property_readonly("texture", [](const ItemOf& i) { return picture_or_none(i->texture); })
-      .def("has_shape_of", has_shape_of, py::arg("other"), "Whether its triangles are the other's too.")
+      .def_property_readonly(
+          "name", [](const ItemOf& i) { return name_of(i->id, i.made->document); }, "The name of its object.")
+      .def_property_readonly(
+          "body", [](const ItemOf& i) { return name_of(i->body, i.made->document); },
+          "The object that it is one body with.")
+      .def_property_readonly(
+          "kind", [](const ItemOf& i) { return betwixt::name_of(i->shape->kind); }, "Its kind: \"sphere\".")
+      .def_property_readonly("world", world_of<Item>, "Where it is: a matrix, [row, column].")
+      .def_property_readonly(
+          "color", [](const ItemOf& i) { return array_of(i->color); }, "Its colour, linear light.")
+      .def_property_readonly(
+          "transparency", [](const ItemOf& i) { return i->transparency; }, "0: it is solid; 1: it is not seen.")
+      .def_property_readonly(
+          "shininess", [](const ItemOf& i) { return i->shininess; }, "How sharp its highlights are.")
+      .def_property_readonly(
+          "material", [](const ItemOf& i) { return word_of(i->material); },
+          "\"plastic\", \"matte\", \"metal\" or \"glow\".")
+      .def_property_readonly(
+          "casts", [](const ItemOf& i) { return i->casts; }, "Whether it casts shadows.")
+      .def_property_readonly(
+          "texture", [](const ItemOf& i) { return picture_or_none(i->texture); }, "Its picture, or None.")
+      .def("has_shape_of", has_shape_of, py::arg("other"), says("Whether its triangles are the other's too."))
       .def(
           "mesh",
           [](const ItemOf& i, int around) {
             if (around < 6 || around > 1024) raise(fail(ErrorCode::range, "6 to 1024 faces go around a mesh"));
             return unlocked([&] { return triangles_of(*i.part, around); });
           },
-          py::arg("around") = 48, "Its triangles, in its own space; so many faces go around the widest circle.")
-      .def("__repr__", [](const ItemOf& i) { return "<Item " + i.made->document.name(i->id) + ">"; });
+          py::arg("around") = 48, says("Its triangles, in its own space; so many faces go around the widest circle."))
+      .def(
+          "__repr__", [](const ItemOf& i) { return "<Item " + i.made->document.name(i->id) + ">"; }, says("Its name."));
 }
 
 }  // namespace
@@ -160,49 +188,88 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
   bind_meshes(m);
   bind_items(m);
   py::class_<LightOf>(m, "Light", "A lamp, or a sun.")
-      .def_property_readonly("name", [](const LightOf& l) { return name_of(l->id, l.made->document); })
-      .def_property_readonly("sun", [](const LightOf& l) { return l->sun; })
-      .def_property_readonly("position", [](const LightOf& l) { return array_of(l->position); })
-      .def_property_readonly("direction", [](const LightOf& l) { return array_of(l->direction); })
-      .def_property_readonly("color", [](const LightOf& l) { return array_of(l->color); })
-      .def_property_readonly("range", [](const LightOf& l) { return l->range; });
+      .def_property_readonly(
+          "name", [](const LightOf& l) { return name_of(l->id, l.made->document); }, "Its name.")
+      .def_property_readonly(
+          "sun", [](const LightOf& l) { return l->sun; }, "True for a sun, False for a lamp.")
+      .def_property_readonly(
+          "position", [](const LightOf& l) { return array_of(l->position); }, "Where it is.")
+      .def_property_readonly(
+          "direction", [](const LightOf& l) { return array_of(l->direction); }, "Where it shines to.")
+      .def_property_readonly(
+          "color", [](const LightOf& l) { return array_of(l->color); }, "Linear light, intensity included.")
+      .def_property_readonly(
+          "range", [](const LightOf& l) { return l->range; }, "How far it reaches, in metres.");
   py::class_<CameraOf>(m, "Camera", "The camera that is looked through.")
-      .def_property_readonly("name", [](const CameraOf& c) { return name_of(c.made->camera, c.made->document); })
-      .def_property_readonly("world", world_of<Camera>)
-      .def_property_readonly("orthographic", [](const CameraOf& c) { return c->orthographic; })
-      .def_property_readonly("fov", [](const CameraOf& c) { return c->fov; })
-      .def_property_readonly("height", [](const CameraOf& c) { return c->height; })
-      .def_property_readonly("aspect", [](const CameraOf& c) { return c->aspect; })
-      .def_property_readonly("shutter", [](const CameraOf& c) { return c->shutter; })
-      .def_property_readonly("aperture", [](const CameraOf& c) { return c->aperture; })
-      .def_property_readonly("focus", [](const CameraOf& c) { return c->focus; })
-      .def_property_readonly("shift", [](const CameraOf& c) { return py::make_tuple(c->shift_x, c->shift_y); });
+      .def_property_readonly(
+          "name", [](const CameraOf& c) { return name_of(c.made->camera, c.made->document); },
+          "Its name; empty if the film has no camera.")
+      .def_property_readonly("world", world_of<Camera>, "Where it is: a matrix, [row, column].")
+      .def_property_readonly(
+          "orthographic", [](const CameraOf& c) { return c->orthographic; }, "Whether it sees without perspective.")
+      .def_property_readonly(
+          "fov", [](const CameraOf& c) { return c->fov; }, "How much it sees from left to right, in radians.")
+      .def_property_readonly(
+          "height", [](const CameraOf& c) { return c->height; }, "Orthographic: metres from bottom to top.")
+      .def_property_readonly(
+          "aspect", [](const CameraOf& c) { return c->aspect; }, "Width of the picture by height.")
+      .def_property_readonly(
+          "shutter", [](const CameraOf& c) { return c->shutter; }, "How long it is open, in seconds.")
+      .def_property_readonly(
+          "aperture", [](const CameraOf& c) { return c->aperture; }, "How wide its opening is, in metres.")
+      .def_property_readonly(
+          "focus", [](const CameraOf& c) { return c->focus; }, "The distance of sharp things, in metres.")
+      .def_property_readonly(
+          "shift", [](const CameraOf& c) { return py::make_tuple(c->shift_x, c->shift_y); },
+          "How far the picture is shifted, in halves of it.");
   py::class_<Made, std::shared_ptr<Made>>(m, "Frame", "Everything that can be seen at one time.")
-      .def_property_readonly("time", [](const Made& f) { return frame_of(f.frame.time, f.document); })
-      .def_property_readonly("seconds", [](const Made& f) { return f.frame.time.seconds(); })
+      .def_property_readonly(
+          "time", [](const Made& f) { return frame_of(f.frame.time, f.document); }, "Its frame.")
+      .def_property_readonly(
+          "seconds", [](const Made& f) { return f.frame.time.seconds(); }, "The same in seconds since the beginning.")
       .def_property_readonly(
           "items",
-          [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.items); })
+          [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.items); },
+          "The things drawn.")
       .def_property_readonly(
           "lights",
-          [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.lights); })
-      .def_property_readonly("camera",
-                             [](const std::shared_ptr<Made>& f) {
-                               return CameraOf{f, &f->frame.camera};
-                             })
-      .def_property_readonly("background", [](const Made& f) { return array_or_none(f.frame.background); })
-      .def_property_readonly("ambient", [](const Made& f) { return array_or_none(f.frame.surroundings.ambient); })
-      .def_property_readonly("ground", [](const Made& f) { return array_or_none(f.frame.surroundings.ground); })
-      .def_property_readonly("exposure", [](const Made& f) { return f.frame.surroundings.exposure; })
-      .def_property_readonly("sky", [](const Made& f) { return f.frame.surroundings.sky; })
-      .def_property_readonly("flat", [](const Made& f) { return f.frame.surroundings.flat; })
-      .def_property_readonly("clear", [](const Made& f) { return f.frame.surroundings.clear; })
-      .def_property_readonly("notes", [](const Made& f) { return f.frame.notes; })
-      .def_property_readonly("problems", [](const Made& f) { return f.frame.problems; })
-      .def("__repr__", [](const Made& f) { return "<Frame of " + std::to_string(f.frame.items.size()) + " things>"; });
+          [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.lights); },
+          "Lamps and suns.")
+      .def_property_readonly(
+          "camera",
+          [](const std::shared_ptr<Made>& f) {
+            return CameraOf{f, &f->frame.camera};
+          },
+          "The camera that is looked through.")
+      .def_property_readonly(
+          "background", [](const Made& f) { return array_or_none(f.frame.background); },
+          "The colour behind everything, linear light; None without one.")
+      .def_property_readonly(
+          "ambient", [](const Made& f) { return array_or_none(f.frame.surroundings.ambient); },
+          "Light from everywhere; None without one.")
+      .def_property_readonly(
+          "ground", [](const Made& f) { return array_or_none(f.frame.surroundings.ground); },
+          "The colour of the endless ground; None without one.")
+      .def_property_readonly(
+          "exposure", [](const Made& f) { return f.frame.surroundings.exposure; },
+          "All light is multiplied by 2 to the power of this.")
+      .def_property_readonly(
+          "sky", [](const Made& f) { return f.frame.surroundings.sky; }, "Whether there is a sky.")
+      .def_property_readonly(
+          "flat", [](const Made& f) { return f.frame.surroundings.flat; },
+          "Whether it is a drawing, in which colours are exact.")
+      .def_property_readonly(
+          "clear", [](const Made& f) { return f.frame.surroundings.clear; }, "Whether nothing is behind the things.")
+      .def_property_readonly(
+          "notes", [](const Made& f) { return f.frame.notes; }, "What `note` says at this time.")
+      .def_property_readonly(
+          "problems", [](const Made& f) { return f.frame.problems; }, "The mistakes of code in the script.")
+      .def(
+          "__repr__", [](const Made& f) { return "<Frame of " + std::to_string(f.frame.items.size()) + " things>"; },
+          says("How many things are drawn."));
   film.def(
       "frame", [](const Film& f, py::handle when) { return std::const_pointer_cast<Made>(make(f, when)); },
-      py::arg("time"), "Everything that can be seen at a time.");
+      py::arg("time"), says("Everything that can be seen at a time."));
 }
 
 }  // namespace betwixt::python

@@ -11,6 +11,7 @@
 #include "betwixt/language.h"
 #include "errors.h"
 #include "keys.h"
+#include "says.h"
 #include "times.h"
 #include "values.h"
 
@@ -98,52 +99,80 @@ std::string_view word_of(KeyPiece::Shape shape) {
 
 void bind_keys(py::module_& m, py::class_<Film>& film) {
   py::class_<PieceOf>(m, "KeyPiece", "A piece of time in which something is held, goes straight or along a cubic.")
-      .def_property_readonly("shape", [](const PieceOf& p) { return word_of(p->shape); })
-      .def_property_readonly("first", [](const PieceOf& p) { return frame_of(p->from, p.of.document); })
-      .def_property_readonly("last", [](const PieceOf& p) { return frame_of(p->until, p.of.document); })
-      .def_property_readonly("begin", [](const PieceOf& p) { return numbers(p, p->begin); })
-      .def_property_readonly("end", [](const PieceOf& p) { return numbers(p, p->end); })
-      .def_property_readonly("leaving", [](const PieceOf& p) { return numbers(p, p->leaving); })
-      .def_property_readonly("arriving", [](const PieceOf& p) { return numbers(p, p->arriving); })
-      .def("__repr__", [](const PieceOf& p) {
-        return py::str("<KeyPiece {}, {} to {}>")
-            .format(word_of(p->shape), format_time(p->from, p.of.document), format_time(p->until, p.of.document));
-      });
+      .def_property_readonly(
+          "shape", [](const PieceOf& p) { return word_of(p->shape); }, "\"held\", \"straight\", \"cubic\" or \"leap\".")
+      .def_property_readonly(
+          "first", [](const PieceOf& p) { return frame_of(p->from, p.of.document); }, "The frame at which it begins.")
+      .def_property_readonly(
+          "last", [](const PieceOf& p) { return frame_of(p->until, p.of.document); }, "The frame at which it ends.")
+      .def_property_readonly(
+          "begin", [](const PieceOf& p) { return numbers(p, p->begin); }, "The numbers at its beginning.")
+      .def_property_readonly(
+          "end", [](const PieceOf& p) { return numbers(p, p->end); }, "The numbers at its end.")
+      .def_property_readonly(
+          "leaving", [](const PieceOf& p) { return numbers(p, p->leaving); }, "Cubic: how fast they leave, per second.")
+      .def_property_readonly(
+          "arriving", [](const PieceOf& p) { return numbers(p, p->arriving); },
+          "Cubic: how fast they arrive, per second.")
+      .def(
+          "__repr__",
+          [](const PieceOf& p) {
+            return py::str("<KeyPiece {}, {} to {}>")
+                .format(word_of(p->shape), format_time(p->from, p.of.document), format_time(p->until, p.of.document));
+          },
+          says("Its shape and its frames."));
   py::class_<ChannelOf>(m, "Channel", "One thing that varies, as pieces without gaps.")
-      .def_property_readonly("width", [](const ChannelOf& c) { return c.channel->width; })
-      .def_property_readonly("constant", [](const ChannelOf& c) { return c.channel->constant(); })
-      .def_property_readonly("keys", [](const ChannelOf& c) { return c.channel->keys(); })
-      .def_property_readonly("pieces",
-                             [](const ChannelOf& c) {
-                               std::vector<PieceOf> all;
-                               for (const KeyPiece& p : c.channel->pieces) all.push_back({c, &p});
-                               return all;
-                             })
+      .def_property_readonly(
+          "width", [](const ChannelOf& c) { return c.channel->width; }, "How many numbers it has.")
+      .def_property_readonly(
+          "constant", [](const ChannelOf& c) { return c.channel->constant(); }, "Whether nothing changes.")
+      .def_property_readonly(
+          "keys", [](const ChannelOf& c) { return c.channel->keys(); }, "How many keys a player needs.")
+      .def_property_readonly(
+          "pieces",
+          [](const ChannelOf& c) {
+            std::vector<PieceOf> all;
+            for (const KeyPiece& p : c.channel->pieces) all.push_back({c, &p});
+            return all;
+          },
+          "Its pieces, in the order of time.")
       .def(
           "at",
           [](const ChannelOf& c, py::handle when) {
             const auto v = value_at(*c.channel, time_of(when, c.document));
             return py::array_t<double>(static_cast<py::ssize_t>(c.channel->width), v.data());
           },
-          py::arg("time"), "What a player makes of it.");
+          py::arg("time"), says("What a player makes of it."));
   py::class_<KeysOf>(m, "ObjectKeys", "How an object moves: its parent's matrix times translation, rotation and scale.")
-      .def_property_readonly("name", [](const KeysOf& k) { return name_of(k.keys.id, k.document); })
-      .def_property_readonly("parent",
-                             [](const KeysOf& k) -> py::object {
-                               if (!k.keys.parent) return py::none();
-                               return name_of(k.keys.parent, k.document);
-                             })
-      .def_property_readonly("sheared", [](const KeysOf& k) { return k.keys.sheared; })
-      .def_property_readonly("translation", [](const KeysOf& k) { return k.channel(k.keys.translation); })
-      .def_property_readonly("rotation", [](const KeysOf& k) { return k.channel(k.keys.rotation); })
-      .def_property_readonly("scale", [](const KeysOf& k) { return k.channel(k.keys.scale); })
-      .def_property_readonly("inner", [](const KeysOf& k) { return k.channel(k.keys.inner); })
-      .def("__repr__", [](const KeysOf& k) { return "<ObjectKeys of " + k.document.name(k.keys.id) + ">"; });
+      .def_property_readonly(
+          "name", [](const KeysOf& k) { return name_of(k.keys.id, k.document); }, "The name of the object.")
+      .def_property_readonly(
+          "parent",
+          [](const KeysOf& k) -> py::object {
+            if (!k.keys.parent) return py::none();
+            return name_of(k.keys.parent, k.document);
+          },
+          "Its parent; None for no parent.")
+      .def_property_readonly(
+          "sheared", [](const KeysOf& k) { return k.keys.sheared; }, "Whether it needs `inner` too.")
+      .def_property_readonly(
+          "translation", [](const KeysOf& k) { return k.channel(k.keys.translation); }, "Where it goes, in metres.")
+      .def_property_readonly(
+          "rotation", [](const KeysOf& k) { return k.channel(k.keys.rotation); }, "How it turns: quaternions, x y z w.")
+      .def_property_readonly(
+          "scale", [](const KeysOf& k) { return k.channel(k.keys.scale); }, "How it grows.")
+      .def_property_readonly(
+          "inner", [](const KeysOf& k) { return k.channel(k.keys.inner); },
+          "A further rotation, before it grows, where it is sheared.")
+      .def(
+          "__repr__", [](const KeysOf& k) { return "<ObjectKeys of " + k.document.name(k.keys.id) + ">"; },
+          says("Its name."));
   film.def("motion", motion, py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
            py::arg("style") = "cubic", py::arg("metres") = 1e-4, py::arg("radians") = 1e-4, py::arg("arcs") = true,
-           "How all objects move, as keys within a tolerance.");
+           says("How all objects move, as keys within a tolerance."));
   film.def("keys", keys, py::arg("target"), py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
-           py::arg("style") = "cubic", py::arg("tolerance") = 1e-4, "How one value varies, colours as linear light.");
+           py::arg("style") = "cubic", py::arg("tolerance") = 1e-4,
+           says("How one value varies, colours as linear light."));
 }
 
 }  // namespace betwixt::python

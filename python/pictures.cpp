@@ -18,6 +18,7 @@
 #include "betwixt/picture.h"
 #include "betwixt/render.h"
 #include "errors.h"
+#include "says.h"
 #include "times.h"
 #include "values.h"
 
@@ -159,48 +160,59 @@ py::array_t<std::uint8_t> pixels_of(const Pixels& p) {
 
 void bind_pictures(py::module_& m, py::class_<Film>& film) {
   py::class_<Pixels>(m, "Picture", "A picture: 8 bits a channel, sRGB, straight opacity, rows from the top.")
-      .def_property_readonly("width", [](const Pixels& p) { return p.picture->width; })
-      .def_property_readonly("height", [](const Pixels& p) { return p.picture->height; })
-      .def_property_readonly("pixels", pixels_of)
+      .def_property_readonly(
+          "width", [](const Pixels& p) { return p.picture->width; }, "In pixels.")
+      .def_property_readonly(
+          "height", [](const Pixels& p) { return p.picture->height; }, "In pixels.")
+      .def_property_readonly("pixels", pixels_of, "The picture itself, not a copy: [row, column, r g b a].")
       .def(
           "__array__",
           [](const Pixels& p, py::handle dtype) {
             py::object made = pixels_of(p);
             return dtype.is_none() ? made : made.attr("astype")(dtype);
           },
-          py::arg("dtype") = py::none())
-      .def("png", png_of, "The bytes of a PNG.")
-      .def("_repr_png_", png_of)
+          py::arg("dtype") = py::none(), says("The same as an array, for numpy."))
+      .def("png", png_of, says("The bytes of a PNG."))
+      .def("_repr_png_", png_of, says("The same, for notebooks."))
       .def(
           "write",
           [](const Pixels& p, const std::filesystem::path& path, bool overwrite) {
             value_or_raise(unlocked([&] { return write_png(path.string(), *p.picture, overwrite); }));
           },
-          py::arg("path"), py::kw_only(), py::arg("overwrite") = true, "Writes a PNG.")
-      .def("__repr__", [](const Pixels& p) {
-        return "<Picture " + std::to_string(p.picture->width) + "x" + std::to_string(p.picture->height) + ">";
-      });
+          py::arg("path"), py::kw_only(), py::arg("overwrite") = true, says("Writes a PNG."))
+      .def(
+          "__repr__",
+          [](const Pixels& p) {
+            return "<Picture " + std::to_string(p.picture->width) + "x" + std::to_string(p.picture->height) + ">";
+          },
+          says("How large it is."));
   py::class_<FilmStats>(m, "Made", "What a film took.")
-      .def_readonly("frames", &FilmStats::frames)
-      .def_readonly("found", &FilmStats::found)
-      .def_readonly("seconds", &FilmStats::seconds)
-      .def_readonly("painting", &FilmStats::painting)
-      .def_readonly("encoding", &FilmStats::encoding)
-      .def("__repr__", [](const FilmStats& s) { return "<Made of " + std::to_string(s.frames) + " frames>"; });
+      .def_readonly("frames", &FilmStats::frames, "How many frames it has.")
+      .def_readonly("found", &FilmStats::found, "How many pictures were there already.")
+      .def_readonly("seconds", &FilmStats::seconds, "The seconds that it took.")
+      .def_readonly("painting", &FilmStats::painting, "Seconds of painting, summed over all painters.")
+      .def_readonly("encoding", &FilmStats::encoding, "Seconds of encoding.")
+      .def(
+          "__repr__", [](const FilmStats& s) { return "<Made of " + std::to_string(s.frames) + " frames>"; },
+          says("How many frames it has."));
   film.def("picture", picture, py::arg("time"), py::kw_only(), py::arg("size") = py::none(),
            py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("shutter") = py::none(),
-           py::arg("subframes") = py::none(), "The picture at a time. What is not said here the script says.");
-  film.def("render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(),
-           py::arg("size") = py::none(), py::arg("style") = "shaded", py::arg("samples") = py::none(),
-           py::arg("shutter") = py::none(), py::arg("subframes") = py::none(), py::arg("bits") = 8, py::arg("jobs") = 0,
-           py::arg("overwrite") = true, py::arg("missing") = false, py::arg("progress") = py::none(),
-           "Makes a film, or numbered pictures: the ending says which. `progress(done, frames, seconds)` is called now "
-           "and then; False ends it, and nothing is left.");
-  m.def("styles", [] {
-    std::vector<std::string_view> names;
-    for (const Style& s : styles()) names.push_back(s.name);
-    return names;
-  });
+           py::arg("subframes") = py::none(), says("The picture at a time. What is not said here the script says."));
+  film.def(
+      "render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(), py::arg("size") = py::none(),
+      py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("shutter") = py::none(),
+      py::arg("subframes") = py::none(), py::arg("bits") = 8, py::arg("jobs") = 0, py::arg("overwrite") = true,
+      py::arg("missing") = false, py::arg("progress") = py::none(),
+      says("Makes a film, or numbered pictures: the ending says which. `progress(done, frames, seconds)` is called now "
+           "and then; False ends it, and nothing is left."));
+  m.def(
+      "styles",
+      [] {
+        std::vector<std::string_view> names;
+        for (const Style& s : styles()) names.push_back(s.name);
+        return names;
+      },
+      says("The ways in which pictures can be drawn, by name."));
 }
 
 }  // namespace betwixt::python

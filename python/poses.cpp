@@ -12,6 +12,7 @@
 #include "betwixt/object.h"
 #include "betwixt/pose.h"
 #include "errors.h"
+#include "says.h"
 #include "times.h"
 #include "values.h"
 
@@ -77,24 +78,30 @@ py::ssize_t row(const Poses& p) { return std::ssize(p.names) * matrix; }
 void bind_poses(py::module_& m, py::class_<Film>& film) {
   using Held = std::shared_ptr<Poses>;
   py::class_<Poses, Held>(m, "Poses", "Where all objects are, frame by frame.")
-      .def_readonly("names", &Poses::names)
-      .def_property_readonly("frames",
-                             [](const Held& p) {
-                               return view(p->frames.data(), {std::ssize(p->frames)}, {sizeof(double)}, keep<Poses>(p));
-                             })
-      .def_property_readonly("world",
-                             [](const Held& p) {
-                               return view(p->world.empty() ? nullptr : p->world.front().m.data(),
-                                           {std::ssize(p->frames), std::ssize(p->names), 4, 4},
-                                           {row(*p), matrix, number, 4 * number}, keep<Poses>(p));
-                             })
+      .def_readonly("names", &Poses::names, "The names of the objects, in their order.")
+      .def_property_readonly(
+          "frames",
+          [](const Held& p) {
+            return view(p->frames.data(), {std::ssize(p->frames)}, {sizeof(double)}, keep<Poses>(p));
+          },
+          "The frames, one for each row.")
+      .def_property_readonly(
+          "world",
+          [](const Held& p) {
+            return view(p->world.empty() ? nullptr : p->world.front().m.data(),
+                        {std::ssize(p->frames), std::ssize(p->names), 4, 4}, {row(*p), matrix, number, 4 * number},
+                        keep<Poses>(p));
+          },
+          "Where they are: matrices by frame, object, row and column.")
       .def_property_readonly(
           "parents",
           [](const Held& p) {
             const py::ssize_t n = std::ssize(p->names), whole = sizeof(std::int32_t);
             return view(p->parents.data(), {std::ssize(p->frames), n}, {n * whole, whole}, keep<Poses>(p));
-          })
-      .def("__len__", [](const Held& p) { return p->frames.size(); })
+          },
+          "The parents, by frame and object: places among the names, -1 for no parent.")
+      .def(
+          "__len__", [](const Held& p) { return p->frames.size(); }, says("How many frames there are."))
       .def(
           "__getitem__",
           [](const Held& p, const std::string& name) {
@@ -104,18 +111,21 @@ void bind_poses(py::module_& m, py::class_<Film>& film) {
             return view(p->world.empty() ? nullptr : p->world[place].m.data(), {std::ssize(p->frames), 4, 4},
                         {row(*p), number, 4 * number}, keep<Poses>(p));
           },
-          py::arg("name"))
-      .def("__repr__", [](const Held& p) {
-        return "<Poses of " + std::to_string(p->names.size()) + " objects in " + std::to_string(p->frames.size()) +
-               " frames>";
-      });
+          py::arg("name"), says("The matrices of one object, by frame, row and column."))
+      .def(
+          "__repr__",
+          [](const Held& p) {
+            return "<Poses of " + std::to_string(p->names.size()) + " objects in " + std::to_string(p->frames.size()) +
+                   " frames>";
+          },
+          says("How many objects and frames there are."));
   film.def(
       "poses",
       [](const Film& f, py::handle first, py::handle last, double step) {
         return std::const_pointer_cast<Poses>(poses(f, first, last, step));
       },
       py::arg("first") = py::none(), py::arg("last") = py::none(), py::arg("step") = 1,
-      "Where all objects are, frame by frame; the film's own range where nothing is said.");
+      says("Where all objects are, frame by frame; the film's own range where nothing is said."));
 }
 
 }  // namespace betwixt::python

@@ -25,6 +25,16 @@ Time in_reach(double seconds, Time (*make)(double, Rate), double n, Rate rate) {
   return make(n, rate);
 }
 
+// A length of time as numpy has it, in a unit of its own.
+bool is_timedelta64(py::handle said) {
+  return py::hasattr(said, "dtype") && said.attr("dtype").attr("kind").cast<std::string>() == "m" &&
+         said.attr("ndim").cast<int>() == 0;
+}
+double seconds_of(py::handle timedelta64) {
+  const py::object second = py::module_::import("numpy").attr("timedelta64")(1, "s");
+  return (py::reinterpret_borrow<py::object>(timedelta64) / second).cast<double>();  // errors: months, and the like
+}
+
 bool is_number(py::handle said) {
   return PyFloat_Check(said.ptr()) || PyIndex_Check(said.ptr()) || py::hasattr(said, "__float__");
 }
@@ -32,15 +42,15 @@ bool is_number(py::handle said) {
 }  // namespace
 
 bool is_one_time(py::handle said) {
-  return py::isinstance<py::str>(said) || py::hasattr(said, "total_seconds") ||
+  return py::isinstance<py::str>(said) || py::hasattr(said, "total_seconds") || is_timedelta64(said) ||
          (is_number(said) && !(py::hasattr(said, "__len__") && !py::hasattr(said, "ndim")) &&
           !(py::hasattr(said, "ndim") && said.attr("ndim").cast<int>() > 0));
 }
 
 Time time_of(py::handle said, const Document& document) {
   if (py::isinstance<py::str>(said)) return of_words(py::bytes(said.attr("encode")()), document);
-  if (py::hasattr(said, "total_seconds")) {
-    const double s = said.attr("total_seconds")().cast<double>();
+  if (py::hasattr(said, "total_seconds") || is_timedelta64(said)) {
+    const double s = is_timedelta64(said) ? seconds_of(said) : said.attr("total_seconds")().cast<double>();
     return in_reach(s, [](double n, Rate) { return from_seconds(n); }, s, {});
   }
   if (py::isinstance<py::bool_>(said) || !is_one_time(said))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Times as Python says them: a number is a frame, as on the command line; a word is the language's ("24f", "2.5s"); a
-// datetime.timedelta is a length since the beginning.
+// datetime.timedelta, or numpy's timedelta64, is a length since the beginning.
 #pragma once
 
 #include <pybind11/pybind11.h>

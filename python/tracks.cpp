@@ -12,6 +12,7 @@
 #include "betwixt/object.h"
 #include "betwixt/track.h"
 #include "errors.h"
+#include "says.h"
 #include "times.h"
 #include "values.h"
 
@@ -72,49 +73,92 @@ std::string_view word_of(EventView::What what) {
 
 void bind_tracks(py::module_& m, py::class_<Film>& film) {
   py::class_<EventOf>(m, "Event", "A value at a time, and how to go on from there.")
-      .def_property_readonly("time", [](const EventOf& e) { return frame_of(e.view.time, e.document); })
-      .def_property_readonly("seconds", [](const EventOf& e) { return e.view.time.seconds(); })
-      .def_property_readonly("what", [](const EventOf& e) { return word_of(e.view.what); })
-      .def_property_readonly("value", [](const EventOf& e) { return value_or_none(e.view.value, e); })
-      .def_property_readonly("before", [](const EventOf& e) { return value_or_none(e.view.before, e); })
-      .def_property_readonly("twerper", [](const EventOf& e) { return e.view.twerper; })
-      .def_property_readonly("arguments", [](const EventOf& e) { return e.view.arguments; })
-      .def_property_readonly("stops",
-                             [](const EventOf& e) { return std::vector(e.view.stops.begin(), e.view.stops.end()); })
-      .def_property_readonly("ease_out", [](const EventOf& e) { return length_of(e.view.ease_out, e.document); })
-      .def_property_readonly("ease_in", [](const EventOf& e) { return length_of(e.view.ease_in, e.document); })
-      .def_property_readonly("tangent_in", [](const EventOf& e) { return value_or_none(e.view.tangent_in, e); })
-      .def_property_readonly("tangent_out", [](const EventOf& e) { return value_or_none(e.view.tangent_out, e); })
-      .def_property_readonly("handle_in", [](const EventOf& e) { return length_or_none(e.view.handle_in, e.document); })
-      .def_property_readonly("handle_out",
-                             [](const EventOf& e) { return length_or_none(e.view.handle_out, e.document); })
-      .def("__repr__", [](const EventOf& e) {
-        return py::str("<Event {}: {}>").format(format_time(e.view.time, e.document), value_or_none(e.view.value, e));
-      });
+      .def_property_readonly(
+          "time", [](const EventOf& e) { return frame_of(e.view.time, e.document); }, "Its frame.")
+      .def_property_readonly(
+          "seconds", [](const EventOf& e) { return e.view.time.seconds(); }, "The same in seconds since the beginning.")
+      .def_property_readonly(
+          "what", [](const EventOf& e) { return word_of(e.view.what); },
+          "\"value\"; \"keep\": only the twerper changes; \"release\": a velocity no longer reigns.")
+      .def_property_readonly(
+          "value", [](const EventOf& e) { return value_or_none(e.view.value, e); },
+          "The value; None for an event without one.")
+      .def_property_readonly(
+          "before", [](const EventOf& e) { return value_or_none(e.view.before, e); },
+          "The value before the jump of a cut; None for other events.")
+      .def_property_readonly(
+          "twerper", [](const EventOf& e) { return e.view.twerper; },
+          "The twerper to the next event; empty if none is given.")
+      .def_property_readonly(
+          "arguments", [](const EventOf& e) { return e.view.arguments; }, "The numbers of its twerper.")
+      .def_property_readonly(
+          "stops", [](const EventOf& e) { return std::vector(e.view.stops.begin(), e.view.stops.end()); },
+          "The stops of its twerper, where it has some.")
+      .def_property_readonly(
+          "ease_out", [](const EventOf& e) { return length_of(e.view.ease_out, e.document); },
+          "For how many frames it gathers speed.")
+      .def_property_readonly(
+          "ease_in", [](const EventOf& e) { return length_of(e.view.ease_in, e.document); },
+          "For how many frames it loses speed before the next event.")
+      .def_property_readonly(
+          "tangent_in", [](const EventOf& e) { return value_or_none(e.view.tangent_in, e); },
+          "How fast hermite comes here, per second; None if it is not given.")
+      .def_property_readonly(
+          "tangent_out", [](const EventOf& e) { return value_or_none(e.view.tangent_out, e); },
+          "How fast hermite leaves, per second; None if it is not given.")
+      .def_property_readonly(
+          "handle_in", [](const EventOf& e) { return length_or_none(e.view.handle_in, e.document); },
+          "How long the handle before it is, in frames; None if it is not given.")
+      .def_property_readonly(
+          "handle_out", [](const EventOf& e) { return length_or_none(e.view.handle_out, e.document); },
+          "How long the handle behind it is, in frames; None if it is not given.")
+      .def(
+          "__repr__",
+          [](const EventOf& e) {
+            return py::str("<Event {}: {}>")
+                .format(format_time(e.view.time, e.document), value_or_none(e.view.value, e));
+          },
+          says("Its time and value."));
   py::class_<TrackOf>(m, "Track", "The events of one display function.")
-      .def_property_readonly("name", [](const TrackOf& t) { return t.document.name(t.view.target); })
-      .def_property_readonly("object", [](const TrackOf& t) { return name_of(t.view.target.object, t.document); })
-      .def_property_readonly("velocity", [](const TrackOf& t) { return t.view.target.velocity; })
-      .def_property_readonly("layer",
-                             [](const TrackOf& t) -> py::object {
-                               if (!t.view.target.layer) return py::none();
-                               return name_of(t.view.target.layer, t.document);
-                             })
-      .def_property_readonly("twerper", [](const TrackOf& t) { return t.view.twerper; })
-      .def_property_readonly("unsaid", [](const TrackOf& t) { return t.view.unsaid; })
-      .def_property_readonly("before", [](const TrackOf& t) { return t.view.before; })
-      .def_property_readonly("after", [](const TrackOf& t) { return t.view.after; })
-      .def_property_readonly("events", events_of)
-      .def("__len__", [](const TrackOf& t) { return t.view.events; })
-      .def("__repr__", [](const TrackOf& t) {
-        return "<Track " + t.document.name(t.view.target) + " of " + std::to_string(t.view.events) + " events>";
-      });
+      .def_property_readonly(
+          "name", [](const TrackOf& t) { return t.document.name(t.view.target); }, "Its target: \"ball.position\".")
+      .def_property_readonly(
+          "object", [](const TrackOf& t) { return name_of(t.view.target.object, t.document); },
+          "The name of the object.")
+      .def_property_readonly(
+          "velocity", [](const TrackOf& t) { return t.view.target.velocity; }, "Whether it is that of the speed.")
+      .def_property_readonly(
+          "layer",
+          [](const TrackOf& t) -> py::object {
+            if (!t.view.target.layer) return py::none();
+            return name_of(t.view.target.layer, t.document);
+          },
+          "Its layer; None for the object's own track.")
+      .def_property_readonly(
+          "twerper", [](const TrackOf& t) { return t.view.twerper; },
+          "The twerper of the whole track; empty if each event has its own.")
+      .def_property_readonly(
+          "unsaid", [](const TrackOf& t) { return t.view.unsaid; }, "The default twerper.")
+      .def_property_readonly(
+          "before", [](const TrackOf& t) { return t.view.before; },
+          "The way before the first event, a word of `before`.")
+      .def_property_readonly(
+          "after", [](const TrackOf& t) { return t.view.after; }, "The way after the last event, a word of `after`.")
+      .def_property_readonly("events", events_of, "Its events, in the order of time.")
+      .def(
+          "__len__", [](const TrackOf& t) { return t.view.events; }, says("How many events it has."))
+      .def(
+          "__repr__",
+          [](const TrackOf& t) {
+            return "<Track " + t.document.name(t.view.target) + " of " + std::to_string(t.view.events) + " events>";
+          },
+          says("Its name, and how many events it has."));
   film.def(
       "tracks",
       [](const Film& f, const std::string& pattern) {
         return tracks_of(unlocked([&] { return f.document(); }), pattern);
       },
-      py::arg("pattern") = "", "The tracks of what a pattern names, objects or functions; without one, all.");
+      py::arg("pattern") = "", says("The tracks of what a pattern names, objects or functions; without one, all."));
 }
 
 }  // namespace betwixt::python

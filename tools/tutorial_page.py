@@ -64,7 +64,8 @@ def files_of(films):
         made = subprocess.run([program, "web", *scripts, "-o", f"{folder}/all.html", "--link"], capture_output=True, text=True)
         if made.returncode != 0:
             sys.exit(made.stderr)
-        os.replace(f"{folder}/betwixt-player.js", os.path.join(os.path.dirname(out) or ".", "betwixt-player.js"))
+        for name in ("betwixt-player.js", "betwixt-page.css"):
+            os.replace(f"{folder}/{name}", os.path.join(os.path.dirname(out) or ".", name))
         page = open(f"{folder}/all.html", encoding="utf-8").read()
     found = re.search(r'<script type="application/json" data-betwixt-files>.*?</script>\n', page, re.S)
     return found[0] if found else ""
@@ -117,14 +118,16 @@ def body(markdown):
     return "\n".join(written) + "\n"
 
 
-style = read("web/page.css") + """pre, code { font: 0.86em/1.55 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
+style = """<link rel="stylesheet" href="betwixt-page.css">
+<style>
+pre, code { font: 0.86em/1.55 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 pre { max-width: 44rem; overflow: auto; margin: 0 0 1.2rem; padding: 0.7rem 1rem; border-radius: 8px; background: light-dark(#f1efeb, #1d2025); }
 code { color: light-dark(#23262b, #dde0e4); }
 a { color: light-dark(#0b5394, #8fc3f5); }
 betwixt-editor { margin: 0 0 1.8rem; --betwixt-text-height: 26rem; }
-"""
+</style>"""
 version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout.split()[-1]
-parts = {"version": version, "title": "The tutorial", "css": style, "class": "edited", "films": body(read("docs/tutorial.md")),
+parts = {"version": version, "title": "The tutorial", "look": style, "class": "edited", "films": body(read("docs/tutorial.md")),
          "files": files_of(films), "player": '<script src="betwixt-player.js"></script>'}
 page = re.sub(r"\{\{(\w+)\}\}", lambda m: parts[m[1]], read("web/page.html"))
 with open(out + ".new", "w", encoding="utf-8") as file:

@@ -15,6 +15,9 @@ export interface Diagnostic {
   source: string;
 }
 
+/** A number, several (a vector, a colour, the 16 of a matrix row by row), points, on or off, words, names, no object. */
+export type Value = number | number[] | number[][] | boolean | string | string[] | null;
+
 /** A film that has been opened. Times are those of its script, in seconds: frame 1 is 0. */
 export interface Film {
   /** false: it has errors, and only the diagnostics can be asked for. */
@@ -35,10 +38,14 @@ export interface Film {
   /** What the script says of its pictures, else 1280 x 720. */
   readonly width: number;
   readonly height: number;
+  /** `background transparent`: where nothing is, the canvas is clear. */
+  readonly clear: boolean;
   /** Draws in the canvas's own width and height. */
   draw(canvas: HTMLCanvasElement | OffscreenCanvas, seconds: number): void;
-  /** A value as `betwixt eval` prints it. */
-  eval(target: string, time: number | string): string;
+  /** A value, as `betwixt eval --json` has it. */
+  eval<T extends Value = Value>(target: string, time: number | string, how?: { text?: false }): T;
+  /** The same as `betwixt eval` prints it. */
+  eval(target: string, time: number | string, how: { text: true }): string;
   /** Several at several times, as JSON of `betwixt eval --json`. */
   evalAll(targets: string[], times: (number | string)[], how?: { text?: false }): unknown;
   evalAll(targets: string[], times: (number | string)[], how: { text: true }): string;
@@ -151,8 +158,8 @@ export class BetwixtPlayer extends HTMLElement {
   /** Files that the film uses, by the names that it has for them. */
   get files(): Record<string, Uint8Array>;
   set files(all: Record<string, string | Uint8Array | ArrayBuffer>);
-  /** A value at a time since the film's beginning, as `betwixt eval` prints it. */
-  eval(target: string, time?: number | string): string;
+  /** A value at a time since the film's beginning; now, where none is said. `eval<number[]>(…)` says what it is. */
+  eval<T extends Value = Value>(target: string, time?: number | string): T;
 
   addEventListener<K extends keyof PlayerEventMap>(
     type: K, listener: (this: BetwixtPlayer, event: PlayerEventMap[K]) => void,
@@ -171,6 +178,86 @@ export class BetwixtEditor extends HTMLElement {
 
 /** The engine of the page, made when it is first asked for. */
 export function engine(): Promise<Engine>;
+
+/** What may stand in the player's tag, where markup is written in TypeScript. */
+export interface PlayerAttributes {
+  src?: string | undefined;
+  alt?: string | undefined;
+  poster?: string | undefined;
+  autoplay?: boolean | "" | undefined;
+  loop?: boolean | "" | undefined;
+  controls?: boolean | "" | undefined;
+  muted?: boolean | "" | undefined;
+  stepped?: boolean | "" | undefined;
+  preload?: string | undefined;
+  loading?: "eager" | "lazy" | undefined;
+  width?: number | string | undefined;
+  height?: number | string | undefined;
+  playbackrate?: number | string | undefined;
+  class?: string | undefined;
+  part?: string | undefined;
+  /** These are properties: React sets them from 19 on. */
+  script?: string | undefined;
+  files?: Record<string, string | Uint8Array | ArrayBuffer> | undefined;
+  currentTime?: number | undefined;
+  playbackRate?: number | undefined;
+}
+/** React hears events of elements from 19 on. */
+export type PlayerHandlers = {
+  [K in "loadstart" | "durationchange" | "resize" | "loadedmetadata" | "loadeddata" | "canplay" | "canplaythrough" | "play"
+    | "playing" | "waiting" | "pause" | "timeupdate" | "seeking" | "seeked" | "ratechange" | "ended" | "emptied" | "error"
+    as `on${K}`]?: ((event: Event) => void) | undefined;
+} & {
+  [K in "diagnostics" | "note" as `on${K}`]?: ((event: PlayerEventMap[K]) => void) | undefined;
+};
+type Tag<Usual, Own> = Own & Omit<Usual, keyof Own>;
+
+// Each of these counts where the framework is there; elsewhere the compiler has nothing to say about it.
+// @ts-ignore
+import type {} from "react";
+// @ts-ignore
+declare module "react" {
+  namespace JSX {
+    interface IntrinsicElements {
+      // @ts-ignore
+      "betwixt-player": Tag<DetailedHTMLProps<HTMLAttributes<BetwixtPlayer>, BetwixtPlayer>, PlayerAttributes & PlayerHandlers>;
+      // @ts-ignore
+      "betwixt-editor": Tag<DetailedHTMLProps<HTMLAttributes<BetwixtEditor>, BetwixtEditor>, { class?: string | undefined }>;
+    }
+  }
+}
+// @ts-ignore
+import type {} from "preact";
+// @ts-ignore
+declare module "preact" {
+  namespace JSX {
+    interface IntrinsicElements {
+      // @ts-ignore
+      "betwixt-player": Tag<IntrinsicElements["div"], PlayerAttributes & PlayerHandlers & { ref?: import("preact").Ref<BetwixtPlayer> }>;
+      // @ts-ignore
+      "betwixt-editor": Tag<IntrinsicElements["div"], { class?: string | undefined; ref?: import("preact").Ref<BetwixtEditor> }>;
+    }
+  }
+}
+// @ts-ignore
+import type {} from "solid-js";
+// @ts-ignore
+declare module "solid-js" {
+  namespace JSX {
+    interface IntrinsicElements {
+      // @ts-ignore
+      "betwixt-player": Tag<HTMLAttributes<BetwixtPlayer>, PlayerAttributes & PlayerHandlers & SolidPlayer>;
+      // @ts-ignore
+      "betwixt-editor": Tag<HTMLAttributes<BetwixtEditor>, { class?: string | undefined }>;
+    }
+  }
+}
+interface SolidPlayer {
+  "on:diagnostics"?: PlayerHandlers["ondiagnostics"];
+  "on:note"?: PlayerHandlers["onnote"];
+  "prop:script"?: string | undefined;
+  "prop:files"?: PlayerAttributes["files"];
+}
 
 declare global {
   interface HTMLElementTagNameMap {

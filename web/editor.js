@@ -6,32 +6,42 @@
 if (globalThis.customElements && !customElements.get("betwixt-editor")) {
   const longest_coloured = 200_000;  // characters; beyond, colours would come late
 
-  const as_html = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
-
   // The pieces of a line that are told apart: texts, comments, colours, numbers with their units, keys, what opens it.
   const pieces =
     /("(?:[^"\\]|\\.)*"?)|(#(?=\s|$).*)|(#(?:[0-9a-f]{6}|[0-9a-f]{3})\b)|((?<![\w.])[+-]?(?:\d+x\d+|(?:\d+\.?\d*|\.\d+)(?:[a-z°%]+)?))|([A-Za-z][\w-]*)(?==)|([A-Za-z_][\w/*{}.-]*)/gi;
+  // A line as texts and elements.
   const coloured_line = (line, bad) => {
-    let out = "", at = 0;
+    const all = [];
+    let at = 0;
     for (const piece of line.matchAll(pieces)) {
       const [word, text, comment, colour, number, key, name] = piece;
       const opens = name && piece.index === 0;
       const kind = text ? "t" : comment ? "c" : colour || number ? "n" : key ? "k" : opens ? (name.includes(".") ? "s" : "v") : "";
-      out += as_html(line.slice(at, piece.index));
-      const style = colour ? ` style="text-decoration-color:${colour}"` : "";
-      out += kind ? `<i class="${kind}${colour ? " h" : ""}"${style}>${as_html(word)}</i>` : as_html(word);
+      all.push(line.slice(at, piece.index));
+      all.push(kind ? element("i", { class: kind + (colour ? " h" : "") }, word) : word);
+      if (colour) all.at(-1).style.textDecorationColor = colour;
       at = piece.index + word.length;
     }
-    out += as_html(line.slice(at));
-    if (!bad) return out;
-    const blanks = out.match(/^\s*/)[0];
-    return `${blanks}<i class="bad">${out.slice(blanks.length) || " "}</i>`;
+    all.push(line.slice(at));
+    if (!bad) return all;
+    // Leading blanks are not underlined; in a line of blanks one blank is.
+    const blanks = line.match(/^\s*/)[0].length;
+    let left = blanks;
+    const within = all.map((one) => {
+      if (typeof one !== "string" || !left) return one;
+      const cut = Math.min(left, one.length);
+      left -= cut;
+      return one.slice(cut);
+    });
+    const wrong = element("i", { class: "bad" });
+    for (const one of blanks < line.length ? within : [" "]) wrong.append(one);
+    return [line.slice(0, blanks), wrong];
   };
 
   // Columns count characters, texts of JavaScript half of some.
   const utf16_column = (line, column) => [...line].slice(0, column - 1).join("").length;
 
-  const shadow = `<style>
+  const look = sheet(`
 :host { display: block; container-type: inline-size; color: CanvasText;
   font: var(--betwixt-font, 14px/1.5 system-ui, sans-serif);
   --edge: color-mix(in srgb, CanvasText 16%, Canvas); --quiet: color-mix(in srgb, CanvasText 62%, Canvas);
@@ -89,22 +99,25 @@ i { font-style: normal; }
   display: none; }
 .side:has(textarea:focus) .how { display: block; }
 .heard { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
-</style>
-<div class="both" part="both">
-<div class="picture" part="picture"><slot></slot></div>
-<div class="side" part="text">
-<div class="bar"><span class="name"></span>
-<button type="button" data-do="revert" title="The text as it was at first; undo brings yours back" disabled>As it was</button>
-<button type="button" data-do="copy" title="The text to the clipboard">Copy</button>
-<button type="button" data-do="save" title="The text as a file (Ctrl-S)">Save</button></div>
-<div class="text"><div class="lines" aria-hidden="true"></div>
-<div class="area"><pre class="colours" aria-hidden="true"></pre>
-<textarea spellcheck="false" autocapitalize="off" autocomplete="off" autocorrect="off" wrap="off" aria-describedby="how"
-></textarea></div></div>
-<div class="said" part="said"></div>
-<p class="how" id="how">Ctrl-Enter plays. Tab indents; Escape, then Tab leaves the text.</p>
-<span class="heard" role="status"></span>
-</div></div>`;
+@media (pointer: coarse) {
+  .bar button, .said button { min-width: 44px; min-height: 44px; }
+}
+`);
+  const button = (what, words, title) => element("button", { type: "button", "data-do": what, title }, words);
+  const insides = () => element("div", { class: "both", part: "both" },
+    element("div", { class: "picture", part: "picture" }, element("slot")),
+    element("div", { class: "side", part: "text" },
+      element("div", { class: "bar" }, element("span", { class: "name" }),
+        button("revert", "As it was", "The text as it was at first; undo brings yours back"),
+        button("copy", "Copy", "The text to the clipboard"),
+        button("save", "Save", "The text as a file (Ctrl-S)")),
+      element("div", { class: "text" }, element("div", { class: "lines", "aria-hidden": "true" }),
+        element("div", { class: "area" }, element("pre", { class: "colours", "aria-hidden": "true" }),
+          element("textarea", { spellcheck: "false", autocapitalize: "off", autocomplete: "off", autocorrect: "off",
+                                wrap: "off", "aria-describedby": "how" }))),
+      element("div", { class: "said", part: "said" }),
+      element("p", { class: "how", id: "how" }, "Ctrl-Enter plays. Tab indents; Escape, then Tab leaves the text."),
+      element("span", { class: "heard", role: "status" })));
 
   class BetwixtEditor extends HTMLElement {
     #root;
@@ -119,7 +132,9 @@ i { font-style: normal; }
     constructor() {
       super();
       this.#root = this.attachShadow({ mode: "open" });
-      this.#root.innerHTML = shadow;
+      this.#root.append(insides());
+      this.#root.adoptedStyleSheets = [look];
+      this.#root.querySelector("[data-do=revert]").disabled = true;
       const part = (name) => this.#root.querySelector(name);
       this.#parts = { name: part(".name"), area: part(".area"), lines: part(".lines"), colours: part(".colours"),
                       text: part("textarea"), said: part(".said"), heard: part(".heard"), slot: part("slot") };
@@ -190,11 +205,22 @@ i { font-style: normal; }
       area.classList.toggle("plain", plain);
       // The last line has its height only where something follows it.
       if (plain) colours.textContent = text.value + "\n ";
-      else colours.innerHTML = all.map((line, i) => coloured_line(line, this.#wrong.has(i + 1))).join("\n") + " ";
+      else this.#colour_lines(all);
       if (lines.dataset.count !== String(all.length)) {
         lines.dataset.count = all.length;
         lines.textContent = all.map((_, i) => i + 1).join("\n");
       }
+    }
+
+    // One by one: a call takes fewer arguments than a text has pieces.
+    #colour_lines(all) {
+      const shown = new DocumentFragment();
+      all.forEach((line, i) => {
+        if (i) shown.append("\n");
+        for (const piece of coloured_line(line, this.#wrong.has(i + 1))) shown.append(piece);
+      });
+      shown.append(" ");
+      this.#parts.colours.replaceChildren(shown);
     }
 
     #say(diagnostics) {
@@ -214,8 +240,7 @@ i { font-style: normal; }
       item.type = "button";
       item.className = d.severity;
       const add = (tag, text) => {
-        const made = document.createElement(tag);
-        made.textContent = text;
+        const made = element(tag, {}, text);
         item.append(made);
         return made;
       };

@@ -35,7 +35,7 @@ struct Easel {
   unsigned graphics = 0;
   bool fits(const RenderOptions& o) const {
     return renderer && graphics == graphics_generation() && how.width == o.width && how.height == o.height &&
-           how.samples == o.samples && how.style == o.style;
+           how.samples == o.samples && how.style == o.style && how.deep == o.deep;
   }
 };
 // Of films that are over. Who types makes a film with each key, and making a renderer takes longer than its picture.
@@ -102,6 +102,7 @@ RenderOptions options(const Film& film, int width, int height) {
   RenderOptions out = options_for(film.document(), otherwise, std::pair{width, height});
   if (out.style == "traced") out.style = "shaded";
   if (out.samples > 16 || !check_options(out)) out.samples = otherwise.samples;
+  out.deep = film.document().transparent();
   return out;
 }
 
@@ -116,6 +117,11 @@ Status need_renderer(Film& film, int width, int height) {
     return Nothing{};
   }
   auto made = make_renderer(wanted);
+  if (!made && wanted.deep) {  // graphics without pictures of light: what is clear is black there
+    RenderOptions over_black = wanted;
+    over_black.deep = false;
+    made = make_renderer(over_black);
+  }
   if (!made) return made.error();
   film.easel = {*std::move(made), wanted, graphics_generation()};
   return Nothing{};
@@ -164,11 +170,11 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_about(Film* film) {
                          json_text(text));
   const auto [width, height] = d.size().value_or(std::pair{1280, 720});
   return keep(fmt::format(R"({{"ok":{},"diagnostics":[{}],"message":{},"wants":[{}],"fps":{},"start":{},"end":{},)"
-                          R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"notes":[{}]}})",
+                          R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"clear":{},"notes":[{}]}})",
                           !has_errors(film->loaded.diagnostics), diagnostics, json_text(message), wants,
                           json_number(d.rate().per_second()), json_number(first.seconds()),
                           json_number((last + d.rate().span(1)).seconds()), json_number(d.rate().frame_number(first)),
-                          json_number(d.rate().frame_number(last)), width, height, notes));
+                          json_number(d.rate().frame_number(last)), width, height, d.transparent(), notes));
 }
 
 // Draws onto the hidden canvas, which is as large. Gives what stands against it; null: nothing.
@@ -196,9 +202,9 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_problems(Film* film) {
   return keep("[" + out + "]");
 }
 
-// JSON: as `betwixt eval --json` says it, or {"error": …}; or with `plain` the one value as it would be written.
+// JSON: as `betwixt eval --json` says it, or {"error": …}; with `one` the one value that is asked for.
 // Patterns and times are separated by new lines.
-EMSCRIPTEN_KEEPALIVE const char* betwixt_eval(Film* film, const char* patterns, const char* times, int plain) {
+EMSCRIPTEN_KEEPALIVE const char* betwixt_eval(Film* film, const char* patterns, const char* times, int one) {
   const Document& d = film->document();
   const auto error = [](const Error& e) {
     return keep(fmt::format(R"({{"error":{}}})", json_text(std::string(say(e)))));
@@ -221,13 +227,14 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_eval(Film* film, const char* patterns, 
   const auto targets = targets_of(d, lines(patterns));
   if (!targets) return error(targets.error());
   film->compile();
-  if (!plain) return keep(values_json(d, *film->program, *targets, when));
+  if (!one) return keep(values_json(d, *film->program, *targets, when));
   if (targets->size() != 1 || when.size() != 1)
     return error(fail(ErrorCode::name,
                       fmt::format("'{}' names {} values, and one is asked for", patterns, targets->size()),
                       "such as ball.position; evalAll() gives several"));
   const auto values = film->program->read(*targets, when[0].second);
-  return keep(fmt::format(R"({{"value":{}}})", json_text(plain_value(values[0], targets->front(), d))));
+  return keep(fmt::format(R"({{"value":{},"text":{}}})", json(values[0], targets->front(), d),
+                          json_text(plain_value(values[0], targets->front(), d))));
 }
 
 EMSCRIPTEN_KEEPALIVE int betwixt_add_font(const char* path) { return add_font(path); }

@@ -29,9 +29,10 @@ class Film {
     this.#bitmaps.set(canvas, kind);
     this.#engine.hand_over(kind, width, height);
   }
-  // What a target is at a time (seconds, or a text such as "24f"), as `betwixt eval` prints it.
-  eval(target, time) {
-    return this.#eval([target], [time], 1).value;
+  // What a target is at a time (seconds, or a text such as "24f"): numbers, as `betwixt eval --json` has them; `text`: as
+  // `betwixt eval` prints it.
+  eval(target, time, { text = false } = {}) {
+    return this.#eval([target], [time], 1)[text ? "text" : "value"];
   }
   // What all of them are at all times: the object that `betwixt eval --json` prints; `text`: as it prints it.
   evalAll(targets, times, { text = false } = {}) {
@@ -54,10 +55,10 @@ class Film {
   #alive() {
     if (!this.#handle) throw new Error("this film has been disposed of");
   }
-  #eval(targets, times, plain, text = false) {
+  #eval(targets, times, one, text = false) {
     this.#alive();
     const when = times.map((t) => (typeof t === "number" ? `${t}s` : String(t)));
-    const words = this.#engine.call("betwixt_eval", this.#handle, targets.join("\n"), when.join("\n"), plain);
+    const words = this.#engine.call("betwixt_eval", this.#handle, targets.join("\n"), when.join("\n"), one);
     const said = JSON.parse(words);
     if (said.error) throw new Error(said.error);
     return text ? words : said;

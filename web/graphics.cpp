@@ -21,7 +21,7 @@ EM_JS(EMSCRIPTEN_WEBGL_CONTEXT_HANDLE, betwixt_make_context, (), {
     depth : false,
     stencil : false,
     antialias : false,
-    premultipliedAlpha : false,
+    premultipliedAlpha : true,
     preserveDrawingBuffer : false,
     enableExtensionsByDefault : true
   });
@@ -63,6 +63,8 @@ Current::~Current() = default;
 }  // namespace betwixt
 
 bool epoxy_has_gl_extension(const char* name) {
+  // Half floats are all that is drawn on, and some graphics of phones have no more than these.
   return std::string_view(name) == "GL_EXT_color_buffer_float" &&
-         emscripten_webgl_enable_extension(betwixt::context, "EXT_color_buffer_float");
+         (emscripten_webgl_enable_extension(betwixt::context, "EXT_color_buffer_float") ||
+          emscripten_webgl_enable_extension(betwixt::context, "EXT_color_buffer_half_float"));
 }

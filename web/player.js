@@ -74,9 +74,8 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     full: "M4 4h7v2H6v5H4zM13 18h5v-5h2v7h-7z",
     small: "M9 4h2v7H4V9h5zM13 13h7v2h-5v5h-2z",
   };
-  const icon = (name) => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icons[name]}"/></svg>`;
 
-  const shadow = `<style>
+  const look = sheet(`
 :host { display: block; position: relative; aspect-ratio: 16 / 9; max-width: 100%;
   min-height: 2rem; overflow: hidden; background: var(--betwixt-letterbox, #000); color: #fff;
   font: var(--betwixt-font, 14px/1.4 system-ui, sans-serif); }
@@ -119,23 +118,28 @@ input::-webkit-slider-thumb { appearance: none; width: 14px; height: 14px; margi
 input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 50%;
   background: var(--betwixt-accent, #ffb000); }
 .narrow .clock, .narrow select { display: none; }
+@media (pointer: coarse) {
+  .controls button, .controls select, .message button { min-width: 44px; min-height: 44px; }
+  .controls button { padding: 11px; }
+  input[type="range"] { min-width: 44px; height: 44px; touch-action: pan-y; }
+  input::-webkit-slider-thumb { width: 24px; height: 24px; margin-top: -10px; }
+  input::-moz-range-thumb { width: 24px; height: 24px; }
+}
 @media (prefers-reduced-motion: reduce) { .controls { transition: none; } .wait { animation-duration: 1ms; } }
 @media (forced-colors: active) { .controls { background: Canvas; color: CanvasText; } }
-</style><style class="size"></style>
-<div class="stage" part="stage" tabindex="-1" role="group">
-<canvas part="picture" role="img" width="1" height="1"></canvas>
-<img part="poster" alt="" hidden>
-<span class="wait" part="wait" hidden>loading …</span>
-<div class="controls" part="controls" hidden>
-<button part="button play" type="button" data-do="toggle"></button>
-<input part="time" type="range" min="0" max="1" step="any" value="0" aria-label="Time">
-<span class="clock" part="clock" aria-hidden="true"></span>
-<select part="speed" aria-label="Speed"></select>
-<button part="button fullscreen" type="button" data-do="fullscreen"></button>
-</div>
-<div class="banner" part="banner" role="status" hidden></div>
-<div class="message" part="message" role="alert" hidden></div>
-</div>`;
+`);
+  const insides = () => element("div", { class: "stage", part: "stage", tabindex: "-1", role: "group" },
+    element("canvas", { part: "picture", role: "img", width: 1, height: 1 }),
+    element("img", { part: "poster", alt: "", hidden: "" }),
+    element("span", { class: "wait", part: "wait", hidden: "" }, "loading …"),
+    element("div", { class: "controls", part: "controls", hidden: "" },
+      element("button", { part: "button play", type: "button", "data-do": "toggle" }),
+      element("input", { part: "time", type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" }),
+      element("span", { class: "clock", part: "clock", "aria-hidden": "true" }),
+      element("select", { part: "speed", "aria-label": "Speed" }),
+      element("button", { part: "button fullscreen", type: "button", "data-do": "fullscreen" })),
+    element("div", { class: "banner", part: "banner", role: "status", hidden: "" }),
+    element("div", { class: "message", part: "message", role: "alert", hidden: "" }));
 
   class BetwixtPlayer extends HTMLElement {
     static observedAttributes = ["src", "controls", "poster", "autoplay", "playbackrate", "alt", "width", "height",
@@ -192,6 +196,8 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
 
     #root;
     #parts;
+    #size = sheet();      // its size and its background
+    #said_size = "";
     #film = null;         // that is shown
     #engine = null;
     #source = null;       // {text, name, base, files, failed}
@@ -211,6 +217,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #begin = 0;           // where it is to begin, said before there was a film
     #rate = 1;
     #seeking = false;
+    #held = null;         // an AbortController: the slider is dragged, and the clock waits
     #visible = false;
     #pulse = 0;
     #updated = 0;
@@ -226,13 +233,13 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     constructor() {
       super();
       this.#root = this.attachShadow({ mode: "open", delegatesFocus: true });
-      this.#root.innerHTML = shadow;
+      this.#root.append(insides());
+      this.#root.adoptedStyleSheets = [look, this.#size];
       const part = (name) => this.#root.querySelector(name);
       this.#parts = {
         stage: part(".stage"), canvas: part("canvas"), poster: part("img"), wait: part(".wait"),
         controls: part(".controls"), play: part("[data-do=toggle]"), time: part("input"), clock: part(".clock"),
         speed: part("select"), full: part("[data-do=fullscreen]"), banner: part(".banner"), message: part(".message"),
-        size: part(".size"),
       };
       this.#listen();
     }
@@ -266,6 +273,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         BetwixtPlayer.#all.delete(this);
         BetwixtPlayer.#awake.delete(this);
         this.#visible = false;
+        this.#let_go();
         this.pause();
         clearTimeout(this.#retry);
         clearTimeout(this.#quiet_timer);
@@ -391,7 +399,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     get diagnostics() { return this.#diagnostics; }
     get message() { return this.#message; }
 
-    // A value at a time since the film's beginning, as `betwixt eval` prints it.
+    // A value at a time since the film's beginning: numbers, as `betwixt eval --json` has them.
     eval(target, time = this.currentTime) {
       if (!this.#film) throw new Error("there is no film yet: wait for loadedmetadata");
       return this.#film.eval(target, typeof time === "number" ? this.#film.start + time : time);
@@ -632,7 +640,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #frames_at(time) { return clamp(Math.floor(time * this.#film.fps + 1e-6), 0, this.#frames - 1); }
 
     #moving() {
-      return !this.#paused && this.#ready > 2 && this.#rate !== 0 && !this.#stuck();
+      return !this.#paused && !this.#held && this.#ready > 2 && this.#rate !== 0 && !this.#stuck();
     }
     // At the end of its way: there as a video is, paused or not.
     #stuck() {
@@ -660,13 +668,16 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         this.#set_clock(now < 0 ? 0 : end);
         this.#say_notes(before, this.#time);
         this.#fire("timeupdate");
-        if (now >= end) {
-          this.#paused = true;
-          this.#fire("pause");
-          this.#fire("ended");
-        }
+        this.#end();
         this.#update();
       }
+    }
+    // At its end a film stops.
+    #end() {
+      if (this.#paused || this.#held || !this.ended || this.#rate <= 0) return;
+      this.#paused = true;
+      this.#fire("pause");
+      this.#fire("ended");
     }
 
     #say_notes(before, now) {
@@ -693,6 +704,25 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#set_clock(this.#time);
       this.#fire("timeupdate");
       this.#fire("seeked");
+      this.#end();
+      this.#update();
+    }
+
+    // While the slider is dragged the film waits.
+    #hold() {
+      if (this.#held) return;
+      this.#set_clock(this.currentTime);
+      this.#held = new AbortController();
+      for (const name of ["pointerup", "pointercancel", "blur"])
+        addEventListener(name, () => this.#let_go(), { capture: true, signal: this.#held.signal });
+      this.#update();
+    }
+    #let_go() {
+      if (!this.#held) return;
+      this.#held.abort();
+      this.#held = null;
+      this.#set_clock(this.#time);
+      if (!this.#seeking) this.#end();
       this.#update();
     }
 
@@ -813,8 +843,10 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       const { width, height } = this.#film ?? this;
       const aspect = width && height ? `aspect-ratio: ${width} / ${height};` : "";
       const side = this.width ? `width: ${this.width}px;` : this.height ? `width: auto; height: ${this.height}px;` : "";
-      const rule = `:host { ${aspect} ${side} }`;
-      if (this.#parts.size.textContent !== rule) this.#parts.size.textContent = rule;
+      // The page shows through a transparent film.
+      const behind = this.#film?.clear ? "background: var(--betwixt-letterbox, transparent);" : "";
+      const rule = `:host { ${aspect} ${side} ${behind} }`;
+      if (this.#said_size !== rule) this.#size.replaceSync((this.#said_size = rule));
     }
     #show_poster() { this.#parts.poster.hidden = !(this.#posing && this.poster && !this.#error); }
 
@@ -868,7 +900,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #set_button(button, name, words) {
       if (button.dataset.icon === name) return;
       button.dataset.icon = name;
-      button.innerHTML = icon(name);
+      button.replaceChildren(drawing(icons[name]));
       button.setAttribute("aria-label", words);
       button.title = words;
     }
@@ -904,6 +936,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       });
       for (const picture of [canvas, poster])
         picture.addEventListener("click", () => this.controls && this.#toggle());
+      time.addEventListener("pointerdown", (event) => event.button === 0 && this.#hold());
       time.addEventListener("input", () => (this.currentTime = Number(time.value)));
       speed.addEventListener("change", () => (this.playbackRate = Number(speed.value)));
       for (const name of ["pointermove", "pointerdown", "focusin", "play", "pause"])

@@ -33,7 +33,7 @@ for name in programs:
         packed[name] = gzip.compress(file.read(), 9, mtime=0)
     # What glue says to other module systems is of no use where it stands in a function.
     glue[name] = re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, name + ".js"), flags=re.S)
-parts = "".join(slim(read(here, name)) for name in ("algebra.js", "engine.js", "player.js", "editor.js"))
+parts = "".join(slim(read(here, name)) for name in ("algebra.js", "engine.js", "dom.js", "player.js", "editor.js"))
 # Within a page's script these would end or begin something.
 tame = lambda text: re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I)
 glue, parts = {name: tame(text) for name, text in glue.items()}, tame(parts)

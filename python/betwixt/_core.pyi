@@ -10,7 +10,7 @@ import numpy.typing as npt
 from ._player import Player
 
 # A frame's number, words of the language ("24f", "2.5s"), or a length since the beginning.
-Time = Union[SupportsFloat, str, timedelta]
+Time = Union[SupportsFloat, str, timedelta, np.timedelta64]
 
 Floats = npt.NDArray[np.float64]
 Floats32 = npt.NDArray[np.float32]

@@ -58,6 +58,7 @@ class Player:
         return f"<Player of {len(self.frames)} pictures>"
 
     def _repr_html_(self) -> str:
+        """The pictures as a page, which notebooks show."""
         coded = [base64.b64encode(p).decode() for p in self.pictures]
         labels = [f"{t:g}f" for t in self.frames]
         return _PAGE.format(

@@ -12,6 +12,7 @@
 #include "app/subcommand.h"
 #include "app/web_page.h"
 #include "base/files.h"
+#include "base/tell_user.h"
 #include "commands/plugins.h"
 
 namespace betwixt {
@@ -49,17 +50,17 @@ Status no_two_of_one_name(const std::vector<PageFilm>& films) {
   return Nothing{};
 }
 
-Status put_player(const fs::path& page, const std::string& player, bool overwrite) {
-  const std::string path = (page.parent_path() / "betwixt-player.js").string();
+// What pages share that lie in one folder; all versions of it begin with `mark`.
+Status put_beside(const fs::path& page, std::string_view name, std::string_view text, std::string_view mark,
+                  bool overwrite) {
+  const std::string path = (page.parent_path() / name).string();
   const auto there = read_contents(path);
-  if (there.hindrance == Hindrance::missing) return write_whole(path, player, overwrite);
-  if (there.hindrance == Hindrance::none && there.text == player) return Nothing{};
-  // Players of every version begin with this.
-  constexpr std::string_view mark = "// Betwixt ";
+  if (there.hindrance == Hindrance::missing) return write_whole(path, text, overwrite);
+  if (there.hindrance == Hindrance::none && there.text == text) return Nothing{};
   if (there.hindrance != Hindrance::none || !there.text.starts_with(mark))
-    return fail(ErrorCode::file, fmt::format("'{}' is there already, and is no player of Betwixt", path),
+    return fail(ErrorCode::file, fmt::format("'{}' is there already, and is not Betwixt's", path),
                 "move it away, or leave out --link");
-  return write_whole(path, player, overwrite);
+  return write_whole(path, text, overwrite);
 }
 
 int web(WebCall& call) {
@@ -85,33 +86,45 @@ int web(WebCall& call) {
   if (!call.link) options.player = *player;
   const std::string page = web_page(films, options);
   if (const Status s = write_whole(call.out, page, !call.keep_old); !s) return complain(s.error(), wrong_call);
+  struct Beside {
+    std::string_view name, text, mark;
+  };
   if (call.link)
-    if (const Status s = put_player(call.out, *player, !call.keep_old); !s) return complain(s.error(), wrong_call);
+    for (const Beside& b : {Beside{"betwixt-player.js", *player, "// Betwixt "},
+                            Beside{"betwixt-page.css", page_look(), "/* SPDX-FileCopyrightText: 2026 The Betwixt"}})
+      if (const Status s = put_beside(call.out, b.name, b.text, b.mark, !call.keep_old); !s)
+        return complain(s.error(), wrong_call);
+  for (const PageFilm& film : films)
+    for (const std::string& lost : film.lost) tell_user(fmt::format("betwixt: notice: {}: {}\n", film.name, lost));
   fmt::print(stderr, "{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
              files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000), call.out);
   return all_done;
 }
 
 const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
-  return {.rank = 18,
-          .name = "web",
-          .sentence = "makes a page that plays films in any browser, where they can be edited too",
-          .takes = {{.name = "FILE",
-                     .sentence = "the scripts, in the order in which they stand on the page",
-                     .into = &call.files,
-                     .required = true,
-                     .offer = Offer::scripts},
-                    output_parameter(call.out, "PAGE.html", "the page", "html"),
-                    option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
-                    size_parameter(call.size, "how large the pictures are; else as wide as there is room"),
-                    flag("--no-edit", "the films alone, without their texts beside them", call.no_edit),
-                    flag("--link", "what plays lies beside the page as betwixt-player.js, for many pages", call.link),
-                    flag("--no-overwrite", "leave a page alone that is there already", call.keep_old)},
-          .note = "What plays is built when ./betwixt web is called for the first time.",
-          .example = "betwixt web examples/bounce.bx -o bounce.html",
-          .manual =
-              "The page is one file and needs no other: it plays offline, from a folder too. The script stands in "
-              "it as text, with the files that it uses. Whoever types in it changes the film at once."};
+  return {
+      .rank = 18,
+      .name = "web",
+      .sentence = "makes a page that plays films in any browser, where they can be edited too",
+      .takes = {{.name = "FILE",
+                 .sentence = "the scripts, in the order in which they stand on the page",
+                 .into = &call.files,
+                 .required = true,
+                 .offer = Offer::scripts},
+                output_parameter(call.out, "PAGE.html", "the page", "html"),
+                option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
+                size_parameter(call.size, "how large the pictures are; else as wide as there is room"),
+                flag("--no-edit", "the films alone, without their texts beside them", call.no_edit),
+                flag("--link", "what plays lies beside the page (betwixt-player.js, betwixt-page.css), for many pages",
+                     call.link),
+                flag("--no-overwrite", "leave a page alone that is there already", call.keep_old)},
+      .note = "What plays is built when ./betwixt web is called for the first time.",
+      .example = "betwixt web examples/bounce.bx -o bounce.html",
+      .manual =
+          "The page is one file and needs no other: it plays offline, from a folder too. The script stands in "
+          "it as text, with the files that it uses. Whoever types in it changes the film at once. What the film "
+          "has and no page shows is said, a line each: sound, motion blur, depth of field, live input. Where a "
+          "server's policy forbids scripts and styles that stand in pages, --link makes one that needs none."};
 });
 
 }  // namespace

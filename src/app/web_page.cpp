@@ -5,6 +5,7 @@
 #include "app/web_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -86,25 +87,53 @@ bool has_only_usual_letters(std::string_view text) {
   return true;
 }
 
-// Which a page has to bring along: those of all texts that are seen some time.
-void add_fonts(PageFiles& to, const Document& document) {
+// Fonts that a page has to bring along, those of all texts that are seen some time; and what pages leave out of
+// pictures.
+void look_through(PageFilm& film, const Document& document) {
   const Program program = Program::compile(document);
   const auto [first, last] = document.range();
-  std::set<std::string> paths;
+  std::set<std::string> paths, left;
+  bool moves = false, focuses = false;
   const auto look = [&](const std::shared_ptr<const Shape>& shape) {
     if (!shape || shape->kind != Kind::text || shape->formula) return;
     const Typeface face{*shape->font, shape->letters.weight, shape->letters.italic};
     if (face == Typeface{std::string(usual_font)} && has_only_usual_letters(*shape->text)) return;
     if (!find_font(face.family)) return;
-    if (const FontFile file = font_file(face); file.index == 0 && !file.path.empty()) paths.insert(file.path);
+    const FontFile file = font_file(face);
+    if (file.index == 0 && !file.path.empty())
+      paths.insert(file.path);
+    else
+      left.insert(face.family);
   };
   const int count = last > first ? most_looks : 1;
   for (int i = 0; i < count; ++i) {
     const Time t{first.flicks + (last.flicks - first.flicks) / count * i};
-    for (const Item& item : program.frame(t).items) look(item.shape), look(item.toward);
+    const Frame frame = program.frame(t);
+    moves |= frame.camera.shutter > 0, focuses |= frame.camera.aperture > 0;
+    for (const Item& item : frame.items) look(item.shape), look(item.toward);
   }
   for (const std::string& path : paths)
-    if (auto bytes = read_whole(path)) to["fonts/" + fs::path(path).filename().string()] = *std::move(bytes);
+    if (auto bytes = read_whole(path)) film.files["fonts/" + fs::path(path).filename().string()] = *std::move(bytes);
+  if (moves) film.lost.emplace_back("the page has no motion blur: its pictures are sharp (shutter)");
+  if (focuses) film.lost.emplace_back("the page has no depth of field: all is in focus (f-stop)");
+  for (const std::string& family : left)
+    film.lost.push_back(
+        fmt::format("the page has {} in place of the font {}, which is one of a collection", usual_font, family));
+}
+
+// Other things that films have and pages lack.
+void add_losses(PageFilm& film, const Document& document) {
+  const Scene& scene = document.scene();
+  std::vector<std::string> sounds, dials;
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
+    if (const Object& o = scene.objects[i]; o.kind == Kind::sound && !o.removed) sounds.push_back(o.name);
+  for (const Dial& dial : *scene.dials) dials.push_back(dial.address);
+  if (!sounds.empty())
+    film.lost.push_back(
+        fmt::format("the page makes no sound: {}; loudness and onsets are 0 there", fmt::join(sounds, ", ")));
+  if (!dials.empty())
+    film.lost.push_back(fmt::format("the page hears no live input: {} ({})", dials.size() == 1 ? "a dial" : "dials",
+                                    fmt::join(dials, ", ")));
 }
 
 Status add_files(PageFiles& to, const std::string& script, const Document& document,
@@ -132,7 +161,9 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
 
 std::string player_markup(const PageFilm& film, const PageOptions& options, bool alone) {
   const auto [width, height] = options.size.value_or(film.size);
-  const std::string fixed = options.size ? fmt::format(" style=\"width: {}px; height: {}px\"", width, height) : "";
+  // Where a page's policy forbids styles in it, it is as wide, and as high as its film has it.
+  const std::string fixed =
+      options.size ? fmt::format(" class=\"fixed\" style=\"width: {}px; height: {}px\"", width, height) : "";
   const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));
   // What begins with a line's end loses it when a page is read, and so nothing else is lost.
   return fmt::format(
@@ -175,9 +206,12 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   film.about = first_comment(*text);
   film.size = document->size().value_or(film.size);
   if (Status s = add_files(film.files, script, *document, asked); !s) return s.error();
-  add_fonts(film.files, *document);
+  look_through(film, *document);
+  add_losses(film, *document);
   return film;
 }
+
+std::string_view page_look() { return page_css; }
 
 std::string web_page(const std::vector<PageFilm>& films, const PageOptions& options) {
   const bool alone = films.size() == 1;
@@ -187,11 +221,14 @@ std::string web_page(const std::vector<PageFilm>& films, const PageOptions& opti
     all += film_markup(film, options, alone);
     files.insert(film.files.begin(), film.files.end());
   }
-  const std::string player = options.player.empty() ? "<script src=\"betwixt-player.js\"></script>"
-                                                    : "<script>\n" + options.player + "</script>";
+  const bool beside = options.player.empty();
+  const std::string player =
+      beside ? "<script src=\"betwixt-player.js\"></script>" : "<script>\n" + options.player + "</script>";
+  const std::string look =
+      beside ? "<link rel=\"stylesheet\" href=\"betwixt-page.css\">" : fmt::format("<style>\n{}</style>", page_css);
   return filled(page_html, {{"version", BETWIXT_VERSION},
                             {"title", escaped(options.title)},
-                            {"css", page_css},
+                            {"look", look},
                             {"class", options.edit ? "edited" : "alone"},
                             {"films", std::move(all)},
                             {"files", files_markup(files)},

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct PageFilm {
   std::string about;  // what its first comment says
   std::pair<int, int> size{1280, 720};
   PageFiles files;
+  std::vector<std::string> lost;  // what the program shows of it and no page does, a sentence each
 };
 
 // Loads a script and gathers what a page needs for it; says its errors and warnings. Errors: file (it uses files that
@@ -34,8 +36,9 @@ struct PageOptions {
   std::string title;
   std::optional<std::pair<int, int>> size;  // of the pictures; none: as wide as there is room
   bool edit = true;                         // the texts stand beside the pictures
-  std::string player;                       // the text of betwixt-player.js; empty: it lies beside the page
+  std::string player;  // the text of betwixt-player.js; empty: it lies beside the page, and so does page_look()
 };
 std::string web_page(const std::vector<PageFilm>&, const PageOptions&);
+std::string_view page_look();  // betwixt-page.css
 
 }  // namespace betwixt

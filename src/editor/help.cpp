@@ -30,6 +30,7 @@ constexpr HelpEntry other_words[] = {
 
     {kind, "scene", "What a file holds (glTF, BVH, FBX, Collada, SVG): each node an object, its animation as tracks.",
      "file=\"…\" animation=… start=TIME, then what the whole is told", ""},
+    {kind, "disc", "Another name of `circle`.", "radius=1", "create dot disc radius=3"},
 
     {option, "cut", "A jump: the track comes to the first value and goes on from the second.", "VALUE cut VALUE",
      "at 12f ball.radius 2 cut 1"},

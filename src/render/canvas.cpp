@@ -45,14 +45,22 @@ void main() {
 }
 )";
 
-// The picture's first row is what is shown on top.
+// The picture's first row is what is shown on top. A deep one has its opacity multiplied in, as graphics that are laid
+// over others have it; an opacity is at least so much that light without it can be as bright (to_shown).
 const char* const show_fragment = R"(
 uniform sampler2D picture;
 out vec4 color;
+vec3 curve(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 c = texelFetch(picture, ivec2(at.x, textureSize(picture, 0).y - 1 - at.y), 0);
-  color = vec4(mix(12.92 * c.rgb, 1.055 * pow(c.rgb, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c.rgb)), c.a);
+#ifdef DEEP
+  c = clamp(c, 0.0, 1.0);
+  float opacity = max(max(c.r, c.g), max(c.b, c.a));
+  color = vec4(curve(c.rgb / max(opacity, 1e-6)) * opacity, opacity);
+#else
+  color = vec4(curve(c.rgb), 1.0);
+#endif
 }
 )";
 
@@ -171,7 +179,7 @@ void Canvas::finish() const {
 
 Status Canvas::show() {
   if (show_.id() == 0) {
-    auto made = gl::new_program(gl::fill_vertex, show_fragment);
+    auto made = gl::new_program(gl::fill_vertex, show_fragment, deep_ ? "#define DEEP" : "");
     if (!made) return made.error();
     show_ = *std::move(made);
     gl::set_samplers(show_, {{"picture", 0}});

@@ -121,10 +121,10 @@ constexpr KindRow kind_rows[] = {
      .measures = plane_measures,
      .mesh = [](const Shape&, const Detail&) { return plane_mesh(); }},
     {.kind = Kind::disc,
-     .name = "disc",
-     .sentence = "A flat disc.",
+     .name = "circle",
+     .sentence = "A filled circle.",
      .written = "radius=1",
-     .example = "create d disc radius=3",
+     .example = "create dot circle radius=3",
      .functions = "radius",
      .fill = Fill::surface,
      .deep = true,
@@ -334,7 +334,7 @@ const KindRow& row_of(Kind kind) {
 }
 
 std::optional<Kind> find_kind(std::string_view name) {
-  if (name == "circle") return Kind::disc;  // by its usual name
+  if (name == "disc") return Kind::disc;  // by its other name
   for (const KindRow& row : kind_rows)
     if (row.name == name) return row.kind;
   return std::nullopt;

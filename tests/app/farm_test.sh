@@ -61,4 +61,14 @@ rm "$settings" && mkfifo "$settings"
 resumed '' 'a film.mp4'
 is 'nothing waits for a pipe' $code 1
 is 'nothing was run' "$([ -e ran ] && echo yes)" ''
+# Before Slurm has done anything the log is there, so that it can be followed.
+echo 'ls -- "$WORK"/*.farm/log >>"$WORK/seen" 2>&1' >>slurm/sbatch
+printf 'rate 24\nrange 1f 48f\nsize 64x36\ncreate ball sphere\n' >ball.bx
+rm -rf ./*.farm
+"$farm" ball.bx -o ball.mp4 --chunk 12 2>/dev/null
+is 'a log is there when it is sent off' "$(grep -c 'frames 1 to 48 are sent off in tasks of 12' ball.mp4.farm/log)" 1
+is 'and before any job' "$(sort -u seen)" "$work/ball.mp4.farm/log"
+echo 'what a job has said' >>ball.mp4.farm/log
+resumed '' ball.mp4
+is 'gone on with, the log goes on' "$(sed -n '2p;3s/^[0-9:]* //p' ball.mp4.farm/log)" $'what a job has said\nbetwixt-farm: gone on with'
 summary

@@ -91,15 +91,38 @@ is 'come with their font' "$(ask more.html files)" fonts/DejaVuSans.ttf
 check 'what plays may lie beside' 0 '' web ball.bx -o linked.html --link
 has 'the page refers to it' "$(cat linked.html)" '<script src="betwixt-player.js"></script>'
 is 'and there it is' "$(cmp player.js betwixt-player.js && echo same)" same
+has 'to its look too' "$(cat linked.html)" '<link rel="stylesheet" href="betwixt-page.css">'
+has 'which is there' "$(cat betwixt-page.css)" 'betwixt-player'
+is 'no script or style of its own' "$(grep -cE '<style|style=|<script>' linked.html)" 0
+is 'in one that holds all, there is' "$(grep -c '<style>' ball.html)" 1
 sed -i '1s/Betwixt [^,]*/Betwixt 0.0.1/' betwixt-player.js
 check 'one of another version is replaced' 0 '' web ball.bx -o linked.html --link
 is 'by this one' "$(cmp player.js betwixt-player.js && echo same)" same
 echo 'my own work' >betwixt-player.js
-check 'another file is left alone' 2 'is no player of Betwixt' web ball.bx -o linked.html --link
+check 'another file is left alone' 2 "is not Betwixt's" web ball.bx -o linked.html --link
 is 'as it was' "$(cat betwixt-player.js)" 'my own work'
 rm betwixt-player.js && mkfifo betwixt-player.js
-check 'nothing waits for a pipe' 2 'is no player of Betwixt' web ball.bx -o linked.html --link
+check 'nothing waits for a pipe' 2 "is not Betwixt's" web ball.bx -o linked.html --link
 rm betwixt-player.js
+
+# A line names each loss, and there are no other lines.
+lost() { "$program" web "$1" -o lost.html 2>&1 | sed -n 's/^betwixt: notice: //p'; }
+is 'a film that loses nothing' "$(lost ball.bx)" ''
+ffmpeg -v error -f lavfi -i sine=duration=1 beep.wav
+cat >much.bx <<'BX'
+create ball sphere
+create eye camera position=(0 0 10) shutter=180deg f-stop=2 focus=9
+create one sound file="beep.wav"
+create two sound file="beep.wav" at=9f
+dial /fader/1 to ball.radius
+background transparent
+BX
+is 'one that loses much' "$(lost much.bx)" 'much.bx: the page has no motion blur: its pictures are sharp (shutter)
+much.bx: the page has no depth of field: all is in focus (f-stop)
+much.bx: the page makes no sound: one, two; loudness and onsets are 0 there
+much.bx: the page hears no live input: a dial (/fader/1)'
+is 'a shutter that opens once' "$(printf 'create eye camera position=(0 0 9)\neye.shutter\n  1f off\n  20f 180deg\n' >once.bx; lost once.bx)" \
+  'once.bx: the page has no motion blur: its pictures are sharp (shutter)'
 
 # What is refused.
 check 'no page' 2 'a page is a .html, not "ball.mp4"' web ball.bx -o ball.mp4

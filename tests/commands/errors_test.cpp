@@ -74,6 +74,7 @@ TEST(Errors, Words) {
            {"create b", "name 9", "a kind is missing here"},
            {"create b spere", "name 10 spere", "there is no kind 'spere'", "did you mean 'sphere'?"},
            {"create b sphere radios=1", "name 17 radios", "a sphere has no 'radios'", "did you mean 'radius'?"},
+           {"create b circle radios=1", "name 17 radios", "a circle has no 'radios'", "did you mean 'radius'?"},
            {"create b sphere radius", "syntax 17 radius", "'radius' needs a value"},
            {"create b sphere radius=", "syntax 24"},
            {"create b sphere radius=-1", "range 24 -1", "radius is at least 0"},

@@ -33,6 +33,13 @@ TEST(Objects, EveryKindHasItsParameters) {
   expect_numbers(s, {{"f.tube", "1f", {0.3}}, {"n.lens", "1f", {35}}, {"m.range", "1f", {20}}});
 }
 
+// One kind has two names, and messages use the usual one.
+TEST(Objects, ADiscIsACircle) {
+  const LoadedFilm s("create a circle radius=2\ncreate b disc radius=2\n");
+  for (const ObjectId id : objects(s.loaded.document)) EXPECT_EQ(name_of(kind(s.loaded.document, id)), "circle");
+  expect_numbers(s, {{"a.radius", "1f", {2}}, {"b.radius", "1f", {2}}});
+}
+
 // shows: G18
 TEST(Objects, RenameKeepsWhatSpeaksOfIt) {
   const LoadedFilm s(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How the player is used in TypeScript. A line behind "wrong:" must be refused.
-import { engine, BetwixtEditor, BetwixtPlayer, type Diagnostic } from "betwixt-player";
+import { engine, BetwixtEditor, BetwixtPlayer, type Diagnostic, type Value } from "betwixt-player";
 
 const player = document.createElement("betwixt-player");
 player.script = "create ball sphere\n";
@@ -16,7 +16,9 @@ player.addEventListener("diagnostics", (event) => {
 player.addEventListener("note", function (event) { console.log(this.currentTime, event.detail.text); });
 player.addEventListener("ended", () => player.load());
 const played: Promise<void> = player.play();
-const value: string = player.eval("ball.position", 1.5);
+const value: Value = player.eval("ball.position", 1.5);
+const [x, y]: number[] = player.eval<number[]>("ball.position");
+const words: string = player.film ? player.film.eval("ball.position", "24f", { text: true }) : "";
 const found: BetwixtPlayer | null = document.querySelector("betwixt-player");
 const editor: BetwixtEditor | null = document.querySelector("betwixt-editor");
 editor?.go(3, 2);
@@ -24,7 +26,7 @@ const frames: number = player.film ? player.film.lastFrame - player.film.firstFr
 const made = (await engine()).open("create ball sphere\n", { name: "ball.bx", files: player.files });
 if (made.ok) made.draw(new OffscreenCanvas(640, 360), made.start);
 const classic = new globalThis.Betwixt.Player();
-export { played, value, found, frames, classic };
+export { played, value, x, y, words, found, frames, classic };
 
 // wrong:
 player.paused = true;
@@ -32,5 +34,7 @@ player.paused = true;
 player.playbackRate = "fast";
 // wrong:
 player.eval();
+// wrong:
+const number: number = player.eval<string>("ball.radius");
 // wrong:
 player.addEventListener("note", (event) => event.detail.words);

@@ -37,7 +37,40 @@ class Values(unittest.TestCase):
         self.assertEqual(shown.dtype, np.dtype(bool))
         self.assertEqual(list(shown), [k < 9 for k in frames])
         self.assertEqual(film.eval("ball.geometry", [5, 6]), ["ball", "ball"])
-        self.assertEqual(len(film.eval("ball.position", [])), 0)
+
+    def test_of_no_time_there_is_an_array_as_wide_as_of_others(self):
+        film = betwixt.loads(LINE + "create way polyline points=((0 0 0) (1 2 3))\ncreate card rectangle size=(1 2)\n")
+        for name in ("position", "position.x", "color", "rotation", "world", "display", "radius", "geometry", "material",
+                     "attachment", "touching"):
+            some, none = film.eval(f"ball.{name}", [1, 2]), film.eval(f"ball.{name}", [])
+            self.assertIs(type(none), type(some), name)
+            if isinstance(some, np.ndarray):
+                self.assertEqual((none.shape, none.dtype), ((0, *some.shape[1:]), some.dtype), name)
+            else:
+                self.assertEqual(none, [], name)
+        for none in (range(0), (), np.array([]), np.array([], "timedelta64[s]"), iter([])):
+            self.assertEqual(film.eval("ball.position", none).shape, (0, 3))
+        self.assertEqual(film.eval("card.size", []).shape, (0, 2))
+        self.assertEqual(film.eval("way.points", []), [])
+        wrong = betwixt.loads("create ball sphere\nset ball.scale = \"nosuch(t)\"\n")
+        self.assertEqual(wrong.eval("ball.scale", []).shape, (0, 3))  # nobody is warned of code that was not asked
+        with self.assertRaises(betwixt.Error):
+            film.eval("bal.position", [])
+
+    def test_lengths_of_numpy_are_times(self):
+        film = betwixt.loads(LINE)
+        for length in (np.timedelta64(250, "ms"), np.timedelta64(250_000_000, "ns"), np.array(250, "timedelta64[ms]")):
+            self.assertEqual(film.time(length), 7)
+            self.assertEqual(film.seconds(length), 0.25)
+            np.testing.assert_allclose(film.eval("ball.position", length), (6, 3, -1.5), atol=1e-12)
+        many = np.arange(0, 1000, 250).astype("timedelta64[ms]")
+        np.testing.assert_allclose(film.eval("ball.position.x", many), (0, 6, 12, 18), atol=1e-12)
+        self.assertEqual(film.time(np.timedelta64(1, "m")), 24 * 60 + 1)
+        for wrong in (np.timedelta64(1, "M"), np.datetime64("2026-01-01")):  # months are of no length
+            with self.assertRaises(TypeError):
+                film.time(wrong)
+        with self.assertRaises(betwixt.Error):
+            film.time(np.timedelta64("NaT", "s"))
 
     def test_all_examples_say_what_the_program_says(self):
         for name in sorted(n for n in os.listdir(os.path.join(ROOT, "examples")) if n.endswith(".bx")):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the module says of its types: mypy takes it, and what the page docs/python.md does with it."""
 
+import ast
 import doctest
 import inspect
 import os
@@ -23,6 +24,73 @@ def mypy(*arguments):
     said = subprocess.run(["/usr/bin/mypy", "--strict", "--python-executable", "/usr/bin/python3", "--cache-dir",
                            os.devnull, *arguments], capture_output=True, text=True, cwd=os.path.dirname(PACKAGE))
     return said.stdout + said.stderr if said.returncode else ""
+
+
+def callables():
+    """All functions and methods of the module that are somebody's to call, by name: (what it is, the stub's class)."""
+    for name in betwixt.__all__:
+        what = getattr(betwixt, name)
+        if not inspect.isclass(what):
+            yield name, what, None
+        else:
+            for member in vars(what):
+                one = getattr(what, member)
+                if callable(one) and (not member.startswith("_") or member in ("__init__", "__len__", "__getitem__",
+                                                                               "__array__", "__repr__", "__str__",
+                                                                               "_repr_html_", "_repr_png_")):
+                    yield f"{name}.{member}", one, name
+
+
+def stubs():
+    """What the stub says of each function: names, kinds and defaults."""
+    with open(os.path.join(PACKAGE, "_core.pyi")) as text:
+        tree = ast.parse(text.read())
+    for part in tree.body:
+        for f in part.body if isinstance(part, ast.ClassDef) else [part]:
+            if isinstance(f, ast.FunctionDef) and not f.decorator_list:
+                plain = [a.arg for a in f.args.args]
+                defaults = dict(zip(reversed(plain), (ast.literal_eval(d) for d in reversed(f.args.defaults))))
+                only = {a.arg: ast.literal_eval(d) for a, d in zip(f.args.kwonlyargs, f.args.kw_defaults) if d}
+                owner = f"{part.name}." if isinstance(part, ast.ClassDef) else ""
+                yield owner + f.name, ([(p, False, defaults.get(p, inspect.Parameter.empty)) for p in plain]
+                                       + [(p, True, only.get(p, inspect.Parameter.empty)) for p in
+                                          (a.arg for a in f.args.kwonlyargs)])
+
+
+class Signatures(unittest.TestCase):
+    def test_everything_has_a_signature_and_says_what_it_does(self):
+        count = 0
+        for name, what, _ in callables():
+            with self.subTest(name=name):
+                inspect.signature(what)
+                self.assertRegex(inspect.getdoc(what) or "", r"^[^\n(]{8}", name)
+                self.assertNotIn("\n--\n", inspect.getdoc(what))
+                count += 1
+        self.assertGreater(count, 50)
+
+    def test_every_property_and_class_says_what_it_is(self):
+        for name in betwixt.__all__:
+            what = getattr(betwixt, name)
+            if inspect.isclass(what):
+                self.assertTrue(what.__doc__, name)
+                for member, one in vars(what).items():
+                    if isinstance(one, property):
+                        self.assertTrue(one.__doc__, f"{name}.{member}")
+
+    def test_signatures_are_those_of_the_stubs(self):
+        compared = 0
+        for name, wanted in stubs():
+            owner, _, member = name.rpartition(".")
+            what = getattr(getattr(_core, owner), member) if owner else getattr(_core, member)
+            found = [(p.name, p.kind is p.KEYWORD_ONLY, p.default) for p in inspect.signature(what).parameters.values()]
+            self.assertEqual(found, wanted, name)
+            compared += 1
+        self.assertGreater(compared, 30)
+
+    def test_a_film_is_called_as_its_class_says(self):
+        made = list(inspect.signature(betwixt.Film).parameters.values())
+        self.assertEqual(made, list(inspect.signature(betwixt.Film.__init__).parameters.values())[1:])
+        self.assertEqual(str(inspect.signature(betwixt.loads(" ").eval)), "(target, time)")
 
 
 class Types(unittest.TestCase):

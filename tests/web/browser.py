@@ -93,13 +93,13 @@ class Browser:
 
 
 class Page:
-    def __init__(self, browser, target, session, url, size=(1000, 700), dark=False, calm=False, ratio=1):
+    def __init__(self, browser, target, session, url, size=(1000, 700), dark=False, calm=False, ratio=1, touch=False):
         self.browser, self.target, self.session = browser, target, session
         self.said, self.loaded = [], False
         browser.pages[session] = self
         for domain in ("Page", "Runtime", "Log"):
             self.call(f"{domain}.enable")
-        self.show(size, dark, calm, ratio)
+        self.show(size, dark, calm, ratio, touch)
         self.go(url)
 
     def call(self, method, **what):
@@ -117,9 +117,10 @@ class Page:
         elif method == "Log.entryAdded":
             self.said.append(what["entry"]["text"])
 
-    def show(self, size=None, dark=None, calm=None, ratio=1):
+    def show(self, size=None, dark=None, calm=None, ratio=1, touch=False):  # touch: a phone
         if size:
-            self.call("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=ratio, mobile=False)
+            self.call("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=ratio, mobile=touch)
+            self.call("Emulation.setTouchEmulationEnabled", enabled=touch, maxTouchPoints=5)
         media = {"prefers-color-scheme": dark and "dark" or "light", "prefers-reduced-motion": calm and "reduce" or "no-preference"}
         self.call("Emulation.setEmulatedMedia", features=[{"name": n, "value": v} for n, v in media.items()])
 
@@ -179,10 +180,15 @@ class Page:
         self.browser.call("Target.closeTarget", targetId=self.target)
 
 
-# A folder as a server would serve it; the address comes with "as".
+# A folder as a server would serve it, with what it says of each file; the address comes with "as".
 class Served:
-    def __init__(self, folder):
-        handler = partial(type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *_: None}), directory=folder)
+    def __init__(self, folder, **headers):
+        def end_headers(handler):
+            for name, value in headers.items():
+                handler.send_header(name.replace("_", "-"), value)
+            SimpleHTTPRequestHandler.end_headers(handler)
+        quiet = type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *_: None, "end_headers": end_headers})
+        handler = partial(quiet, directory=folder)
         self.server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
 
     def __enter__(self):

@@ -19,6 +19,7 @@ if not os.path.exists(player):
 environment = {**os.environ, "BETWIXT_PLAYER": player}
 
 ball = "# ball.bx — a ball\nrate 24\nrange 1f 48f\nsize 320x180\nfilm flat\ncreate ball circle radius=3 color=red\nball.position\n  1f (0 0 0) linear\n  25f (4 0 0)\nat 13f note \"half way\"\n"
+others = "create eye camera position=(0 0 10)\ncreate word text text=\"grün\" display=off\ncreate way polyline points=((0 0 0) (1 2 3)) display=off\n"
 memory = """const real = WebAssembly.instantiate; WebAssembly.instantiate = async function (...all) {
     const made = await real.apply(this, all), e = (made.instance ?? made).exports;
     window.memories = [...(window.memories ?? []), Object.values(e).find((x) => x instanceof WebAssembly.Memory)]; return made; };
@@ -71,7 +72,11 @@ def typed(browser):
     page.do("p.currentTime = 1; await until(p, 'seeked');")
     check("which goes away", page.ask("pixel(p)") != [255, 0, 0], page.ask("pixel(p)"))
     same("the notes of the film", page.ask("p.film.notes"), [{"seconds": 0.5, "text": "half way"}])
-    same("a value is that of the program", page.ask("p.eval('ball.position', 0.3)"), run("eval", "ball.bx", "--at", "0.3s", "ball.position").stdout.split(maxsplit=1)[-1].strip())
+    all_values = "ball.position ball.position.x ball.radius ball.display ball.color ball.rotation ball.scale ball.world ball.attachment ball.geometry eye.shutter word.text way.points".split()
+    said = json.loads(run("eval", "ball.bx", "--at", "0.3s", *all_values, "--json").stdout)["times"][0]["values"]
+    same("values are those of the program", page.ask(f"{json.dumps(all_values)}.map((t) => p.eval(t, 0.3))"), [said[t] for t in all_values])
+    same("as it prints them", page.ask("p.film.eval('ball.position', 0.3, { text: true })"), run("eval", "ball.bx", "--at", "0.3s", "ball.position").stdout.split(maxsplit=1)[-1].strip())
+    check("several values are no value", "names 2 values" in page.ask("(() => { try { p.eval('{ball,eye}.position') } catch (e) { return e.message } })()"))
     page.do("p.currentTime = 0; t.focus(); const at = t.value.indexOf('red'); t.setSelectionRange(at, at + 3);")
     page.type("lime")
     check("typed, it is seen", page.until("pixel(p)[1] > 200 && pixel(p)[0] < 50"))
@@ -109,7 +114,36 @@ def code_errs(browser):
     check("what code does wrong is said where it stands", len(said) == 1 and said[0][:3] == ["error", 3, 19] and "nosuch" in said[0][3], said)
     shown = page.ask("e.shadowRoot.querySelector('.said').innerText")
     check("below the text too", "nosuch" in shown and "^" in shown, shown)
-    same("a value at a frame", page.ask("p.eval('c.radius', '24f')"), "0.5")
+    same("a value at a frame", page.ask("p.eval('c.radius', '24f')"), 0.5)
+    page.close()
+
+
+# The page shows through a transparent film. Its pixels are those of the program's picture, with opacity multiplied in.
+def clear(browser):
+    page = opened(browser, f"file://{folder}/clear.html", size=(1200, 800))
+    page.until("p.readyState === 4")
+    page.do("p.pause(); p.currentTime = 0; p.controls = false; document.body.style.background = 'rgb(0, 200, 0)'; await calm(); await calm();")
+    page.until("p.getVideoPlaybackQuality().totalVideoFrames > 0")
+    page.do("window.rgba = (x) => { const c = p.shadowRoot.querySelector('canvas'), d = document.createElement('canvas'); d.width = c.width, d.height = c.height;"
+            "const k = d.getContext('2d'); k.drawImage(c, 0, 0); return [...k.getImageData(c.width * x, c.height / 2, 1, 1).data]; };")
+    wanted = [0.5, 0.2, 0.95]
+    run("frame", "clear.bx", "--at", "1f", "-o", "clear.png", "--size", "640x360")
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", f"{folder}/clear.png", "-f", "rawvideo", "-pix_fmt", "rgba", "-"], capture_output=True).stdout
+    for x in wanted:
+        at = 4 * (180 * 640 + int(640 * x))
+        found, there = page.ask(f"rgba({x})"), list(raw[at:at + 4])
+        check(f"at {x} it is what the program draws", all(abs(a - b) <= 2 for a, b in zip(found, there)), (found, there))
+    same("of which one is whole, one glass, one nothing", [page.ask(f"rgba({x})[3]") // 64 for x in wanted], [3, 1, 0])
+    # On the screen: the page lies behind it.
+    page.picture(f"{folder}/screen.png")
+    x, y, w, h = page.ask("(() => { const r = p.getBoundingClientRect(); return [r.x, r.y, r.width, r.height] })()")
+    shot = subprocess.run(["ffmpeg", "-v", "error", "-i", f"{folder}/screen.png", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], capture_output=True).stdout
+    pixel = lambda s: list(shot[3 * (1200 * int(y + h / 2) + int(x + w * s)):][:3])
+    same("where there is nothing, the page is seen", pixel(0.95), [0, 200, 0])
+    red, over = raw[4 * (180 * 640 + 128)], raw[4 * (180 * 640 + 128) + 3] / 255
+    check("and through glass", abs(pixel(0.2)[1] - (1 - over) * 200 - over * raw[4 * (180 * 640 + 128) + 1]) <= 4, (pixel(0.2), red, over))
+    page.do("p.script = p.script.replace('background transparent', 'background blue'); await calm(); await calm();")
+    check("typed, there is something", page.until("rgba(0.95).join() === '0,0,255,255'"))
     page.close()
 
 
@@ -191,18 +225,21 @@ def package(browser):
         same("without a page it can be imported", said.stdout.strip(), "function")
 
 
-write("ball.bx", ball)
+write("ball.bx", ball + others)
+write("clear.bx", "size 640x360\nfilm flat\nbackground transparent\ncreate ball circle radius=1 color=red\n"
+      "create glass rectangle size=(3 3) position=(-4.5 0 0) color=red transparency=0.6\n")
 write("wants.bx", ball + 'create m mesh file="meshes/none.obj"\n')
 write("mesh.bx", 'size 320x180\ncreate m mesh file="meshes/one.obj" color=gold\n')
 write("meshes/one.obj", "v -1 0 0\nv 1 0 0\nv 0 1.5 0\nv 0 0 1\nf 1 2 3\nf 1 4 3\nf 4 2 3\n")
 web("ball.bx", "-o", "ball.html")
 write("code.bx", 'size 320x180\ncreate c cone radius=0.5\nset c.position = "vec(nosuch(t),0,0)"\n')
 web("code.bx", "-o", "code.html")
+web("clear.bx", "-o", "clear.html", "--no-edit", "--size", "640x360")
 with open(player, encoding="utf-8") as source:
     write("betwixt-player.js", source.read())
 write("empty.html", '<!DOCTYPE html><meta charset="utf-8"><body><script src="betwixt-player.js"></script><betwixt-player></betwixt-player>')
 with Browser() as browser, Served(folder) as served:
-    for part in (typed, code_errs, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
+    for part in (typed, code_errs, clear, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
         try:
             part(browser)
         except Exception as e:

@@ -30,7 +30,7 @@ asks = """<script>(async () => {
   try {
     if (p.readyState < 4) await until("canplaythrough");
     p.pause(); p.currentTime = 0; await until("seeked"); await drawn(); out.first = pixel();
-    p.currentTime = 1; await until("seeked"); out.second = pixel(); out.value = p.eval("ball.position", 0.5);
+    p.currentTime = 1; await until("seeked"); out.second = pixel(); out.value = p.film.eval("ball.position", 0.5, { text: true });
     p.playbackRate = -1; await p.play(); await until("timeupdate"); out.back = p.currentTime < 1; p.pause();
     p.playbackRate = 4; p.currentTime = 1.5; p.loop = false; p.play(); await until("ended"); out.ended = [p.ended, p.currentTime];
     p.script = "create ball\\n  wrong\\n"; out.wrong = p.message;

@@ -49,7 +49,7 @@ globalThis.Betwixt = {
     }
     eval(target, seconds) {
       if (target !== "ball.position") throw new Error(`there is no object '${target}'`);
-      return `${seconds} 0 0`;
+      return [seconds, 0, 0];
     }
     problems() { return []; }
     dispose() { this.gone || ++Betwixt.counts.disposed, (this.gone = true); }

@@ -23,7 +23,7 @@ def write(name, words):
 
 
 def web(*words):
-    player = write("player.js", "".join(read(p) for p in ("tests/web/mock_engine.js", "web/player.js", "web/editor.js")))
+    player = write("player.js", "".join(read(p) for p in ("tests/web/mock_engine.js", "web/dom.js", "web/player.js", "web/editor.js")))
     said = subprocess.run([program, "web", *words], capture_output=True, text=True, cwd=folder, env={**os.environ, "BETWIXT_PLAYER": player})
     if said.returncode != 0:
         sys.exit(said.stderr)
@@ -108,6 +108,12 @@ def looks(browser):
     (px, py, pw, ph), (tx, ty, tw, _) = page.do("await calm(); return [place(p), place(inside('.side'))]")
     check("narrow: it is below", ty >= py + ph and tx == px and pw == tw, (px, py, pw, ph, tx, ty, tw))
     same("nothing sticks out", page.ask("document.documentElement.scrollWidth <= innerWidth"), True)
+    page.close()
+    page = opened(browser, "ball.html", size=(390, 844), touch=True)
+    page.do("t.focus(); e.text += 'it is broken'; await calm();")
+    same("what a finger cannot hit", page.ask("[...e.shadowRoot.querySelectorAll('button')].map((b) => [b.textContent, b.getBoundingClientRect()])"
+         ".filter(([, r]) => r.width && (r.width < 44 || r.height < 44)).map(([n]) => n)"), [])
+    same("on a phone nothing sticks out", page.ask("document.documentElement.scrollWidth <= innerWidth"), True)
     page.close()
     page = opened(browser, "odd.html")
     same("a text with ends of scripts is as it was", page.ask("t.value"), odd)

@@ -9,7 +9,7 @@ from checks import check, done, same
 
 root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 read = lambda path: open(os.path.join(root, path)).read()
-scripts = f"<script>{read('tests/web/mock_engine.js')}</script><script>{read('web/player.js')}</script>"
+scripts = f"<script>{read('tests/web/mock_engine.js')}</script><script>{read('web/dom.js')}{read('web/player.js')}</script>"
 film = "# a ball goes its way\nrate 24\nrange 1f 72f\nsize 320x180\n"
 inline = lambda text=film: f'<script type="text/betwixt">\n{text}</script>'
 head = f"<!DOCTYPE html><meta charset=utf-8><style>body{{margin:0}}</style>"
@@ -58,6 +58,10 @@ scenarios = {
       m.currentTime = m.duration - 0.2; await until(m, "seeked"); await calm(); taken(m);
       await m.play(); await until(m, "ended"); await calm();
       return [m.ended, m.paused, m.currentTime === m.duration, plain(taken(m), "canplay", "canplaythrough")];""",
+    "seek to the end while it plays": """
+      m.currentTime = 0; await until(m, "seeked"); await m.play(); await calm(); taken(m);
+      m.currentTime = m.duration; await until(m, "ended"); await calm();
+      return [m.ended, m.paused, m.currentTime === m.duration, plain(taken(m), "canplay", "canplaythrough", "playing", "timeupdate")];""",
     "play again": """
       taken(m); await m.play(); await calm(); const far = m.currentTime; m.pause(); await calm();
       return [far > 0 && far < m.duration, m.ended, plain(taken(m), "canplay", "canplaythrough", "timeupdate", "playing")];""",
@@ -118,11 +122,11 @@ def time_of_films(browser, served):
         await calm(); return [p.currentTime, p.paused, p.ended, plain(taken(p))];"""), [0, False, False, ["timeupdate"]])
     same("and round again", page.do("""p.loop = true; p.currentTime = 0.05; await until(p, "seeked");
         await until(p, "seeked"); const t = p.currentTime; p.loop = false; p.pause(); p.playbackRate = 1; return t > 1;"""), True)
-    same("values at a time", page.ask("[p.eval('ball.position', 1), (p.currentTime = 2, p.eval('ball.position'))]"), ["1 0 0", "2 0 0"])
+    same("values at a time", page.ask("[p.eval('ball.position', 1), (p.currentTime = 2, p.eval('ball.position'))]"), [[1, 0, 0], [2, 0, 0]])
     same("unknown values", page.ask("(() => { try { return p.eval('nobody.color') } catch (e) { return e.message } })()"), "there is no object 'nobody.color'")
     # A film that begins later begins at 0 on the page.
     page.do("p.script = 'rate 12\\nrange 25f 48f\\nat 37f note \"the middle\"\\n'; p.currentTime = 0.75; await until(p, 'seeked');")
-    same("from its own beginning", page.ask("[p.duration, p.eval('ball.position', 0), p.eval('ball.position')]"), [2, "2 0 0", "2.75 0 0"])
+    same("from its own beginning", page.ask("[p.duration, p.eval('ball.position', 0), p.eval('ball.position')]"), [2, [2, 0, 0], [2.75, 0, 0]])
     same("notes", page.do("""const all = []; p.addEventListener("note", (e) => all.push([e.detail.text, e.detail.time]));
         p.playbackRate = 4; await p.play(); await until(p, "ended"); p.playbackRate = 1; return all;"""), [["the middle", 1]])
     check("the last frame is held", abs(page.ask("Betwixt.last_drawn") - 47 / 12) < 1e-12)
@@ -206,10 +210,47 @@ def hands(browser, served):
     x, y, w, h = page.ask("(() => { const r = p.shadowRoot.querySelector('input').getBoundingClientRect(); return [r.x, r.y, r.width, r.height] })()")
     page.click(x + w / 2, y + h / 2)
     same("the slider seeks", page.do("await calm(); return Math.abs(p.currentTime - 1.5) < 0.05"), True)
+    # While the slider is dragged the film waits under the thumb, without an event of a pause.
+    page.do("window.heard = []; for (const n of ['play', 'pause']) p.addEventListener(n, () => heard.push(n)); p.currentTime = 0; await p.play(); await calm(); heard.length = 0;")
+    page.mouse("mousePressed", x + w / 4, y + h / 2)
+    held = page.do("await calm(); const t = p.currentTime; await calm(); await calm(); return [t, p.currentTime, p.paused]")
+    check("dragged, it stands", held[0] == held[1] and abs(held[0] - 0.75) < 0.1 and not held[2], held)
+    page.mouse("mouseMoved", x + w / 2, y + h / 2)
+    moved = page.do("await calm(); const t = p.currentTime; await calm(); return [t, p.currentTime]")
+    check("where the thumb is", moved[0] == moved[1] and abs(moved[0] - 1.5) < 0.1, moved)
+    page.mouse("mouseReleased", x + w / 2, y + h / 2)
+    check("let go, it goes on", 1.5 < page.do("await calm(); await calm(); return p.currentTime") + 0.1 < 3)
+    same("and has played all the time", page.ask("[heard.filter((n) => n === 'pause').length, p.paused]"), [0, False])
+    page.do("p.pause(); await calm();")
+    page.mouse("mousePressed", x + w / 4, y + h / 2), page.mouse("mouseReleased", x + w / 4, y + h / 2)
+    same("one that is paused stays so", page.do("await calm(); const t = p.currentTime; await calm(); return [p.paused, t === p.currentTime]"), [True, True])
+    page.do("p.currentTime = 0; await p.play(); await calm();")
+    page.mouse("mousePressed", x + w / 2, y + h / 2), page.mouse("mouseMoved", x + w + 40, y + h / 2)
+    same("dragged to the end, it waits there", page.do("await calm(); return [p.currentTime === p.duration, p.paused]"), [True, False])
+    page.mouse("mouseReleased", x + w + 40, y + h / 2)
+    same("and ends", page.do("await calm(); return [p.ended, p.paused]"), [True, True])
     page.do("p.controls = false; p.currentTime = 0; await calm(); p.shadowRoot.querySelector('.stage').focus()")
     page.key("ArrowRight")
     page.click(320, 100)
     same("without controls nothing does", page.ask("[p.currentTime, p.paused]"), [0, True])
+    page.close()
+
+
+# What a finger has to hit is 44 pixels wide and high, and nothing sticks out, on the narrowest phone too.
+def fingers(browser, served):
+    for width, height in ((320, 568), (390, 844), (844, 390)):
+        page = browser.page(f"{served}/touched.html", size=(width, height), ratio=2, touch=True)
+        page.until("p.readyState === 4")
+        page.do(f"{helpers}; Object.assign(window, {{until, calm}}); await calm();")
+        small = page.ask("[...p.shadowRoot.querySelectorAll('.controls > :is(button, input, select)')].map((b) => [b.localName, b.getBoundingClientRect()])"
+                         ".filter(([, r]) => r.width && (r.width < 44 || r.height < 44)).map(([n, r]) => [n, r.width, r.height])")
+        same(f"{width} wide: what is too small", small, [])
+        check(f"{width} wide: there are buttons", page.ask("[...p.shadowRoot.querySelectorAll('.controls button')].filter((b) => b.getBoundingClientRect().width).length") >= 1)
+        same(f"{width} wide: nothing sticks out", page.ask("(() => { const c = p.shadowRoot.querySelector('.controls'); return [c.scrollWidth <= c.clientWidth, document.documentElement.scrollWidth <= innerWidth] })()"), [True, True])
+        page.close()
+    page = browser.page(f"{served}/touched.html", size=(640, 400))
+    page.until("p.readyState === 4")
+    check("a mouse needs less", page.ask("p.shadowRoot.querySelector('[data-do=toggle]').offsetHeight") < 40)
     page.close()
 
 
@@ -325,6 +366,7 @@ with tempfile.TemporaryDirectory() as folder:
     files = {
         "both.html": f"{head}{scripts}<video id=video width=320 muted></video><betwixt-player id=player width=320></betwixt-player>",
         "one.html": f"{head}{scripts}<betwixt-player id=p controls>{inline()}</betwixt-player>",
+        "touched.html": f"{head}<meta name=viewport content='width=device-width'>{scripts}<betwixt-player id=p controls>{inline()}</betwixt-player>",
         "later.html": head + scripts.replace("<script>", "<script type='text/later'>"),
         "moving.html": f"{head}{scripts}<betwixt-player id=p autoplay loop>{inline()}</betwixt-player>",
         "poster.html": f"{head}{scripts}<betwixt-player id=p poster=\"data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E\">{inline()}</betwixt-player>",
@@ -336,7 +378,7 @@ with tempfile.TemporaryDirectory() as folder:
         with open(f"{folder}/{name}", "w") as out:
             out.write(text)
     with Browser("--autoplay-policy=no-user-gesture-required") as browser, Served(folder) as served:
-        for part in (beside_a_video, time_of_films, texts_and_files, hands, pictures, what_goes_wrong, many, calmly, before_it_is_known):
+        for part in (beside_a_video, time_of_films, texts_and_files, hands, fingers, pictures, what_goes_wrong, many, calmly, before_it_is_known):
             try:
                 part(browser, served)
             except Exception as e:
