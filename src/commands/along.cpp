@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "betwixt/program.h"
 #include "commands/command.h"
@@ -182,20 +183,23 @@ bool set_along_line(Command& k, const Selected& to) {
 }
 
 // What goes along something that is about to go stays on the way, straight from event to event.
-void keep_ways(const Command& k, const std::vector<ObjectId>& leaving, std::string_view about) {
+void keep_ways(const Command& k, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
+               std::string_view about) {
   Scene& s = k.scene;
   const Scene before = s;
+  std::unordered_set<std::uint32_t> leaves;
+  for (const ObjectId id : leaving) leaves.insert(id.index);
   std::optional<Program> program;
   const auto kept = [&](std::uint32_t object, FunctionId f, const Value& v, Time t) -> std::optional<Value> {
     const Along* a = along(v);
-    if (!a || std::find(leaving.begin(), leaving.end(), a->road) == leaving.end()) return std::nullopt;
+    if (!a || !leaves.contains(a->road.index)) return std::nullopt;
     if (!program) program = Program::compile(Document(std::make_shared<const Scene>(before)));
     Asking asking;
     const auto place = program->compiled().along(object, f, a->road, a->share, t, asking);
     return place ? *place : spec_of(s, f).rest;
   };
-  for (std::uint32_t i = 0; i < before.objects.size(); ++i) {
-    if (before.objects[i].removed || std::find(leaving.begin(), leaving.end(), ObjectId{i}) != leaving.end()) continue;
+  for (const std::uint32_t i : speaking) {
+    if (before.objects[i].removed || leaves.contains(i)) continue;
     for (const Slot& slot : before.objects[i].slots) {
       if (slot.function != fn::position && slot.function != fn::rotation) continue;
       Target target{ObjectId{i}, slot.function};

@@ -140,7 +140,8 @@ inline bool goes_along(Cursor& c) { return c.peek() == 'a' && c.peek_word() == "
 bool along_line(Command&, const Selected& to, Time from, std::optional<Time> until);
 bool set_along_line(Command&, const Selected& to);
 // What goes along something that is about to go goes straight from then on.
-void keep_ways(const Command&, const std::vector<ObjectId>& leaving, std::string_view about);
+void keep_ways(const Command&, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
+               std::string_view about);
 
 // What reaches, by `set` and rows too, for what moves with it, in words.
 std::vector<std::string> hindered_reaches(const Scene&);
@@ -157,7 +158,8 @@ void say_lasting(const Command&, const Scene& before, const Selected& on, std::s
 // A copy that turned about the object itself turns about the one that it is copied to.
 Track centred(Track, const std::string& from, const std::string& to);
 // Motions about objects that are about to go keep the places.
-void keep_centres(const Command&, const std::vector<ObjectId>& leaving, std::string_view about);
+void keep_centres(const Command&, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
+                  std::string_view about);
 
 // A row of the display list that is open.
 bool list_row(Command&);

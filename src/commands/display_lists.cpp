@@ -44,7 +44,8 @@ void open(Command& k, std::string_view word) {
   sheet.from = time;
   for (const Time from : time ? std::vector{*time} : versions(s, word))
     sheet.versions.push_back({from, Sheet::at_end, {}, {}});
-  sheet.before = s.lists, sheet.later_before = s.later_lists;
+  // What is kept is copied by the next row: where nothing is shown, nobody goes back to it.
+  if (!s.main.empty()) sheet.before = s.lists, sheet.later_before = s.later_lists;
 }
 
 bool make(Command& k) {
@@ -57,8 +58,9 @@ bool make(Command& k) {
     return c.fail(ErrorCode::name, fmt::format("there is a display list '{}' already", name), word,
                   fmt::format("edit {} opens it again", name));
   if ((!known && !free_name(k, name, word)) || !finish(c)) return false;
-  const Cow<DisplayLists> before = s.lists;
-  const Cow<LaterLists> later_before = s.later_lists;
+  const bool shows = !s.main.empty();
+  const Cow<DisplayLists> before = shows ? s.lists : Cow<DisplayLists>();
+  const Cow<LaterLists> later_before = shows ? s.later_lists : Cow<LaterLists>();
   edit_list(s, name, list_time(k)) = {};
   open(k, word);
   script.sheet.before = before, script.sheet.later_before = later_before;

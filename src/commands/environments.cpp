@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "base/still_wanted.h"
 #include "commands/command.h"
 
 namespace betwixt {
@@ -32,7 +33,9 @@ bool add_to(Command& k, const std::vector<std::string>& names, const decltype(En
   auto& [s, c, time, layer, script] = k;
   c.ticks_read = true;
   const Scene before = s;
+  std::shared_ptr<const Environment> like;
   for (const std::string& name : names) {
+    StillWanted::ask();
     ObjectId id = s.names.find(name);
     if (!id) {
       Object object;
@@ -43,7 +46,7 @@ bool add_to(Command& k, const std::vector<std::string>& names, const decltype(En
     }
     Environment track = *s.objects[id.index].environment;
     const std::size_t known = track.problems().size();
-    const Status done = track.add({tick(k), s.environment_events++, what});
+    const Status done = track.add({tick(k), s.environment_events++, what}, like.get());
     if (!done) {
       s = before;
       return c.fail(done.error().code, fmt::format("'{}': {}", name, done.error().message), about, done.error().hint);
@@ -52,7 +55,8 @@ bool add_to(Command& k, const std::vector<std::string>& names, const decltype(En
     for (std::size_t i = known; i < problems.size(); ++i)
       script.note(problems[i].severity, fmt::format("'{}': {}", name, problems[i].what.message), about,
                   problems[i].what.hint);
-    s.objects.edit(id.index).environment = std::make_shared<const Environment>(std::move(track));
+    like = std::make_shared<const Environment>(std::move(track));
+    s.objects.edit(id.index).environment = like;
   }
   return true;
 }

@@ -137,14 +137,4 @@ void Following::apply(Object& o) const {
   });
 }
 
-std::vector<ObjectId> below(const Scene& s, const std::string& name, bool drawn) {
-  std::vector<ObjectId> all;
-  if (!s.names.ever_above(name)) return all;
-  const std::string above = name + "/";
-  for (std::uint32_t i = 0; i < s.objects.size(); ++i)
-    if (const Object& o = s.objects[i]; !o.removed && (drawn || !o.derived) && o.name.starts_with(above))
-      all.push_back({i});
-  return all;
-}
-
 }  // namespace betwixt

@@ -40,8 +40,4 @@ class Following {
   std::unordered_map<std::uint32_t, ObjectId> ids_;
 };
 
-// All that is named below an object (man/arm and man/arm/hand of man), in the order of creation. `drawn`: what display
-// lists draw too.
-std::vector<ObjectId> below(const Scene&, const std::string& name, bool drawn);
-
 }  // namespace betwixt

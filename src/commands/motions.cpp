@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <unordered_set>
 
 #include "betwixt/program.h"
 #include "commands/command.h"
@@ -139,16 +140,18 @@ Track centred(Track track, const std::string& from, const std::string& to) {
   return track;
 }
 
-void keep_centres(const Command& k, const std::vector<ObjectId>& leaving, std::string_view about) {
+void keep_centres(const Command& k, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
+                  std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   std::set<std::string_view> names;
-  for (const ObjectId id : leaving) names.insert(s.objects[id.index].name);
+  std::unordered_set<std::uint32_t> leaves;
+  for (const ObjectId id : leaving) names.insert(s.objects[id.index].name), leaves.insert(id.index);
   const auto stays = [&](const Motion& m) {
     return std::none_of(m.factors.begin(), m.factors.end(), [&](const Factor& f) { return names.contains(f.about); });
   };
   std::optional<Program> program;
-  for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
-    if (s.objects[i].removed || std::find(leaving.begin(), leaving.end(), ObjectId{i}) != leaving.end()) continue;
+  for (const std::uint32_t i : speaking) {
+    if (s.objects[i].removed || leaves.contains(i)) continue;
     const Slot* slot = s.objects[i].find(fn::motion);
     if (!slot) continue;
     bool all = true;

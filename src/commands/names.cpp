@@ -90,9 +90,11 @@ bool define(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view name;
   if (!new_name(c, name, "function's name", "/")) return false;
-  for (const KindRow& row : kinds())
-    if (find_function(s, row.kind, name))
-      return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
+  const auto called = [&](const FunctionSpec& spec) { return spec.name == name; };
+  const bool built_in = std::any_of(kinds().begin(), kinds().end(),
+                                    [&](const KindRow& row) { return find_built_in(row.kind, name).has_value(); });
+  if (built_in || std::any_of(s.defined->begin(), s.defined->end(), called))
+    return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
   if (name == "world" || name == "velocity")
     return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
   const std::string_view type = c.next_word();

@@ -92,7 +92,7 @@ bool create(Command& k) {
   if (kind_word == "like") {
     if (!values(k).object(original)) return false;
     object = s.objects[original.index];
-    parts = below(s, object.name, object.derived);
+    parts = script.below(s, object.name, object.derived);
   } else {
     const auto kind = find_kind(kind_word);
     if (kind == Kind::layer)
@@ -147,7 +147,7 @@ void take_along(Command& k, std::vector<ObjectId>& going, std::string_view about
   for (const ObjectId id : going) known.insert(id.index);
   std::string names;
   for (std::size_t i = 0; i < named; ++i)
-    for (const ObjectId part : below(s, s.objects[going[i].index].name, false)) {
+    for (const ObjectId part : script.below(s, s.objects[going[i].index].name, false)) {
       if (!known.insert(part.index).second) continue;
       if (going.size() < named + 5) names += fmt::format("{}{}", names.empty() ? "" : ", ", s.objects[part.index].name);
       going.push_back(part);
@@ -168,9 +168,10 @@ bool remove(Command& k) {
   std::vector<ObjectId> found;
   if (!objects(k, word, found) || !finish(c)) return false;
   take_along(k, found, word);
-  keep_centres(k, found, word);
-  keep_ways(k, found, word);
-  remove_objects(s, found);
+  const std::vector<std::uint32_t> speaking = script.speakers(s, found);
+  keep_centres(k, found, speaking, word);
+  keep_ways(k, found, speaking, word);
+  remove_objects(s, found, speaking);
   return true;
 }
 
@@ -180,14 +181,11 @@ struct Meant {
   std::vector<ObjectId> all;
 };
 std::vector<Meant> meant_by_patterns(const Scene& s, const std::vector<ObjectId>& of) {
-  std::vector<bool> wanted(s.objects.size());
-  for (const ObjectId id : of) wanted[id.index] = true;
   std::vector<Meant> out;
   for (const auto& [alias, elements] : *s.aliases)
     for (const std::string& e : elements) {
       if (!is_pattern(e)) continue;
-      std::vector<ObjectId> all = select(s, e);
-      std::erase_if(all, [&](ObjectId id) { return !wanted[id.index]; });
+      std::vector<ObjectId> all = select(s, e, of);
       if (!all.empty()) out.push_back({alias, e, std::move(all)});
     }
   return out;
@@ -200,10 +198,11 @@ void rename_in_aliases(Scene& s, const Following& names, const std::vector<Meant
       if (!is_pattern(elements[i]))
         if (std::string now = names.name(elements[i]); now != elements[i]) s.aliases.edit()[alias][i] = std::move(now);
   for (const Meant& m : meant) {
-    const std::vector<ObjectId> now = select(s, m.alias);
+    std::vector<bool> named(s.objects.size());
+    for (const ObjectId id : select(s, m.alias)) named[id.index] = true;
     std::vector<std::string> lost;
     for (const ObjectId id : m.all)
-      if (std::find(now.begin(), now.end(), id) == now.end()) lost.push_back(s.objects[id.index].name);
+      if (!named[id.index]) lost.push_back(s.objects[id.index].name);
     if (lost.empty()) continue;
     auto& elements = s.aliases.edit()[m.alias];
     elements.insert(std::find(elements.begin(), elements.end(), m.pattern) + 1, lost.begin(), lost.end());
@@ -211,13 +210,13 @@ void rename_in_aliases(Scene& s, const Following& names, const std::vector<Meant
 }
 
 // Whatever speaks of them by name, code and lists of environments too.
-void rename_in_values(Scene& s, const Following& names) {
+void rename_in_values(Scene& s, const Following& names, const std::vector<std::uint32_t>& speaking) {
   for (std::size_t i = 0; i < s.procedures->size(); ++i)
     if (auto code = names.code((*s.procedures)[i].role, (*s.procedures)[i].code))
       s.procedures.edit()[i].code = std::move(code);
   for (std::size_t i = 0; i < s.defined->size(); ++i)
     if (auto now = names.value((*s.defined)[i].rest)) s.defined.edit()[i].rest = *std::move(now);
-  for (std::size_t i = 0; i < s.objects.size(); ++i)
+  for (const std::uint32_t i : speaking)
     if (names.concerns(s.objects[i])) names.apply(s.objects.edit(i));
 }
 
@@ -226,19 +225,20 @@ bool rename_whole(Command& k, ObjectId id, const std::string& name, std::string_
   auto& [s, c, time, layer, script] = k;
   const std::string old = s.objects[id.index].name;
   const Following names(old, name);
-  std::vector<ObjectId> all = below(s, old, false);
+  std::vector<ObjectId> all = script.below(s, old, false);
   for (const ObjectId part : all)
     if (!free_name(k, names.name(s.objects[part.index].name), about)) return false;
   all.insert(all.begin(), id);
   if (all.size() > 1) script.touched = all.size();
   const std::vector<Meant> meant = meant_by_patterns(s, all);
+  const std::vector<std::uint32_t> speaking = script.speakers(s, {id});
   for (const ObjectId one : all) s.names.erase(s.objects[one.index].name);
   for (const ObjectId one : all) {
     std::string& its = s.objects.edit(one.index).name;
     its = names.name(its);
     s.names.put(its, one);
   }
-  rename_in_values(s, names);
+  rename_in_values(s, names, speaking);
   for (const ObjectId one : all)
     if (const Object& o = s.objects[one.index]; o.environment)
       rename_environment(s, old + o.name.substr(name.size()), o.name);

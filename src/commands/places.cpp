@@ -3,7 +3,7 @@
 //
 // Patterns take the place of loops: a command whose formulas speak of i, the place among what its pattern names, is
 // carried out once for each.
-#include <algorithm>
+#include <unordered_map>
 
 #include "base/names.h"
 #include "base/still_wanted.h"
@@ -61,12 +61,17 @@ std::vector<PatternPlace> places(const std::vector<std::string>& names, std::str
   std::vector<std::string> all;
   if (!sizes.empty())
     if (auto expanded = expand_braces(pattern)) all = *std::move(expanded);
+  std::unordered_map<std::string_view, std::size_t> place;  // of each name, its first
+  if (names.size() != all.size())
+    for (std::size_t k = 0; k < all.size(); ++k) place.emplace(all[k], k);
   for (std::size_t k = 0; k < names.size(); ++k) {
     out[k].i = k + 1, out[k].n = names.size();
-    std::size_t at = names.size() == all.size()
-                         ? k
-                         : static_cast<std::size_t>(std::find(all.begin(), all.end(), names[k]) - all.begin());
-    if (at >= all.size()) continue;
+    std::size_t at = k;
+    if (names.size() != all.size()) {
+      const auto found = place.find(names[k]);
+      if (found == place.end()) continue;
+      at = found->second;
+    }
     for (std::size_t r = sizes.size(); r-- > 0; at /= sizes[r])
       if (r < out[k].ranges.size()) out[k].ranges[r] = at % sizes[r] + 1;
   }
@@ -136,7 +141,7 @@ bool in_places(Command& k, const Selected& of, const std::function<bool(const Se
   std::vector<std::string> names;
   for (const Target& t : of.targets) {
     if (each.empty() || each.back().targets[0].object != t.object) {
-      each.push_back(of), each.back().targets.clear();
+      each.push_back({{}, of.spec, of.component, of.text, of.velocity});
       names.push_back(k.scene.objects[t.object.index].name);
     }
     each.back().targets.push_back(t);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/how_far.h"
 #include "base/names.h"
 #include "base/still_wanted.h"
 #include "commands/list_rows.h"
@@ -159,8 +160,11 @@ void say_touched(Script& script, const char* line_start) {
 void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
+  const bool author = script.open_files.size() < 2;  // what a script uses is a part of one line
+  const std::size_t size = script.source.text.size();
   while (c.at < c.end && !script.given_up) {
     StillWanted::ask();
+    if (author) HowFar::tell(size - static_cast<std::size_t>(c.end - c.at), size);
     const char* line_start = c.at;
     const char* p = c.at;
     while (p < c.end && blank(*p)) ++p;

@@ -73,6 +73,30 @@ void Script::report(Severity severity, Error error, std::string_view about) {
   diagnostics.push_back(source.diagnose(severity, std::move(error), about));
 }
 
+const Mentions* Script::mentions(const Scene& s) {
+  constexpr std::size_t few = 4;
+  if (live || ++asked_ <= few) return nullptr;
+  mentions_.follow(s);
+  return &mentions_;
+}
+
+std::vector<std::uint32_t> Script::speakers(const Scene& s, const std::vector<ObjectId>& of) {
+  const Mentions* known = mentions(s);
+  return known ? known->of(s, of) : all_of(s.objects);
+}
+
+std::vector<ObjectId> Script::below(const Scene& s, const std::string& name, bool drawn) {
+  if (!s.names.ever_above(name)) return {};
+  const Mentions* known = mentions(s);
+  const std::string above = name + "/";
+  std::vector<ObjectId> all;
+  for (const std::uint32_t i : known ? known->below(name) : all_of(s.objects))
+    if (i < s.objects.size())
+      if (const Object& o = s.objects[i]; !o.removed && (drawn || !o.derived) && o.name.starts_with(above))
+        all.push_back({i});
+  return all;
+}
+
 void Script::names_nothing(std::string_view pattern) {
   const auto braces =
       live || failed.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(pattern);

@@ -18,6 +18,7 @@
 #include "betwixt/language.h"
 #include "language/lines.h"
 #include "scene/document.h"
+#include "scene/mentions.h"
 
 namespace betwixt {
 
@@ -161,6 +162,11 @@ struct Script : SoFar {
   // Names that lines would have made which were refused: what lines below lack then is said once.
   std::set<std::string, std::less<>> failed;
 
+  // Who may speak of these, and all that is named below an object (man/arm and man/arm/hand of man; `drawn`: what
+  // display lists draw too), in the order of creation.
+  std::vector<std::uint32_t> speakers(const Scene&, const std::vector<ObjectId>&);
+  std::vector<ObjectId> below(const Scene&, const std::string& name, bool drawn);
+
   int errors = 0;
   bool given_up = false;  // there are so many that the rest is not said
 
@@ -175,6 +181,12 @@ struct Script : SoFar {
   bool may_read(const std::filesystem::path&) const;
   // The path as people know it: relative to the first script's folder.
   std::string shown(const std::filesystem::path&) const;
+
+ private:
+  // Looking at all objects costs less for the first few lines that ask, and for those that come one by one.
+  const Mentions* mentions(const Scene&);
+  Mentions mentions_;
+  std::size_t asked_ = 0;
 };
 
 // The rows of a display list are over: what shows it must show it as it is now.

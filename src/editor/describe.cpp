@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <unordered_map>
 
 #include "base/names.h"
 #include "betwixt/environment.h"
@@ -28,12 +30,13 @@ std::size_t events_of(const Object& o) {
     if (!s.layer) n += events_of(s);
   return n;
 }
-// What a layer holds of an object.
-std::size_t events_of(const Object& o, ObjectId layer) {
-  std::size_t n = 0;
-  for (const Slot& s : o.slots)
-    if (s.layer == layer) n += events_of(s);
-  return n;
+// How many events each layer holds, by its number.
+std::unordered_map<std::uint32_t, std::size_t> events_of_layers(const Scene& s) {
+  std::unordered_map<std::uint32_t, std::size_t> all;
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    for (const Slot& slot : s.objects[i].slots)
+      if (slot.layer) all[slot.layer.index] += events_of(slot);
+  return all;
 }
 
 Error no_object(const Document& d, const std::string& word) {
@@ -96,32 +99,63 @@ std::string in_brief(const Document& d, const Object& o, FunctionId f) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
+// Who is about an object, found once for all that are described: by the number of an environment or a layer.
+using Lists = std::unordered_map<std::uint32_t, std::string>;
+struct About {
+  const Document& d;
+  const Program program = Program::compile(d);
+  const Time first = d.range().first;
+  std::optional<Lists> moved = {}, driven = {}, laid = {};
+
+  // The names of those that are in an environment.
+  const std::string& of(std::optional<Lists>& lists,
+                        std::vector<EnvironmentSpan> (*spans_of)(const Document&, ObjectId), ObjectId environment) {
+    if (!lists) {
+      lists.emplace();
+      for (const std::string& name : d.names()) {
+        std::set<std::uint32_t> all;
+        for (const EnvironmentSpan& span : spans_of(d, d.find(name)))
+          for (const ObjectId id : span.environments) all.insert(id.index);
+        for (const std::uint32_t id : all) (*lists)[id] += " " + name;
+      }
+    }
+    return (*lists)[environment.index];
+  }
+  // What a layer lays over objects, a line each.
+  const std::string& on(ObjectId layer) {
+    if (!laid) {
+      laid.emplace();
+      for (std::uint32_t i = 0; i < d.scene().objects.size(); ++i)
+        for (const Slot& slot : d.scene().objects[i].slots)
+          if (slot.layer)
+            (*laid)[slot.layer.index] +=
+                fmt::format("  on {:13} {}\n", d.name(Target{{i}, slot.function}), counted(events_of(slot), "event"));
+    }
+    return (*laid)[layer.index];
+  }
+};
+
 // What was said to an environment, and what is in it.
-std::string environment_lines(const Document& d, ObjectId id) {
+std::string environment_lines(About& about, ObjectId id) {
+  const Document& d = about.d;
   std::string said;
   const Object& o = d.scene().objects[id.index];
   const std::string all = write_environment(o.name, *o.environment);
   for (std::string_view rest = all; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1))
     said += fmt::format("  {}\n", rest.substr(0, rest.find('\n')));
-  const auto list = [&](const char* verb, std::vector<EnvironmentSpan> (*of)(const Document&, ObjectId)) {
-    std::string names;
-    for (const std::string& name : d.names()) {
-      const auto spans = of(d, d.find(name));
-      const auto has = [&](const EnvironmentSpan& s) {
-        return std::ranges::find(s.environments, id) != s.environments.end();
-      };
-      if (std::ranges::any_of(spans, has)) names += " " + name;
-    }
+  const auto list = [&](const char* verb, const std::string& names) {
     if (!names.empty()) said += fmt::format("  {}{}\n", verb, names);
   };
-  list("moves", surrounding), list("drives", driving);
+  list("moves", about.of(about.moved, surrounding, id)), list("drives", about.of(about.driven, driving, id));
   return said;
 }
 
-std::string object_lines(const Document& d, ObjectId id, const Program& program) {
+std::string object_lines(About& about, ObjectId id) {
+  const Document& d = about.d;
+  const Program& program = about.program;
+  const Time first = about.first;
   const Object& o = d.scene().objects[id.index];
   std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind)) + attachment_lines(d, o);
-  const Time first = d.range().first;
   std::vector<std::string_view> at_rest;
   for (const std::string_view name : function_names(d.scene(), o.kind)) {
     const auto f = find_function(d.scene(), o.kind, name);
@@ -137,14 +171,9 @@ std::string object_lines(const Document& d, ObjectId id, const Program& program)
     if (!brief.empty()) said += fmt::format(" at {}; {}", format_time(first, d), brief);
     said += "\n";
   }
-  if (o.kind == Kind::environment) said += environment_lines(d, id);
+  if (o.kind == Kind::environment) said += environment_lines(about, id);
   if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
-  if (o.kind == Kind::layer)
-    for (std::size_t i = 0; i < d.scene().objects.size(); ++i)
-      for (const Slot& slot : d.scene().objects[i].slots)
-        if (slot.layer == id)
-          said += fmt::format("  on {:13} {}\n", d.name(Target{{static_cast<std::uint32_t>(i)}, slot.function}),
-                              counted(events_of(slot), "event"));
+  if (o.kind == Kind::layer) said += about.on(id);
   return said;
 }
 
@@ -215,11 +244,11 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
                         counted(list_at(d.scene(), name, from[0])->commands.size(), "row"),
                         from.size() > 1 ? fmt::format(", {}", counted(from.size(), "version")) : "");
   }
+  const auto laid = events_of_layers(d.scene());
   for (ObjectId id : ids) {
     const Object& o = d.scene().objects[id.index];
     std::size_t events = events_of(o);
-    if (o.kind == Kind::layer)
-      for (std::size_t i = 0; i < d.scene().objects.size(); ++i) events += events_of(d.scene().objects[i], id);
+    if (const auto on = laid.find(id.index); on != laid.end()) events += on->second;
     said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, name_of(o.kind), counted(events, "event"));
   }
   return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said;
@@ -245,9 +274,9 @@ Result<std::string> describe(const Document& d, const std::string& word) {
     }
     return said;
   }
-  const Program program = Program::compile(d);
+  About about{d};
   std::string said;
-  for (ObjectId id : ids) said += object_lines(d, id, program);
+  for (ObjectId id : ids) said += object_lines(about, id);
   return said;
 }
 

@@ -26,9 +26,20 @@ struct NodeCompiler {
       for (const Generation& g : e.all) made.changes.back().sites.push_back(site(g.environment.index, g.number));
     }
     if (made.changes.empty()) return -1;
+    std::size_t hash = made.changes.size();
+    for (const Siting::Change& c : made.changes) {
+      hash = hash * 31 + std::hash<std::int64_t>{}(c.from.flicks);
+      for (const Site& s : c.sites) hash = hash * 31 + s.member;
+    }
+    const auto [first, last] = siting_index.equal_range(hash);
+    for (auto at = first; at != last; ++at)
+      if (compiled.sitings[static_cast<std::size_t>(at->second)].changes == made.changes) return at->second;
+    const auto number = static_cast<std::int32_t>(compiled.sitings.size());
+    siting_index.emplace(hash, number);
     compiled.sitings.push_back(std::move(made));
-    return static_cast<std::int32_t>(compiled.sitings.size()) - 1;
+    return number;
   }
+  std::unordered_multimap<std::size_t, std::int32_t> siting_index{};  // equal ones have one number
   Site site(std::uint32_t object, int generation) {
     const auto [at, fresh] =
         environment_index.emplace(object, static_cast<std::uint32_t>(compiled.environments.size()));

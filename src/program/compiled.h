@@ -248,8 +248,9 @@ struct Drawable {
 
 // What of an object depends on a value.
 namespace affects {
-enum : std::uint8_t { place = 1, look = 2, form = 4, aim = 8, other = 16, all = 31 };
-}
+// `around`: the product of the environments that a node is in.
+enum : std::uint8_t { place = 1, look = 2, form = 4, aim = 8, other = 16, around = 32, all = 63 };
+}  // namespace affects
 
 // When what changes: from one time to another only those sources need be asked that go on changing at the first, or
 // begin to on the way.
@@ -285,11 +286,13 @@ struct Site {
   std::uint32_t environment = 0;
   int generation = 0;
   std::uint32_t member = 0;  // of Compiled::many
+  friend bool operator==(const Site&, const Site&) = default;
 };
 struct Siting {
   struct Change {
     Time from;
     std::vector<Site> sites;
+    friend bool operator==(const Change&, const Change&) = default;
   };
   std::vector<Change> changes;  // by time; the first one counts before it too
 };

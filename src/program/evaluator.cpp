@@ -30,6 +30,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled)
       by_code_(compiled.held_by_code.size()),
       parent_(compiled.nodes.size(), -1),
       products_(compiled.sitings.size()),
+      turned_(compiled.sitings.size()),
       owns_(compiled.spans.empty() && !compiled.looks ? 0 : compiled.nodes.size()),
       worlds_(compiled.nodes.size()),
       turns_(compiled.turning ? compiled.nodes.size() : 0),
@@ -184,14 +185,17 @@ void Evaluator::environments(bool own_set) {
     }
     if (many_->tick() != tick) many_->advance(tick);
   }
-  for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i)
-    for (const std::int32_t siting : {compiled_.nodes[i].around, compiled_.nodes[i].drive}) {
-      if (siting < 0) continue;
-      const Mat4 m = compiled_.product(siting, now_, many_ ? &*many_ : nullptr);
-      if (!fresh_ && same_bits(m, products_[static_cast<std::size_t>(siting)])) continue;
-      products_[static_cast<std::size_t>(siting)] = m;
-      marks_.add(i, affects::place);
-    }
+  // Many may be in the same: what these come to is worked out once.
+  for (std::size_t i = 0; i < products_.size(); ++i) {
+    const Mat4 m = compiled_.product(static_cast<std::int32_t>(i), now_, many_ ? &*many_ : nullptr);
+    turned_[i] = fresh_ || !same_bits(m, products_[i]);
+    products_[i] = m;
+  }
+  for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i) {
+    const Node& n = compiled_.nodes[i];
+    if (n.around >= 0 && turned_[static_cast<std::size_t>(n.around)]) marks_.add(i, affects::around);
+    if (n.drive >= 0 && turned_[static_cast<std::size_t>(n.drive)]) marks_.add(i, affects::place);
+  }
 }
 
 void Evaluator::stay() {

@@ -136,6 +136,7 @@ class Evaluator {
   std::int64_t tick_ = INT64_MIN;
   std::optional<EnvironmentSet> many_;
   std::vector<Mat4> products_;           // by siting
+  std::vector<char> turned_;             // … whether that is another than before
   std::vector<Own> owns_;                // by node, where any is held: before it is
   std::vector<Mat4> worlds_;             // by node, without what encloses them
   std::vector<Quat> turns_;              // by node, where any wants to know

@@ -131,7 +131,11 @@ void Evaluator::place_marked(Asking& asking) {
   dirty_places_.clear();
   for (auto& alike : alike_) alike.clear();
   for (const std::uint32_t node : marks_.all()) {
-    if (!(marks_[node] & affects::place) || (only_ && !only_->places[node])) continue;
+    if (!(marks_[node] & (affects::place | affects::around)) || (only_ && !only_->places[node])) continue;
+    if (!(marks_[node] & affects::place)) {  // it stands where it stood, in what has turned
+      dirty_places_.push_back(at_[node]);
+      continue;
+    }
     if (const Node& n = compiled_.nodes[node]; n.transform || n.drive >= 0 || n.moving >= 0)
       settle(node, own_of(node, asking));
     else
@@ -198,7 +202,7 @@ void Evaluator::places(Asking& asking) {
   place_marked(asking);
   const auto marked = marks_.all();
   const bool turning = !eyes_.empty() && std::any_of(marked.begin(), marked.end(), [&](std::uint32_t node) {
-    return marks_[node] & (affects::aim | affects::place);
+    return marks_[node] & (affects::aim | affects::place | affects::around);
   });
   if (dirty_places_.empty() && !turning) return;
   // What looks at something, and hangs on that, is worked out twice: what it was before this time is kept aside.
@@ -211,7 +215,8 @@ void Evaluator::places(Asking& asking) {
       if (compiled_.draws(d) && !flags_[d]) before.emplace_back(d, worlds()[d]);
     });
   }
-  std::sort(dirty_places_.begin(), dirty_places_.end());
+  if (!std::is_sorted(dirty_places_.begin(), dirty_places_.end()))
+    std::sort(dirty_places_.begin(), dirty_places_.end());
   std::uint32_t done = 0;
   for (const std::uint32_t at : dirty_places_) {
     if (at < done) continue;

@@ -34,48 +34,18 @@ Slot& Object::slot(FunctionId f, ObjectId layer) {
 }
 
 std::size_t Objects::add(Object object) {
-  if (size_ % chunk == 0) chunks_.emplace_back();
-  chunks_.back().edit().emplace_back(std::move(object));
+  if (size_ % shelf == 0) shelves_.emplace_back();
+  Shelf& last = shelves_.back().edit();
+  if (size_ % chunk == 0) last.emplace_back();
+  last.back().edit().emplace_back(std::move(object));
   return size_++;
 }
 
-ObjectId NameIndex::find(std::string_view name) const {
-  const Shard& s = *shards_[Hash{}(name) % shards_.size()];
-  const auto at = s.find(name);
-  return at == s.end() ? ObjectId{} : at->second;
-}
-
-void NameIndex::put(const std::string& name, ObjectId id) {
-  shard(name).edit()[name] = id;
-  std::string above = name;
-  for (auto slash = above.rfind('/'); slash != std::string::npos; slash = above.rfind('/')) {
-    above.resize(slash);
-    if (ever_above(above)) return;
-    above += '/';
-    shard(above).edit()[above] = {};
-    above.resize(slash);
-  }
-}
-
-bool NameIndex::ever_above(std::string_view name) const {
-  const std::string above = std::string(name) + '/';
-  return shards_[Hash{}(above) % shards_.size()]->contains(above);
-}
-
-std::size_t NameIndex::bytes_apart(const NameIndex& other) const {
-  constexpr std::size_t node = sizeof(Shard::value_type) + sizeof(void*) + sizeof(std::size_t);
-  std::size_t sum = 0;
-  for (std::size_t i = 0; i < shards_.size(); ++i)
-    if (const Cow<Shard>& s = shards_[i]; s && !s.same(other.shards_[i]))
-      sum += shared_bytes<Shard> + s->bucket_count() * sizeof(void*) + s->size() * node;
-  return sum;
-}
-
 std::size_t Objects::bytes_apart(const Objects& other) const {
-  std::size_t sum = chunks_.size() * sizeof(chunks_[0]);
-  for (std::size_t c = 0; c < chunks_.size(); ++c)
-    if (c >= other.chunks_.size() || !chunks_[c].same(other.chunks_[c]))
-      sum += shared_bytes<std::vector<Cow<Object>>> + chunks_[c]->size() * sizeof(Cow<Object>);
+  std::size_t sum = shelves_.size() * sizeof(shelves_[0]);
+  each_chunk_apart(other, [&](std::size_t, const Chunk& mine, const Chunk*) {
+    sum += sizeof(Cow<Chunk>) + shared_bytes<Chunk> + mine.size() * sizeof(Cow<Object>);
+  });
   return sum;
 }
 
@@ -101,22 +71,39 @@ std::vector<std::string_view> function_names(const Scene& s, Kind kind) {
 
 namespace {
 
+// Of what each_object tells of, what matches a word without braces, in the order of names.
+template <class Each>
+void add_matching(const Scene& s, std::string_view word, const Each& each_object, std::vector<ObjectId>& out) {
+  const auto first = static_cast<std::ptrdiff_t>(out.size());
+  each_object([&](ObjectId id) {
+    if (!s.objects[id.index].removed && matches(word, s.objects[id.index].name)) out.push_back(id);
+  });
+  std::sort(out.begin() + first, out.end(),
+            [&](ObjectId a, ObjectId b) { return natural_less(s.objects[a.index].name, s.objects[b.index].name); });
+}
+
 // What a word that is no alias names.
 void select_plain(const Scene& s, std::string_view word, std::vector<ObjectId>& out) {
   const auto words = expand_braces(word);
   if (!words) return;
-  for (const auto& w : *words) {
-    if (!is_pattern(w)) {
-      if (const auto id = s.names.find(w)) out.push_back(id);
-      continue;
-    }
-    std::vector<ObjectId> found;
-    for (std::size_t i = 0; i < s.objects.size(); ++i)
-      if (!s.objects[i].removed && matches(w, s.objects[i].name)) found.push_back({static_cast<std::uint32_t>(i)});
-    std::sort(found.begin(), found.end(),
-              [&](ObjectId a, ObjectId b) { return natural_less(s.objects[a.index].name, s.objects[b.index].name); });
-    out.insert(out.end(), found.begin(), found.end());
-  }
+  const auto all = [&](const auto& f) {
+    for (std::uint32_t i = 0; i < s.objects.size(); ++i) f(ObjectId{i});
+  };
+  for (const auto& w : *words)
+    if (is_pattern(w))
+      add_matching(s, w, all, out);
+    else if (const auto id = s.names.find(w))
+      out.push_back(id);
+}
+
+// Named twice, meant once.
+std::vector<ObjectId> once_each(const Scene& s, const std::vector<ObjectId>& all) {
+  if (all.size() < 2) return all;
+  std::vector<ObjectId> once;
+  std::vector<bool> seen(s.objects.size());
+  for (ObjectId id : all)
+    if (!seen[id.index]) seen[id.index] = true, once.push_back(id);
+  return once;
 }
 
 }  // namespace
@@ -148,12 +135,16 @@ std::vector<ObjectId> select(const Scene& s, std::string_view word) {
       if (const auto id = s.names.find(step.word)) out.push_back(id);
     }
   }
-  // Named twice, meant once.
-  std::vector<ObjectId> once;
-  std::vector<bool> seen(s.objects.size());
-  for (ObjectId id : out)
-    if (!seen[id.index]) seen[id.index] = true, once.push_back(id);
-  return once;
+  return once_each(s, out);
+}
+
+std::vector<ObjectId> select(const Scene& s, std::string_view pattern, const std::vector<ObjectId>& some) {
+  const auto words = expand_braces(pattern);
+  if (!words) return {};
+  const auto these = [&](const auto& f) { std::for_each(some.begin(), some.end(), f); };
+  std::vector<ObjectId> out;
+  for (const std::string& w : *words) add_matching(s, w, these, out);
+  return once_each(s, out);
 }
 
 std::vector<AttachmentSpan> attachments(const Object& o) {
@@ -267,7 +258,7 @@ ObjectId add_object(Scene& s, Object object) {
   return id;
 }
 
-void remove_objects(Scene& s, const std::vector<ObjectId>& ids) {
+void remove_objects(Scene& s, const std::vector<ObjectId>& ids, const std::vector<std::uint32_t>& speaking) {
   for (ObjectId id : ids) {
     if (s.objects[id.index].removed) continue;  // named twice
     s.names.erase(s.objects[id.index].name);
@@ -280,7 +271,7 @@ void remove_objects(Scene& s, const std::vector<ObjectId>& ids) {
     const auto* a = std::get_if<Attachment>(&v);
     return a && is_gone(a->parent);
   };
-  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+  for (const std::uint32_t i : speaking) {
     const Object& o = s.objects[i];
     if (std::any_of(o.slots.begin(), o.slots.end(), [&](const Slot& x) { return is_gone(x.layer); }))
       std::erase_if(s.objects.edit(i).slots, [&](const Slot& x) { return is_gone(x.layer); });

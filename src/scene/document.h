@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <unordered_map>
 
 #include "base/cow.h"
 #include "betwixt/document.h"
@@ -18,6 +17,7 @@
 #include "scene/environment.h"
 #include "scene/functions.h"
 #include "scene/kinds.h"
+#include "scene/name_index.h"
 #include "scene/outline.h"
 #include "scene/quantity.h"
 #include "track/filter.h"
@@ -53,63 +53,49 @@ struct Object {
   Slot& slot(FunctionId f, ObjectId layer = {});  // made where there is none
 };
 
-// Objects by number, in shared chunks.
+// Objects by number, in a tree that copies share: an edit copies the way to one object, however many there are.
 class Objects {
  public:
   std::size_t size() const { return size_; }
-  const Object& operator[](std::size_t i) const { return *(*chunks_[i / chunk])[i % chunk]; }
-  Object& edit(std::size_t i) { return chunks_[i / chunk].edit()[i % chunk].edit(); }
+  const Object& operator[](std::size_t i) const { return *object(i); }
+  Object& edit(std::size_t i) { return shelves_[i / shelf].edit()[i / chunk % chunk].edit()[i % chunk].edit(); }
   std::size_t add(Object object);
   // Whether an object is the one that is there too; it may be equal and another.
   bool same(std::size_t i, const Objects& other) const {
-    if (i >= size_ || i >= other.size_) return false;
-    const auto &a = chunks_[i / chunk], &b = other.chunks_[i / chunk];
-    return a.same(b) || (*a)[i % chunk].same((*b)[i % chunk]);
+    return i < size_ && i < other.size_ && object(i).same(other.object(i));
   }
   // f(number) for those that may be others than the ones of `before`; what both share is passed over.
   template <class F>
   void each_changed(const Objects& before, F&& f) const {
-    for (std::size_t c = 0; c < chunks_.size(); ++c) {
-      const bool there = c < before.chunks_.size();
-      if (there && chunks_[c].same(before.chunks_[c])) continue;
-      for (std::size_t k = 0; k < chunks_[c]->size(); ++k)
-        if (!there || k >= before.chunks_[c]->size() || !(*chunks_[c])[k].same((*before.chunks_[c])[k]))
-          f(chunk * c + k);
-    }
+    each_chunk_apart(before, [&](std::size_t first, const Chunk& mine, const Chunk* theirs) {
+      for (std::size_t k = 0; k < mine.size(); ++k)
+        if (!theirs || k >= theirs->size() || !mine[k].same((*theirs)[k])) f(first + k);
+    });
   }
 
   void share(const Objects& before);                    // takes over those that are exactly the same there
   std::size_t bytes_apart(const Objects& other) const;  // of what it holds and the other does not, but for the objects
 
  private:
-  static constexpr std::size_t chunk = 128;
-  std::vector<Cow<std::vector<Cow<Object>>>> chunks_;
-  std::size_t size_ = 0;
-};
-
-// Names to objects, in shards so that naming one object in a large document copies little.
-class NameIndex {
- public:
-  ObjectId find(std::string_view name) const;
-  void put(const std::string& name, ObjectId id);
-  void erase(const std::string& name) { shard(name).edit().erase(name); }
-  bool ever_above(std::string_view name) const;           // whether anything was ever named below it, as man/arm is
-  std::size_t bytes() const { return bytes_apart({}); }   // of what it holds
-  std::size_t bytes_apart(const NameIndex& other) const;  // … and the other does not
-  bool same(const NameIndex& other) const {
-    return std::equal(shards_.begin(), shards_.end(), other.shards_.begin(),
-                      [](const Cow<Shard>& a, const Cow<Shard>& b) { return a.same(b); });
+  using Chunk = std::vector<Cow<Object>>;
+  using Shelf = std::vector<Cow<Chunk>>;
+  static constexpr std::size_t chunk = 128, shelf = chunk * chunk;
+  const Cow<Object>& object(std::size_t i) const { return (*(*shelves_[i / shelf])[i / chunk % chunk])[i % chunk]; }
+  // f(number of its first object, chunk, what the other has there or null) for those that the other does not share.
+  template <class F>
+  void each_chunk_apart(const Objects& other, F&& f) const {
+    for (std::size_t s = 0; s < shelves_.size(); ++s) {
+      const Cow<Shelf> theirs = s < other.shelves_.size() ? other.shelves_[s] : Cow<Shelf>();
+      if (shelves_[s].same(theirs)) continue;
+      for (std::size_t c = 0; c < shelves_[s]->size(); ++c) {
+        const Cow<Chunk>& mine = (*shelves_[s])[c];
+        const Cow<Chunk>* there = c < theirs->size() ? &(*theirs)[c] : nullptr;
+        if (!there || !mine.same(*there)) f(shelf * s + chunk * c, *mine, there ? &**there : nullptr);
+      }
+    }
   }
-
- private:
-  struct Hash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
-  };
-  // A name with a slash behind it, which is none, stands for what was ever named below it.
-  using Shard = std::unordered_map<std::string, ObjectId, Hash, std::equal_to<>>;
-  Cow<Shard>& shard(std::string_view name) { return shards_[Hash{}(name) % shards_.size()]; }
-  std::array<Cow<Shard>, 64> shards_;
+  std::vector<Cow<Shelf>> shelves_;
+  std::size_t size_ = 0;
 };
 
 enum class Policy : std::uint8_t { translate, ignore, ask };
@@ -187,6 +173,8 @@ inline const Object* find_object(const Scene& s, ObjectId id) {
 // Objects a word names: an alias (its order), a pattern or braces (name order), or one name. Unknown names are left
 // out.
 std::vector<ObjectId> select(const Scene&, std::string_view word);
+// Those of some that a pattern names, in its order.
+std::vector<ObjectId> select(const Scene&, std::string_view pattern, const std::vector<ObjectId>& some);
 // First what holds from the beginning, then the track's, each until the next.
 std::vector<AttachmentSpan> attachments(const Object&);
 // The environments that an object is in (fn::environments) or that drive it (fn::drive), the outermost first, each
@@ -210,8 +198,8 @@ const NamedProcedure* find_procedure(const Scene&, std::string_view name);
 std::string twerper_name(const Scene&, Twerper);
 
 ObjectId add_object(Scene&, Object object);
-void remove_objects(Scene&, const std::vector<ObjectId>&);  // what was coupled to them stands free; tracks that speak
-                                                            // of them hold nothing there
+// What was coupled to them stands free; tracks that speak of them hold nothing there. `speaking`: who may do so.
+void remove_objects(Scene&, const std::vector<ObjectId>&, const std::vector<std::uint32_t>& speaking);
 
 // The track to write events of a target to; writing a component splits the track (rules, section 6).
 // For a whole value of a split track there is none: write its components.

@@ -3,6 +3,7 @@
 #include "scene/environment.h"
 
 #include <algorithm>
+#include <cstring>
 #include <mutex>
 #include <string>
 
@@ -82,19 +83,19 @@ Environment Environment::compile(std::vector<EnvironmentEvent> events) {
 }
 
 // Keeps an event that means nothing, too: another one before it may give it a meaning.
-void Environment::take(const EnvironmentEvent& event) {
+void Environment::take(const EnvironmentEvent& event, const Environment* like) {
   if (const Status good = check(event))
-    apply(event);
+    apply(event, like);
   else
     problems_.edit().push_back({event.number, Severity::error, good.error()});
   events_.push(event);
 }
 
-Status Environment::add(const EnvironmentEvent& event) {
+Status Environment::add(const EnvironmentEvent& event, const Environment* like) {
   const auto after = [&](const EnvironmentEvent& e) { return Key{e.tick, e.number} > Key{event.tick, event.number}; };
   if (events_.empty() || !after(events_.back())) {
     if (Status good = check(event); !good) return good;
-    take(event);
+    take(event, like);
     return Nothing{};
   }
   Environment again;
@@ -119,7 +120,7 @@ Status Environment::check(const EnvironmentEvent& event) const {
                                    (births_.empty() ? " before this" : " since it was killed"));
 }
 
-void Environment::apply(const EnvironmentEvent& event) {
+void Environment::apply(const EnvironmentEvent& event, const Environment* like) {
   const Key key{event.tick, event.number};
   Output out;
   while (!pending_->empty() && pending_->back().key <= key) {
@@ -127,7 +128,7 @@ void Environment::apply(const EnvironmentEvent& event) {
     pending_.edit().pop_back();
   }
   if (const auto* a = std::get_if<Animate>(&event.what))
-    animate(key, *a, out);
+    animate(key, *a, like, out);
   else if (std::holds_alternative<Halt>(event.what))
     halt(now_, key, out);
   else if (std::holds_alternative<Kill>(event.what))
@@ -145,8 +146,12 @@ void Environment::keep(Output out) {
   all.insert(all.end(), out.problems.begin(), out.problems.end());
 }
 
-void Environment::animate(Key key, const Animate& a, Output& out) {
-  const Scheduled now{key, std::make_shared<Motion>(Motion{a.motion, a.timing, a.keep_phase, Power(a.motion)})};
+void Environment::animate(Key key, const Animate& a, const Environment* like, Output& out) {
+  const std::shared_ptr<const Motion> theirs = like ? like->now_.span.motion : nullptr;
+  const bool same = theirs && theirs->timing == a.timing && theirs->keep_phase == a.keep_phase &&
+                    std::memcmp(&theirs->matrix, &a.motion, sizeof a.motion) == 0;
+  const Scheduled now{
+      key, same ? theirs : std::make_shared<const Motion>(Motion{a.motion, a.timing, a.keep_phase, Power(a.motion)})};
   if (!alive()) {
     births_.push({key, spans_.size() + out.spans.size()});
     now_ = {.span = {}, .started = false, .warned = now_.warned};

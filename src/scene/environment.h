@@ -67,8 +67,9 @@ class Environment {
   // Of events in any order. One that means nothing is ignored and told in problems().
   static Environment compile(std::vector<EnvironmentEvent> events);
   // Adds an event; at the end that costs no more for a long track than for a short one, before it all is compiled
-  // again. One that means nothing is refused, and changes nothing.
-  Status add(const EnvironmentEvent& event);
+  // again. One that means nothing is refused, and changes nothing. `like`: one to which the same has just been said,
+  // with which it shares what was prepared.
+  Status add(const EnvironmentEvent& event, const Environment* like = nullptr);
 
   struct Problem {
     std::uint64_t number = 0;  // of the event
@@ -163,9 +164,9 @@ class Environment {
   static void halt(Now&, Key, Output&);
   static void run(Now&, const Scheduled&, Output&);
   Status check(const EnvironmentEvent&) const;
-  void take(const EnvironmentEvent&);
-  void apply(const EnvironmentEvent&);
-  void animate(Key, const EnvironmentEvent::Animate&, Output&);
+  void take(const EnvironmentEvent&, const Environment* like = nullptr);
+  void apply(const EnvironmentEvent&, const Environment* like);
+  void animate(Key, const EnvironmentEvent::Animate&, const Environment* like, Output&);
   void wait(Now&, Key, const Scheduled&, Output&) const;
   void kill(Key, Output&);
   void schedule(Scheduled);

@@ -10,6 +10,8 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "scene/mentions.h"
+
 namespace betwixt {
 namespace {
 
@@ -105,7 +107,7 @@ struct Versions {
 
 // Objects that are no more: nothing speaks of them, so that their numbers can be given out again.
 void take_out(Scene& s, const std::vector<ObjectId>& gone) {
-  remove_objects(s, gone);
+  remove_objects(s, gone, all_of(s.objects));
   const auto is_gone = [&](const Value& v) {
     const auto* id = std::get_if<ObjectId>(&v);
     return id && *id && s.objects[id->index].removed;

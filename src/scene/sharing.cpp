@@ -38,17 +38,22 @@ void share(Cow<T>& a, const Cow<T>& b) {
 }  // namespace
 
 void Objects::share(const Objects& before) {
-  for (std::size_t c = 0; c < chunks_.size() && c < before.chunks_.size(); ++c) {
-    if (chunks_[c].same(before.chunks_[c])) continue;
-    const auto& theirs = *before.chunks_[c];
-    auto& ours = chunks_[c].edit();
-    bool all = ours.size() == theirs.size();
-    for (std::size_t k = 0; k < ours.size() && k < theirs.size(); ++k)
-      if (exactly(*ours[k], *theirs[k]))
-        ours[k] = theirs[k];
-      else
-        all = false;
-    if (all) chunks_[c] = before.chunks_[c];
+  for (std::size_t n = 0; n < shelves_.size() && n < before.shelves_.size(); ++n) {
+    if (shelves_[n].same(before.shelves_[n])) continue;
+    Shelf& shelf = shelves_[n].edit();
+    const Shelf& other = *before.shelves_[n];
+    for (std::size_t c = 0; c < shelf.size() && c < other.size(); ++c) {
+      if (shelf[c].same(other[c])) continue;
+      const Chunk& theirs = *other[c];
+      Chunk& ours = shelf[c].edit();
+      bool all = ours.size() == theirs.size();
+      for (std::size_t k = 0; k < ours.size() && k < theirs.size(); ++k)
+        if (exactly(*ours[k], *theirs[k]))
+          ours[k] = theirs[k];
+        else
+          all = false;
+      if (all) shelf[c] = other[c];
+    }
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <algorithm>
 
 #include "app/command.h"
@@ -22,22 +21,6 @@ std::string commented(const std::string& text) {
   return out + "\n";
 }
 
-// What may take a moment.
-class Busy {
- public:
-  explicit Busy(qint64 bytes) : shown_(bytes > 2'000'000) {
-    if (shown_) QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-  }
-  ~Busy() {
-    if (shown_) QGuiApplication::restoreOverrideCursor();
-  }
-  Busy(const Busy&) = delete;
-  Busy& operator=(const Busy&) = delete;
-
- private:
-  const bool shown_;
-};
-
 constexpr int typing_settles_after = 1000;  // ms: what is typed until then is one step, and in the journal
 constexpr int file_rests_after = 150;       // ms
 constexpr int ticks_a_second = 120;         // how often it is looked which frame is due
@@ -50,9 +33,19 @@ std::string quoted_word(const std::string& word) {
 
 Desk::Desk(const LoadOptions& options) : program_(Program::compile(Document())) {
   Session::Doors doors;
-  doors.ask = [this](const std::string& question) { return ask ? ask(question) : std::nullopt; };
+  doors.ask = [this](const std::string& question) {
+    std::optional<std::string> said;
+    beside_.in_window([&] {
+      if (ask) said = ask(question);
+    });
+    return said;
+  };
   doors.ask_about_line = doors.ask;
-  doors.play = [this](const Document& d, const std::string& frames) { return play_part(d, frames); };
+  doors.play = [this](const Document& d, const std::string& frames) {
+    Status done = Nothing{};
+    beside_.in_window([&] { done = play_part(d, frames); });
+    return done;
+  };
   doors.load = [](const std::string& file) { return use_plugin(file); };
   session_ = std::make_unique<Session>(std::move(doors), options);
   session_->keep_in_place();
@@ -67,10 +60,17 @@ Desk::Desk(const LoadOptions& options) : program_(Program::compile(Document())) 
 }
 Desk::~Desk() = default;
 
+template <class F>
+auto Desk::asked(F&& f) {
+  std::optional<decltype(f(*session_))> out;
+  beside_.carry_out([&] { out.emplace(f(*session_)); });
+  return *std::move(out);
+}
+
 bool Desk::open(const QString& file, Session::Earlier earlier) {
+  if (!beside_.hears()) return false;
   settle_typing();
-  const Busy busy(QFileInfo(file).size());
-  const Session::Answer a = session_->open(file.toStdString(), earlier);
+  const Session::Answer a = asked([&](Session& s) { return s.open(file.toStdString(), earlier); });
   const bool done = answer({}, a);
   if (!done) return false;
   selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0, lines_.clear();
@@ -84,7 +84,8 @@ bool Desk::open(const QString& file, Session::Earlier earlier) {
 }
 
 void Desk::begin_with(const std::string& text) {
-  (void)session_->enter(Session::rewrite_line(1, 0, text));
+  if (!beside_.hears()) return;
+  (void)asked([&](Session& s) { return s.enter(Session::rewrite_line(1, 0, text)); });
   take_over();
 }
 
@@ -98,9 +99,10 @@ bool Desk::answer(const std::string& line, const Session::Answer& a) {
 }
 
 bool Desk::say(const std::string& line) {
+  if (!beside_.hears()) return false;
   settle_typing();
   const std::string file = session_->file();
-  const Session::Answer a = session_->enter(line);
+  const Session::Answer a = asked([&](Session& s) { return s.enter(line); });
   const bool done = answer(line, a);
   take_over();
   if (done && (line.starts_with("save") || file != session_->file())) know_file();
@@ -110,16 +112,18 @@ bool Desk::say(const std::string& line) {
 }
 
 bool Desk::say(const std::vector<std::string>& lines) {
+  if (!beside_.hears()) return false;
   settle_typing();
   std::string all;
   for (const std::string& line : lines) all += (all.empty() ? "" : "\n") + line;
-  const bool done = answer(all, session_->enter_together(lines));
+  const bool done = answer(all, asked([&](Session& s) { return s.enter_together(lines); }));
   take_over();
   return done;
 }
 
 bool Desk::look_ahead(const std::vector<std::string>& lines) {
-  Result<Document> next = session_->look_ahead(lines);
+  if (!beside_.hears()) return false;
+  Result<Document> next = asked([&](Session& s) { return s.look_ahead(lines); });
   if (!next) return false;
   ahead_ = true;
   show(*std::move(next));
@@ -127,12 +131,13 @@ bool Desk::look_ahead(const std::vector<std::string>& lines) {
 }
 
 void Desk::show_ahead(Document next) {
+  if (!beside_.hears()) return;
   ahead_ = true;
   show(std::move(next));
 }
 
 void Desk::look_back() {
-  if (ahead_) take_over();
+  if (ahead_ && beside_.hears()) take_over();
 }
 
 // From now on it is noticed when somebody else changes it. Editors put another file in its place: its folder tells.
@@ -149,6 +154,7 @@ void Desk::know_file() {
 }
 
 void Desk::look_at_file() {
+  if (!beside_.hears()) return file_rests_.start();
   const auto theirs = read_whole(session_->file());
   if (!theirs || *theirs == file_text_) return;
   settle_typing();
@@ -182,9 +188,12 @@ Status Desk::play_part(const Document& document, const std::string& frames) {
 }
 
 void Desk::retype(std::string text) {
-  const std::string before = session_->text();
-  const LineChange c = change_between(before, text);
-  Loaded loaded = session_->look_ahead(c.lines.first, c.lines.last, c.others);
+  constexpr int soon = 50;  // ms
+  if (!beside_.hears()) return QTimer::singleShot(soon, this, [this, text = std::move(text)] { retype(text); });
+  Loaded loaded = asked([&](Session& s) {
+    const LineChange c = change_between(s.text(), text);
+    return s.look_ahead(c.lines.first, c.lines.last, c.others);
+  });
   typing_ = ahead_ = true;
   text_ = std::move(text), diagnostics_ = std::move(loaded.diagnostics);
   // Not from the last key on: who types without a pause would lose it all in a crash.
@@ -193,13 +202,14 @@ void Desk::retype(std::string text) {
 }
 
 void Desk::settle_typing() {
+  if (!beside_.hears()) return typing_settles_.start();
   typing_settles_.stop();
   if (!std::exchange(typing_, false)) return;
   const std::string before = session_->text();
   if (before != text_) {
     const LineChange c = change_between(before, text_);
     const std::string line = Session::rewrite_line(c.lines.first, c.lines.last, c.others);
-    answer(line, session_->enter(line));
+    answer(line, asked([&](Session& s) { return s.enter(line); }));
   }
   take_over();
 }
@@ -212,8 +222,8 @@ void Desk::take_over() {
 }
 
 void Desk::show(Document next) {
-  document_ = std::move(next);
-  program_ = Program::compile(document_, program_);
+  Program program = asked([&](Session&) { return Program::compile(next, program_); });
+  document_ = std::move(next), program_ = std::move(program);
   const auto part = range_.value_or(document_.range());
   transport_.set(document_.rate(), part.first, part.second);
   const auto gone = [&](ObjectId id) { return document_.name(id).empty(); };

@@ -22,6 +22,7 @@
 #include "betwixt/program.h"
 #include "betwixt/session.h"
 #include "betwixt/track.h"
+#include "studio/beside.h"
 #include "studio/transport.h"
 
 namespace betwixt::studio {
@@ -52,6 +53,9 @@ class Desk : public QObject {
   void look_at_file();
   Session& session() { return *session_; }
   const Session& session() const { return *session_; }
+
+  // Where what takes long is done. While it does not hear, lines are not carried out.
+  Beside& beside() { return beside_; }
 
   // What is shown: the film, or what it would be, while a hand is still moving something.
   const Document& document() const { return document_; }
@@ -125,8 +129,12 @@ class Desk : public QObject {
   Status play_part(const Document&, const std::string& frames);
   void show(Document);
   bool answer(const std::string& line, const Session::Answer&);
+  // What the session answers, beside the window.
+  template <class F>
+  auto asked(F&& f);
 
   std::unique_ptr<Session> session_;
+  Beside beside_;
   Document document_;
   Program program_;
   bool ahead_ = false;

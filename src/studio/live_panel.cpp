@@ -86,6 +86,7 @@ void LivePanel::listen(bool on) {
 }
 
 void LivePanel::poll() {
+  if (!desk_.beside().hears()) return;  // it is heard later
   obey(input_->poll());
   if (const auto n = input_->ignored(); n > 0) state_->setText(tr("listening; %1 packets were no OSC").arg(n));
 }

@@ -74,6 +74,7 @@ void ScriptEdit::typed() {
 // What is typed becomes the film's text. A long text is read again after a while that is twice as long as reading it
 // took, two seconds at most.
 void ScriptEdit::pass_on() {
+  if (!desk_.beside().hears()) return pass_on_soon_.start();
   pass_on_soon_.stop();
   QString raw = document()->toRawText();
   raw.replace(QChar::ParagraphSeparator, '\n');

@@ -113,6 +113,10 @@ int main(int argc, char** argv) {
   Desk desk(options);
   Window window(desk, {.bare = line.isSet("bare"), .remembers = !shows_only});
   if (line.isSet("light")) window.set_light(true);
+  // A long film is still being read.
+  QObject::connect(&desk.beside(), &Beside::takes_long, &window, [&] {
+    if (!shows_only) window.show();
+  });
   const QString file = line.positionalArguments().value(0);
   const auto earlier = line.isSet("recover")   ? Session::Earlier::recover
                        : line.isSet("discard") ? Session::Earlier::discard

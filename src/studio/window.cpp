@@ -13,6 +13,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QShortcut>
@@ -82,6 +83,7 @@ Window::Window(Desk& desk, Manner manner)
     if (refused) p.setColor(QPalette::WindowText, colors().error);
     said_->setPalette(p);
   });
+  show_work();
   if (manner_.bare) {  // as the terminal has it
     connect(new QShortcut(Qt::Key_Q, this), &QShortcut::activated, this, &QWidget::close);
     connect(new QShortcut(Qt::Key_M, this), &QShortcut::activated, this, [this] { sound_->mute(!sound_->muted()); });
@@ -89,6 +91,24 @@ Window::Window(Desk& desk, Manner manner)
   set_layout(manner_.bare ? "picture" : "all");
   if (manner_.remembers) recall();
   name_film();
+}
+
+// What takes long is seen to go on.
+void Window::show_work() {
+  auto* progress = new QProgressBar(this);
+  progress->setObjectName("work");
+  progress->setRange(0, 100), progress->setMaximumWidth(200), progress->setFormat(tr("at work: %p %"));
+  progress->hide();
+  statusBar()->addPermanentWidget(progress);
+  connect(&desk_.beside(), &Beside::takes_long, this, [this, progress](float share) {
+    progress->setValue(static_cast<int>(100 * share));
+    progress->show(), statusBar()->show();
+    setCursor(Qt::BusyCursor);
+  });
+  connect(&desk_.beside(), &Beside::over, this, [this, progress] {
+    progress->hide(), statusBar()->setVisible(!manner_.bare);
+    unsetCursor();
+  });
 }
 
 Window::~Window() { desk_.ask = {}; }

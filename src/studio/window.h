@@ -63,6 +63,7 @@ class Window : public QMainWindow {
   void dropEvent(QDropEvent*) override;
 
  private:
+  void show_work();
   void add_panels();
   void add_menus();
   void name_film();

@@ -4,6 +4,7 @@
 
 #include "betwixt/contacts.h"
 #include "program/contact_scenes.h"
+#include "scene/mentions.h"
 
 namespace betwixt {
 namespace {
@@ -83,7 +84,7 @@ TEST(ContactWatch, GroupsOfMoreThanTwo) {
           R"({"event":"group","state":"begin","objects":["a","b","c"],"pairs":[["a","b"],["b","c"]],"tick":30})"}));
   // The host takes the middle one away at the same tick: all ends.
   Scene without = s;
-  remove_objects(without, {b});
+  remove_objects(without, {b}, all_of(without.objects));
   const Program q = compile(without);
   EXPECT_EQ(lines(watch.step(q.frame(from_seconds(1))), q.document()),
             (std::vector<std::string>{

@@ -4,6 +4,7 @@
 
 #include "program/compiled.h"
 #include "program/programs.h"
+#include "scene/mentions.h"
 
 namespace betwixt {
 namespace {
@@ -31,7 +32,7 @@ TEST(World, IsTheProductDownTheChain) {
   expect_near(transform_point(world(p, wheel, 1), {0, 1, 0}), {2 + 4 * 3, 9, -2 * 1.5});
   // Free: the place on the parent does not count.
   Scene free = s;
-  remove_objects(free, {car});
+  remove_objects(free, {car}, all_of(free.objects));
   expect_near(world(compile(free), wheel, 1), translation({-0.5, 0, 0}) * own);
 }
 

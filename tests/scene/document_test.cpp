@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/mentions.h"
 #include "support/objects.h"
 
 namespace betwixt {
@@ -32,7 +33,7 @@ TEST(Scene, EditingACopyLeavesTheOriginal) {
   put_event(again, {ids[7], fn::position, 1}, event(1, 5.0));
   set_value(again, {ids[250], fn::radius}, 2.0);
   add(again, "more");
-  remove_objects(again, {ids[0]});
+  remove_objects(again, {ids[0]}, all_of(again.objects));
   again.aliases.edit()["all"] = {"x"};
   EXPECT_EQ(kept.objects.size(), 300U);
   EXPECT_EQ(tracks_of(kept, {ids[7], fn::position}).size(), 1U);
@@ -66,13 +67,13 @@ TEST(Scene, RemovedObjectsAreGoneEverywhere) {
   s.objects.edit(car.index).leads = true;
   EXPECT_EQ(circle(s, car, wheel, {INT64_MIN}, {INT64_MAX}), (std::vector<ObjectId>{car, wheel}));
   EXPECT_TRUE(circle(s, wheel, car, {INT64_MIN}, {INT64_MAX}).empty());
-  remove_objects(s, {car, eye, car});
+  remove_objects(s, {car, eye, car}, all_of(s.objects));
   EXPECT_FALSE(s.names.find("car"));
   EXPECT_FALSE(s.objects[wheel.index].find(fn::attachment)->set);
   EXPECT_TRUE(s.cuts->empty());
   const ObjectId again = add(s, "car");
   EXPECT_NE(again, car);  // numbers are never given out twice
-  remove_objects(s, {car});
+  remove_objects(s, {car}, all_of(s.objects));
   EXPECT_EQ(s.names.find("car"), again);
   EXPECT_EQ(Document(std::make_shared<const Scene>(s)).names(), (Words{"car/wheel", "car"}));
 }
@@ -115,7 +116,7 @@ TEST(Same, LooksAtContentNotHistory) {
   put_event(a, {qa, fn::geometry}, event(0, pa));
   put_event(b, {qb, fn::geometry}, event(0, pb));
   EXPECT_FALSE(same(a, b));
-  remove_objects(a, {gone});
+  remove_objects(a, {gone}, all_of(a.objects));
   EXPECT_TRUE(same(a, b));  // although the numbers of the objects differ
   edit_track(a, {pa, fn::color});
   EXPECT_TRUE(same(a, b));  // an empty track is no track

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How far work is that somebody waits for. Whoever does it says so now and then; where nobody listens on this thread,
+// that costs a look at a pointer.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <utility>
+
+namespace betwixt {
+
+// Listens on this thread while it stands. Any thread may ask for the share.
+class HowFar {
+ public:
+  HowFar() : outer_(std::exchange(listening_, this)) {}
+  ~HowFar() { listening_ = outer_; }
+  HowFar(const HowFar&) = delete;
+  HowFar& operator=(const HowFar&) = delete;
+
+  static void tell(std::size_t done, std::size_t of) {
+    if (listening_ && of > 0)
+      listening_->share_.store(static_cast<float>(done) / static_cast<float>(of), std::memory_order_relaxed);
+  }
+  float share() const { return share_.load(std::memory_order_relaxed); }  // 0 to 1
+
+ private:
+  inline static constinit thread_local HowFar* listening_ = nullptr;
+  HowFar* const outer_;
+  std::atomic<float> share_{0};
+};
+
+}  // namespace betwixt

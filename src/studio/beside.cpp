@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/beside.h"
+
+#include <QEventLoop>
+#include <QTimer>
+#include <chrono>
+#include <utility>
+
+namespace betwixt::studio {
+
+Beside::Beside(QObject* parent) : QObject(parent), worker_([this] { run(); }) {}
+
+Beside::~Beside() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  worker_.join();
+}
+
+void Beside::run() {
+  const HowFar how_far;
+  while (true) {
+    const std::function<void()>* work = nullptr;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [&] { return ends_ || wanted_; });
+      if (ends_) return;
+      work = std::exchange(wanted_, nullptr);
+      how_far_ = &how_far;
+    }
+    HowFar::tell(0, 1);
+    (*work)();
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = true;
+    }
+    changed_.notify_all();
+    emit done();
+  }
+}
+
+void Beside::carry_out(const std::function<void()>& work) {
+  if (at_work_) return work();  // the one that is under way waits for an answer
+  at_work_ = true;
+  std::unique_lock lock(mutex_);
+  done_ = false, wanted_ = &work;
+  changed_.notify_all();
+  // What takes a moment is waited for: nobody sees that.
+  const auto patient = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_);
+  while (changed_.wait_until(lock, patient, [&] { return done_ || question_; }) && !done_) answer(lock);
+  if (!done_) {
+    lock.unlock();
+    wait();
+    lock.lock();
+  }
+  at_work_ = false;
+}
+
+// The window goes on, but for hands.
+void Beside::wait() {
+  QEventLoop loop;
+  connect(this, &Beside::done, &loop, &QEventLoop::quit, Qt::QueuedConnection);
+  connect(
+      this, &Beside::asks, &loop,
+      [this] {
+        std::unique_lock lock(mutex_);
+        answer(lock);
+      },
+      Qt::QueuedConnection);
+  const auto tell = [this] {
+    const std::lock_guard lock(mutex_);
+    share_ = how_far_ ? how_far_->share() : 0;
+  };
+  QTimer again;
+  connect(&again, &QTimer::timeout, this, [&] { tell(), emit takes_long(share_); });
+  again.start(50);
+  tell(), emit takes_long(share_);
+  const auto under_way = [this] {
+    const std::lock_guard lock(mutex_);
+    return !done_;
+  };
+  {
+    std::unique_lock lock(mutex_);
+    answer(lock);  // what was asked before the loop began
+  }
+  while (under_way()) loop.exec(QEventLoop::ExcludeUserInputEvents);
+  emit over();
+}
+
+// What the work asks in the window: it waits for that.
+void Beside::answer(std::unique_lock<std::mutex>& lock) {
+  if (!question_) return;
+  const auto* question = question_;
+  lock.unlock();
+  answers_ = true;
+  (*question)();
+  answers_ = false;
+  lock.lock();
+  question_ = nullptr;
+  changed_.notify_all();
+}
+
+void Beside::in_window(const std::function<void()>& work) {
+  if (std::this_thread::get_id() != worker_.get_id()) return work();
+  std::unique_lock lock(mutex_);
+  question_ = &work;
+  changed_.notify_all();
+  emit asks();
+  changed_.wait(lock, [&] { return !question_; });
+}
+
+}  // namespace betwixt::studio
