@@ -10,6 +10,7 @@
 #include "base/names.h"
 #include "base/still_wanted.h"
 #include "commands/list_rows.h"
+#include "commands/look_over.h"
 #include "commands/roads.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
@@ -175,6 +176,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     script.touched = 0;
     const bool done = line(k, line_start);
     if (done && script.options.counts) say_touched(script, line_start);
+    if (done && script.watch && script.depth == 0) script.watch->look(s, script.source, between(line_start, c.at));
     if (done && !script.failed.empty())  // what is there now was made
       for (const std::string& name : names_made(between(line_start, c.at))) script.failed.erase(name);
     script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;

@@ -21,6 +21,8 @@
 
 namespace betwixt {
 
+class Watch;
+
 // A pattern that was read: which targets it names, and what their values are.
 struct Selected {
   std::vector<Target> targets;
@@ -160,6 +162,8 @@ struct Script : SoFar {
 
   // Names that lines would have made which were refused: what lines below lack then is said once.
   std::set<std::string, std::less<>> failed;
+
+  Watch* watch = nullptr;  // looks on, line by line; null: nobody does
 
   int errors = 0;
   bool given_up = false;  // there are so many that the rest is not said

@@ -129,7 +129,9 @@ set ball.environments (wnid)
 create box box
 set box.transform rotate(90deg, z)
 BX
-check 'an environment that nobody animates' 0 "idle.bx: notice: 'ball' is in the environment 'wnid', which nobody animates
+check 'an environment that nobody animates' 0 "idle.bx:3:1: notice: 'ball' is in the environment 'wnid', which nobody animates
+  set ball.environments (wnid)
+  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~
   did you mean 'wind'?" check idle.bx
 check 'what is as good as 0 is 0' 0 'matrix(0 -1 0 0 1 0 0 0 0 0 1 0 0 0 0 1)' eval idle.bx box.world --at 1f
 check 'but not in JSON' 0 'e-16' eval idle.bx box.world --at 1f --json
