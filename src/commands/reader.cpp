@@ -198,9 +198,14 @@ bool finish(Cursor& c) {
                                                   : fmt::format("'{}' is not expected here", w.substr(0, 40)));
 }
 
+bool no_choice(Cursor& c, std::string_view word, std::string message, std::string hint) {
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, std::move(message), std::move(hint));
+  return c.fail(ErrorCode::type, std::move(message), word, std::move(hint));
+}
+
 bool on_or_off(Cursor& c, const char* otherwise, bool& out) {
   const std::string_view w = c.next_word();
-  if (w != "on" && w != "off") return c.fail(ErrorCode::syntax, otherwise, w);
+  if (w != "on" && w != "off") return no_choice(c, w, otherwise);
   if (!finish(c)) return false;
   out = w == "on";
   return true;
