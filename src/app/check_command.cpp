@@ -6,7 +6,9 @@
 
 #include "app/code_errors.h"
 #include "app/command.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/tell_user.h"
 
 namespace betwixt {
 namespace {
@@ -19,12 +21,12 @@ struct CheckCall {
 };
 
 int check(const CheckCall& call) {
-  const std::string& file = call.file;
+  const std::string &file = call.file, name = is_stream(file) ? "<stdin>" : file;
   load_options().counts = call.counts;
-  const Loaded loaded = load_file(file, load_options());
+  const Loaded loaded = load_script(file);
   std::size_t errors = 0, warnings = 0;
   for (const Diagnostic& d : loaded.diagnostics) {
-    std::fputs(to_string(d).c_str(), stderr);
+    tell_user(to_string(d));
     errors += d.severity == Severity::error;
     warnings += d.severity == Severity::warning;
   }
@@ -32,14 +34,14 @@ int check(const CheckCall& call) {
     const auto [first, last] = loaded.document.range();
     const Findings found =
         look_through(Program::compile(loaded.document), file, first, last, loaded.document.frame_count());
-    for (const Diagnostic& d : found.errors) std::fputs(to_string(d).c_str(), stderr);
-    for (const std::string& p : found.warnings) fmt::print(stderr, "{}: warning: {}\n", file, p);
+    for (const Diagnostic& d : found.errors) tell_user(to_string(d));
+    for (const std::string& p : found.warnings) tell_user(fmt::format("{}: warning: {}\n", name, p));
     errors += found.errors.size(), warnings += found.warnings.size();
   }
   if (errors + warnings > 0)
     fmt::print(stderr, "{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));
   else
-    fmt::print("{}: no errors, {}, {}\n", file, counted(loaded.document.names().size(), "object"),
+    fmt::print("{}: no errors, {}, {}\n", name, counted(loaded.document.names().size(), "object"),
                counted(static_cast<std::size_t>(loaded.document.frame_count()), "frame"));
   return errors ? wrong_input : all_done;
 }
