@@ -55,7 +55,14 @@ struct FilmOptions {
   bool alpha = false;  // what is clear in the pictures is clear in the film, where it can be
   int bits = 8;        // a channel of numbered PNG: 8 or 16
   Sounds sounds;       // none: it is silent
+  int quality = 0;     // 1 to 100, of formats that lose something; 0: as is usual for the codec
+  std::string codec;   // one of codecs_of(path); empty: the first of them
 };
+
+// What films can be coded as whose names end so, the usual one first; none where there is nothing to choose.
+std::vector<std::string> codecs_of(const std::string& path);
+// Whether quality and codec mean something for the path. Errors: range, name, with what may be said.
+Status check_encoding(const FilmOptions&);
 
 struct FilmStats {
   int frames = 0;
@@ -77,6 +84,10 @@ Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Paint
                             const Progress& = {});
 Result<FilmStats> make_deep_film(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter,
                                  const Progress& = {});
+
+// A picture as JPEG, put in place when it is whole; what is clear is over black. `quality`: 1 to 100.
+// Errors: file (there already), machine.
+Status write_jpeg(const std::string& path, const Picture&, int quality, bool overwrite = true);
 
 // The frames of a film: the k-th one's time.
 struct FrameList {

@@ -35,6 +35,11 @@ struct MotionReader : algebra::Cursor {
     ++at;
     return true;
   }
+  // Where a factor ends that says no more than it has: behind its bracket.
+  std::size_t behind() {
+    space();
+    return at + (peek() == ')' ? 1 : 0);
+  }
   // Letters and what stands for them, up to the next blank or bracket.
   std::string_view word() {
     const std::size_t from = at;
@@ -160,7 +165,7 @@ struct MotionReader : algebra::Cursor {
     int count = 0;
     if (!numbers(n, count)) return false;
     if (count < 2)
-      return fail(from, at, ErrorCode::syntax, "a translation has two or three numbers", "T(6 0) or T(6 0 0)");
+      return fail(from, behind(), ErrorCode::syntax, "a translation has two or three numbers", "T(6 0) or T(6 0 0)");
     f.by = {n[0], n[1], n[2]};
     return true;
   }
@@ -198,9 +203,9 @@ struct MotionReader : algebra::Cursor {
         return false;
       }
       if (bracket && !accept(')')) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
-      if (count != 3) return fail(from, at, ErrorCode::syntax, "an axis has three numbers", "as in axis 0 1 0");
+      if (count != 3) return fail(from, behind(), ErrorCode::syntax, "an axis has three numbers", "as in axis 0 1 0");
       f.axis = {n[0], n[1], n[2]};
-      if (f.axis == Vec3{}) return fail(from, at, ErrorCode::range, "this axis has no direction");
+      if (f.axis == Vec3{}) return fail(from, behind(), ErrorCode::range, "this axis has no direction");
     } else if (!w.empty()) {
       return fail(from, at, ErrorCode::syntax, fmt::format("'{}' means nothing in a rotation", w),
                   "R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
@@ -213,7 +218,8 @@ struct MotionReader : algebra::Cursor {
     f.kind = Kind::scale;
     if (!numbers(n, count, true)) return false;
     if (count == 0)
-      return fail(from, at, ErrorCode::syntax, "a scaling has one, two or three numbers", "S(2), S(2 1) or S(2 1 1)");
+      return fail(from, behind(), ErrorCode::syntax, "a scaling has one, two or three numbers",
+                  "S(2), S(2 1) or S(2 1 1)");
     f.by = count == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], count == 3 ? n[2] : 1};
     if (accept('@') && !centre(f)) return false;
     space();
@@ -225,7 +231,7 @@ struct MotionReader : algebra::Cursor {
                   "S(2 2 @ 0 0 linear)");
     for (int c = 0; c < 3; ++c)
       if (f.law == Law::exponential && !(f.by[c] > 0))
-        return fail(from, at, ErrorCode::range, fmt::format("a scaling by {} has no in-betweens", f.by[c]),
+        return fail(from, behind(), ErrorCode::range, fmt::format("a scaling by {} has no in-betweens", f.by[c]),
                     "factors above 0, or the linear law: S(… linear)");
     return true;
   }

@@ -8,6 +8,7 @@
 
 #include "app/algebra.h"
 #include "app/command.h"
+#include "base/tell_user.h"
 #include "language/values.h"
 
 namespace betwixt::algebra_command {
@@ -57,7 +58,7 @@ bool planar(const CssList& list) {
 
 // What browsers do not do function by function.
 void say_what_is_lost(const CssBetween& now) {
-  const auto say = [](const std::string& what) { fmt::print(stderr, "betwixt: notice: {}\n", what); };
+  const auto say = [](const std::string& what) { tell_user(fmt::format("betwixt: notice: {}\n", what)); };
   if (now.mixed != 0)
     say(fmt::format("from function {} on the lists differ: matrices are mixed, and whole turns are lost", now.mixed));
   if (now.short_way != 0)

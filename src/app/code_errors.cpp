@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/streams.h"
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "base/tell_user.h"
 #include "language/line_words.h"
 
 namespace betwixt {
@@ -39,10 +41,10 @@ std::string_view as_written(std::string_view source, std::string_view script) {
 
 // Whether the code stands in that script, or in one that it uses; then the error has its place.
 bool place_in(Diagnostic& d, const std::string& file, const std::string& source, int deep = 0) {
-  const auto text = read_whole(file);
+  const auto text = script_text(file);
   if (!text) return false;
   point_at(d, *text, std::string(as_written(source, *text)));
-  if (d.what.place.line > 0) return d.what.place.file = file, true;
+  if (d.what.place.line > 0) return d.what.place.file = is_stream(file) ? "<stdin>" : file, true;
   const auto files = deep < 8 ? used(file, *text) : std::vector<std::string>();
   return std::any_of(files.begin(), files.end(), [&](const auto& f) { return place_in(d, f, source, deep + 1); });
 }
@@ -51,7 +53,7 @@ bool place_in(Diagnostic& d, const std::string& file, const std::string& source,
 Diagnostic placed_error(const Frame::CodeError& e, const std::string& file) {
   Diagnostic d;
   d.what = fail(ErrorCode::type, e.message);
-  d.what.place.file = file;
+  d.what.place.file = is_stream(file) ? "<stdin>" : file;
   place_in(d, file, e.source);
   return d;
 }
@@ -91,12 +93,12 @@ Findings look_through(const Program& program, const std::string& file, Time firs
 bool stopped_by(const Findings& found, bool keep_going) {
   for (Diagnostic d : found.errors) {
     if (keep_going) d.severity = Severity::warning;
-    std::fputs(to_string(d).c_str(), stderr);
+    tell_user(to_string(d));
   }
   if (found.errors.empty() || keep_going) return false;
-  fmt::print(
-      stderr,
-      "betwixt: nothing was made; --keep-going makes it with the values that the tracks have without that code\n");
+  tell_user(
+      "betwixt: error: nothing was made; --keep-going makes it with the values that the tracks have without that "
+      "code\n");
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/streams.h"
 #include "base/tell_user.h"
 
 namespace betwixt {
@@ -18,7 +19,7 @@ volatile sig_atomic_t stop_asked = 0;
 }  // namespace
 
 int complain(const Error& e, int otherwise) {
-  tell_user(fmt::format("betwixt: {}\n", e.message));
+  tell_user(fmt::format("betwixt: error: {}\n", e.message));
   if (!e.hint.empty()) tell_user(fmt::format("  {}\n", e.hint));
   return e.code == ErrorCode::machine ? static_cast<int>(machine_failed) : otherwise;
 }
@@ -28,8 +29,15 @@ LoadOptions& load_options() {
   return options;
 }
 
+Loaded load_script(const std::string& file) {
+  if (!is_stream(file)) return load_file(file, load_options());
+  const Result<std::string> text = script_text(file);
+  if (text) return load_text(*text, "<stdin>", load_options());
+  return {Document(), {{Severity::error, text.error(), {}, 0}}};
+}
+
 std::optional<Document> open_script(const std::string& file) {
-  Loaded loaded = load_file(file, load_options());
+  Loaded loaded = load_script(file);
   for (const Diagnostic& d : loaded.diagnostics)
     if (d.severity != Severity::notice) tell_user(to_string(d));
   if (has_errors(loaded.diagnostics)) return std::nullopt;

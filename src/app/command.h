@@ -24,7 +24,9 @@ int complain(const Error&, int otherwise);
 // What --read-anywhere and --tex say.
 LoadOptions& load_options();
 
-// Loads a script, saying its errors and warnings on standard error; none where it has errors.
+// Loads a script, from standard input where it is "-".
+Loaded load_script(const std::string& file);
+// The same, saying its errors and warnings on standard error; none where it has errors.
 std::optional<Document> open_script(const std::string& file);
 
 // A time of the command line; a bare number is a frame. Errors name the option.

@@ -8,12 +8,12 @@
 #include <cstdio>
 
 #include "app/command.h"
+#include "app/version.h"
 #include "base/names.h"
+#include "base/tell_user.h"
 
 namespace betwixt {
 namespace {
-
-constexpr const char* version = "betwixt " BETWIXT_VERSION;
 
 std::vector<int> as_numbers(const std::vector<std::string>& words) {
   std::vector<int> all;
@@ -107,7 +107,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& e) {
 
 // The program's own words, without its subcommands.
 void describe(CLI::App& app) {
-  app.set_version_flag("-V,--version", version, "the version");
+  app.set_version_flag("-V,--version", version_line(), "the version, and the commit that it was built from");
   app.set_help_flag("-h,--help", "this help, or a command's");
   app.get_formatter()->column_width(28);
   app.footer("Example:\n  betwixt render examples/bounce.bx -o bounce.mp4");
@@ -132,8 +132,8 @@ int command_line(int argc, char** argv) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
     const auto asked = app.get_subcommands();
-    fmt::print(stderr, "betwixt: {}\n  see betwixt {}--help\n", explain(app, e),
-               asked.empty() ? "" : asked.front()->get_name() + " ");
+    tell_user(fmt::format("betwixt: error: {}\n  see betwixt {}--help\n", explain(app, e),
+                          asked.empty() ? "" : asked.front()->get_name() + " "));
     return wrong_call;
   }
   for (const Subcommand& s : subcommands()) {

@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
+#include "base/tell_user.h"
 #include "base/utf8.h"
 #include "betwixt/evaluation.h"
 #include "editor/plain_values.h"
@@ -46,7 +47,7 @@ int eval(const EvalCall& call) {
     times.emplace_back(text, *t);
   }
   const auto found = targets_of(*document, call.targets, [](const std::string& pattern) {
-    fmt::print(stderr, "betwixt: notice: '{}' names nothing\n", pattern);
+    tell_user(fmt::format("betwixt: notice: '{}' names nothing\n", pattern));
   });
   if (!found) return complain(found.error(), wrong_input);
   const std::vector<Target>& targets = *found;

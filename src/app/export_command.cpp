@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "app/command.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/tell_user.h"
 #include "betwixt/export.h"
 #include "betwixt/object.h"
 
@@ -64,7 +66,9 @@ std::optional<KeyStyle> style_of(std::string_view word) {
   return std::nullopt;
 }
 
-int export_motion(const ExportCall& call) {
+int export_motion(ExportCall& call) {
+  const Result<Outgoing> outgoing = Outgoing::begin(call.out, "");
+  if (!outgoing) return complain(outgoing.error(), wrong_call);
   const auto document = open_script(call.file);
   if (!document) return wrong_input;
   const auto frames = read_frames(call.frames, *document);
@@ -83,16 +87,18 @@ int export_motion(const ExportCall& call) {
     return export_film(Program::compile(*document), options);
   }();
   if (stop_requested() && !made) {
-    fmt::print(stderr, "betwixt: stopped; {} was not made\n", call.out);
+    tell_user(fmt::format("betwixt: stopped; {} was not made\n", *outgoing ? "the file" : call.out));
     return interrupted;
   }
   if (!made) return complain(made.error(), wrong_call);
-  for (const std::string& sentence : made->left_out) fmt::print(stderr, "betwixt: notice: {}\n", sentence);
+  if (const Status sent = outgoing->send(); !sent) return complain(sent.error(), machine_failed);
+  for (const std::string& sentence : made->left_out) tell_user(fmt::format("betwixt: notice: {}\n", sentence));
   fmt::print(stderr, "{} object{}, {} keys", made->objects, made->objects == 1 ? "" : "s", made->keys);
   if (made->baked > 0)
     fmt::print(stderr, " ({:.0f} % of one a frame)",
                100.0 * static_cast<double>(made->keys) / static_cast<double>(made->baked));
-  fmt::print(stderr, ", {:.0f} kB, {}\n", std::ceil(static_cast<double>(made->bytes) / 1000), call.out);
+  fmt::print(stderr, ", {:.0f} kB, {}\n", std::ceil(static_cast<double>(made->bytes) / 1000),
+             *outgoing ? "standard output" : call.out);
   return all_done;
 }
 
@@ -110,7 +116,8 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
       .sentence = "writes a film's motion for other programs",
       .takes = {script_parameter(call.file),
                 targets_parameter(call.targets, "the objects whose motion it is; all if none is named"),
-                output_parameter(call.out, "FILE", "what is made; its ending says what: " + endings()),
+                output_parameter(call.out, "FILE",
+                                 "what is made; its ending says what: " + endings() + "; -.glb: on standard output"),
                 frames_parameter(call.frames),
                 {.name = "--keys",
                  .value = "WORD",

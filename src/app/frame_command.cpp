@@ -4,9 +4,11 @@
 
 #include "app/code_errors.h"
 #include "app/command.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/files.h"
 #include "base/tell_user.h"
+#include "betwixt/film.h"
 #include "betwixt/picture.h"
 #include "betwixt/program.h"
 
@@ -17,11 +19,20 @@ struct FrameCall {
   std::string file, at, out;
   PictureCall picture;
   ExposureCall exposure;
-  int bits = 8;
+  int bits = 8, quality = 0;
   bool keep_old = false, keep_going = false;
 };
 
+constexpr int usual_quality = 92;  // of JPEG
+
+bool is_jpeg(const std::string& path) { return ending(path) == "jpg" || ending(path) == "jpeg"; }
+
 Status write(const FrameCall& call, const DeepPicture& light) {
+  if (is_jpeg(call.out)) {
+    Picture shown;
+    to_shown(light, shown);
+    return write_jpeg(call.out, shown, call.quality == 0 ? usual_quality : call.quality, !call.keep_old);
+  }
   if (ending(call.out) == "exr") return write_exr(call.out, light, !call.keep_old);
   if (call.bits > 8) return write_png(call.out, light, !call.keep_old);
   Picture shown;
@@ -42,19 +53,27 @@ Status draw(const FrameCall& call, const Program& program, Time t, const RenderO
   }
   Picture picture;
   const Status drawn = renderer.render(evaluation, picture);
-  return drawn ? write_png(call.out, picture, !call.keep_old) : drawn;
+  if (!drawn) return drawn;
+  if (!is_jpeg(call.out)) return write_png(call.out, picture, !call.keep_old);
+  return write_jpeg(call.out, picture, call.quality == 0 ? usual_quality : call.quality, !call.keep_old);
 }
 
 int frame(FrameCall& call) {
   const bool named = !call.out.empty();
   call.out = output_or(call.out, call.file, "png");
+  const Result<Outgoing> outgoing = Outgoing::begin(call.out, "png");
+  if (!outgoing) return complain(outgoing.error(), wrong_call);
   const std::string kind = ending(call.out);
-  if (kind != "png" && kind != "exr")
-    return complain(
-        fail(ErrorCode::range, "one picture is a .png or .exr, not \"" + call.out + "\"", "for films: betwixt render"),
-        wrong_call);
-  if (kind == "exr" && call.bits != 8)
-    return complain(fail(ErrorCode::range, "--bits is for PNG: a channel of OpenEXR is half a float"), wrong_call);
+  if (kind != "png" && kind != "exr" && !is_jpeg(call.out))
+    return complain(fail(ErrorCode::range, "one picture is a .png, .jpg or .exr, not \"" + call.out + "\"",
+                         "for films: betwixt render"),
+                    wrong_call);
+  if (kind != "png" && call.bits != 8)
+    return complain(fail(ErrorCode::range, kind == "exr" ? "--bits is for PNG: a channel of OpenEXR is half a float"
+                                                         : "--bits is for PNG: a channel of JPEG has 8"),
+                    wrong_call);
+  if (!is_jpeg(call.out) && call.quality != 0)
+    return complain(fail(ErrorCode::range, "--quality is for .jpg: others lose nothing"), wrong_call);
   if (Status s = check_place(call.out, !call.keep_old); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
@@ -75,25 +94,28 @@ int frame(FrameCall& call) {
   Problems().say(found.warnings);
   const Status drawn = draw(call, program, *time, options, *exposure, **renderer);
   if (!drawn) return complain(drawn.error(), wrong_call);
-  if (!named) tell_user(call.out + "\n");
+  if (const Status sent = outgoing->send(); !sent) return complain(sent.error(), machine_failed);
+  if (!named && !*outgoing) tell_user(call.out + "\n");
   return all_done;
 }
 
 const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
   return {.rank = 20,
           .name = "frame",
-          .sentence = "makes one picture, a PNG or an OpenEXR",
-          .takes = joined({{script_parameter(call.file),
-                            {.name = "--at",
-                             .value = "TIME",
-                             .sentence = "when: 24f, 2.5s, 00:01:02.5; usually the film's first frame",
-                             .into = &call.at},
-                            output_parameter(call.out, "PICTURE", "the picture", "png")},
-                           picture_parameters(call.picture),
-                           exposure_parameters(call.exposure),
-                           {bits_parameter(call.bits),
-                            flag("--no-overwrite", "leave a picture alone that is there already", call.keep_old),
-                            keep_going_flag(call.keep_going)}}),
+          .sentence = "makes one picture: PNG, JPEG or OpenEXR",
+          .takes = joined(
+              {{script_parameter(call.file),
+                {.name = "--at",
+                 .value = "TIME",
+                 .sentence = "when: 24f, 2.5s, 00:01:02.5; usually the film's first frame",
+                 .into = &call.at},
+                output_parameter(call.out, "PICTURE",
+                                 "the picture, .png .jpg .exr; - is standard output, -.jpg a JPEG there", "png")},
+               picture_parameters(call.picture),
+               exposure_parameters(call.exposure),
+               {bits_parameter(call.bits), quality_parameter(call.quality, "of JPEG; 92 if not said"),
+                flag("--no-overwrite", "leave a picture alone that is there already", call.keep_old),
+                keep_going_flag(call.keep_going)}}),
           .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
 });
 

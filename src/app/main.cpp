@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   try {
     return betwixt::command_line(argc, argv);
   } catch (const std::exception& e) {  // memory that is not to be had, above all
-    std::fprintf(stderr, "betwixt: the machine failed: %s\n", e.what());
+    std::fprintf(stderr, "betwixt: error: the machine failed: %s\n", e.what());
     return betwixt::machine_failed;
   }
 }

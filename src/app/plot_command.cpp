@@ -7,8 +7,10 @@
 
 #include "app/command.h"
 #include "app/plot_svg.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/files.h"
+#include "base/tell_user.h"
 #include "betwixt/program.h"
 #include "scene/document.h"
 
@@ -114,12 +116,16 @@ std::vector<DrawnCurve> curves(const Program& program, const Target& target, con
 
 int plot(PlotCall& call) {
   call.out = output_or(call.out, call.file, "svg");
+  const Result<Outgoing> outgoing = Outgoing::begin(call.out, "svg");
+  if (!outgoing) return complain(outgoing.error(), wrong_call);
   if (!call.out.ends_with(".svg"))
     return complain(fail(ErrorCode::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
   if (Status s = check_place(call.out, true); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   const Status drawn = plot_document(*document, call.targets, call.frames, call.out);
+  const Status sent = drawn ? outgoing->send() : Status(Nothing{});
+  if (!sent) return complain(sent.error(), machine_failed);
   if (drawn) return all_done;
   const ErrorCode code = drawn.error().code;
   return complain(drawn.error(), code == ErrorCode::name || code == ErrorCode::syntax ? wrong_input : wrong_call);
@@ -143,7 +149,7 @@ Status plot_document(const Document& document, const std::vector<std::string>& w
   for (const std::string& word : words) {
     const Result<std::vector<Target>> targets = find_targets(word, document);
     if (!targets) return fail(ErrorCode::name, targets.error().message, targets.error().hint);
-    if (targets->empty()) fmt::print(stderr, "betwixt: nothing matches \"{}\"\n", word);
+    if (targets->empty()) tell_user(fmt::format("betwixt: notice: nothing matches \"{}\"\n", word));
     const std::size_t before = drawing.curves.size();
     for (const Target& t : *targets)
       for (DrawnCurve& c : curves(program, t, *frames, last)) drawing.curves.push_back(std::move(c));

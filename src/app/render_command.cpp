@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include "app/command.h"
 #include "app/making.h"
 #include "app/stats.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/files.h"
 #include "base/tell_user.h"
@@ -15,6 +17,7 @@
 #include "betwixt/program.h"
 #include "film/formats.h"
 #include "film/output.h"
+#include "language/cursor.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -24,7 +27,9 @@ struct RenderCall {
   std::string file, out, frames;
   PictureCall picture;
   ExposureCall exposure;
-  int jobs = 0, bits = 8;
+  int jobs = 0, bits = 8, quality = 0;
+  std::string codec;
+  std::optional<Rate> rate;
   bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false, progress = false;
 };
 
@@ -65,9 +70,12 @@ void say_what_is_lost(const RenderCall& call, const Document& document) {
 
 int render(RenderCall& call) {
   call.out = output_or(call.out, call.file, "mp4");
+  const Result<Outgoing> outgoing = Outgoing::begin(call.out, "mp4");
+  if (!outgoing) return complain(outgoing.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
-  const Result<FrameList> frames = read_frames(call.frames, *document);
+  Result<FrameList> frames = read_frames(call.frames, *document);
+  if (frames && call.rate) frames = frames_between(frames->first, frames->last, *call.rate);
   if (!frames) return complain(frames.error(), wrong_call);
 
   const Result<std::optional<Exposure>> exposure = call.exposure.of(*document);
@@ -92,6 +100,8 @@ int render(RenderCall& call) {
   shoot.film.jobs = call.jobs;
   shoot.film.overwrite = !call.keep_old;
   shoot.film.missing = call.missing;
+  shoot.film.quality = call.quality, shoot.film.codec = call.codec;
+  if (const Status s = check_encoding(shoot.film); !s) return complain(s.error(), wrong_call);
   say_what_is_lost(call, *document);
 
   if (call.plan) {
@@ -104,9 +114,30 @@ int render(RenderCall& call) {
                 shoot.film, [&] { return listened(deep_painter_of(program, shoot, say)); }, call.progress)
           : make_showing(
                 shoot.film, [&] { return listened(painter_of(program, shoot, say)); }, call.progress);
-  const int code = say_made(made, shoot.film);
+  if (const Status sent = made ? outgoing->send() : Status(Nothing{}); !sent)
+    return complain(sent.error(), machine_failed);
+  FilmOptions said = shoot.film;
+  if (*outgoing) said.path = "standard output";
+  const int code = say_made(made, said);
   if (made && call.stats) print_stats(*made, spent, program);
   return code;
+}
+
+std::string all_codecs() {
+  std::string all;
+  for (const Format& f : formats()) {
+    const auto codecs = codecs_of("film" + std::string(f.ending));
+    if (!codecs.empty()) all += fmt::format("{}{}: {}", all.empty() ? "" : "; ", f.ending, fmt::join(codecs, ", "));
+  }
+  return all;
+}
+
+Status read_rate(const std::string& text, std::optional<Rate>& to) {
+  Cursor c(text);
+  Rate rate;
+  if (!c.per_second(rate, "pictures") || c.at != c.end)
+    return fail(ErrorCode::range, fmt::format("\"{}\" is no rate such as 24, 29.97 or 30000/1001, up to 100000", text));
+  return to = rate, Nothing{};
 }
 
 const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
@@ -117,11 +148,17 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
       .takes = joined(
           {{script_parameter(call.file),
             output_parameter(call.out, "OUT",
-                             "the film; its ending says what is made, frame-%04d.png: numbered pictures", "mp4"),
+                             "the film; its ending says what is made, frame-%04d.png: numbered pictures; - is standard "
+                             "output, -.webm a film of that kind there",
+                             "mp4"),
             frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
            picture_parameters(call.picture),
            exposure_parameters(call.exposure),
            {bits_parameter(call.bits),
+            quality_parameter(call.quality, "of .mp4 and .webm; what is usual for the codec if not said"),
+            option("--codec", "NAME", "how it is coded; " + all_codecs(), &call.codec),
+            option("--fps", "RATE", "pictures a second, 24, 29.97 or 30000/1001; the script's if not said",
+                   ReadValue([&call](const std::string& text) { return read_rate(text, call.rate); })),
             {.name = "--jobs",
              .value = "N",
              .sentence = "pictures made at once; if not said, what suits this machine",

@@ -10,7 +10,9 @@
 #include <tuple>
 
 #include "app/command.h"
+#include "app/streams.h"
 #include "base/names.h"
+#include "base/tell_user.h"
 #include "betwixt/language.h"
 #include "scene/appearance.h"
 
@@ -26,6 +28,13 @@ std::vector<std::function<Subcommand()>>& enlisted() {
 Status read_size(const std::string& text, std::optional<std::pair<int, int>>& to) {
   if (const auto size = parse_size(text)) return to = size, Nothing{};
   return fail(ErrorCode::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
+}
+
+Status read_colours(const std::string& text) {
+  if (text != "auto" && text != "always" && text != "never")
+    return fail(ErrorCode::range, fmt::format("\"{}\" is not auto, always or never", text));
+  choose_colours(text == "auto" ? Colours::automatic : text == "always" ? Colours::always : Colours::never);
+  return Nothing{};
 }
 
 // How many samples the styles take, each number once: "1, 4, 9 or 16; traced: 1 to 4096".
@@ -68,6 +77,11 @@ const std::vector<Subcommand>& subcommands() {
 
 const std::vector<Parameter>& common_parameters() {
   static const std::vector<Parameter> all{
+      {.name = "--color",
+       .value = "WHEN",
+       .sentence = "colours in errors: auto (on a terminal, unless NO_COLOR is set), always or never",
+       .into = ReadValue(read_colours),
+       .words = {"auto", "always", "never"}},
       {.name = "--read-anywhere",
        .sentence = "let the script read files outside its own folder, and files that unpack to any size",
        .into = &load_options().read_anywhere},
@@ -84,7 +98,11 @@ const std::vector<Parameter>& common_parameters() {
 }
 
 Parameter script_parameter(std::string& file) {
-  return {.name = "FILE", .sentence = "the script", .into = &file, .required = true, .offer = Offer::scripts};
+  return {.name = "FILE",
+          .sentence = "the script; - is standard input",
+          .into = &file,
+          .required = true,
+          .offer = Offer::scripts};
 }
 
 Parameter targets_parameter(std::vector<std::string>& targets, const std::string& sentence, bool required) {
@@ -102,6 +120,7 @@ Parameter output_parameter(std::string& out, const std::string& value, const std
 }
 
 std::string output_or(const std::string& out, const std::string& script, const std::string& usual) {
+  if (out.empty() && is_stream(script)) return "-";
   return out.empty() ? std::filesystem::path(script).stem().string() + "." + usual : out;
 }
 
@@ -192,6 +211,14 @@ Parameter bits_parameter(int& bits) {
           .into = &bits,
           .words_only = true,
           .words = {"8", "16"}};
+}
+
+Parameter quality_parameter(int& quality, const std::string& of) {
+  return {.name = "--quality",
+          .value = "N",
+          .sentence = "1, the worst, to 100, " + of,
+          .into = &quality,
+          .range = {{1, 100}}};
 }
 
 std::vector<Parameter> picture_parameters(PictureCall& to) {

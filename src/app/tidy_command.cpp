@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "app/command.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/files.h"
 
@@ -31,11 +32,13 @@ struct TidyCall {
 
 int tidy(const TidyCall& call) {
   std::error_code ignored;
+  if (call.write && is_stream(call.file))
+    return complain(fail(ErrorCode::range, "standard input has no place to be put back to"), wrong_call);
   if (std::filesystem::exists(call.file, ignored) && !std::filesystem::is_directory(call.file, ignored) &&
       !std::filesystem::is_regular_file(call.file, ignored))  // read twice, a pipe would be empty
     return complain(fail(ErrorCode::file, fmt::format("'{}': only a file can be tidied", call.file)), wrong_call);
   if (!open_script(call.file)) return wrong_input;  // a script that cannot be read is left alone
-  const Result<std::string> text = read_whole(call.file);
+  const Result<std::string> text = script_text(call.file);
   if (!text) return complain(text.error(), wrong_input);
   const std::string tidied = betwixt::tidy(*text);
   if (!call.write)

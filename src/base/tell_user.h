@@ -5,11 +5,19 @@
 // else happens.
 #pragma once
 
-#include <cstdio>
+#include <string>
 #include <string_view>
 
 namespace betwixt {
 
-inline void tell_user(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
+// In colours where that is wanted: "error:", "warning:" and "notice:", what stands before them, and carets.
+void tell_user(std::string_view text);
+
+enum class Colours { automatic, always, never };
+// Automatic, as it is unless somebody chooses: where standard error is a terminal that knows colours, and NO_COLOR is
+// not set (no-color.org).
+void choose_colours(Colours);
+// The text as a terminal shows it in colours.
+std::string in_colours(std::string_view text);
 
 }  // namespace betwixt

@@ -61,7 +61,7 @@ bool film(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();
   if (w != "flat" && w != "solid")
-    return c.fail(ErrorCode::syntax, "a film is flat or solid", w, w.empty() ? "" : did_you_mean(w, {"flat", "solid"}));
+    return no_choice(c, w, "a film is flat or solid", did_you_mean(w, {"flat", "solid"}));
   if (!finish(c)) return false;
   s.appearance.flat = w == "flat";
   return true;

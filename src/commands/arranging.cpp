@@ -164,8 +164,7 @@ bool arrange(Command& k) {
   how.in = c.next_word();
   if (std::find(std::begin(ways), std::end(ways), how.in) == std::end(ways)) {
     const std::string near = did_you_mean(how.in, {std::begin(ways), std::end(ways)});
-    return c.fail(ErrorCode::syntax, "things are arranged in a row, column, grid or circle",
-                  how.in.empty() ? std::string_view(c.at, 0) : how.in, near);
+    return no_choice(c, how.in, "things are arranged in a row, column, grid or circle", near);
   }
   while (!c.at_line_end()) {
     const char* const start = c.at;

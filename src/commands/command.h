@@ -54,6 +54,9 @@ bool carry_out(Command&);
 bool finish(Cursor&);
 // Why what stands behind `on LAYER` cannot.
 bool on_no_layer(Cursor&, std::string_view verb);
+// What stands there is none of the words that may: an error of type, as of the words of a function; of syntax where
+// nothing stands.
+bool no_choice(Cursor&, std::string_view word, std::string message, std::string hint = {});
 // on or off, and nothing more; whoever says anything else is told `otherwise`.
 bool on_or_off(Cursor&, const char* otherwise, bool& out);
 
@@ -123,6 +126,8 @@ bool one_time_only(Cursor&, std::string_view segment);
 bool draws(Command&, const Target&, std::string_view about);
 // A camera focuses on something else than itself; any other function may have any value.
 bool focuses_elsewhere(Command&, const Target&, const Value&, std::string_view about);
+// Whether code says what any of its rows are.
+bool has_code(const Track&);
 // What stands behind a row's time.
 bool event(Command&, const Selected& to, Time);
 // A value per second: angles of a rotation one by one, or the turning about an axis.

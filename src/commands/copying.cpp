@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "commands/notes.h"
 #include "commands/segments.h"
@@ -22,8 +24,13 @@ struct Copying {
   Selected into;
   std::string_view onto;  // how that was written
   Time start;
-  std::optional<Value> shift;
+  std::map<Type, Value> shifts;  // by the type of what is shifted
+  bool shifted = false;
   long times = 1;
+  const Value* shift(Type of) const {
+    const auto known = shifts.find(of);
+    return known == shifts.end() ? nullptr : &known->second;
+  }
   const Target& source(std::size_t i) const { return from.of.targets[from.of.targets.size() == 1 ? 0 : i]; }
 };
 
@@ -82,17 +89,69 @@ Result<Changed> copy_track(Scene& s, const Scene& before, const Target& from, co
   return sum;
 }
 
-bool shift(Command& k, Copying& how) {
+Type type_of(const Scene& s, const Target& t) {
+  const Type whole = spec_of(s, t.function).type;
+  return t.component < 0 ? whole : component_type(whole);
+}
+
+// The shift for values of one type.
+bool read_shift(Command& k, const Target& of, Value& out) {
   Cursor& c = k.cursor;
-  const FunctionSpec free = unbounded(how.from.spec());  // a shift may be of any size
-  Value v;
+  const FunctionSpec free = unbounded(spec_of(k.scene, of.function));  // a shift may be of any size
   c.space();
   const char* at = c.at;
-  if (!values(k).value(free, how.from.of.component, v)) return false;
-  if (!add_scaled(v, v, 1))
-    return c.fail(ErrorCode::type, fmt::format("{} cannot be shifted", to_string(how.from.type())), c.since(at));
-  how.shift = std::move(v);
-  return true;
+  if (!values(k).value(free, of.component, out)) return false;
+  if (add_scaled(out, out, 1)) return true;
+  return c.fail(ErrorCode::type, fmt::format("{} cannot be shifted", to_string(type_of(k.scene, of))), c.since(at));
+}
+
+// For each of the types that are copied, as far as it means something for that.
+bool shift(Command& k, Copying& how) {
+  Cursor& c = k.cursor;
+  if (how.from.of.targets.empty()) {
+    Value unused;
+    const FunctionSpec free = unbounded(how.from.spec());
+    return how.shifted = true, values(k).value(free, how.from.of.component, unused);
+  }
+  const char *const start = c.at, *behind = nullptr;
+  const int depth = c.depth;
+  std::optional<Error> why;
+  std::string_view where;
+  std::set<Type> tried;
+  for (const Target& t : how.from.of.targets) {
+    const Type type = type_of(k.scene, t);
+    if (!tried.insert(type).second) continue;
+    c.at = start, c.depth = depth;
+    Value v;
+    if (read_shift(k, t, v)) {
+      behind = c.at;
+      how.shifts.emplace(type, std::move(v));
+      continue;
+    }
+    if (!why) why = c.error, where = c.where;
+    c.error.reset(), c.where = {};
+  }
+  how.shifted = true;
+  if (!behind) return c.error = std::move(why), c.where = where, false;
+  return c.at = behind, c.depth = depth, true;
+}
+
+// What the shift does not fit is left out, and named.
+void leave_out(Command& k, Copying& how) {
+  if (!how.shifted || how.from.of.targets.size() < 2) return;
+  Selected from = how.from.of, into = how.into;
+  from.targets.clear(), into.targets.clear();
+  std::vector<Target> left;
+  for (std::size_t i = 0; i < how.into.targets.size(); ++i) {
+    const Target source = how.source(i);
+    if (!how.shift(type_of(k.scene, source)))
+      left.push_back(source);
+    else
+      from.targets.push_back(source), into.targets.push_back(how.into.targets[i]);
+  }
+  if (left.empty()) return;
+  say_left_out(k, left, how.from.word, "the shift does not fit");
+  how.from.of = std::move(from), how.into = std::move(into);
 }
 
 // TARGET A..B to T [on TARGET] [shift V] [times N]
@@ -109,18 +168,13 @@ bool arguments(Command& k, Copying& how) {
     } else if (c.accept_word("times")) {
       if (!c.whole_number(1, 1'000'000, "times", how.times)) return false;
     } else if (c.accept_word("shift")) {
-      if (!alike(k, how.from.of) || !shift(k, how)) return false;
+      if (!shift(k, how)) return false;
     } else {
       return c.fail_here(ErrorCode::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
                          "copies take: on TARGET, shift VALUE, times N");
     }
   }
   return true;
-}
-
-Type type_of(const Scene& s, const Target& t) {
-  const Type whole = spec_of(s, t.function).type;
-  return t.component < 0 ? whole : component_type(whole);
 }
 
 bool fits(Command& k, const Copying& how) {
@@ -174,14 +228,21 @@ bool copy(Command& k) {
   if (std::string_view word; accept_notes(k, word)) return copy_notes(k, word);
   if (!arguments(k, how)) return false;
   if (!how.from.of.spec || !how.into.spec) return true;
-  if (!fits(k, how) || !finish(k.cursor) || !affordable(k, how)) return false;
-  for (std::size_t i = 0; how.shift && i < how.into.targets.size(); ++i)
-    if (!reaches(k, how.from, how.source(i), *how.shift, "shifted")) return false;
+  if (!fits(k, how) || !finish(k.cursor)) return false;
+  leave_out(k, how);
+  if (!affordable(k, how)) return false;
+  const auto shift_of = [&](const Target& t) {
+    const Value* by = how.shift(type_of(k.scene, t));
+    return by ? std::optional<Value>(*by) : std::nullopt;
+  };
+  for (std::size_t i = 0; how.shifted && i < how.into.targets.size(); ++i)
+    if (const auto by = shift_of(how.source(i)); by && !reaches(k, how.from, how.source(i), *by, "shifted"))
+      return false;
   Rollback all(k.scene);
   Changed sum;
   for (std::size_t i = 0; i < how.into.targets.size(); ++i) {
     Target source = how.source(i), to = how.into.targets[i];
-    Result<Changed> done = copy_track(k.scene, all.before(), source, to, how, how.shift);
+    Result<Changed> done = copy_track(k.scene, all.before(), source, to, how, shift_of(source));
     if (done && !source.velocity &&
         has_velocity(type_of(k.scene, source))) {  // what goes on beside it, unshifted (R-T10)
       sum.events += done->events, sum.replaced += done->replaced;
@@ -196,7 +257,7 @@ bool copy(Command& k) {
     k.script.note(Severity::notice, fmt::format("there are no events of '{}' there", how.from.of.text), how.from.word);
   if (sum.replaced > 0)
     k.script.note(Severity::notice, fmt::format("{} gave way", plural(sum.replaced, "event")), how.from.word,
-                  how.shift ? "" : "a copy begins with the value that the original began with; shift V adds the way");
+                  how.shifted ? "" : "a copy begins with the value that the original began with; shift V adds the way");
   say_lasting(k, all.before(), how.into, how.from.word);
   return true;
 }

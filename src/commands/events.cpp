@@ -59,6 +59,10 @@ bool goes_with(Command& k, const Selected& to, const Target& t, const Event& eve
   if (!rotation && whole) return true;
   const auto tracks = tracks_of(s, t);
   if (tracks.empty()) return true;
+  if (!whole && slot->components.empty() && has_code(*tracks[0]))
+    return c.fail(ErrorCode::type,
+                  "its rows of code say all components at once: one of them finds no place beside these", about,
+                  fmt::format("bake {} A..B makes plain rows of them", target_name(s, {t.object, t.function})));
   const bool orientation = !tracks[0]->events.empty() && std::holds_alternative<Quat>(tracks[0]->events.front().value);
   const bool turns = std::holds_alternative<Quat>(event.value);
   // Components of an orientation are nothing an animator would know.
@@ -76,6 +80,12 @@ bool goes_with(Command& k, const Selected& to, const Target& t, const Event& eve
 }
 
 }  // namespace
+
+bool has_code(const Track& track) {
+  bool any = false;
+  track.events.each([&](const Event& e) { any = any || std::holds_alternative<Procedure>(e.value); });
+  return any;
+}
 
 // Whether an object can show a shape.
 bool draws(Command& k, const Target& t, std::string_view about) {

@@ -232,6 +232,19 @@ bool laws_of(Command& k, Laws& laws) {
   return true;
 }
 
+// A fall is of three components, which code that says the whole knows nothing of.
+bool in_plain_rows(Command& k, ObjectId id, std::string_view word) {
+  const Object& o = k.scene.objects[id.index];
+  const Slot* slot = o.find(fn::position);
+  if (!slot || !slot->components.empty()) return true;
+  const bool set = slot->set && std::holds_alternative<Procedure>(*slot->set);
+  if (!set && !has_code(*slot->track)) return true;
+  return k.cursor.fail(
+      ErrorCode::type,
+      fmt::format("code says all of {}.position at once: a fall of its components finds no place", o.name), word,
+      fmt::format("bake {}.position A..{} makes plain rows of it", o.name, format_time(*k.time, k.scene.rate)));
+}
+
 // What else moves the thing while it falls, and what falls no way at all.
 void say_company(Command& k, ObjectId id, double height, const Laws& laws, std::string_view word) {
   auto& [s, c, time, layer, script] = k;
@@ -281,6 +294,8 @@ bool fall(Command& k) {
   if (!objects(k, word, things)) return false;
   Laws laws;
   if (!laws_of(k, laws)) return false;
+  for (const ObjectId id : things)
+    if (!in_plain_rows(k, id, word)) return false;
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
   const Program own = bare(s, things, program);
   for (const ObjectId id : things) {

@@ -27,15 +27,15 @@ struct Turns {
 
 bool turns_from(Command& k, Turns& out) {
   Cursor& c = k.cursor;
-  const char* const start = (c.space(), c.at);
+  c.space();
   static constexpr std::string_view orders[] = {"first", "last", "centre", "edges", "random"};
   if (out.metres == 0) {
     const std::string_view w = c.next_word();
     const auto known = std::find(std::begin(orders), std::end(orders), w);
     if (known == std::end(orders)) {
       const std::string near = did_you_mean(w, {std::begin(orders), std::end(orders)});
-      return c.fail(ErrorCode::syntax, "the turns begin from first, last, centre, edges or random N",
-                    w.empty() ? c.since(start) : w, near.empty() ? "from a place: by 2f per 1m from (0 0 0)" : near);
+      return no_choice(c, w, "the turns begin from first, last, centre, edges or random N",
+                       near.empty() ? "from a place: by 2f per 1m from (0 0 0)" : near);
     }
     out.from = *known;
     long seed = -1;

@@ -19,9 +19,8 @@ bool layer(Command& k) {
   if (!free_name(k, std::string(word), word)) return false;
   const std::string_view mode = c.next_word();
   if (mode != "add" && mode != "mix")
-    return c.fail(ErrorCode::syntax, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
-                  mode.empty() ? std::string_view(c.at, 0) : mode,
-                  "add lays its values on top; mix goes over to them by its weight");
+    return no_choice(c, mode, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
+                     "add lays its values on top; mix goes over to them by its weight");
   Object object;
   object.name = word;
   object.kind = Kind::layer;

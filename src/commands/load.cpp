@@ -12,12 +12,33 @@
 namespace betwixt {
 namespace {
 
+// What others' files hold is kept, as it was when they were read.
+Scene with_files_of(const Scene& was) {
+  Scene scene;
+  scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
+  return scene;
+}
+
+// A film that there is something to say about is read once more, to find out where it says that.
+template <class Read>
+void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& options, const Read& read) {
+  Watch watch(look_over(scene));
+  if (watch.remarks().empty()) return;
+  Scene again = with_files_of(scene);
+  Diagnostics said;
+  Script script(again, said, options);
+  script.options.asked_for = {};
+  script.watch = &watch;
+  read(again, script);
+  for (const Remark& remark : watch.remarks()) out.push_back(remark.said);
+}
+
 template <class Read>
 Loaded load(const LoadOptions& options, Read&& read, Scene scene = {}) {
   Diagnostics diagnostics;
   Script script(scene, diagnostics, options);
   read(scene, script);
-  if (!has_errors(diagnostics)) look_over(scene, diagnostics);
+  if (!has_errors(diagnostics)) say_remarks(scene, diagnostics, options, read);
   return {Document(std::make_shared<const Scene>(std::move(scene))), std::move(diagnostics)};
 }
 
@@ -33,11 +54,8 @@ Loaded load_text(std::string_view text, const std::string& name, const LoadOptio
 
 Loaded load_text_again(std::string_view text, const std::string& name, const LoadOptions& options,
                        const Document& before) {
-  Scene scene;
-  const Scene& was = before.scene();
-  scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
   return load(
-      options, [&](Scene& s, Script& script) { read_text(s, script, text, name); }, std::move(scene));
+      options, [&](Scene& s, Script& script) { read_text(s, script, text, name); }, with_files_of(before.scene()));
 }
 
 namespace {

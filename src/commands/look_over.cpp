@@ -5,23 +5,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
+#include "base/names.h"
 #include "commands/command.h"
 #include "exchange/geometry.h"
 #include "program/compiled.h"
 #include "scene/names.h"
 #include "scene/rig.h"
 #include "scene/shape_blend.h"
+#include "track/swing.h"
 
 namespace betwixt {
 namespace {
 
-void say(Diagnostics& out, ErrorCode code, std::string what, std::string hint = {}) {
-  out.push_back({Severity::notice, fail(code, std::move(what), std::move(hint)), {}, 0});
+using Remarks = std::vector<Remark>;
+
+// More lines than that are not looked for: whoever is told so many has enough to do.
+constexpr std::size_t most_places = 200;
+
+void say(Remarks& out, const Subject& about, ErrorCode code, std::string what, std::string hint = {},
+         Severity severity = Severity::notice) {
+  out.push_back({{severity, fail(code, std::move(what), std::move(hint)), {}, 0}, about});
 }
 
+Subject of(ObjectId id, FunctionId f, std::optional<Time> time = std::nullopt) { return {Target{id, f, -1}, time}; }
+
 // Shapes that are asked to blend but can only step: said once for each track.
-void look_at_blends(const Scene& s, Diagnostics& out) {
+void look_at_blends(const Scene& s, Remarks& out) {
   Program program;
   bool compiled = false;
   for (std::size_t i = 0; i < s.objects.size(); ++i) {
@@ -51,33 +63,31 @@ void look_at_blends(const Scene& s, Diagnostics& out) {
       said = true;
       if (blends)
         return say(
-            out, ErrorCode::type,
+            out, of({static_cast<std::uint32_t>(i)}, fn::geometry, from->time), ErrorCode::type,
             fmt::format("{}.geometry goes straight from {} to {}: {} is a curve through shapes of one kind, with "
                         "as many points, and not through texts",
                         o.name, format_time(from->time, s.rate), format_time(e.time, s.rate), name_of(t)));
-      out.push_back(
-          {Severity::warning,
-           fail(ErrorCode::type, fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,
-                                             format_time(from->time, s.rate), format_time(e.time, s.rate), why)),
-           {},
-           0});
+      say(out, of({static_cast<std::uint32_t>(i)}, fn::geometry, from->time), ErrorCode::type,
+          fmt::format("{}.geometry cannot blend from {} to {}: {}; it steps instead", o.name,
+                      format_time(from->time, s.rate), format_time(e.time, s.rate), why),
+          {}, Severity::warning);
     });
   }
 }
 
 // Notes that nobody will ever see: said once, of the first.
-void look_at_notes(const Scene& s, Diagnostics& out) {
+void look_at_notes(const Scene& s, Remarks& out) {
   if (!s.range || s.notes->empty() || !s.notes_shown) return;
   const auto outside = [&](const auto& note) { return note.first < s.range->first || note.first > s.range->second; };
   const auto first = std::find_if(s.notes->begin(), s.notes->end(), outside);
   if (first == s.notes->end()) return;
-  say(out, ErrorCode::range,
+  say(out, {{}, first->first, true}, ErrorCode::range,
       fmt::format("the note at {} is outside the range, {} to {}: it never plays", format_time(first->first, s.rate),
                   format_time(s.range->first, s.rate), format_time(s.range->second, s.rate)));
 }
 
 // Tangents that no `hermite` asks for, handles that no `fcurve` does: said once for each track.
-void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Strand& strand, Diagnostics& out) {
+void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Strand& strand, Remarks& out) {
   const auto look = [&](const Track& track, int component) {
     const Event* before = nullptr;
     bool said = false;
@@ -95,7 +105,7 @@ void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Stran
       if (!idle || std::exchange(said, true)) return;
       Target t{id, slot.function, component};
       t.layer = slot.layer, t.velocity = &strand != &slot;
-      say(out, ErrorCode::type,
+      say(out, {t, e.time}, ErrorCode::type,
           fmt::format("{} has a {} at {} that nothing asks for", target_name(s, t), handles ? "handle" : "tangent",
                       format_time(e.time, s.rate)),
           handles ? "fcurve takes handles, before an event and behind it"
@@ -107,40 +117,40 @@ void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Stran
 }
 
 // Components with events of their own, of what code computes as a whole: it does not reach them.
-void look_at_code(const Scene& s, ObjectId id, const Slot& slot, Diagnostics& out) {
+void look_at_code(const Scene& s, ObjectId id, const Slot& slot, Remarks& out) {
   if (!slot.set || !std::holds_alternative<Procedure>(*slot.set)) return;
   for (std::size_t i = 0; i < slot.components.size(); ++i) {
     if (slot.components[i]->events.empty()) continue;
     Target whole{id, slot.function, -1}, part{id, slot.function, static_cast<int>(i)};
     whole.layer = part.layer = slot.layer;
-    say(out, ErrorCode::type,
+    say(out, {part, std::nullopt}, ErrorCode::type,
         fmt::format("{} has events of its own: the code of {} does not reach it", target_name(s, part),
                     target_name(s, whole)));
   }
 }
 
 // Things that are let go while nothing holds them: said once for each.
-void look_at_letting_go(const Scene& s, const Object& o, Diagnostics& out) {
+void look_at_letting_go(const Scene& s, ObjectId id, const Object& o, Remarks& out) {
   bool held = false, said = false;
   for (const AttachmentSpan& a : attachments(o)) {
     const bool holds = a.computed || a.to.kind >= AttachmentKind::hang;
     if (!holds && !held && a.from != from_the_beginning && !std::exchange(said, true))
-      say(out, ErrorCode::type,
+      say(out, of(id, fn::attachment, a.from), ErrorCode::type,
           fmt::format("{} is let go at {}, where nothing holds it", o.name, format_time(a.from, s.rate)));
     held = holds;
   }
 }
 
 // Lenses of cameras that have none.
-void look_at_lens(const Object& o, Diagnostics& out) {
+void look_at_lens(ObjectId id, const Object& o, Remarks& out) {
   if (o.kind == Kind::camera && o.find(fn::f_stop) && o.find(fn::camera_height))
-    say(out, ErrorCode::type,
+    say(out, of(id, fn::f_stop), ErrorCode::type,
         fmt::format("{} has a height, so it sees without perspective and its f-stop blurs nothing", o.name),
         "lens or fov in place of height");
 }
 
 // Joints that move no vertices: their number is another than the file's, or nothing has such a name.
-void look_at_joints(const Scene& s, const Object& o, Diagnostics& out) {
+void look_at_joints(const Scene& s, ObjectId id, const Object& o, Remarks& out) {
   const Slot *said = o.find(fn::joints), *file = o.find(fn::file);
   const auto* names = said && said->set ? std::get_if<Names>(&*said->set) : nullptr;
   const auto* path = file && file->set ? std::get_if<Text>(&*file->set) : nullptr;
@@ -148,31 +158,153 @@ void look_at_joints(const Scene& s, const Object& o, Diagnostics& out) {
   const auto mesh = s.meshes->find(**path);
   const std::size_t wanted = mesh == s.meshes->end() || !mesh->second->rig ? 0 : mesh->second->rig->inverse_bind.size();
   if (wanted != (*names)->size())
-    return say(out, ErrorCode::range,
+    return say(out, of(id, fn::joints), ErrorCode::range,
                wanted == 0
                    ? fmt::format("{} has joints, but its mesh has no skin that follows them", o.name)
                    : fmt::format("{} has {} joints, but its mesh follows {}", o.name, (*names)->size(), wanted));
   for (const std::string& name : **names)
     if (!s.names.find(name))
-      return say(out, ErrorCode::name, fmt::format("{} follows '{}', which is not there: it stays", o.name, name));
+      return say(out, of(id, fn::joints), ErrorCode::name,
+                 fmt::format("{} follows '{}', which is not there: it stays", o.name, name));
+}
+
+// Whether a function of the object's own has plain events and nothing else that says what it is.
+const Track* plain_track(const Slot& slot, int component) {
+  if (slot.layer || !slot.filters.empty()) return nullptr;
+  return component < 0 ? &*slot.track : &*slot.components[static_cast<std::size_t>(component)];
+}
+
+// Tracks that stand still between two events, and swing far away on the way: said once for each, where it is worst.
+void look_at_swings(const Scene& s, ObjectId id, const Slot& slot, Remarks& out) {
+  const Type whole = spec_of(s, slot.function).type;
+  const int parts = static_cast<int>(slot.components.size());
+  for (int part = parts > 0 ? 0 : -1; part < parts; ++part) {
+    const Track* track = plain_track(slot, part);
+    const Type type = part < 0 ? whole : component_track_type(whole);
+    const auto swing = track ? widest_swing(*track, type, part >= 0, s.rate) : std::nullopt;
+    if (!swing) continue;
+    Target target{id, slot.function, part}, number = target;
+    const bool single = part < 0 && component_count(whole) > 0;
+    if (single) number.component = swing->number;
+    const double unit = row_of(whole).angles ? pi / 180 : 1;
+    const auto shown = [&](double v) { return fmt::format("{:.4g}{}", v / unit, row_of(whole).angles ? "deg" : ""); };
+    say(out, {target, swing->from}, ErrorCode::range,
+        fmt::format("{} swings to {} at {}: that is far beyond {}, which it has at {} and at {}",
+                    target_name(s, number), shown(swing->value), format_time(swing->at, s.rate), shown(swing->rest),
+                    format_time(swing->from, s.rate), format_time(swing->to, s.rate)),
+        fmt::format("auto never goes beyond its events: write it behind the value at {}, or twerper {} auto",
+                    format_time(swing->from, s.rate), target_name(s, target)));
+  }
+}
+
+// A bspline comes near its events only: beside another twerper, which goes through them, it jumps. Said once for each
+// track.
+void look_at_torn_splines(const Scene& s, ObjectId id, const Slot& slot, Remarks& out) {
+  const auto look = [&](const Track& track, int component) {
+    if (track.global != Twerper::unset || track.events.size() < 3) return;
+    const Event *before = nullptr, *torn = nullptr;
+    track.events.each([&](const Event& e) {
+      const bool differs = before && (before->twerper == Twerper::bspline) != (e.twerper == Twerper::bspline);
+      if (differs && !torn && e.time != track.events.back().time) torn = &e;
+      before = &e;
+    });
+    if (!torn) return;
+    Target t{id, slot.function, component};
+    t.layer = slot.layer;
+    say(out, {t, torn->time}, ErrorCode::type,
+        fmt::format("{} jumps at {}, where bspline meets another twerper", target_name(s, t),
+                    format_time(torn->time, s.rate)),
+        fmt::format("twerper {} bspline", target_name(s, t)));
+  };
+  look(*slot.track, -1);
+  for (std::size_t i = 0; i < slot.components.size(); ++i) look(*slot.components[i], static_cast<int>(i));
+}
+
+// Environments that something stands in but nobody ever animates: said of the first that does.
+void look_at_idle_environments(const Scene& s, Remarks& out) {
+  std::vector<std::string_view> known;
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (s.objects[i].environment && !s.objects[i].removed) known.push_back(s.objects[i].name);
+  std::map<std::string, bool> said;
+  for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
+    const Object& o = s.objects[i];
+    const auto look = [&](const Subject& about, const Value& v) {
+      const auto* names = std::get_if<Names>(&v);
+      for (const std::string& name : names ? **names : std::vector<std::string>()) {
+        const ObjectId id = s.names.find(name);
+        if ((id && s.objects[id.index].kind == Kind::environment) || !said.try_emplace(name).second) continue;
+        const std::string near = did_you_mean(name, known);
+        say(out, about, ErrorCode::name,
+            fmt::format("'{}' is in the environment '{}', which nobody animates", o.name, name),
+            near.empty() ? fmt::format("as in animate {} every 1t by rotate(3deg, z)", name) : near);
+      }
+    };
+    for (const FunctionId f : {fn::environments, fn::drive})
+      if (const Slot* slot = o.removed ? nullptr : o.find(f)) {
+        if (slot->set) look(of({i}, f), *slot->set);
+        slot->track->events.each([&](const Event& e) { look(of({i}, f, e.time), e.value); });
+      }
+  }
+}
+
+// What a remark is about, as it is now; none: it is not there.
+std::optional<Event> state(const Scene& s, const Subject& about) {
+  Event now;
+  if (about.notes) {
+    for (const auto& [time, text] : *s.notes)
+      if (time == about.time) now.value = Text(text);
+    return now;
+  }
+  const Target& t = about.target;
+  const Object* o = find_object(s, t.object);
+  const Slot* slot = o ? o->find(t.function, t.layer) : nullptr;
+  if (!slot) return std::nullopt;
+  if (!about.time && slot->set && t.component < 0) return now.value = *slot->set, now;
+  for (const Track* track : tracks_of(s, t)) {
+    if (track->events.empty()) continue;
+    if (!about.time) return track->events.front();
+    if (const Event* e = track->events.find(*about.time)) return *e;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-void look_over(const Scene& s, Diagnostics& out) {
+std::vector<Remark> look_over(const Scene& s) {
+  Remarks out;
   look_at_blends(s, out);
   look_at_notes(s, out);
   for (std::string& why : hindered_reaches(s))
-    out.push_back({Severity::warning, fail(ErrorCode::name, std::move(why)), {}, 0});
+    out.push_back({{Severity::warning, fail(ErrorCode::name, std::move(why)), {}, 0}, std::nullopt});
+  look_at_idle_environments(s, out);
   for (std::uint32_t i = 0; i < s.objects.size(); ++i) {
     const Object& o = s.objects[i];
     if (o.removed) continue;
-    look_at_letting_go(s, o, out);
-    look_at_lens(o, out);
-    look_at_joints(s, o, out);
-    for (const Slot& slot : o.slots)
-      look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out),
-          look_at_code(s, {i}, slot, out);
+    look_at_letting_go(s, {i}, o, out);
+    look_at_lens({i}, o, out);
+    look_at_joints(s, {i}, o, out);
+    for (const Slot& slot : o.slots) {
+      look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out);
+      look_at_code(s, {i}, slot, out);
+      look_at_swings(s, {i}, slot, out), look_at_torn_splines(s, {i}, slot, out);
+    }
+  }
+  return out;
+}
+
+Watch::Watch(std::vector<Remark> remarks) : remarks_(std::move(remarks)), states_(remarks_.size()) {}
+
+void Watch::look(const Scene& s, Source& source, std::string_view line) {
+  const std::size_t blanks = std::min(line.find_first_not_of(" \t"), line.size());
+  line.remove_prefix(blanks);
+  line = line.substr(0, line.find_last_not_of(" \t\r\n") + 1);
+  for (std::size_t i = 0; i < std::min(remarks_.size(), most_places); ++i) {
+    if (!remarks_[i].about) continue;
+    std::optional<Event> now = state(s, *remarks_[i].about);
+    if (now == states_[i]) continue;
+    states_[i] = std::move(now);
+    Diagnostic& d = remarks_[i].said;
+    d = source.diagnose(d.severity, std::move(d.what), line);
   }
 }
 

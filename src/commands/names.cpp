@@ -9,12 +9,15 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "language/formula.h"
 #include "scene/colors.h"
 
 namespace betwixt {
 namespace {
+
+constexpr std::size_t most_in_list = 100'000;
 
 bool alias(Command& k) {
   auto& [s, c, time, layer, script] = k;
@@ -33,19 +36,22 @@ bool alias(Command& k) {
   return true;
 }
 
-// A number, an angle, a length, a time; a vector or a pair; a colour.
-bool let_value(Command& k, Let& out) {
+// A number, an angle, a length, a time; a vector or a pair; a colour; a text.
+bool let_item(Command& k, LetItem& out) {
   Cursor& c = k.cursor;
   ValueReader reader = values(k);
   c.space();
-  if (c.at_line_end())
-    return c.fail_here(ErrorCode::syntax, "a formula, a vector or a colour is missing here", "as in let beat = 12f");
   if (c.peek() == '(' && reader.is_vector()) {
     Vec3 v;
     if (!reader.point(v)) return false;
     return out = v, true;
   }
-  if (const auto* v = reader.let<Vec3>()) return out = *v, true;
+  if (c.peek() == '"') {
+    std::string text;
+    return c.text(text) && (out = Text(std::move(text)), true);
+  }
+  if (const auto known = let_here(c)) return out = *known, true;
+  if (c.error) return false;
   const std::string_view word = c.peek_word();
   const bool color_begins = word == "rgb" || word == "hsv";
   if (!color_begins && (c.peek() == '(' || reader.looks_like_number() || formula_begins(c))) {
@@ -56,6 +62,49 @@ bool let_value(Command& k, Let& out) {
   Color color;
   if (!reader.color(color)) return false;
   return out = color, true;
+}
+
+// Whether brackets hold what is more than one formula.
+bool begins_list(const Cursor& c) {
+  Cursor ahead = c;
+  Quantity q;
+  return c.peek() == '(' && !(formula(ahead, q) && ahead.at_line_end());
+}
+
+// One of these, or several in brackets: two or three plain numbers are a vector, all else is a list.
+bool let_value(Command& k, Let& out) {
+  Cursor& c = k.cursor;
+  c.space();
+  if (c.at_line_end())
+    return c.fail_here(ErrorCode::syntax, "a formula, a vector, a colour, a text or a list is missing here",
+                       "as in let beat = 12f");
+  LetItem one;
+  const char* const start = c.at;
+  if (!begins_list(c)) {
+    if (!let_item(k, one)) return false;
+    std::visit([&](auto& value) { out = std::move(value); }, one);
+    return true;
+  }
+  LetList list;
+  if (!c.open()) return false;
+  for (c.space(); c.at < c.end && c.peek() != ')'; c.space()) {
+    StillWanted::ask();
+    if (!let_item(k, one)) return false;
+    list.push_back(std::move(one));
+    if (list.size() > most_in_list)
+      return c.fail(ErrorCode::range, fmt::format("a list has at most {} values", most_in_list), c.since(start));
+  }
+  if (!c.close()) return false;
+  if (list.empty()) return c.fail(ErrorCode::syntax, "a list has at least one value", c.since(start));
+  const auto plain = [](const LetItem& item) {
+    const auto* q = std::get_if<Quantity>(&item);
+    return q && q->of == Quantity::Of::number;
+  };
+  if ((list.size() != 2 && list.size() != 3) || !std::all_of(list.begin(), list.end(), plain))
+    return out = std::move(list), true;
+  Vec3 v;
+  for (std::size_t i = 0; i < list.size(); ++i) v[static_cast<int>(i)] = std::get<Quantity>(list[i]).value;
+  return out = v, true;
 }
 
 bool let(Command& k) {
@@ -128,9 +177,10 @@ bool define(Command& k) {
 constexpr Verb names_rows[] = {
     {"alias", "alias NAME = ELEMENT …", "A name for many objects; patterns inside are read at each use.",
      "alias toys = ball wheel*", 0, alias},
-    {"let", "let NAME = FORMULA, or let again NAME = FORMULA",
-     "A number, time, length, angle, vector or colour that formulas know by name from there on.",
-     "let beat = 12f\nlet turn_by = tau/6", 0, let},
+    {"let", "let NAME = FORMULA, or let NAME = (VALUE …), or let again NAME = …",
+     "A number, time, length, angle, vector, colour or text, or a list of such, that formulas know by name from there "
+     "on.",
+     "let beat = 12f\nlet turn_by = tau/6\nlet primes = (2 3 5 7)\nset ball.radius primes[2]", 0, let},
     {"define", "define NAME TYPE [default]", "A function of your own that every object has.", "define heat number 20",
      0, define},
 };

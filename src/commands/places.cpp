@@ -25,8 +25,8 @@ std::string_view piece(std::string_view& rest) {
   std::size_t at = 0;
   for (; at < rest.size() && (depth > 0 || quoted || !blank(rest[at])); ++at) {
     if (rest[at] == '"') quoted = !quoted;
-    if (rest[at] == '(' || rest[at] == '{') ++depth;
-    if (rest[at] == ')' || rest[at] == '}') --depth;
+    if (rest[at] == '(' || rest[at] == '{' || rest[at] == '[') ++depth;
+    if (rest[at] == ')' || rest[at] == '}' || rest[at] == ']') --depth;
   }
   const std::string_view out = rest.substr(0, at);
   rest.remove_prefix(at);
@@ -40,6 +40,7 @@ struct Subject {
   std::string_view pattern;
   bool creates = false;
   bool placed = false;  // the time or what stands behind the pattern speaks of a place; in a name `n` is none
+  bool paired = false;  // what braces behind the pattern write out goes one for one with it
 };
 Subject subject(std::string_view line) {
   Subject out;
@@ -51,6 +52,7 @@ Subject subject(std::string_view line) {
   out.pattern = word;
   if (find_verb(word)) out.pattern = piece(line), out.creates = word == "create";
   out.placed = out.placed || speaks_of_any(line);
+  out.paired = is_pattern(out.pattern) && writes_out_names(line);
   return out;
 }
 
@@ -87,6 +89,7 @@ struct Alone {  // whatever way out
 };
 
 bool says_place(const Command& k, const char* from) {
+  if (writes_out_names(between(from, k.cursor.end))) return true;
   return speaks_of_place(from, k.cursor.end) || code_speaks_of_place(from, k.cursor.end);
 }
 
@@ -105,7 +108,7 @@ bool in_places(Command& k, const std::function<bool()>& command) {
   if (k.script.only || !says_place(k, start)) return command();
   const LogicalLine line = logical_line(between(start, k.cursor.end));
   const Subject about = subject({start, static_cast<std::size_t>(line.end - start)});
-  if (!about.placed && !code_speaks_of_place(start, k.cursor.end)) return command();
+  if (!about.placed && !about.paired && !code_speaks_of_place(start, k.cursor.end)) return command();
   const std::string_view pattern = about.pattern.substr(0, first_dot(about.pattern));
   std::vector<std::string> names;
   std::vector<ObjectId> objects;

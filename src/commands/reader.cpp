@@ -11,6 +11,7 @@
 #include "base/names.h"
 #include "base/still_wanted.h"
 #include "commands/list_rows.h"
+#include "commands/look_over.h"
 #include "commands/roads.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
@@ -179,6 +180,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     script.touched = 0;
     const bool done = line(k, line_start);
     if (done && script.options.counts) say_touched(script, line_start);
+    if (done && script.watch && script.depth == 0) script.watch->look(s, script.source, between(line_start, c.at));
     if (done && !script.failed.empty())  // what is there now was made
       for (const std::string& name : names_made(between(line_start, c.at))) script.failed.erase(name);
     script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
@@ -200,9 +202,14 @@ bool finish(Cursor& c) {
                                                   : fmt::format("'{}' is not expected here", w.substr(0, 40)));
 }
 
+bool no_choice(Cursor& c, std::string_view word, std::string message, std::string hint) {
+  if (word.empty()) return c.fail_here(ErrorCode::syntax, std::move(message), std::move(hint));
+  return c.fail(ErrorCode::type, std::move(message), word, std::move(hint));
+}
+
 bool on_or_off(Cursor& c, const char* otherwise, bool& out) {
   const std::string_view w = c.next_word();
-  if (w != "on" && w != "off") return c.fail(ErrorCode::syntax, otherwise, w);
+  if (w != "on" && w != "off") return no_choice(c, w, otherwise);
   if (!finish(c)) return false;
   out = w == "on";
   return true;

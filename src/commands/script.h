@@ -22,6 +22,8 @@
 
 namespace betwixt {
 
+class Watch;
+
 // A pattern that was read: which targets it names, and what their values are.
 struct Selected {
   std::vector<Target> targets;
@@ -166,6 +168,8 @@ struct Script : SoFar {
   // display lists draw too), in the order of creation.
   std::vector<std::uint32_t> speakers(const Scene&, const std::vector<ObjectId>&);
   std::vector<ObjectId> below(const Scene&, const std::string& name, bool drawn);
+
+  Watch* watch = nullptr;  // looks on, line by line; null: nobody does
 
   int errors = 0;
   bool given_up = false;  // there are so many that the rest is not said

@@ -311,13 +311,14 @@ bool clear(Command& k) {
   if (!notes) on.word = c.next_word();
   if (!notes && !targets(k, on.word, on.of, Meant::any)) return false;
   if (c.accept_word("before")) return clear_before(k, on, notes);
+  const char* const start = (c.space(), c.at);
   if (!c.time(on.segment.from)) return false;
   on.segment.to = on.segment.from;
   if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
-    const char* at = c.at;
     c.at += 2;
     if (!c.time(on.segment.to)) return false;
-    if (on.segment.to < on.segment.from) return c.fail(ErrorCode::range, "this segment ends before it begins", {at, 2});
+    if (on.segment.to < on.segment.from)
+      return c.fail(ErrorCode::range, "this segment ends before it begins", c.since(start));
   }
   if (notes) return retime_notes(k, on.word, on.segment, [](Time, auto&) {});
   const auto erase = [&](Track& t, Type, int, const Target&) -> Result<Changed> {

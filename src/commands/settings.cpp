@@ -53,9 +53,8 @@ bool policy(Command& k) {
   const std::string_view w = c.next_word();
   const auto at = std::find(policy_names.begin(), policy_names.end(), w);
   if (at == policy_names.end())
-    return c.fail(ErrorCode::syntax, "the policy is translate, ignore or ask",
-                  w.empty() ? std::string_view(c.at, 0) : w,
-                  did_you_mean(w, {policy_names.begin(), policy_names.end()}));
+    return no_choice(c, w, "the policy is translate, ignore or ask",
+                     did_you_mean(w, {policy_names.begin(), policy_names.end()}));
   if (!finish(c)) return false;
   s.policy = static_cast<Policy>(at - policy_names.begin());
   return true;

@@ -106,9 +106,8 @@ bool split(Command& k) {
   const std::string_view into = c.next_word();
   const auto at = std::find(part_names.begin(), part_names.end(), into);
   if (at == part_names.end())
-    return c.fail(ErrorCode::syntax, "a text is split into letters, words or lines",
-                  into.empty() ? std::string_view(c.at, 0) : into,
-                  did_you_mean(into, {part_names.begin(), part_names.end()}));
+    return no_choice(c, into, "a text is split into letters, words or lines",
+                     did_you_mean(into, {part_names.begin(), part_names.end()}));
   if (!finish(c)) return false;
   Rollback all(s);
   std::size_t made = 0;

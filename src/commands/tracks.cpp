@@ -150,7 +150,7 @@ bool twerper_of_all(Command& k, const Selected& to, bool none) {
     c.word();
     if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing behind in");
     const std::string_view how = c.next_word();
-    if (how != "light" && how != "srgb") return c.fail(ErrorCode::syntax, "colours blend in=light or in=srgb", how);
+    if (how != "light" && how != "srgb") return no_choice(c, how, "colours blend in=light or in=srgb");
     if (!row_of(to.type()).light)
       return c.fail(ErrorCode::type,
                     fmt::format("only colours blend in light or srgb; this is {}", to_string(to.type())), key);
@@ -182,10 +182,10 @@ bool extend(Command& k) {
   const std::string_view how = c.next_word();
   const auto at = std::find(extrapolation_names.begin(), extrapolation_names.end(), how);
   if (at == extrapolation_names.end())
-    return c.fail(ErrorCode::syntax,
-                  how.empty() ? "hold, linear, cycle or bounce is missing here"
-                              : fmt::format("'{}' is no way to extend a track", how.substr(0, 40)),
-                  how, did_you_mean(how, {extrapolation_names.begin(), extrapolation_names.end()}));
+    return no_choice(c, how,
+                     how.empty() ? "hold, linear, cycle or bounce is missing here"
+                                 : fmt::format("'{}' is no way to extend a track", how.substr(0, 40)),
+                     did_you_mean(how, {extrapolation_names.begin(), extrapolation_names.end()}));
   bool before = true, after = true;
   if (c.accept_word("before"))
     after = false;

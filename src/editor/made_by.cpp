@@ -9,6 +9,7 @@
 #include "betwixt/language.h"
 #include "betwixt/track.h"
 #include "scene/document.h"
+#include "track/twerpers.h"
 
 namespace betwixt {
 namespace {
@@ -116,9 +117,29 @@ bool in_components(const Document& d, const Target& t) {
   return std::ranges::any_of(own_tracks(d, t), [](const TrackView& v) { return v.target.component >= 0; });
 }
 
+std::string way_of_new_event(const Document& d, const Target& t, Time at) {
+  static constexpr std::string_view plain[] = {"hold", "linear", "smooth", "auto", "bspline", "slerp", "squad"};
+  const Type whole = spec_of(d.scene(), t.function).type;
+  std::string_view unsaid = name_of(row_of(t.component < 0 ? whole : component_track_type(whole)).twerper);
+  for (const TrackView& v : tracks(d, t)) {
+    if (v.target.layer != t.layer || v.events == 0) continue;
+    if (!v.twerper.empty()) return {};  // one for all
+    unsaid = v.unsaid;
+    std::optional<EventView> before;
+    each_event(d, v.target, at, at, [&](const EventView& e) { before = e; });
+    if (before) return {};  // it is there, and goes on as it does
+    before = event_before(d, v, at);
+    if (before && before->stops.empty() && std::ranges::find(plain, before->twerper) != std::end(plain))
+      return " " + std::string(before->twerper);
+    break;
+  }
+  return unsaid == "smooth" ? " auto" : "";
+}
+
 std::string line_that_sets(const Document& d, const Target& t, Time at, const std::string& value) {
   const std::string rest = d.name(t) + " " + value;
-  return own_tracks(d, t).empty() ? "set " + rest : "at " + format_time(at, d) + " " + rest;
+  if (own_tracks(d, t).empty()) return "set " + rest;
+  return "at " + format_time(at, d) + " " + rest + way_of_new_event(d, t, at);
 }
 
 std::string line_that_holds(const Document& d, ObjectId id, Time at, const Attachment& to) {

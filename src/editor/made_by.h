@@ -26,7 +26,10 @@ MadeBy made_by(const Document&, const Target&, Time);
 std::pair<std::optional<Time>, std::optional<Time>> events_beside(const Document&, const Target&, Time);
 // Whether each of its components has a track of its own.
 bool in_components(const Document&, const Target&);
-// "at 24f ball.radius 2" where the function has events, else "set ball.radius 2".
+// How a new event of a hand's goes on, with a blank before it: " auto" where the track would go smoothly, which may be
+// far beyond its events; as the event before it does, where that says a plain word; "": nothing need be said.
+std::string way_of_new_event(const Document&, const Target&, Time);
+// "at 24f ball.radius 2 auto" where the function has events, else "set ball.radius 2".
 std::string line_that_sets(const Document&, const Target&, Time, const std::string& value);
 // "couple ball to hand keep-world", with a time behind the film's first frame, and where it hangs by time.
 std::string line_that_holds(const Document&, ObjectId, Time, const Attachment&);

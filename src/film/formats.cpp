@@ -2,24 +2,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "film/formats.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "film/output.h"
+
 namespace betwixt {
 namespace {
 
 using Words = std::vector<std::string>;
 
-Words mp4_words(const FilmOptions&) {
-  return {"-c:v",     "libx264", "-preset",   "fast",       "-crf", "18",
-          "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",   "mp4"};
+Words h264_words(const FilmOptions&, const std::string& crf) {
+  return {"-c:v", "libx264", "-preset", "fast", "-crf", crf, "-pix_fmt", "yuv420p"};
 }
 
-Words webm_words(const FilmOptions& o) {
-  Words w{"-c:v",      "libvpx-vp9", "-crf",    "28", "-b:v",          "0", "-deadline", "good",
-          "-cpu-used", "4",          "-row-mt", "1",  "-tile-columns", "2"};
+// Apple's players ask for the tag.
+Words h265_words(const FilmOptions&, const std::string& crf) {
+  return {"-c:v",     "libx265", "-preset", "fast", "-crf",         crf,
+          "-pix_fmt", "yuv420p", "-tag:v",  "hvc1", "-x265-params", "log-level=error"};
+}
+
+Words av1_words(const FilmOptions&, const std::string& crf) {
+  return {"-c:v", "libsvtav1", "-preset", "7", "-crf", crf, "-pix_fmt", "yuv420p"};
+}
+
+Words vp9_words(const FilmOptions& o, const std::string& crf) {
+  Words w{"-c:v",      "libvpx-vp9", "-crf",    crf, "-b:v",          "0", "-deadline", "good",
+          "-cpu-used", "4",          "-row-mt", "1", "-tile-columns", "2"};
   // Of films with opacity the encoder can make no frames that are seen later.
   if (o.alpha) w.insert(w.end(), {"-auto-alt-ref", "0"});
-  w.insert(w.end(), {"-pix_fmt", o.alpha ? "yuva420p" : "yuv420p", "-f", "webm"});
+  w.insert(w.end(), {"-pix_fmt", o.alpha ? "yuva420p" : "yuv420p"});
   return w;
 }
+
+Words mp4_words(const FilmOptions&) { return {"-movflags", "+faststart", "-f", "mp4"}; }
+Words webm_words(const FilmOptions&) { return {"-f", "webm"}; }
 
 // ProRes 4444: what editors take. Opacity is not multiplied in.
 Words mov_words(const FilmOptions& o) {
@@ -56,13 +76,61 @@ Words gif_words(const FilmOptions& o) {
 
 Words apng_words(const FilmOptions&) { return {"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"}; }
 
-constexpr Format format_rows[] = {{".mp4", true, mp4_words, "-c:a aac -b:a 192k", false},
-                                  {".webm", true, webm_words, "-c:a libopus -b:a 128k"},
+constexpr Codec in_mp4[] = {{"h264", 51, 18, h264_words}, {"h265", 51, 22, h265_words}, {"av1", 63, 30, av1_words}};
+constexpr Codec in_webm[] = {{"vp9", 63, 28, vp9_words, true}, {"av1", 63, 30, av1_words}};
+
+constexpr Format format_rows[] = {{".mp4", true, mp4_words, "-c:a aac -b:a 192k", false, false, in_mp4},
+                                  {".webm", true, webm_words, "-c:a libopus -b:a 128k", true, false, in_webm},
                                   {".mov", false, mov_words, "-c:a pcm_s24le", true, true},
                                   {".gif", false, gif_words},
                                   {".apng", false, apng_words}};
 
+const Codec* codec_of(const Format& format, const std::string& name) {
+  if (name.empty()) return format.codecs.empty() ? nullptr : &format.codecs.front();
+  const auto at =
+      std::find_if(format.codecs.begin(), format.codecs.end(), [&](const Codec& c) { return c.name == name; });
+  return at == format.codecs.end() ? nullptr : &*at;
+}
+
 }  // namespace
+
+// 100 is all but lossless (at 0 players refuse what comes of some), 1 the worst there is; in between it is even.
+std::vector<std::string> arguments_of(const Format& format, const FilmOptions& o) {
+  Words all;
+  if (const Codec* codec = codec_of(format, o.codec)) {
+    const double lost = (100 - o.quality) / 99.0;
+    const int crf = o.quality == 0 ? codec->usual : 1 + static_cast<int>(std::lround(lost * (codec->worst - 1)));
+    all = codec->arguments(o, std::to_string(crf));
+  }
+  const Words rest = format.arguments(o);
+  all.insert(all.end(), rest.begin(), rest.end());
+  return all;
+}
+
+std::vector<std::string> codecs_of(const std::string& path) {
+  std::vector<std::string> all;
+  if (const auto out = read_output(path); out && out->format)
+    for (const Codec& c : out->format->codecs) all.emplace_back(c.name);
+  return all;
+}
+
+Status check_encoding(const FilmOptions& o) {
+  const auto out = read_output(o.path);
+  if (!out || (o.quality == 0 && o.codec.empty())) return Nothing{};
+  const std::string known = fmt::format("{}", fmt::join(codecs_of(o.path), ", "));
+  if (known.empty())
+    return fail(ErrorCode::range,
+                fmt::format("--{} means nothing for {}", o.codec.empty() ? "quality" : "codec", o.path),
+                ".mp4 and .webm have codecs that lose something");
+  const Codec* codec = codec_of(*out->format, o.codec);
+  if (!codec)
+    return fail(ErrorCode::name, fmt::format("{} has no codec '{}'", out->format->ending, o.codec),
+                fmt::format("it has {}", known));
+  if (o.alpha && out->format->alpha && !codec->alpha)
+    return fail(ErrorCode::range, fmt::format("{} keeps nothing of what is clear", codec->name),
+                fmt::format("of {} {} does", out->format->ending, out->format->codecs.front().name));
+  return Nothing{};
+}
 
 std::span<const Format> formats() { return format_rows; }
 

@@ -191,7 +191,7 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
     for (const auto word : std::views::split(format.sound, ' ')) a.emplace_back(word.begin(), word.end());
   }
   if (yuv) tags();
-  const std::vector<std::string> how = format.arguments(o);
+  const std::vector<std::string> how = arguments_of(format, o);
   a.insert(a.end(), how.begin(), how.end());
   a.push_back("file:" + file);  // whatever the name looks like, it is a file
   return a;

@@ -118,7 +118,8 @@ std::size_t place_of(std::string_view word, const PatternPlace& place) {
   return place.ranges[static_cast<std::size_t>(word[1] - '1')];
 }
 
-std::string write_code(const Let& let) {
+static std::string write_code(const LetItem& let) {
+  if (const auto* t = std::get_if<Text>(&let)) return write_text(**t);
   if (const auto* v = std::get_if<Vec3>(&let))
     return fmt::format("vec({}, {}, {})", write_number(v->x), write_number(v->y), write_number(v->z));
   if (const auto* c = std::get_if<Color>(&let))
@@ -126,6 +127,26 @@ std::string write_code(const Let& let) {
   const auto& q = std::get<Quantity>(let);
   if (q.counts_frames) return {};
   return write_number(q.of == Quantity::Of::angle ? q.value * (pi / 180) : q.value);
+}
+
+std::string write_code(const Let& let) {
+  const auto* list = std::get_if<LetList>(&let);
+  if (!list) {
+    LetItem item;
+    std::visit(
+        [&](const auto& value) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, LetList>) item = value;
+        },
+        let);
+    return write_code(item);
+  }
+  std::string out;
+  for (const LetItem& item : *list) {
+    const std::string one = write_code(item);
+    if (one.empty()) return {};
+    out += (out.empty() ? "{" : ", ") + one;
+  }
+  return out + "}";
 }
 
 }  // namespace betwixt

@@ -31,6 +31,15 @@ std::string_view name_at(const char* at, const char* end) {
   return {at, static_cast<std::size_t>(p - at)};
 }
 
+// What a name stands for, unless that is a list.
+bool single(const Let& let, LetItem& out) {
+  if (const auto* q = std::get_if<Quantity>(&let)) return out = *q, true;
+  if (const auto* v = std::get_if<Vec3>(&let)) return out = *v, true;
+  if (const auto* c = std::get_if<Color>(&let)) return out = *c, true;
+  if (const auto* t = std::get_if<Text>(&let)) return out = *t, true;
+  return false;
+}
+
 class Reader {
  public:
   explicit Reader(Cursor& c) : c_(c), start_(c.at) {}
@@ -38,6 +47,30 @@ class Reader {
   bool whole(Quantity& out) {
     if (!sum(out)) return false;
     return finite(out);
+  }
+  // [3] behind the name of a list of so many: its place from 0 on.
+  bool index(std::string_view name, std::size_t count, std::size_t& out) {
+    const char* const open = c_.at++;
+    const Deeper deeper(*this);
+    if (too_deep()) return false;
+    ++inside_;
+    c_.space();
+    Quantity q;
+    const bool read = sum(q);
+    --inside_;
+    if (!read) return false;
+    c_.space();
+    if (c_.peek() != ']') return c_.fail_here(ErrorCode::syntax, "a closing bracket ']' is missing here");
+    ++c_.at;
+    const std::string_view about = c_.since(open);
+    if (q.of != Of::number)
+      return c_.fail(ErrorCode::type, fmt::format("a place in a list is a number, not {}", to_string(q.of)), about);
+    if (!(q.value >= 1 && q.value <= static_cast<double>(count)) || q.value != std::floor(q.value))
+      return c_.fail(ErrorCode::range,
+                     fmt::format("'{}' has {} value{}: {}[1] is the first, there is no {}[{}]", name, count,
+                                 count == 1 ? "" : "s", name, name, write_number(q.value)),
+                     about, fmt::format("{0}[(i-1)%{1}+1] begins anew behind the last", name, count));
+    return out = static_cast<std::size_t>(q.value) - 1, true;
   }
 
  private:
@@ -160,18 +193,34 @@ class Reader {
     }
     const auto known = c_.lets ? c_.lets->find(name) : Lets::const_iterator();
     if (!c_.lets || known == c_.lets->end()) return unknown(name);
-    if (const auto* q = std::get_if<Quantity>(&known->second)) {
+    LetItem item;
+    if (c_.peek() == '[' || !single(known->second, item)) {
+      const auto* of = std::get_if<Vec3>(&known->second);
+      const auto* list = std::get_if<LetList>(&known->second);
+      if (c_.peek() != '[')
+        return c_.fail(ErrorCode::type, fmt::format("'{}' is a list, not a number", name), name,
+                       fmt::format("{}[1] is its first value", name));
+      if (!of && !list)
+        return c_.fail(ErrorCode::type, fmt::format("'{}' is no list", name), name,
+                       fmt::format("as in let {} = (2 3 5 7)", name));
+      std::size_t at = 0;
+      if (!index(name, of ? 3 : list->size(), at)) return false;
+      if (of) return out = number((*of)[static_cast<int>(at)]), true;
+      item = (*list)[at];
+    }
+    if (const auto* q = std::get_if<Quantity>(&item)) {
       if (q->counts_frames) c_.frames_read = true;
       return out = *q, true;
     }
-    const auto* v = std::get_if<Vec3>(&known->second);
+    const auto* v = std::get_if<Vec3>(&item);
     const bool part = c_.at + 1 < c_.end && *c_.at == '.' && c_.at[1] >= 'x' && c_.at[1] <= 'z' &&
                       !(c_.at + 2 < c_.end && name_goes_on(c_.at[2]));
     if (v && part) {
       out = number((*v)[c_.at[1] - 'x']);
       return c_.at += 2, true;
     }
-    return c_.fail(ErrorCode::type, fmt::format("'{}' is {}, not a number", name, v ? "a vector" : "a colour"), name,
+    const char* const what = v ? "a vector" : std::holds_alternative<Text>(item) ? "a text" : "a colour";
+    return c_.fail(ErrorCode::type, fmt::format("'{}' is {}, not a number", name, what), name,
                    v ? fmt::format("{0}.x, {0}.y and {0}.z are", name) : std::string());
   }
   bool unknown(std::string_view name) {
@@ -297,7 +346,109 @@ class Reader {
   int inside_ = 0, depth_ = 0;
 };
 
+// A body of braces that is one formula: {i}, {n-i+1}; others list what they stand for.
+bool formula_in_braces(std::string_view body) {
+  return body.find(',') == body.npos && body.find("..") == body.npos &&
+         speaks_of_place(body.data(), body.data() + body.size());
+}
+
+// A word as far as its braces go, and whether a dot stands outside of them, as in a target.
+struct BraceWord {
+  std::string_view text;
+  bool braces = false, dotted = false;
+};
+BraceWord brace_word(std::string_view rest) {
+  BraceWord out;
+  int depth = 0;
+  std::size_t at = 0;
+  for (; at < rest.size() && (depth > 0 || std::string_view(" \t\r\n,()=\"@").find(rest[at]) == rest.npos); ++at) {
+    if (rest[at] == '\n') break;
+    if (rest[at] == '{') ++depth, out.braces = true;
+    if (rest[at] == '}') --depth;
+    out.dotted = out.dotted || (rest[at] == '.' && depth == 0);
+  }
+  out.text = rest.substr(0, at);
+  return out;
+}
+
 }  // namespace
+
+std::optional<LetItem> let_here(Cursor& c) {
+  if (!c.lets || c.lets->empty()) return std::nullopt;
+  const std::string_view name = name_at(c.at, c.end);
+  const auto known = name.empty() ? c.lets->end() : c.lets->find(name);
+  if (known == c.lets->end()) return std::nullopt;
+  Cursor ahead = c;
+  ahead.at += name.size();
+  LetItem item;
+  if (ahead.peek() == '[') {
+    const auto* list = std::get_if<LetList>(&known->second);
+    std::size_t at = 0;
+    if (!list) return std::nullopt;  // of a vector it is a number
+    if (!Reader(ahead).index(name, list->size(), at)) {
+      c.error = ahead.error, c.where = ahead.where;
+      return std::nullopt;
+    }
+    item = (*list)[at];
+  } else if (!single(known->second, item)) {
+    return std::nullopt;
+  }
+  if (ahead.peek() == '.' || formula_goes_on(ahead.at, ahead.end) || name_goes_on(ahead.peek()) || ahead.peek() == '-')
+    return std::nullopt;
+  c.at = ahead.at;
+  return item;
+}
+
+bool one_name(Cursor& c, std::string_view word, std::string& out) {
+  out = word;
+  if (word.find('{') == word.npos) return true;
+  // Formulas first: rocket{i}-{1..3} is written out then.
+  for (std::size_t open = 0; (open = out.find('{', open)) != out.npos;) {
+    const std::size_t close = out.find('}', open);
+    const std::string_view body = std::string_view(out).substr(open + 1, close == out.npos ? close : close - open - 1);
+    if (close == out.npos || !formula_in_braces(body)) {
+      ++open;
+      continue;
+    }
+    const std::string kept(body);
+    Cursor inner = c;
+    inner.at = kept.data(), inner.end = kept.data() + kept.size();
+    inner.error.reset();
+    Quantity q;
+    if (!formula(inner, q) || inner.at != inner.end)
+      return c.fail(inner.error ? inner.error->code : ErrorCode::syntax,
+                    inner.error ? inner.error->message : fmt::format("'{}' is no formula", kept), word,
+                    inner.error ? inner.error->hint : std::string());
+    if (q.of != Of::number || q.value != std::floor(q.value) || std::abs(q.value) > 1e15)
+      return c.fail(q.of == Of::number ? ErrorCode::range : ErrorCode::type,
+                    fmt::format("{{{}}} in a name is a whole number, not {}", kept, write_quantity(q)), word);
+    out.replace(open, close - open + 1, write_number(q.value));
+  }
+  if (out.find('{') == out.npos) return true;
+  const auto names = expand_braces(out);
+  if (!names) return c.fail(names.error().code, names.error().message, word, names.error().hint);
+  if (names->size() != c.place.n)
+    return c.fail(ErrorCode::range,
+                  fmt::format("'{}' names {}, and the command is about {}: one for one they are as many",
+                              word.substr(0, 60), names->size(), c.place.n),
+                  word, "one name serves all; {i} is the place among what the command is about, 1, 2 …");
+  out = (*names)[c.place.i - 1];
+  return true;
+}
+
+bool writes_out_names(std::string_view line) {
+  if (line.substr(0, line.find('\n')).find('{') == line.npos) return false;
+  bool quoted = false;
+  for (std::size_t at = 0; at < line.size() && line[at] != '\n';) {
+    if (line[at] == '"' && (at == 0 || line[at - 1] != '\\')) quoted = !quoted;
+    const bool comment = line[at] == '#' && (at + 1 == line.size() || line[at + 1] == ' ' || line[at + 1] == '\t');
+    if (comment && !quoted) return false;
+    const BraceWord word = quoted ? BraceWord() : brace_word(line.substr(at));
+    if (word.braces && !word.dotted) return true;
+    at += std::max<std::size_t>(word.text.size(), 1);
+  }
+  return false;
+}
 
 std::string_view to_string(Of of) {
   static constexpr std::string_view words[] = {"a number", "an angle", "a length", "a time"};
@@ -351,8 +502,8 @@ bool speaks_of_place(const char* at, const char* end) {
     // Two dots are a segment's, one is between an object and its function.
     const bool one_before = before == '.' && !(word - from > 1 && word[-2] == '.');
     const bool one_behind = behind == '.' && !(end - at > 2 && at[2] == '.');
-    if (!one_before && !one_behind && std::string_view(" \t,=(+-*/%^.").find(before) != std::string_view::npos &&
-        std::string_view(" \t\r\n,)+-*/%^.").find(behind) != std::string_view::npos)
+    if (!one_before && !one_behind && std::string_view(" \t,=([{+-*/%^.").find(before) != std::string_view::npos &&
+        std::string_view(" \t\r\n,)]}+-*/%^.").find(behind) != std::string_view::npos)
       return true;
   }
   return false;
@@ -372,10 +523,18 @@ bool is_formula_word(std::string_view word) {
          std::any_of(std::begin(constants), std::end(constants), [&](const auto& c) { return c.first == word; });
 }
 
+std::string write_let(const LetItem& item) {
+  if (const auto* q = std::get_if<Quantity>(&item)) return write_quantity(*q);
+  if (const auto* v = std::get_if<Vec3>(&item)) return write_vector(*v);
+  if (const auto* t = std::get_if<Text>(&item)) return write_text(**t);
+  return write_color(std::get<Color>(item));
+}
+
 std::string write_let(const Let& let) {
-  if (const auto* q = std::get_if<Quantity>(&let)) return write_quantity(*q);
-  if (const auto* v = std::get_if<Vec3>(&let)) return write_vector(*v);
-  return write_color(std::get<Color>(let));
+  if (LetItem item; single(let, item)) return write_let(item);
+  std::string out;
+  for (const LetItem& item : std::get<LetList>(let)) out += (out.empty() ? "(" : " ") + write_let(item);
+  return out + ")";
 }
 
 std::string write_quantity(const Quantity& q) {

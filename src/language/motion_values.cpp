@@ -85,6 +85,13 @@ class Spelled {
   const char* behind_formula(Cursor& c, const Scene& scene, const char* at) {
     Cursor ahead = c;
     ahead.at = at, ahead.end = end_;
+    if (const std::string_view name = ahead.peek_word(); name.find('{') != name.npos) {
+      std::string meant;
+      if (!one_name(c, name, meant)) return nullptr;
+      text += meant;
+      from_.insert(from_.end(), meant.size(), at);
+      return at + name.size();
+    }
     const std::string_view word = ahead.peek_word(), head = word.substr(0, word.find_first_of("+-*/%^"));
     const bool name = !word.empty() && a_letter(word.front());
     const bool known = is_formula_word(head) || (c.lets && c.lets->contains(head));

@@ -33,13 +33,15 @@ struct FactorReader {
   Mat4 matrix;
   bool centred = false;
   Vec3 centre;
+  const char* open = nullptr;  // its bracket
 
   bool numbers(int count, double* n, Unit unit = Unit::metres) {
     Cursor& c = values.c;
     for (int i = 0; i < count; ++i) {
       c.space();
       if (c.peek() == ')')
-        return c.fail_here(ErrorCode::syntax, fmt::format("{} numbers are wanted here, not {}", count, i));
+        return c.fail(ErrorCode::type, fmt::format("{} numbers are wanted here, not {}", count, i),
+                      {open, static_cast<std::size_t>(c.at + 1 - open)});
       if (!values.scalar(n[i], unit)) return false;
     }
     return true;
@@ -100,6 +102,7 @@ struct FactorReader {
     if (c.peek() != '(')
       return c.fail_here(ErrorCode::syntax, fmt::format("an opening bracket '(' is missing here, behind '{}'", word),
                          fmt::format("as in {}", example(word)));
+    open = c.at;
     if (!c.open()) return false;
     const bool done = word == "translate" ? translate()
                       : word == "rotate"  ? rotate()
@@ -126,7 +129,7 @@ bool ValueReader::transform(Mat4& out, std::string_view* noticed) {
   for (;; ++count) {
     c.space();
     if (count > 0 && c.accept('*')) c.space();
-    FactorReader factor{*this, c.peek_word(), {}, false, {}};
+    FactorReader factor{*this, c.peek_word(), {}, false, {}, nullptr};
     if (std::find(std::begin(factors), std::end(factors), factor.word) == std::end(factors)) break;
     c.next_word();
     if (!factor.read()) return false;
@@ -154,12 +157,14 @@ bool ValueReader::names(Names& out) {
   if (!brackets && c.accept_word("none")) return out = Names(), true;
   for (c.space(); brackets ? c.peek() != ')' && c.at < c.end : list.empty(); c.space()) {
     const std::string_view word = c.word();
-    if (!is_name(word))
+    std::string name;
+    if (!one_name(c, word, name)) return false;
+    if (!is_name(name))
       return c.fail(ErrorCode::syntax,
                     word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                     word.empty() ? std::string_view(c.at, c.at < c.end ? 1 : 0) : word,
                     "as in (drift spin), or none; the first is the outermost");
-    list.emplace_back(word);
+    list.push_back(std::move(name));
     if (list.size() > 1000) return c.fail(ErrorCode::range, "no more than 1000 names", word);
   }
   if (brackets && !c.close()) return false;

@@ -105,10 +105,14 @@ struct TypedReader {
   }
   bool text(Value& out) {
     std::string s;
-    if (spec.words.empty() && values.looks_like_number()) {
-      if (!values.translates()) return c.fail_here(ErrorCode::type, "a text in double quotes is missing here");
-      s = c.word();
-      values.translate(start, write_text(s));
+    const auto named = c.peek() == '"' ? std::nullopt : values.let<Text>();
+    if (c.error) return false;
+    if (named) {
+      s = **named;
+    } else if (spec.words.empty() && (values.looks_like_number() || formula_begins(c))) {
+      double number = 0;  // its digits
+      if (!values.scalar(number)) return false;
+      s = write_number(number);
     } else if (spec.words.empty() || c.peek() == '"') {  // quotes are welcome round a word too
       if (!c.text(s)) return false;
     } else {

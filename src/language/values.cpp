@@ -136,7 +136,7 @@ bool ValueReader::looks_like_number() const {
 bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   c.space();
   const char* start = c.at;
-  if (const auto* named = let<Vec3>()) return out = *named, true;
+  if (const auto named = let<Vec3>()) return out = *named, true;
   if (c.peek() != '(') {
     if (c.at_line_end())
       return c.fail_here(ErrorCode::syntax,
@@ -216,7 +216,7 @@ bool ValueReader::color(Color& out) {
     out = {v.x, v.y, v.z};
     return true;
   }
-  if (const auto* named = let<Color>()) return out = *named, true;
+  if (const auto named = let<Color>()) return out = *named, true;
   if (looks_like_number()) {
     double grey = 0;
     if (translates() && !scalar(grey)) return false;
@@ -340,12 +340,14 @@ bool ValueReader::orientation(Value& out, bool angles) {
 bool ValueReader::object(ObjectId& out) {
   const std::string_view w = c.next_word();
   if (w.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");
-  out = scene.names.find(w);
+  std::string name;
+  if (!one_name(c, w, name)) return false;
+  out = scene.names.find(name);
   if (out) return true;
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < scene.objects.size() && i < 10000; ++i)
     if (!scene.objects[i].removed) names.push_back(scene.objects[i].name);
-  return c.fail(ErrorCode::name, fmt::format("there is no object '{}'", w), w, did_you_mean(w, names));
+  return c.fail(ErrorCode::name, fmt::format("there is no object '{}'", name), w, did_you_mean(name, names));
 }
 
 }  // namespace betwixt

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "language/cursor.h"
+#include "language/formula.h"
 #include "scene/document.h"
 
 namespace betwixt {
@@ -36,12 +37,14 @@ struct ValueReader {
   bool is_vector();
   // What the next word stands for, where that is of this type; then it is taken.
   template <class T>
-  const T* let() {
-    if (!c.lets || c.lets->empty()) return nullptr;
-    const auto known = c.lets->find(c.peek_word());
-    const T* value = known == c.lets->end() ? nullptr : std::get_if<T>(&known->second);
-    if (value) c.word();
-    return value;
+  std::optional<T> let() {
+    Cursor ahead = c;
+    const auto item = let_here(ahead);
+    if (ahead.error && !c.error) c.error = ahead.error, c.where = ahead.where;
+    const T* value = item ? std::get_if<T>(&*item) : nullptr;
+    if (!value) return std::nullopt;
+    c.at = ahead.at;
+    return *value;
   }
   bool meant_as_number(const char* start, double& out);
   bool looks_like_number() const;

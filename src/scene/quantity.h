@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "betwixt/math.h"
 #include "betwixt/value.h"
@@ -26,7 +27,10 @@ struct Quantity {
   friend bool operator==(const Quantity&, const Quantity&) = default;
 };
 
-using Let = std::variant<Quantity, Vec3, Color>;
+// One value, as an element of a list is.
+using LetItem = std::variant<Quantity, Vec3, Color, Text>;
+using LetList = std::vector<LetItem>;
+using Let = std::variant<Quantity, Vec3, Color, Text, LetList>;
 using Lets = std::map<std::string, Let, std::less<>>;
 
 // The place among what a pattern named: what i, n, i1, i2 … are.

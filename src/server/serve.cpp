@@ -367,7 +367,7 @@ class Server {
       g.out.erase(0, g.sent), g.sent = 0;
     }
     if (stops_reading(g)) {
-      tell_user("betwixt: a host that does not read its answers is cut off\n");
+      tell_user("betwixt: warning: a host that does not read its answers is cut off\n");
       return leave(g);
     }
     if (g.in_hand) return;
@@ -396,7 +396,7 @@ class Server {
         if (problems_.size() < 100 && problems_.insert(p).second) tell_user(fmt::format("betwixt: warning: {}\n", p));
     imaging_.shown(all);
     if (const auto trouble = clock_.trouble())
-      tell_user(fmt::format("betwixt: frames go nowhere any more: {}\n", trouble->message));
+      tell_user(fmt::format("betwixt: warning: frames go nowhere any more: {}\n", trouble->message));
   }
 
   void publish() {

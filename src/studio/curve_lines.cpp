@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/curve_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "betwixt/language.h"
 #include "betwixt/object.h"
 #include "scene/document.h"
 #include "studio/hand.h"
+#include "track/swing.h"
 #include "track/types.h"
 
 namespace betwixt::studio {
@@ -102,6 +106,24 @@ Value with_shown(const CurveLine& line, const Value& v, double number) {
   const int count = to_numbers(v, n);
   n[line.part] = number * (line.degrees ? degree : 1);
   return with_numbers(v, n, count);
+}
+
+std::optional<LineSwing> swing(const Document& d, const CurveLine& line) {
+  const Target& t = line.target;
+  if (!line.tracked || t.velocity || t.layer) return std::nullopt;
+  const Type whole = spec_of(d.scene(), t.function).type;
+  for (const Track* track : tracks_of(d.scene(), t)) {
+    const Type type = t.component < 0 ? whole : component_track_type(whole);
+    const auto far = widest_swing(*track, type, t.component >= 0, d.rate());
+    if (!far || far->number != line.part) continue;
+    const double unit = line.degrees ? pi / 180 : 1;
+    return LineSwing{far->at, far->value / unit,
+                     fmt::format("{} swings to {:.4g} at {}: that is far beyond {:.4g}, which it has at {} and at {}.\n"
+                                 "auto never goes beyond its events: choose it at {}",
+                                 line.name, far->value / unit, format_time(far->at, d), far->rest / unit,
+                                 format_time(far->from, d), format_time(far->to, d), format_time(far->from, d))};
+  }
+  return std::nullopt;
 }
 
 std::string_view twerper_of(const TrackView& track, const EventView& e) {

@@ -4,6 +4,7 @@
 // What there is to draw of objects as curves, and what hands take hold of at their events.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,14 @@ std::vector<CurveLine> curve_lines(const Document&, const std::vector<ObjectId>&
 std::optional<double> shown(const CurveLine&, const Value&);
 // The same value with another number there.
 Value with_shown(const CurveLine&, const Value&, double number);
+
+// Where a line swings far away from two events that are alike, as the line shows it; none where it does not.
+struct LineSwing {
+  Time at;
+  double value = 0;
+  std::string words;  // what to say about it
+};
+std::optional<LineSwing> swing(const Document&, const CurveLine&);
 
 // How an event goes on, whoever says it: the track, the event, or nobody.
 std::string_view twerper_of(const TrackView&, const EventView&);

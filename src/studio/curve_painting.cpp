@@ -124,6 +124,20 @@ void CurvePane::paint_events(QPainter& p) const {
   }
 }
 
+// A ring where a track swings far away from two events that are alike, and the word that keeps it there.
+void CurvePane::paint_swings(QPainter& p) const {
+  const Colors& c = colors();
+  for (const auto& [line, far] : swings_) {
+    if (!seen(line)) continue;
+    const QPointF at = place(line, far.at, far.value);
+    const double r = reach();
+    if (at.x() < axis_.gutter()) continue;
+    p.setBrush(Qt::NoBrush), p.setPen(QPen(c.warning, 2));
+    p.drawEllipse(at, r, r);
+    p.drawText(at + QPointF(1.5 * r, at.y() < ruler_height() + line_height() ? 2 * r : -r), tr("auto?"));
+  }
+}
+
 // The word for the way on from an event that is selected, in the middle of the way.
 void CurvePane::paint_twerpers(QPainter& p) const {
   const Colors& c = colors();
@@ -167,7 +181,7 @@ void CurvePane::paint_content(QPainter& p) {
   p.setClipRect(time_box().adjusted(0, ruler_height(), 0, 0));
   paint_values(p);
   p.setRenderHint(QPainter::Antialiasing);
-  paint_curves(p), paint_events(p), paint_twerpers(p);
+  paint_curves(p), paint_swings(p), paint_events(p), paint_twerpers(p);
   if (hand_ == Hand::box && dragging()) {
     p.setPen(QPen(c.accent, 1, Qt::DashLine)), p.setBrush(faint(c.accent, 0.1F));
     p.drawRect(QRectF(from_, to_).normalized());

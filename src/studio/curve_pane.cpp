@@ -3,6 +3,7 @@
 #include "studio/curve_pane.h"
 
 #include <QContextMenuEvent>
+#include <QLineF>
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "scene/document.h"
 #include "studio/event_hands.h"
 #include "studio/hand.h"
+#include "studio/text_of.h"
 
 namespace betwixt::studio {
 namespace {
@@ -56,6 +58,9 @@ void CurvePane::lay_out() {
   if (lines.size() != lines_.size()) fitted_ = false;
   lines_ = lines, base_.resize(lines_.size()), unit_.resize(lines_.size(), 1),
   picked_ = PickedTimes(desk_.events_selected());
+  swings_.clear();
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    if (auto far = swing(desk_.document(), lines_[i])) swings_.emplace_back(i, *std::move(far));
   sample();
 }
 
@@ -297,6 +302,12 @@ void CurvePane::call_off() {
   update();
 }
 
+const LineSwing* CurvePane::swing_at(const QPointF& at) const {
+  for (const auto& [line, far] : swings_)
+    if (seen(line) && QLineF(place(line, far.at, far.value), at).length() < 2 * reach()) return &far;
+  return nullptr;
+}
+
 void CurvePane::hover(QMouseEvent* e) {
   const auto handle = handle_at(e->position());
   const auto point = handle ? handle : point_at(e->position());
@@ -304,6 +315,7 @@ void CurvePane::hover(QMouseEvent* e) {
   if (point)
     if (const Event* event = find_event(desk_.document(), point->second.event))
       words = QString::fromStdString(event_line(desk_.document(), point->second.event.target, *event));
+  if (const LineSwing* far = point ? nullptr : swing_at(e->position())) words = text_of(far->words);
   setToolTip(words);
   if (point && e->position().x() > axis_.gutter() + 4) setCursor(handle ? Qt::CrossCursor : Qt::SizeAllCursor);
 }

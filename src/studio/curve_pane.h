@@ -30,6 +30,8 @@ class CurvePane : public TimePane {
   QPointF place(std::size_t line, Time t, double value) const { return {x_of(t), y_of(line, value)}; }
   QPointF place(std::size_t line, const Handle& h) const;
   const std::vector<QRectF>& twerper_boxes() const { return words_; }
+  // Of each line that is seen to swing too far.
+  const std::vector<std::pair<std::size_t, LineSwing>>& swings() const { return swings_; }
   // Of the events that are selected, on lines that are seen.
   std::vector<std::pair<std::size_t, Handle>> handles() const;
 
@@ -75,8 +77,11 @@ class CurvePane : public TimePane {
   void paint_curves(QPainter&) const;
   void paint_events(QPainter&) const;
   void paint_twerpers(QPainter&) const;
+  void paint_swings(QPainter&) const;
+  const LineSwing* swing_at(const QPointF&) const;
 
   std::vector<CurveLine> lines_;
+  std::vector<std::pair<std::size_t, LineSwing>> swings_;
   std::vector<ObjectId> shown_;  // whose these are
   PickedTimes picked_;
   std::set<std::string> hidden_;  // by name, whichever object it is

@@ -12,6 +12,7 @@
 
 #include "betwixt/language.h"
 #include "betwixt/track.h"
+#include "editor/made_by.h"
 #include "language/values.h"
 #include "scene/document.h"
 #include "studio/hand.h"
@@ -353,7 +354,7 @@ Lines insert_lines(const Document& d, const Program& before, const std::vector<T
     const Type type = spec_of(d.scene(), bare.function).type;
     const Value there = known->second.read(bare, t);
     e.value = type == Type::scalar || type == Type::vector ? plain(there) : there;  // angles are said in degrees
-    lines.push_back(event_line(d, target, e));
+    lines.push_back(event_line(d, target, e) + way_of_new_event(d, target, t));
   }
   return lines;
 }

@@ -8,6 +8,7 @@
 #include "betwixt/language.h"
 #include "betwixt/object.h"
 #include "betwixt/track.h"
+#include "editor/made_by.h"
 #include "language/values.h"
 #include "scene/functions.h"
 
@@ -121,8 +122,9 @@ Vec3 angles_near(Quat q, Vec3 angles) {
 std::string line_for(const Document& d, const Target& t, const Value& v, Time time, bool make_event) {
   const std::string value = written(d, v, t);
   if (!make_event) return "set " + d.name(t) + " " + value;
-  std::string before, behind;
+  std::string before, behind = way_of_new_event(d, t, time);
   each_event(d, t, time, time, [&](const EventView& e) {
+    behind.clear();
     if (e.what != EventView::What::value || !e.value) return;
     const std::string row = write_event(d, t, time), was = e.before ? written(d, *e.before, t) + " cut " : "";
     const std::string start = was + written(d, *e.value, t);

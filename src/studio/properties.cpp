@@ -343,7 +343,8 @@ void Properties::toggle_event(const Row& row) {
       if (!here)
         lines.push_back(f.type == Type::attachment ? what_holds(d, id, desk_.time())
                                                    : "at " + when + " " + d.name(t) + " " +
-                                                         plain_value(desk_.program().read(t, desk_.time()), t, d));
+                                                         plain_value(desk_.program().read(t, desk_.time()), t, d) +
+                                                         way_of_new_event(d, t, desk_.time()));
     }
   if (!lines.empty()) lines.size() == 1 ? desk_.say(lines[0]) : desk_.say(lines);
   refresh();

@@ -22,7 +22,7 @@ namespace {
 bool play_back(betwixt::studio::Desk& desk, const QString& name) {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) {
-    std::fprintf(stderr, "betwixt: '%s' cannot be read\n", qPrintable(name));
+    std::fprintf(stderr, "betwixt: error: '%s' cannot be read\n", qPrintable(name));
     return false;
   }
   std::string line;
@@ -103,7 +103,9 @@ int main(int argc, char** argv) {
                    {"load", "a plug-in", "PLUGIN"}});
   line.addHelpOption();
   line.process(arguments);
-  const auto refuse = [](const std::string& why) { return std::fprintf(stderr, "betwixt: %s\n", why.c_str()), 2; };
+  const auto refuse = [](const std::string& why) {
+    return std::fprintf(stderr, "betwixt: error: %s\n", why.c_str()), 2;
+  };
   for (const QString& plugin : line.values("load"))
     if (const Status s = use_plugin(plugin.toStdString()); !s) return refuse(s.error().message);
   LoadOptions options;
@@ -160,7 +162,8 @@ int main(int argc, char** argv) {
     const QString out = line.value("screenshot"), panel = line.value("panel");
     const QPixmap picture = panel.isEmpty() ? window.grab() : picture_of(window, panel, size);
     if (picture.isNull()) return refuse("there is no panel '" + panel.toStdString() + "'");
-    return picture.save(out) ? 0 : (std::fprintf(stderr, "betwixt: '%s' cannot be written\n", qPrintable(out)), 3);
+    return picture.save(out) ? 0
+                             : (std::fprintf(stderr, "betwixt: error: '%s' cannot be written\n", qPrintable(out)), 3);
   }
   desk.transport().loop(line.isSet("loop") || !line.isSet("bare"));
   window.sound().mute(line.isSet("mute"));

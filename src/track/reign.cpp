@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "track/reign.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace betwixt {
 namespace {
@@ -25,6 +27,42 @@ Quat magnus(const CurveSet& set, const Curve& v, std::int64_t from, std::int64_t
   set.evaluate(v, at(0.5 + std::sqrt(3.0) / 6), b);
   const Vec3 p{a[0], a[1], a[2]}, q{b[0], b[1], b[2]};
   return turn_by(sign * h / 2 * (p + q) + (std::sqrt(3.0) / 12 * h * h) * cross(q, p));
+}
+
+const CurveDetail* detail_of(const Curve& c, std::uint32_t k) {
+  const auto& all = c.columns->details;
+  const auto at = std::lower_bound(all.begin(), all.end(), c.first + k,
+                                   [](const CurveDetail& d, std::uint32_t event) { return d.event < event; });
+  return at != all.end() && at->event == c.first + k ? &*at : nullptr;
+}
+
+// The pieces in which a velocity changes evenly, from event k to `end`: behind each jump and each corner of its twerper
+// one begins. f(from, to), in order; f says whether to go on.
+template <class F>
+void each_piece(const CurveSet& set, const Curve& c, std::uint32_t k, std::int64_t end, F&& f) {
+  const std::int64_t begin = set.event_time(c, k);
+  std::vector<double> parts;  // how far in eased time
+  const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
+  const CurveDetail *here = detail_of(c, k), *next = k + 1 < c.count ? detail_of(c, k + 1) : nullptr;
+  if (here && k + 1 < c.count && !is_own(twerper)) {
+    const auto steps = row_of(twerper).steps ? static_cast<int>(here->arguments[0]) : 0;
+    for (int i = 1; i < steps; ++i) parts.push_back(static_cast<double>(i) / steps);
+    if (row_of(twerper).stops && here->arguments.stops)
+      for (const Stop& s : *here->arguments.stops) parts.push_back(s[0] / 100);
+  }
+  std::int64_t from = begin;
+  const double length = static_cast<double>(end - begin);
+  for (const double part : parts) {
+    std::int64_t low = from, high = end;  // the first flick at which that much has gone by
+    while (high - low > 1) {
+      const std::int64_t t = low + (high - low) / 2;
+      (eased(static_cast<double>(t - begin) / length, here, next, length) < part ? low : high) = t;
+    }
+    if (high <= from || high >= end) continue;
+    if (!f(from, high)) return;
+    from = high;
+  }
+  f(from, end);
 }
 
 }  // namespace
@@ -67,10 +105,13 @@ Reign::Steps Reign::steps(const CurveSet& set, double sign) const {
   for (std::uint32_t k = 0; k < v_.count; ++k) {
     out.first.push_back(out.turns.size());
     const std::int64_t end = k + 1 < v_.count ? set.event_time(v_, k + 1) : set.event_time(v_, k) + 1;
-    for (std::int64_t t = set.event_time(v_, k); t < end; t += step_) {
-      out.turns.push_back(q);
-      q = normalize(magnus(set, v_, t, std::min(step_, end - t), sign) * q);
-    }
+    each_piece(set, v_, k, end, [&](std::int64_t from, std::int64_t to) {
+      for (std::int64_t t = from; t < to; t += step_) {
+        out.turns.push_back(q);
+        q = normalize(magnus(set, v_, t, std::min(step_, to - t), sign) * q);
+      }
+      return true;
+    });
   }
   return out;
 }
@@ -122,8 +163,15 @@ Quat Reign::stepped(const CurveSet& set, const Steps& all, double sign, std::int
     const std::uint32_t k = (low + high) / 2;
     (set.event_time(v_, k) <= t ? low : high) = k;
   }
-  const std::int64_t past = t - set.event_time(v_, low);
-  const Quat& q = all.turns[all.first[low] + static_cast<std::size_t>(past / step_)];
+  const std::int64_t end = low + 1 < v_.count ? set.event_time(v_, low + 1) : set.event_time(v_, low) + 1;
+  std::size_t at = all.first[low];
+  std::int64_t past = 0;
+  each_piece(set, v_, low, end, [&](std::int64_t from, std::int64_t to) {
+    past = t - from;
+    if (t < to) return false;
+    return at += static_cast<std::size_t>((to - from + step_ - 1) / step_), true;
+  });
+  const Quat& q = all.turns[at + static_cast<std::size_t>(past / step_)];
   return past % step_ == 0 ? q : magnus(set, v_, t - past % step_, past % step_, sign) * q;
 }
 

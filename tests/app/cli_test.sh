@@ -58,6 +58,57 @@ check 'a film of the usual name' 0 'bounce.mp4' render bounce.bx $small --frames
 is 'a film of the usual name is there' "$(ls bounce.mp4 2>&1; rm -f bounce.mp4)" bounce.mp4
 check 'a picture of the usual name and time' 0 'bounce.png' frame bounce.bx $small
 is 'it is the first frame' "$("$program" frame bounce.bx --at 1f -o first.png $small && cmp first.png bounce.png && echo same; rm -f first.png bounce.png)" same
+verdict 'it says the commit, if there is one' "$("$program" --version | grep -qxE 'betwixt [0-9.]+( \([0-9a-f]{7,}\))?' && echo yes)" "$("$program" --version)"
+check 'errors of the call say so' 2 "betwixt: error: no such command 'rendre'" rendre bounce.bx
+check 'so do others' 2 'betwixt: error: a film cannot end in' render bounce.bx -o a.mp5
+
+# Standard input and output.
+is 'a script from standard input' "$("$program" check - <bounce.bx)" "$("$program" check bounce.bx | sed 's/^bounce.bx/<stdin>/')"
+is 'its errors have places' "$("$program" check - <wrong.bx 2>&1 | head -n 1)" "$("$program" check wrong.bx 2>&1 | head -n 1 | sed 's/^wrong.bx/<stdin>/')"
+is 'values of it' "$("$program" eval - --at 8f ball.radius <bounce.bx)" "$("$program" eval bounce.bx --at 8f ball.radius)"
+is 'its canonical form' "$("$program" tidy - <bounce.bx)" "$("$program" tidy bounce.bx)"
+check 'which is not put back' 2 'betwixt: error: standard input has no place' tidy - --write
+"$program" frame bounce.bx --at 6f -o there.png $small
+is 'a picture to standard output' "$("$program" frame - --at 6f -o - $small <bounce.bx | md5sum)" "$(md5sum <there.png)"
+is 'it is what goes there by itself' "$("$program" frame - --at 6f $small <bounce.bx | md5sum)" "$(md5sum <there.png)"
+is 'a film to standard output' "$("$program" render - -o -.gif --frames 1f..3f $small <bounce.bx 2>/dev/null | head -c 6)" GIF89a
+is 'motion too' "$("$program" export - -o -.glb <bounce.bx 2>/dev/null | head -c 4)" glTF
+check 'whose ending has to be said' 2 'betwixt: error: an ending says' export bounce.bx -o -
+is 'nothing else is left' "$(ls -A | grep -c '^-')" 0
+rm there.png
+
+# How films and pictures are coded.
+"$program" frame bounce.bx --at 6f -o fine.jpg --quality 100 $small && "$program" frame bounce.bx --at 6f -o poor.jpg --quality 5 $small
+is 'a JPEG' "$(head -c 3 fine.jpg | od -An -tx1)" ' ff d8 ff'
+verdict 'of more bytes where more is kept' "$([ "$(stat -c %s fine.jpg)" -gt "$(stat -c %s poor.jpg)" ] && echo yes)" "$(ls -l *.jpg)"
+is 'of that size' "$(ffprobe -v error -show_entries stream=width,height -of csv=p=0 poor.jpg)" 64,48
+rm fine.jpg poor.jpg
+check 'quality is of JPEG' 2 '--quality is for .jpg' frame bounce.bx -o a.png --quality 50
+for q in 0 101 x; do check "quality $q" 2 '--quality' render bounce.bx -o a.mp4 --quality $q; done
+check 'a GIF has none' 2 'betwixt: error: --quality means nothing for a.gif' render bounce.bx -o a.gif --quality 50
+check 'numbered pictures neither' 2 '--codec means nothing' render bounce.bx -o a-%d.png --codec h264
+check 'a codec that is not there' 2 "betwixt: error: .mp4 has no codec 'vp9'
+  it has h264, h265, av1" render bounce.bx -o a.mp4 --codec vp9
+codec() { ffprobe -v error -select_streams v:0 -show_entries stream=codec_name -of csv=p=0 "$1"; }
+check 'another codec' 0 '' render bounce.bx -o a.mp4 $small --codec h265 --quality 40
+is 'the film has it' "$(codec a.mp4)" hevc
+"$program" render bounce.bx -o fine.webm $small --quality 95 2>/dev/null && "$program" render bounce.bx -o poor.webm $small --quality 5 2>/dev/null
+verdict 'quality takes bytes' "$([ "$(stat -c %s fine.webm)" -gt "$(stat -c %s poor.webm)" ] && echo yes)" "$(ls -l *.webm)"
+check 'another rate' 0 '6 frames in' render bounce.bx -o a.mp4 $small --fps 12
+is 'the film has it too' "$(ffprobe -v error -select_streams v:0 -show_entries stream=r_frame_rate -of csv=p=0 a.mp4)" 12/1
+for f in 0 x 24fps 1e9; do check "rate '$f'" 2 'is no rate such as 24' render bounce.bx -o a.mp4 --fps $f; done
+rm a.mp4 fine.webm poor.webm
+
+# Colours.
+is 'no colours but on a terminal' "$("$program" check wrong.bx 2>&1 | grep -c $'\x1b')" 0
+is 'unless they are asked for' "$("$program" check --color always wrong.bx 2>&1 | head -n 1)" $'\x1b[1mwrong.bx:1:13: \x1b[0m\x1b[1;31merror:\x1b[0m'" ${none-}$("$program" check wrong.bx 2>&1 | head -n 1 | sed 's/^[^ ]* error: //')"
+if command -v script >/dev/null; then
+  on_terminal() { env TERM=xterm "$@" script -qec "$program check wrong.bx" /dev/null </dev/null | grep -c $'\x1b\[1;31m'; }
+  verdict 'on a terminal there are' "$([ "$(on_terminal -u NO_COLOR)" -gt 0 ] && echo yes)" 'none'
+  is 'not where nobody wants any' "$(on_terminal NO_COLOR=1)" 0
+fi
+check 'a word that is none of these' 2 'is not auto, always or never' check --color maybe bounce.bx
+
 check 'the version, in short' 0 'betwixt ' -V
 check 'no script' 2 'FILE' render -o a.mp4
 check 'one word too many' 2 "'more'" render bounce.bx more -o a.mp4
@@ -129,7 +180,9 @@ set ball.environments (wnid)
 create box box
 set box.transform rotate(90deg, z)
 BX
-check 'an environment that nobody animates' 0 "idle.bx: notice: 'ball' is in the environment 'wnid', which nobody animates
+check 'an environment that nobody animates' 0 "idle.bx:3:1: notice: 'ball' is in the environment 'wnid', which nobody animates
+  set ball.environments (wnid)
+  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~
   did you mean 'wind'?" check idle.bx
 check 'what is as good as 0 is 0' 0 'matrix(0 -1 0 0 1 0 0 0 0 0 1 0 0 0 0 1)' eval idle.bx box.world --at 1f
 check 'but not in JSON' 0 'e-16' eval idle.bx box.world --at 1f --json
@@ -358,11 +411,11 @@ check 'where it goes' 0 '' plot moved.bx a.world.x -o moved.svg
 has 'a plot of where it goes' "$(cat moved.svg 2>&1)" 'a.world.x'
 # ---- the studio, where there is none, and no display
 is 'a window without a display' "$(env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$program" studio 2>&1; echo $?)" \
-  "betwixt: there is no display for a window
+  "betwixt: error: there is no display for a window
   set DISPLAY; --screenshot OUT.png makes a picture of the window without one
 3"
 is 'a studio that is not built' "$(BETWIXT_STUDIO=/none "$program" studio --screenshot x.png 2>&1; echo $?)" \
-  "betwixt: the studio is not here
+  "betwixt: error: the studio is not here
   ./betwixt studio builds it; an installed one has it beside it where it was built with it
 3"
 "$program" studio --layout heap --screenshot x.png >/dev/null 2>&1

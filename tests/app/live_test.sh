@@ -81,18 +81,18 @@ is "the author's text stands before it" "$(head -n "$(wc -l <author.bx)" out.bx)
 is 'not over a recording' "$?" 2
 has 'says so' "$(cat said)" 'out.bx is there already'
 is 'no folder' "$("$program" play film.bx --listen "$port" --record none/out.bx 2>&1 | head -n 1)" \
-  'betwixt: there is no folder none'
+  'betwixt: error: there is no folder none'
 is 'nothing to record' "$("$program" play film.bx --record new.bx 2>&1 | head -n 1)" \
-  'betwixt: --record: there is nothing to record'
+  'betwixt: error: --record: there is nothing to record'
 for wrong in 0 65536 x 12x :9000; do
   is "no port: '$wrong'" "$("$program" play film.bx --listen "$wrong" 2>&1 | head -n 1)" \
-    "betwixt: --listen: \"$wrong\" is no port"
+    "betwixt: error: --listen: \"$wrong\" is no port"
 done
 
 # Without recording nothing is written; errors are said; garbage is counted; a flood does no harm.
 begin film.bx --loop
 is 'a port that is taken' "$("$program" play film.bx --listen "$port" 2>&1 | head -n 1)" \
-  "betwixt: --listen: cannot listen on $port: Address already in use"
+  "betwixt: error: --listen: cannot listen on $port: Address already in use"
 send '/q\0\0,f\0\0\0\0\0\0'
 await 'no dial has the address /q'
 send 'garbage' && send '/r' && send '/r\0\0,f\0\0' && send '/r\0\0,ffff\0\0\0\0' && send '#bundle\0\0\0\0\0\0\0\0\1\x7f\xff\xff\xff/r'

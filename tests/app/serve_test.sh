@@ -73,7 +73,7 @@ verdict 'its time goes on' "$(awk -v a="$told" -v b="$goes_on" 'BEGIN { if (b >=
 out=$(host 'print(s.eval("ball.radius"), s.do("help stats")["said"].split("\n")[0])')
 is 'another server goes on with it, at the same socket' "$out" "{'ball.radius': 2} How the server is doing: frames, lateness, hosts."
 "$program" serve --socket "$socket" 2>err
-is 'a socket that is in use' "$?-$(head -n 1 err)" "2-betwixt: another server listens at '$socket'"
+is 'a socket that is in use' "$?-$(head -n 1 err)" "2-betwixt: error: another server listens at '$socket'"
 end
 is 'ends when told' "$code" 0
 is 'and leaves no socket' "$(ls "$socket" 2>/dev/null)" ''
@@ -86,7 +86,7 @@ echo precious >"$socket"
 is 'a file in its place stays' "$?-$(cat "$socket")" 2-precious
 rm -f "$socket"
 DISPLAY= "$program" serve --socket "$socket" --to window 2>err
-is 'no window where there is no display' "$?-$(head -n 1 err)" '3-betwixt: there is no display for a window'
+is 'no window where there is no display' "$?-$(head -n 1 err)" '3-betwixt: error: there is no display for a window'
 
 # ---- TCP
 begin show.bx --tcp 127.0.0.1:0
@@ -112,14 +112,14 @@ this is not the token
 3'
 end
 "$program" serve --tcp 0.0.0.0:0 2>err
-is 'no address that others reach' "$?-$(head -n 1 err)" '2-betwixt: --tcp: other machines can reach 0.0.0.0:0'
+is 'no address that others reach' "$?-$(head -n 1 err)" '2-betwixt: error: --tcp: other machines can reach 0.0.0.0:0'
 
 "$program" serve --tcp 127.0.0.1:70000 2>err
-is 'no port above 65535' "$?-$(head -n 1 err)" "2-betwixt: --tcp: '70000' is no port"
+is 'no port above 65535' "$?-$(head -n 1 err)" "2-betwixt: error: --tcp: '70000' is no port"
 printf '0123456789abcdef0123\n' >token
 chmod 644 token
 "$program" serve --tcp 127.0.0.1:0 --token-file token 2>err
-is 'no token that others may read' "$?-$(tr -d '\n' <err)" "2-betwixt: --token-file: others may read 'token'  chmod 600 token"
+is 'no token that others may read' "$?-$(tr -d '\n' <err)" "2-betwixt: error: --token-file: others may read 'token'  chmod 600 token"
 chmod 600 token
 begin show.bx --tcp 127.0.0.1:0 --token-file token --hosts 3
 port=$(sed -nE 's/^serving at 127.0.0.1:([0-9]+);.*/\1/p' log)

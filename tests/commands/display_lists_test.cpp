@@ -497,7 +497,7 @@ TEST(DisplayList, Hosts_write_display_lists_side_by_side) {
       "  call b\nstart a\n");
   EXPECT_TRUE(at_once.document == document) << write(document);
   const Loaded again = read(history);
-  EXPECT_EQ(said(again.diagnostics), "");
+  EXPECT_EQ(told(again.diagnostics), "");
   EXPECT_TRUE(again.document == document) << history;
 }
 

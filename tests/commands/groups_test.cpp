@@ -56,7 +56,7 @@ TEST(Stagger, FromWhereTheTurnsBegin) {
   EXPECT_EQ(begins("3f per 1m from (4 0 0)"), (Frames{7, 1, 7, 13, 19}));
   EXPECT_EQ(begins("3f per 100cm from post"), (Frames{7, 1, 7, 13, 19}));
   const std::string two = "create a{1..3} box\na*.scale\n  1f (1 1 1)\n";
-  EXPECT_EQ(told(two + "stagger a*.scale by 2f from midle\n"), "syntax 4:29 midle");
+  EXPECT_EQ(told(two + "stagger a*.scale by 2f from midle\n"), "type 4:29 midle");
   EXPECT_EQ(told(two + "stagger a*.scale by 2f per 0m from (0 0 0)\n"), "range 4:28 0m");
   EXPECT_EQ(told(two + "stagger a*.scale by 2f per 1m\n"), "syntax 4:30");
   EXPECT_EQ(told(two + "stagger a*.scale by 2f per 1m from nobody\n"), "name 4:36 nobody");

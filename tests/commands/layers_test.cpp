@@ -79,7 +79,7 @@ TEST(Layers, UnknownNamesAreSaid) {
                                    {"on up create b sphere", "syntax 3:7 create"},
                                    {"on up on up set a.radius 2", "syntax 3:7 on"},
                                    {"layer up add", "name 3:7 up"},
-                                   {"layer down sum", "syntax 3:12 sum"},
+                                   {"layer down sum", "type 3:12 sum"},
                                    {"filter a.position smoth", "name 3:19 smoth"},
                                    {"filter a.position smooth with=5f", "name 3:26 with"},
                                    {"filter a.display noise", "type 3:8 a.display"}})

@@ -326,7 +326,7 @@ TEST(Motions, SayWhatIsWrong) {
   };
   EXPECT_EQ(error("  1f..24f T(6 0) Q(1)\n"), "syntax 4:18 Q");
   EXPECT_EQ(error("  1f..24f R(90)\n"), "type 4:13 90");
-  EXPECT_EQ(error("  1f..24f S(2 -1)\n"), "range 4:11 S(2 -1");
+  EXPECT_EQ(error("  1f..24f S(2 -1)\n"), "range 4:11 S(2 -1)");
   EXPECT_EQ(error("  1f..24f R(90deg @ son)\n"), "name 4:21 son");
   EXPECT_EQ(error("  1f..24f R(90deg @ sun) R(90deg @ su)\n"), "name 4:36 su");
   EXPECT_EQ(error("  1f..24f R(90deg @ (0 0 0) axis (0 1 0))\n"), "fine");

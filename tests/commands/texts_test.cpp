@@ -117,7 +117,7 @@ TEST(Texts, WhatCannotBeSaysWhy) {
   const std::string t = "create t text text=\"ab\"\n";
   EXPECT_EQ(told(t + "split t"), "syntax 2:8");
   EXPECT_EQ(told(t + "split t into"), "syntax 2:13");
-  EXPECT_EQ(told(t + "split t into leters"), "syntax 2:14 leters");
+  EXPECT_EQ(told(t + "split t into leters"), "type 2:14 leters");
   EXPECT_EQ(told(t + "split t into letters now"), "syntax 2:22 now");
   EXPECT_EQ(told(t + "split u into letters"), "name 2:7 u");
   EXPECT_EQ(told("create b box\nsplit b into letters"), "type 2:7 b");

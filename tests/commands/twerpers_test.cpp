@@ -284,7 +284,7 @@ TEST(FCurves, WhatIsWrongIsSaid) {
   EXPECT_EQ(error_of("c.rotation\n  1f axis(x, 1deg) fcurve handle-in=(4f (0 0 0))\n"), "type 5:27 handle-in");
   EXPECT_EQ(error_of("c.rotation\n  1f (0 0 0) fcurve handle-in=(4f axis(x, 1deg))\n"), "type 5:32 4f axis(x, 1deg)");
   const LoadedFilm idle("create b sphere\nb.radius\n  1f 1 linear handle-out=(4f 1)\n  9f 2\n");
-  EXPECT_EQ(remarks_told(idle.loaded), std::vector<std::string>{"notice type"});
+  EXPECT_EQ(remarks_told(idle.loaded), std::vector<std::string>{"notice type 3:3 1f 1 linear handle-out=(4f 1)"});
   EXPECT_TRUE(mentions(idle.loaded, "b.radius"));
 }
 

@@ -65,8 +65,27 @@ TEST(MadeBy, NearestOfMany) {
 
 TEST(MadeBy, TheLineOfAHand) {
   const Film f("at 1f ball.radius 2\n");
-  EXPECT_EQ(line_that_sets(f.d, f.of("ball.radius"), f.at("24f"), "3"), "at 24f ball.radius 3");
+  EXPECT_EQ(line_that_sets(f.d, f.of("ball.radius"), f.at("24f"), "3"), "at 24f ball.radius 3 auto");
   EXPECT_EQ(line_that_sets(f.d, f.of("ball.color"), f.at("24f"), "red"), "set ball.color red");
+}
+
+// A new event goes on by auto where it would swing, and as the one before it where that says a plain word.
+TEST(MadeBy, HowANewEventGoesOn) {
+  const auto way = [](const std::string& lines, const char* target) {
+    const Film f(lines);
+    return way_of_new_event(f.d, f.of(target), f.at("12f"));
+  };
+  EXPECT_EQ(way("", "ball.position"), " auto");
+  EXPECT_EQ(way("", "ball.scale.y"), " auto");
+  EXPECT_EQ(way("", "ball.rotation"), " auto");
+  for (const char* stays : {"ball.color", "ball.display", "ball.material"}) EXPECT_EQ(way("", stays), "") << stays;
+  const std::string rows = "ball.radius\n  1f 1 linear\n  25f 2 hold\n";
+  EXPECT_EQ(way(rows, "ball.radius"), " linear");
+  EXPECT_EQ(way("ball.radius\n  1f 1 bounce-out\n  25f 2\n", "ball.radius"), " auto");
+  EXPECT_EQ(way("ball.radius\n  1f 1 linear(0 2 1)\n  25f 2\n", "ball.radius"), " auto");
+  EXPECT_EQ(way("ball.radius\n  12f 1\n  25f 2\n", "ball.radius"), "");  // it is there already
+  EXPECT_EQ(way(rows + "twerper ball.radius smooth\n", "ball.radius"), "");
+  EXPECT_EQ(way("at 1f ball.rotation axis(x, 1deg)\n", "ball.rotation"), "");
 }
 
 TEST(MadeBy, TheLineThatHolds) {

@@ -124,7 +124,6 @@ TEST(Formulas, ErrorsByTheirPlace) {
                                                        {"let a", "syntax 2:6"},
                                                        {"let a =", "syntax 2:8"},
                                                        {"let a = 2 3", "syntax 2:11 3"},
-                                                       {"let a = \"x\"", "syntax 2:9 \""},
                                                        {"set b.radius i1", "name 2:14 i1"},
                                                        {"set b.radius i5", "name 2:14 i5"}};
   for (const auto& [line, words] : table) EXPECT_EQ(told(ball + line + "\n"), words) << line;

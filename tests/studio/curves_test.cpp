@@ -185,7 +185,18 @@ class CurvesTest : public QObject {
   void a_double_click_writes_an_event_on_the_curve() {
     Shown s;
     QTest::mouseDClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(13, 12));
-    QCOMPARE(s.at.said, std::vector<std::string>{"at 13f ball.position.x 12"});
+    QCOMPARE(s.at.said, std::vector<std::string>{"at 13f ball.position.x 12 linear"});
+  }
+  void a_swing_is_marked_and_auto_ends_it() {
+    Shown s(head + "ball.scale.y\n  13f 0.5\n  16f 1\n  34f 1\n  37f 0.5\n");
+    QCOMPARE(s.pane.swings().size(), std::size_t(1));
+    const auto& [line, swing] = s.pane.swings()[0];
+    QCOMPARE(s.pane.lines()[line].name, "scale.y");
+    QCOMPARE(swing.at, s.at.frame(25));
+    QVERIFY(std::abs(swing.value - (1 + 0.5 * 6 * 18 / 21 / 4)) < 1e-9);
+    QVERIFY(s.at.desk.say(std::string("at 16f ball.scale.y 1 auto")));
+    s.pane.finish();
+    QVERIFY(s.pane.swings().empty());
   }
   void values_are_zoomed_and_fitted() {
     Shown s;

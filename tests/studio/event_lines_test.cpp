@@ -141,9 +141,9 @@ class EventLinesTest : public QObject {
     e.add("ball.position", {18}).add("ball.position", {9}, "sway").add("box.rotation.z", {9});
     // Half way, linear, of 2 and 3; without what the layer adds.
     QCOMPARE(insert_lines(e.d(), e.at.desk.program(), {e.some[0].target}, e.at.frame(18)),
-             Lines{"at 18f ball.position (2.5 0 0)"});
+             Lines{"at 18f ball.position (2.5 0 0) linear"});
     QCOMPARE(insert_lines(e.d(), e.at.desk.program(), {e.some[1].target, e.some[2].target}, e.at.frame(9)),
-             (Lines{"on sway at 9f ball.position (0 0 1.5)", "at 9f box.rotation.z 45deg"}));
+             (Lines{"on sway at 9f ball.position (0 0 1.5) auto", "at 9f box.rotation.z 45deg auto"}));
   }
   // In all examples, many times: what is done is done, and to nothing else.
   void whatever_is_selected_can_be_done() {

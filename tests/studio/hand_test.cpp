@@ -63,7 +63,7 @@ class HandTest : public QObject {
     QCOMPARE(said(Hand(p, {}, {hand}, false).turn({0, 1, 0}, 30 * degree, 0.01)),
              QString("set hand.rotation euler(0 0 -10deg)"));
     QCOMPARE(said(Hand(p, {}, {hand}, true).turn({0, 1, 0}, 380 * degree, 0.01)),
-             QString("at 1f hand.rotation euler(0 0 -360deg)"));
+             QString("at 1f hand.rotation euler(0 0 -360deg) auto"));
   }
 
   void what_hangs_keeps_its_own_directions() {

@@ -117,7 +117,7 @@ class PropertiesTest : public QObject {
     QCOMPARE(s.at("radius").text().toDouble(), 2.0);
     QCOMPARE(s.made("radius"), "between 1f and 25f");
     s.type(s.at("radius"), "5");
-    QCOMPARE(s.text(), "create ball sphere\nball.radius\n  1f 1\n  13f 5\n  25f 3\n");
+    QCOMPARE(s.text(), "create ball sphere\nball.radius\n  1f 1\n  13f 5 auto\n  25f 3\n");
     QCOMPARE(s.made("radius"), "event here");
   }
 

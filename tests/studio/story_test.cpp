@@ -174,7 +174,7 @@ class Story : public QObject {
     hands_->click(window_->viewport(), in_picture({-4, 2, 0}));
     QCOMPARE(selected(), "ball");
     hands_->key("K");
-    is(before_ += "at 1f ball.position (-4 2 0)\n");
+    is(before_ += "at 1f ball.position (-4 2 0) auto\n");
     scrub(8, 25);
     QCOMPARE(desk_.time(), frame(25));
     hands_->key("Ctrl+1");
@@ -183,7 +183,8 @@ class Story : public QObject {
     QCOMPARE(value("ball.position", 25), Value(Vec3{-1, 2, 0}));
     hands_->key("Return");
     // Two events are a sheet.
-    is(before_ = replaced(before_, "at 1f ball.position (-4 2 0)\n", "ball.position\n  1f (-4 2 0)\n  25f (-1 2 0)\n"));
+    is(before_ = replaced(before_, "at 1f ball.position (-4 2 0) auto\n",
+                          "ball.position\n  1f (-4 2 0) auto\n  25f (-1 2 0) auto\n"));
     shows(desk_.text(), 25);
   }
 
@@ -191,20 +192,20 @@ class Story : public QObject {
     raise("Properties");
     hands_->click(part<QToolButton>("diamond_scale"));
     const std::string so_far = before_;
-    is(so_far + "at 25f ball.scale (1 1 1)\n");
+    is(so_far + "at 25f ball.scale (1 1 1) auto\n");
     QLineEdit& y = *part<QWidget>("scale").findChild<QLineEdit*>("y");
     hands_->click(y);
     hands_->key("Ctrl+A");
     hands_->type("2");
     hands_->key("Return");
-    is(so_far + "at 25f ball.scale (1 2 1)\n");
+    is(so_far + "at 25f ball.scale (1 2 1) auto\n");
     QCOMPARE(value("ball.scale", 40), Value(Vec3{1, 2, 1}));
   }
 
   void a_key_is_dragged_in_the_sheet() {
     QCOMPARE(sheet().rows().size(), std::size_t(3));  // ball, position, scale
     hands_->drag(sheet(), in_sheet(1, 25), in_sheet(1, 37));
-    is(before_ = replaced(before_, "  25f (-1", "  37f (-1") + "at 25f ball.scale (1 2 1)\n");
+    is(before_ = replaced(before_, "  25f (-1", "  37f (-1") + "at 25f ball.scale (1 2 1) auto\n");
     QCOMPARE(value("ball.position", 37), Value(Vec3{-1, 2, 0}));
   }
 
@@ -250,7 +251,7 @@ class Story : public QObject {
     when_asked<QMenu>([this](QMenu& menu) { choose(menu, "Take out"); });
     hands_->click(sheet(), in_sheet(1, 37), {}, Qt::RightButton);
     QTRY_VERIFY(!QApplication::activePopupWidget());
-    is(replaced(before_, "  37f (-1 2 0)\n", ""));
+    is(replaced(before_, "  37f (-1 2 0) auto\n", ""));
     hands_->key("Ctrl+Z");
     is(before_);
     steps_ -= 1;  // it is not done again

@@ -142,7 +142,7 @@ class ViewportTest : public QObject {
     f.select("ball");
     f.desk.go_to(f.desk.document().rate().frame(12));
     f.drag(at(1.2, 0), at(2.2, 0));
-    QVERIFY(f.text().endsWith("at 12f ball.position (1 0 0)\n"));
+    QVERIFY(f.text().endsWith("at 12f ball.position (1 0 0) auto\n"));
   }
 
   void keys_take_and_numbers_say_how_much() {
