@@ -203,9 +203,9 @@ struct MotionReader : algebra::Cursor {
         return false;
       }
       if (bracket && !accept(')')) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
-      if (count != 3) return fail(from, behind(), ErrorCode::syntax, "an axis has three numbers", "as in axis 0 1 0");
+      if (count != 3) return fail(from, at, ErrorCode::syntax, "an axis has three numbers", "as in axis 0 1 0");
       f.axis = {n[0], n[1], n[2]};
-      if (f.axis == Vec3{}) return fail(from, behind(), ErrorCode::range, "this axis has no direction");
+      if (f.axis == Vec3{}) return fail(from, at, ErrorCode::range, "this axis has no direction");
     } else if (!w.empty()) {
       return fail(from, at, ErrorCode::syntax, fmt::format("'{}' means nothing in a rotation", w),
                   "R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");

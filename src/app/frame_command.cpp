@@ -4,6 +4,7 @@
 
 #include "app/code_errors.h"
 #include "app/command.h"
+#include "app/making.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/files.h"
@@ -91,6 +92,7 @@ int frame(FrameCall& call) {
   Findings found;
   add_findings(found, made, call.file);
   if (stopped_by(found, call.keep_going)) return wrong_input;
+  if (document->transparent() && is_jpeg(call.out)) say_not_clear(call.out);
   Problems().say(found.warnings);
   const Status drawn = draw(call, program, *time, options, *exposure, **renderer);
   if (!drawn) return complain(drawn.error(), wrong_call);

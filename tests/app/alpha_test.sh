@@ -124,7 +124,9 @@ check 'transparent to' 1 "'to' is not expected here" check wrong.bx
 check 'bits 12' 2 "--bits" render clear.bx -o x-%d.png --bits 12
 for o in x.mp4 x.mov x-%d.exr; do check "16 bits of $o" 2 'only numbered PNG can have 16 bits a channel' render clear.bx -o $o --bits 16; done
 check '16 bits of one exr' 2 '--bits is for PNG' frame clear.bx --at 1f -o x.exr --bits 16
-check 'frame jpg' 2 'one picture is a .png or .exr, not "x.jpg"' frame clear.bx --at 1f -o x.jpg
+check 'frame gif' 2 'one picture is a .png, .jpg or .exr, not "x.gif"' frame clear.bx --at 1f -o x.gif
+check 'a JPEG is not clear' 0 'what is clear is black in x.jpg' frame clear.bx --at 1f -o x.jpg
+rm -f x.jpg
 check 'an unknown ending' 2 '.mp4 .webm .mov .gif .apng' render clear.bx -o x.avi
 check 'one exr for a film' 2 'needs one number in its name, not "x.exr"' render clear.bx -o x.exr
 check 'no folder' 2 'there is no folder' render clear.bx -o no/x-%d.exr

@@ -103,7 +103,7 @@ rm a.mp4 fine.webm poor.webm
 is 'no colours but on a terminal' "$("$program" check wrong.bx 2>&1 | grep -c $'\x1b')" 0
 is 'unless they are asked for' "$("$program" check --color always wrong.bx 2>&1 | head -n 1)" $'\x1b[1mwrong.bx:1:13: \x1b[0m\x1b[1;31merror:\x1b[0m'" ${none-}$("$program" check wrong.bx 2>&1 | head -n 1 | sed 's/^[^ ]* error: //')"
 if command -v script >/dev/null; then
-  on_terminal() { env TERM=xterm "$@" script -qec "$program check wrong.bx" /dev/null </dev/null | grep -c $'\x1b\[1;31m'; }
+  on_terminal() { env "$@" TERM=xterm script -qec "$program check wrong.bx" /dev/null </dev/null | grep -c $'\x1b\[1;31m'; }
   verdict 'on a terminal there are' "$([ "$(on_terminal -u NO_COLOR)" -gt 0 ] && echo yes)" 'none'
   is 'not where nobody wants any' "$(on_terminal NO_COLOR=1)" 0
 fi
@@ -128,7 +128,7 @@ check 'segment backwards' 2 'ends before it begins' render bounce.bx -o a.mp4 --
 check 'segment of nonsense' 2 '--frames:' render bounce.bx -o a.mp4 --frames 1q..2q
 check 'too many frames' 2 'too many' render bounce.bx -o a.mp4 --frames 1f..99999999f
 check 'time' 2 '--at:' frame bounce.bx --at soon -o a.png
-check 'picture ending' 2 'one picture is a .png' frame bounce.bx --at 1f -o a.jpg
+check 'picture ending' 2 'one picture is a .png' frame bounce.bx --at 1f -o a.gif
 check 'plot ending' 2 'a plot is a .svg' plot bounce.bx ball.position -o a.png
 check 'plot of nobody' 1 'bal' plot bounce.bx bal.position -o a.svg
 check 'play without a terminal' 2 'standard output is none' play bounce.bx --terminal

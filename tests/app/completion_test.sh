@@ -55,6 +55,6 @@ completes 'betwixt render f' folder
 completes 'betwixt eval ball.bx --at 2'
 completes 'betwixt help gro' ground group
 completes 'betwixt help re' reach reach-chain reach-pole reach-share record rectangle redo regular release remove rename render replace reverse rewrite
-completes 'betwixt help -' --help --load --read-anywhere --tex
+completes 'betwixt help -' --color --help --load --read-anywhere --tex
 for what in zsh fish; do is "$what completes words of the language" "$(grep -cw quantise $what)" 1; done
 summary

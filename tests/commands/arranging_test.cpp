@@ -78,7 +78,7 @@ TEST(Arranging, ErrorsByTheirPlace) {
                                                        {"arrange zz in row", "name 4:9 zz"},
                                                        {"arrange a", "syntax 4:10"},
                                                        {"arrange a in", "syntax 4:13"},
-                                                       {"arrange a in rwo", "syntax 4:14 rwo"},
+                                                       {"arrange a in rwo", "type 4:14 rwo"},
                                                        {"arrange a in row columns=2", "name 4:18 columns"},
                                                        {"arrange a in row gap", "syntax 4:21"},
                                                        {"arrange a in row gap=2deg", "type 4:22 2deg"},
@@ -88,7 +88,7 @@ TEST(Arranging, ErrorsByTheirPlace) {
                                                        {"place a next-to zz", "name 4:17 zz"},
                                                        {"place a next-to a", "name 4:7 a"},
                                                        {"place a next-to up", "type 4:7 a"},
-                                                       {"place a next-to b side=centre", "syntax 4:24 centre"},
+                                                       {"place a next-to b side=centre", "type 4:24 centre"},
                                                        {"place a next-to b side=left align=right", "syntax 4:7 a"},
                                                        {"place a next-to b size=2", "name 4:19 size"}};
   for (const auto& [line, words] : table) EXPECT_EQ(told(two + line + "\n"), words) << line;

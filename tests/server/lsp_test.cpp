@@ -239,13 +239,13 @@ TEST(Lsp, EndsOfLinesStayWhatTheyAre) {
   EXPECT_EQ(tidied("at 1f  note \"\"\"a\r\nb\"\"\"\r\n"), "at 1f note \"\"\"a\r\n") << "the rest is as it was";
 }
 
-TEST(Lsp, WhatIsSaidOfTheWholeFilmStandsWhereItsThingIsMade) {
+TEST(Lsp, WhatIsSaidOfTheWholeFilmStandsWhereItIsSaid) {
   Says s;
   s.open("untitled:1", "create eye camera\nset eye.height 3\nset eye.f-stop 2\n");
   const Json all = s.said_of("untitled:1");
   ASSERT_EQ(all.size(), 1u) << all.dump();
   EXPECT_EQ(all[0]["message"].get<std::string>().substr(0, 15), "eye has a heigh");
-  EXPECT_EQ(all[0]["range"].dump(), R"({"start":{"line":0,"character":7},"end":{"line":0,"character":10}})");
+  EXPECT_EQ(all[0]["range"].dump(), R"({"start":{"line":2,"character":0},"end":{"line":2,"character":16}})");
 }
 
 TEST(Lsp, OtherFilesHaveWhatIsSaidOfThem) {
