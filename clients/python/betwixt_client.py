@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""A host of the imaging server, `betwixt serve`, in nothing but Python's own library.
+"""A client of the imaging server, `betwixt serve`. It needs only Python's standard library.
 
     from betwixt_client import Server
 
@@ -11,24 +11,24 @@
             server.do("animate spin every 1t by rotate(3deg, y)")
         print(server.eval("ball.position"))         # {'ball.position': [0.0, 0.0, 0.0]}
 
-By TCP, with the token that the server has printed:
+By TCP, with the token that the server printed:
 
     with Server("127.0.0.1:9100", token="0123456789abcdef0123456789abcdef") as server:
-        for event in server.subscribe("changes"):   # what other hosts do
+        for event in server.subscribe("changes"):   # the changes of other hosts
             print(event["commands"])
 
-A `Host` is a server that is spoken to in the calls of the Animation Imaging Model, those of betwixt/aim.h:
+A `Host` has the calls of the Animation Imaging Model, as betwixt/aim.h has them:
 
     with Host("/run/user/1000/betwixt.sock") as host:
         spin = host.make_environment()
         with host.object() as scene, host.environment(spin):
             host.polygon([(0, 2, 0), (-0.5, 0, 0), (0.5, 0, 0)])
         host.start(scene)
-        host.animate(spin, 1, rotate_z(0.1))        # it goes on turning when we have gone
+        host.animate(spin, 1, rotate_z(0.1))        # keeps turning after we disconnect
 
-What the server refuses is a `Refused`; its `hint` may say a way out. A server that is not there, or no more, is `Gone`,
-one that takes too long `Late`. A call that makes no sense by itself is a ValueError or a TypeError; nothing is sent.
-docs/server.md describes what goes over the wire, docs/aim.md the calls.
+A command that the server refuses raises `Refused`; its `hint` may have a suggestion. If there is no server, or it has
+ended, you get `Gone`; if it takes too long, `Late`. An invalid call raises ValueError or TypeError and sends nothing.
+docs/server.md describes the protocol, docs/aim.md the calls.
 """
 
 import collections
@@ -48,16 +48,16 @@ __all__ = ["Gone", "Host", "Late", "Picture", "Refused", "Ring", "Server",
 
 
 class Gone(ConnectionError):
-    """There is no server, or it has ended, or has cut us off. The connection is closed."""
+    """There is no server, or it has ended or closed the connection. The connection is closed."""
 
 
 class Late(Gone, TimeoutError):
-    """The server has not answered in time. The connection is closed, as its answer could be taken for the next one's;
-    whether the command was carried out is unknown."""
+    """The server has not answered in time. The connection is closed, because a late answer could be taken for that of
+    the next command. Whether the command was carried out is unknown."""
 
 
 class Refused(Exception):
-    """A line that was not carried out, and changed nothing. `answer` is all that the server said."""
+    """The server refused a line, which changed nothing. `answer` is the server's whole answer."""
 
     def __init__(self, answer):
         super().__init__(answer.get("error", "refused"))
@@ -70,7 +70,7 @@ class Refused(Exception):
 
 
 class _Closing:
-    """Is closed at the end of a `with`."""
+    """Closes the object at the end of a `with`."""
 
     def __enter__(self):
         return self
@@ -80,10 +80,11 @@ class _Closing:
 
 
 class Server(_Closing):
-    """A connection. `where` is the path of a socket, or "HOST:PORT" with a token; without, where servers usually are.
+    """A connection. `where` is the path of a socket, or "HOST:PORT" with a token. By default it is the server's usual
+    socket.
 
-    Commands are sent one at a time and answered one at a time; events that come in between wait until they are asked
-    for. One thread at a time, please.
+    Commands are sent and answered one at a time. Events that arrive in between are kept until you read them. Use a
+    connection from one thread at a time.
     """
 
     def __init__(self, where=None, token=None, timeout=10.0):
@@ -131,15 +132,15 @@ class Server(_Closing):
         return made
 
     def close(self):
-        """Ends the connection; what was done stays."""
+        """Ends the connection. Changes that were made stay."""
         self._socket.close()
 
     # ---- commands
 
     def do(self, command):
-        """Carries out a command of the language, or a word of the server. The answer, as a dict; raises Refused.
+        """Carries out a command of the language, or a word of the server. Returns the answer as a dict; raises Refused.
 
-        Inside `bundle` it is only noted down; nothing is known yet.
+        Inside `bundle` the command is only collected, and `do` returns None.
         """
         lines = command.strip("\n").split("\n")
         if any(line.split()[:1] == ["bundle"] for line in lines):
@@ -151,7 +152,7 @@ class Server(_Closing):
 
     @contextlib.contextmanager
     def bundle(self):
-        """All commands inside are carried out at one moment at its end: all, or none and Refused."""
+        """Collects the commands inside, and carries out all of them at once at the end, or none and raises Refused."""
         self.begin_bundle()
         try:
             yield self
@@ -161,13 +162,13 @@ class Server(_Closing):
         self.end_bundle()
 
     def begin_bundle(self):
-        """From here on commands are noted down …"""
+        """Starts to collect commands."""
         if self._bundle is not None:
             raise ValueError("a bundle is open already")
         self._bundle = []
 
     def end_bundle(self):
-        """… and carried out here, all or none and Refused. The answer, as of `do`."""
+        """Carries out the collected commands, all or none. Returns the answer as `do` does; raises Refused."""
         if self._bundle is None:
             raise ValueError("no bundle is open")
         return self._heard(self._exchange("\n".join(["bundle", *self._bundle_over(), "end"])))
@@ -177,41 +178,41 @@ class Server(_Closing):
         return lines
 
     def sheet(self, target, rows):
-        """Events of a target: pairs of a time and a value, as they are written in scripts. All of them, or none."""
+        """Adds events to a target, all or none. `rows` are pairs of a time and a value, written as in scripts."""
         rows = [f"  {when} {value}" for when, value in rows]
         return self._heard(self._exchange("\n".join(["bundle", target, *rows, "end"])))
 
     # ---- questions
 
     def eval(self, *targets, at=None):
-        """The values of targets, by their names, now or at a time such as "90t" or "2.5s"."""
+        """Returns the values of targets by their names, now or at a time such as "90t" or "2.5s"."""
         return self._asked("eval " + " ".join(targets) + (f" at {at}" if at else ""))["values"]
 
     def time(self):
-        """{"tick", "seconds", "slot", "running"} of now."""
+        """Returns the current {"tick", "seconds", "slot", "running"}."""
         return self._asked("time")
 
     def slot(self):
-        """The slot counter: the tick modulo 30."""
+        """Returns the slot counter: the tick modulo 30."""
         return self.time()["slot"]
 
     def stats(self):
-        """How the server is doing: a dict of numbers."""
+        """Returns the server's statistics: a dict of numbers."""
         return self._asked("stats")["stats"]
 
     def history(self):
-        """The document as a script."""
+        """Returns the document as a script."""
         return self._asked("history")["said"]
 
     # ---- events
 
     def subscribe(self, *topics, wait=None):
-        """Asks for events and gives them one after another, for ever, or until none comes for `wait` seconds."""
+        """Subscribes to topics. Yields their events for ever, or until none arrives for `wait` seconds."""
         self._asked("subscribe " + " ".join(topics))
         return self.events(wait)
 
     def events(self, wait=None):
-        """Events that have come and that will; ends when none comes for `wait` seconds (None: never)."""
+        """Yields past and future events. Ends if none arrives for `wait` seconds; None waits for ever."""
         while True:
             if self._events:
                 yield self._events.popleft()
@@ -230,7 +231,7 @@ class Server(_Closing):
         return self._answer_to(question)
 
     def _answer_to(self, *lines):
-        """Sends the lines of one command; of the answers only the last counts, unless an earlier one says no."""
+        """Sends the lines of one command. Returns the last answer, unless the server refuses an earlier line."""
         answer = None
         for line in lines:
             answer = self._heard(self._exchange(line))
@@ -243,8 +244,8 @@ class Server(_Closing):
         return answer
 
     def _exchange(self, text):
-        """Sends a text that has one answer, and waits for it. If something comes in between, the connection is of no
-        more use: an answer that nobody has waited for would be taken for the next one's."""
+        """Sends a text that has one answer, and waits for it. An exception in between closes the connection: otherwise
+        the late answer would be taken for that of the next command."""
         sent = text.encode() + b"\n"
         try:
             self._send(sent)
@@ -297,24 +298,24 @@ class Server(_Closing):
 class Host(Server):
     """A server in the calls of the Animation Imaging Model (betwixt/aim.h, docs/aim.md).
 
-    Matrices are 16 numbers row by row; points are rows multiplied from the left, a translation stands in the last row:
-    what `translate`, `rotate_z` and the others below give. Times are whole ticks, colours sRGB from 0 to 1. Names of
-    objects, tags and environments are positive numbers, that no other host has or had.
+    Matrices are 16 numbers row by row, for row vectors: p' = p M, with the translation in the last row. `translate`,
+    `rotate_z` and the functions beside them return such matrices. Times are whole ticks, colours sRGB from 0 to 1.
+    Names of objects, tags and environments are positive numbers that no other host has or had.
     """
 
     NAMES_AT_ONCE = 1000
 
     def __init__(self, where=None, token=None, timeout=10.0):
         super().__init__(where, token, timeout)
-        self._blocks = []  # the first of each thousand numbers that names are made of
+        self._blocks = []  # the first number of each thousand that the server gave us
         self._named = collections.Counter()
-        self._open = None  # the object
-        self._interrupted = False  # another command came between its rows; it must be opened again for the next one
+        self._open = None  # the open object
+        self._interrupted = False  # another command came between its rows: the next row must open it again
         self._replacing = False
         self._open_before_bundle = None
-        self._stamp = self._now = -math.inf  # when what was said last takes effect; the last tick that is known of
+        self._stamp = self._now = -math.inf  # when the last command takes effect; the last known tick
         try:
-            self.time()  # what listens there may be no imaging server
+            self.time()  # fails if this is no imaging server
         except BaseException:
             self.close()
             raise
@@ -322,7 +323,7 @@ class Host(Server):
     # ---- objects: display lists
 
     def make_object(self):
-        """MAKEOBJ: opens a new object; the commands that follow are its own, until `close_object`. Its name."""
+        """MAKEOBJ: opens a new object, to which the commands until `close_object` belong. Returns its name."""
         self._none_open()
         made = self._name("object")
         self.do(f"make O{made}")
@@ -330,13 +331,13 @@ class Host(Server):
         return made
 
     def edit_object(self, object):
-        """EDITOBJ: opens it again, to add and replace."""
+        """EDITOBJ: opens an object again, to add and replace commands."""
         self._none_open()
         self.do(f"edit {_name('O', object)}")
         self._opened(object)
 
     def close_object(self):
-        """CLOSEOBJ."""
+        """CLOSEOBJ: closes the open object."""
         if self._open is None:
             raise ValueError("no object is open")
         self._open = None
@@ -354,17 +355,17 @@ class Host(Server):
         self.do(f"delete {_name('O', object)}")
 
     def call_object(self, object):
-        """CALLOBJ: an instance."""
+        """CALLOBJ: draws an instance of another object."""
         self._row(f"call {_name('O', object)}")
 
     def tag(self):
-        """TAG: names the next command. The name."""
+        """TAG: labels the next command. Returns the label."""
         made = self._name("tag")
         self._row(f"tag T{made}")
         return made
 
     def replace(self, tag, offset=0):
-        """REPLACE: what follows takes the place of tag + offset, and of the commands behind it, one for one."""
+        """REPLACE: each command that follows replaces one old command, from tag + offset on."""
         text = f"replace {_name('T', tag)} {operator.index(offset)}"
         self._replacing = False
         self._row(text)
@@ -377,7 +378,7 @@ class Host(Server):
         self._row("pop")
 
     def multiply_matrix(self, matrix):
-        """MULTMATRIX: top of stack <- matrix top."""
+        """MULTMATRIX: top of stack = matrix times top."""
         self._row(f"multiply {_matrix(matrix)}")
 
     @contextlib.contextmanager
@@ -427,15 +428,15 @@ class Host(Server):
     # ---- environments
 
     def make_environment(self):
-        """A name that nobody has."""
+        """Returns a new name."""
         return self._name("environment")
 
     def begin_environment(self, environment):
-        """BeginAniEnv, in an open object."""
+        """BeginAniEnv: puts the next commands of the open object into the environment."""
         self._row(f"begin {_name('E', environment)}")
 
     def end_environment(self):
-        """EndAniEnv."""
+        """EndAniEnv: ends the environment that was begun last."""
         self._row("end")
 
     @contextlib.contextmanager
@@ -448,17 +449,17 @@ class Host(Server):
             self.end_environment()
 
     def start(self, main_object):
-        """StartAniProc: it is shown, and time goes on, if it stood."""
+        """StartAniProc: shows the object, and starts the clock if it was stopped."""
         self.do(f"start {_name('O', main_object)}")
 
     def animate(self, environment, interval, matrix, *, change=0, period=1, ceiling=30, from_=None, until=None,
                 keep_phase=False):
-        """Animate: every `interval` ticks by `matrix`. The tick from which on it is so; None in a bundle.
+        """Animate: applies `matrix` every `interval` ticks. Returns the tick at which this begins, or None in a bundle.
 
-        The interval grows by `change` (below 0: shrinks) every `period` ticks, and stops for good at the `ceiling`. It
-        starts `from_` and stops `until` so many ticks from now; None: at once, never. `keep_phase`: the first update
-        when the old motion's next one was due. An environment comes into being by this: a number that `make_environment`
-        has not given is taken, too.
+        Every `period` ticks the interval grows by `change`, or shrinks if it is negative. A growing interval stops the
+        motion for good at the `ceiling`. The motion starts `from_` ticks from now (None: at once) and stops `until`
+        ticks from now (None: never). With `keep_phase`, the first update comes when the old motion's next one was due. This
+        call creates the environment; it also accepts a number that `make_environment` did not return.
         """
         line = f"animate {_name('E', environment)} every {operator.index(interval)}t by {_matrix(matrix)}"
         if change:
@@ -473,40 +474,40 @@ class Host(Server):
         return self._stamped(line + (" keep-phase" if keep_phase else ""))
 
     def halt(self, environment):
-        """HaltAnimation. The tick of it; None in a bundle."""
+        """HaltAnimation: stops the motion. Returns its tick, or None in a bundle."""
         return self._stamped(f"halt {_name('E', environment)}")
 
     def kill(self, environment):
-        """KillAnimation. The tick of it; None in a bundle."""
+        """KillAnimation: ends the environment. Returns its tick, or None in a bundle."""
         return self._stamped(f"kill {_name('E', environment)}")
 
     def cancel(self, environment):
-        """Drops starts and stops that are still to come. The tick of it; None in a bundle."""
+        """Drops the environment's future starts and stops. Returns its tick, or None in a bundle."""
         return self._stamped(f"cancel {_name('E', environment)}")
 
     def get_interval(self, environment):
-        """GetAniTime."""
+        """GetAniTime: returns the interval in ticks."""
         return self._value(environment, "every")
 
     def get_matrix(self, environment):
-        """GetAniMatrix: M, not A."""
+        """GetAniMatrix: returns the matrix of one step, M, not A."""
         return _transposed(self._value(environment, "by"))
 
     def get_environment_matrix(self, environment):
-        """A, as it is now."""
+        """Returns the matrix of all steps so far, A."""
         return _transposed(self._value(environment, "world"))
 
     def get_slot_counter(self):
-        """0 … 29."""
+        """Returns the slot counter, 0 … 29."""
         return self.time()["slot"]
 
     def get_tick(self):
         return self.time()["tick"]
 
-    # ---- what they are made of
+    # ---- internals
 
     def do(self, command):
-        """As of a Server; between the commands of an open object too."""
+        """As `Server.do`; also allowed between the commands of an open object."""
         self._interrupted = True
         return super().do(command)
 
@@ -524,7 +525,7 @@ class Host(Server):
         return super()._bundle_over()
 
     def _name(self, kind):
-        """The server gives every number once, a thousand at a time; kinds of things may have the same."""
+        """Returns a new number. The server gives each number once, a thousand at a time. Different kinds may share one."""
         block, number = divmod(self._named[kind], self.NAMES_AT_ONCE)
         if block == len(self._blocks):
             self._blocks.append(self._answer_to("names")["first"])
@@ -556,14 +557,14 @@ class Host(Server):
         return self._stamp
 
     def _value(self, environment, what):
-        """One value of an environment; of what was just said, as it will be."""
+        """Returns one value of an environment, at the time when the last command takes effect if that is later."""
         target = f"{_name('E', environment)}.{what}"
         if self._stamp > self._now:
             self._now = self.time()["tick"]
         return self.eval(target, at=f"{self._stamp}t" if self._stamp > self._now else None)[target]
 
 
-# What goes into lines. A value of the wrong kind is Python's own TypeError.
+# Formatting of arguments. A value of the wrong type raises TypeError.
 
 
 def _name(letter, number):
@@ -586,7 +587,7 @@ def _transposed(m):
 
 
 def _matrix(m):
-    """Row vectors turn into column vectors: the language writes the columns of `m` as rows."""
+    """Formats a matrix. The language uses column vectors, so the columns of `m` become rows."""
     m = list(m)
     if len(m) != 16:
         raise ValueError("a matrix is 16 finite numbers")
@@ -594,13 +595,13 @@ def _matrix(m):
 
 
 def _quoted(text):
-    """A text of the language: in quotes, on one line."""
+    """Formats a text of the language: in quotes, on one line."""
     if not isinstance(text, str):
         raise TypeError(f"a text is a str, not {type(text).__name__}")
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
 
 
-# Matrices (appendix A): lists of 16 numbers, row by row; p' = p M.
+# Matrices (appendix A of the model): lists of 16 numbers, row by row; p' = p M.
 
 
 def identity():
@@ -631,18 +632,18 @@ def rotate_z(radians):
 
 
 def multiply(a, b):
-    """a b: first a, then b."""
+    """Returns the product a b: first a, then b."""
     return [sum(a[4 * row + k] * b[4 * k + column] for k in range(4)) for row in range(4) for column in range(4)]
 
 
 def transform(p, m):
-    """The point p M."""
+    """Returns the point p M."""
     return [p[0] * m[i] + p[1] * m[4 + i] + p[2] * m[8 + i] + m[12 + i] for i in range(3)]
 
 
 class Picture:
-    """A picture of a ring: `rgba`, bytes row by row from the top; its size; `seconds`, the document's time; `number`,
-    the frame's; `moment`, when it was shown, on the clock of time.monotonic_ns()."""
+    """A picture of a ring. `width` and `height`: its size. `rgba`: bytes, row by row from the top. `seconds`: the time
+    in the film. `number`: the number of the frame. `moment`: when it was shown, by time.monotonic_ns()."""
 
     def __init__(self, width, height, rgba, flicks, number, moment):
         self.width, self.height, self.rgba = width, height, rgba
@@ -674,16 +675,16 @@ class Ring(_Closing):
 
     @property
     def written(self):
-        """How many pictures have been shown so far."""
+        """The number of pictures that the server has shown."""
         return self.HEAD.unpack_from(self._map, 0)[8]
 
     @property
     def over(self):
-        """The server has ended."""
+        """Whether the server has ended."""
         return self.HEAD.unpack_from(self._map, 0)[9] != 0
 
     def latest(self):
-        """The picture that was shown last; None: there is none yet. Never half of one and half of the next."""
+        """Returns the latest picture, or None if there is none yet. It is always a whole picture."""
         while (n := self.written) > 0:
             at = self._first + (n - 1) % self._count * self._stride
             before, flicks, number, moment = self.PICTURE.unpack_from(self._map, at)
@@ -693,7 +694,7 @@ class Ring(_Closing):
         return None
 
     def wait(self, after=0, timeout=10.0):
-        """The latest picture, once more than `after` have been shown; None when it takes too long."""
+        """Waits until more than `after` pictures were shown. Returns the latest, or None after `timeout` seconds."""
         until = time.monotonic() + timeout
         while self.written <= after and not self.over:
             if time.monotonic() > until:

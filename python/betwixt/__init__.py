@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Betwixt makes films from scripts: a script says what happens to objects and when.
+"""Betwixt makes animated films from scripts: a script gives values at times.
 
     import betwixt
     film = betwixt.load("bounce.bx")
-    film.eval("ball.position", 24)          # at frame 24; words too: "24f", "2.5s"
+    film.eval("ball.position", 24)          # at frame 24; also "24f" or "2.5s"
     film.say("at 24f hide ball")            # any line of the language; film.undo() takes it back
 
-All of it is on the page "From Python", docs/python.md.
+The page "From Python", docs/python.md, explains the module.
 """
 
 from __future__ import annotations
@@ -43,16 +43,16 @@ __all__ = ["Camera", "Channel", "Diagnostic", "Error", "Event", "Film", "Frame",
 __version__ = _core.version
 
 def load(path: str | os.PathLike[str], *, read_anywhere: bool = False, tex: bool = False) -> Film:
-    """The film of a script. It reads meshes and pictures below the script's folder only, but with `read_anywhere`; with
-    `tex`, formulas are set by the programs latex and dvisvgm."""
+    """Returns the film of a script file. The script reads only files below its own folder, unless `read_anywhere` is
+    true. With `tex`, the programs latex and dvisvgm set its TeX formulas."""
     with open(path, "rb") as script:
         text = script.read()
     return Film(text, os.fspath(path), read_anywhere=read_anywhere, tex=tex)
 
 
 def loads(text: str, name: str = "", *, read_anywhere: bool = False, tex: bool = False) -> Film:
-    """The film of a text. `name` is that of the file in which it could stand: errors say it, and files are found from
-    there."""
+    """Returns the film of a text. `name` is a file name for the text: errors show it, and paths in the script are
+    relative to its folder."""
     return Film(text, name, read_anywhere=read_anywhere, tex=tex)
 
 

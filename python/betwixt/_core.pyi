@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ._player import Player
 
-# A frame's number, words of the language ("24f", "2.5s"), or a length since the beginning.
+# A frame number, a time of the language ("24f", "2.5s"), or a duration since the beginning.
 Time = Union[SupportsFloat, str, timedelta, np.timedelta64]
 
 Floats = npt.NDArray[np.float64]
@@ -21,7 +21,7 @@ version: str
 def styles() -> list[str]: ...
 
 class Diagnostic:
-    """Something to tell the author about a text."""
+    """An error, a warning or a notice about a script."""
 
     @property
     def severity(self) -> str: ...  # "notice", "warning", "error"
@@ -34,29 +34,29 @@ class Diagnostic:
     @property
     def file(self) -> str: ...
     @property
-    def line(self) -> int: ...  # from 1; 0: no place is known
+    def line(self) -> int: ...  # from 1; 0 if the place is unknown
     @property
     def column(self) -> int: ...
     @property
     def length(self) -> int: ...
     @property
-    def text(self) -> str: ...  # of the line
+    def text(self) -> str: ...  # the line's text
 
 class Event:
-    """A value at a time, and how to go on from there. Times and lengths of time are frames."""
+    """A keyframe: a value at a time, and the interpolation to the next one. Times and durations are in frames."""
 
     @property
     def time(self) -> float: ...
     @property
     def seconds(self) -> float: ...
     @property
-    def what(self) -> str: ...  # "value"; "keep": only how to go on; "release": of a velocity
+    def what(self) -> str: ...  # "value", "keep" (changes only the twerper) or "release" (ends a velocity)
     @property
     def value(self) -> Any: ...
     @property
-    def before(self) -> Any: ...  # of a cut: what the track comes to; else None
+    def before(self) -> Any: ...  # for a cut, the value at which the track arrives; otherwise None
     @property
-    def twerper(self) -> str: ...  # "": none was said
+    def twerper(self) -> str: ...  # "" if the script names none
     @property
     def arguments(self) -> list[float]: ...
     @property
@@ -86,9 +86,9 @@ class Track:
     @property
     def layer(self) -> str | None: ...
     @property
-    def twerper(self) -> str: ...  # of the whole track; "": each event's own
+    def twerper(self) -> str: ...  # of the whole track; "" if each event has its own
     @property
-    def unsaid(self) -> str: ...  # what it is where nobody has said one
+    def unsaid(self) -> str: ...  # the default twerper of its events
     @property
     def before(self) -> str: ...
     @property
@@ -107,12 +107,12 @@ class Poses:
     @property
     def world(self) -> Floats: ...  # [frame, object, row, column]
     @property
-    def parents(self) -> npt.NDArray[np.int32]: ...  # [frame, object]: places among the names; -1: nothing holds it
+    def parents(self) -> npt.NDArray[np.int32]: ...  # [frame, object]: index in `names`; -1 without a parent
     def __len__(self) -> int: ...
     def __getitem__(self, name: str) -> Floats: ...  # [frame, row, column] of one object
 
 class Picture:
-    """8 bits a channel, sRGB, straight opacity, rows from the top."""
+    """A picture of 8 bits a channel: sRGB, straight opacity, rows from the top."""
 
     @property
     def width(self) -> int: ...
@@ -126,10 +126,10 @@ class Picture:
     def write(self, path: str | PathLike[str], *, overwrite: bool = True) -> None: ...
 
 class MeshPart:
-    """A run of triangles that share a look."""
+    """A range of triangles with the same look."""
 
     @property
-    def first(self) -> int: ...  # the first of its triangles
+    def first(self) -> int: ...  # index of its first triangle
     @property
     def count(self) -> int: ...
     @property
@@ -137,7 +137,7 @@ class MeshPart:
     @property
     def texture(self) -> Picture | None: ...
     @property
-    def tinted(self) -> bool: ...  # the object's own colour multiplies it
+    def tinted(self) -> bool: ...  # whether the object's own colour multiplies it
 
 class Mesh:
     """Triangles in the space of their object. The arrays are views."""
@@ -147,23 +147,23 @@ class Mesh:
     @property
     def normals(self) -> Floats32: ...
     @property
-    def uvs(self) -> Floats32: ...  # (0 0) is the picture's top left; none, or as many as positions
+    def uvs(self) -> Floats32: ...  # (0 0) is the top left of the picture; empty, or one for each position
     @property
     def triangles(self) -> Indices: ...
     @property
     def edges(self) -> Indices: ...
     @property
-    def parts(self) -> list[MeshPart]: ...  # none: one plain part
+    def parts(self) -> list[MeshPart]: ...  # empty if the mesh has one look
     @property
     def closed(self) -> bool: ...
 
 class Item:
-    """What is drawn of an object."""
+    """The visible part of an object."""
 
     @property
     def name(self) -> str: ...
     @property
-    def body(self) -> str: ...  # what it is one body with
+    def body(self) -> str: ...  # the object that it forms one body with
     @property
     def kind(self) -> str: ...
     @property
@@ -200,18 +200,18 @@ class Light:
     def range(self) -> float: ...
 
 class Camera:
-    """The camera that is looked through."""
+    """The active camera."""
 
     @property
-    def name(self) -> str: ...  # "": the film has none
+    def name(self) -> str: ...  # "" if the film has no camera
     @property
     def world(self) -> Floats: ...
     @property
     def orthographic(self) -> bool: ...
     @property
-    def fov(self) -> float: ...  # from left to right, radians
+    def fov(self) -> float: ...  # horizontal, radians
     @property
-    def height(self) -> float: ...  # orthographic: metres from bottom to top
+    def height(self) -> float: ...  # if orthographic: metres from bottom to top
     @property
     def aspect(self) -> float: ...
     @property
@@ -221,10 +221,10 @@ class Camera:
     @property
     def focus(self) -> float: ...  # metres
     @property
-    def shift(self) -> tuple[float, float]: ...  # halves of the picture
+    def shift(self) -> tuple[float, float]: ...  # in halves of the picture
 
 class Frame:
-    """Everything that can be seen at one time."""
+    """Everything visible at one time."""
 
     @property
     def time(self) -> float: ...
@@ -256,10 +256,10 @@ class Frame:
     def problems(self) -> list[str]: ...
 
 class KeyPiece:
-    """A piece of time in which something is held, goes straight or along a cubic (Hermite)."""
+    """A piece of time in which a value is held, linear or cubic (Hermite)."""
 
     @property
-    def shape(self) -> str: ...  # "held", "straight", "cubic"
+    def shape(self) -> str: ...  # "held", "straight", "cubic", "leap"
     @property
     def first(self) -> float: ...  # frames
     @property
@@ -269,12 +269,12 @@ class KeyPiece:
     @property
     def end(self) -> Floats: ...
     @property
-    def leaving(self) -> Floats: ...  # cubic: how fast it is there, per second
+    def leaving(self) -> Floats: ...  # if cubic: the tangent at `first`, per second
     @property
     def arriving(self) -> Floats: ...
 
 class Channel:
-    """One thing that varies, as pieces without gaps. Turns are quaternions, x y z w."""
+    """A value over time, as pieces without gaps. Rotations are quaternions, x y z w."""
 
     @property
     def width(self) -> int: ...
@@ -287,8 +287,8 @@ class Channel:
     def at(self, time: Time) -> Floats: ...
 
 class ObjectKeys:
-    """How an object moves: its parent's matrix times translation, rotation and scale, and `inner`, a further rotation,
-    where it is sheared."""
+    """The motion of an object. Its matrix is that of its parent times translation, rotation and scale, and times
+    `inner`, a further rotation, if it is sheared."""
 
     @property
     def name(self) -> str: ...
@@ -306,12 +306,12 @@ class ObjectKeys:
     def inner(self) -> Channel: ...
 
 class Made:
-    """What a film took."""
+    """The result of making a film: counts and times."""
 
     @property
     def frames(self) -> int: ...
     @property
-    def found(self) -> int: ...  # pictures that were there
+    def found(self) -> int: ...  # pictures that already existed
     @property
     def seconds(self) -> float: ...
     @property
@@ -320,7 +320,7 @@ class Made:
     def encoding(self) -> float: ...
 
 class Film:
-    """A film: what a script says. Any thread may ask it, and change it."""
+    """The film of a script. You can read and change it from any thread."""
 
     def __init__(
         self, text: str | bytes, name: str = "", *, read_anywhere: bool = False, tex: bool = False

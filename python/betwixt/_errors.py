@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What goes wrong, with its place and a way out."""
+"""Errors and warnings, with their places and suggestions."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ if TYPE_CHECKING:
 
 
 class Error(Exception):
-    """What is wrong, in plain words. `str` says it as the program does: with the line, a caret below the place, a hint.
+    """An error in a script, in a call, or of the machine. `str` formats it as the program does: with the line, a caret
+    below the place, and a hint.
 
-    `message`, `hint`, `file`, `line`, `column` (both from 1; line 0: no place is known), `text` (of the line) and
-    `code` ("syntax", "name", "type", "range", "file" or "machine") are those of the first error; `diagnostics` has all
-    there is to say, warnings too.
+    `message`, `hint`, `file`, `line`, `column` (both from 1; line 0 if the place is unknown), `text` (of the line) and
+    `code` ("syntax", "name", "type", "range", "file" or "machine") are those of the first error. `diagnostics` has all
+    errors and warnings.
     """
 
     def __init__(self, diagnostics: Sequence[Diagnostic]) -> None:
@@ -35,4 +36,4 @@ class Error(Exception):
 
 
 class Warning(UserWarning):  # noqa: A001 — betwixt.Warning, beside betwixt.Error
-    """What a film can be made with all the same."""
+    """A problem with which the film can still be made."""

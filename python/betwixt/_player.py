@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a notebook shows of a film: pictures that play, with a slider, in a page that needs nothing else."""
+"""The player that a notebook shows for a film: pictures and a slider, in a page that needs nothing else."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 _numbers = itertools.count(1)
 
-# Without scripts it is the first picture. What is running is known by the element: it ends when that goes.
+# Without scripts the page shows the first picture. Playing stops when the element leaves the page.
 _PAGE = """<div id="{id}" class="betwixt-player" style="display:inline-block">
 <img src="{first}" width="{width}" height="{height}" alt="{name}" style="display:block">
 <div style="display:flex;gap:.5em;align-items:center;font:13px sans-serif">
@@ -38,7 +38,7 @@ _PAGE = """<div id="{id}" class="betwixt-player" style="display:inline-block">
 
 
 class Player:
-    """Frames of a film as pictures, `most` of them, evenly spread; in a notebook they play."""
+    """Frames of a film as pictures, at most `most` of them, evenly spread. A notebook plays them."""
 
     def __init__(self, film: Film, first: Time | None = None, last: Time | None = None, *,
                  size: tuple[int, int] = (480, 270), style: str = "shaded", most: int = 60) -> None:
@@ -58,7 +58,7 @@ class Player:
         return f"<Player of {len(self.frames)} pictures>"
 
     def _repr_html_(self) -> str:
-        """The pictures as a page, which notebooks show."""
+        """Returns the player as HTML, which notebooks show."""
         coded = [base64.b64encode(p).decode() for p in self.pictures]
         labels = [f"{t:g}f" for t in self.frames]
         return _PAGE.format(
