@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Betwixt in Blender: a script comes in as objects with F-curves of Blender's own, and follows its file or a server.
+"""An add-on that imports Betwixt scripts as Blender objects with F-curves. It can follow a script file or a server.
 
-An add-on of one file: Edit > Preferences > Add-ons > Install, then File > Import > Betwixt (.bx). It needs the Python
-module `betwixt` (docs/python.md): where that is installed, in the folder that the add-on's preferences name, or in the
-one that the variable BETWIXT_PYTHON does. docs/exchange.md says what comes through.
+Install this one file: Edit > Preferences > Add-ons > Install. Then use File > Import > Betwixt (.bx). The add-on needs
+the Python module `betwixt` (docs/python.md). If the module is not installed, name its folder in the add-on's preferences, or
+in the variable BETWIXT_PYTHON. docs/exchange.md lists what comes through.
 """
 
 import importlib
@@ -28,12 +28,12 @@ bl_info = {
     "category": "Import-Export",
 }
 
-HELD, STRAIGHT, CUBIC = 0, 1, 2  # CONSTANT, LINEAR, BEZIER, as foreach_set counts them
-MOMENT = 0.002  # frames: what jumps does it within so much before its time, as a curve has one value at a time
+HELD, STRAIGHT, CUBIC = 0, 1, 2  # CONSTANT, LINEAR, BEZIER, as foreach_set numbers them
+MOMENT = 0.002  # frames that a jump takes, before its time: a curve has only one value at a time
 
 
 def betwixt():
-    """The module, wherever it is."""
+    """Returns the module betwixt. Raises ImportError if no folder has it."""
     try:
         return importlib.import_module("betwixt")
     except ImportError:
@@ -48,14 +48,14 @@ def betwixt():
 # ---- curves
 
 def pieces_of(channel, rate):
-    """(shape, first, last, begin, end, leaving, arriving) in frames; jumps have their moment."""
+    """Returns tuples (shape, first, last, begin, end, leaving, arriving) in frames. Each jump takes MOMENT."""
     given, made = without_corners(channel, rate), []
     for k, (shape, first, last, begin, end, leaving, arriving) in enumerate(given):
         jumps = k + 1 < len(given) and not alike(given[k + 1][3], end)
         if not jumps or shape == HELD:
             made.append((shape, first, last, begin, end, leaving, arriving))
             continue
-        # The rest of a cubic is a cubic: up to the moment it is as it was.
+        # A part of a cubic is a cubic, so the piece is unchanged up to MOMENT before its end.
         length = last - first
         u = max(0.5, 1 - MOMENT / length)
         if shape == STRAIGHT:
@@ -71,12 +71,13 @@ def pieces_of(channel, rate):
 
 
 def without_corners(channel, rate):
-    """[shape, first, last, begin, end, leaving, arriving] in frames. A corner may be a piece of next to no time, and close
-    to a key Blender takes the key's value: so it becomes one key, on the frame where it is at one, where both sides of it
-    lead to."""
+    """Returns lists [shape, first, last, begin, end, leaving, arriving] in frames, with each corner as one key.
+
+    A corner may be a very short piece. Close to a key Blender uses the key's value. So the piece becomes one key at the
+    value to which both of its sides lead, on a whole frame if the piece is near one."""
     given = [[("held", "straight", "cubic").index(p.shape), p.first, p.last, p.begin, p.end, p.leaving / rate,
               p.arriving / rate] for p in channel.pieces]
-    given = [p for p in given[:-1] if p[2] > p[1]] + given[-1:]  # the last may be a moment, to which it jumps
+    given = [p for p in given[:-1] if p[2] > p[1]] + given[-1:]  # the last may be a jump, without length
     for p in given:
         if p[0] == STRAIGHT and p[2] > p[1]:
             p[5] = p[6] = (p[4] - p[3]) / (p[2] - p[1])
@@ -99,14 +100,14 @@ def alike(a, b):
 
 
 def curve(action, path, index, points):
-    """An F-curve of (frame, value, how it goes on, slope behind, slope before) with handles at thirds."""
+    """Makes an F-curve from (frame, value, interpolation, slope after, slope before), with handles at thirds."""
     fcurve = action.fcurves.new(path, index=index)
     n = len(points)
     x, y, shape, leaving, arriving = (np.array([p[i] for p in points], dtype=float) for i in range(5))
     before = np.diff(x, prepend=x[0] - 1) / 3
     behind = np.diff(x, append=x[-1] + 1) / 3
     fcurve.keyframe_points.add(n)
-    for point in fcurve.keyframe_points:  # foreach_set leaves these as they are
+    for point in fcurve.keyframe_points:  # foreach_set does not set these
         point.handle_left_type = point.handle_right_type = "FREE"
     for name, a, b in (("co", x, y), ("handle_left", x - before, y - before * arriving),
                        ("handle_right", x + behind, y + behind * leaving)):
@@ -124,7 +125,7 @@ def action_of(owner):
 
 
 def animate(owner, path, channel, rate, order=None):
-    """Puts a channel on a property; `order` says which of its numbers goes where."""
+    """Animates a property by a channel. `order` gives the channel's component for each of the property's."""
     order = order or range(channel.width)
     if channel.constant:
         setattr(owner, path, [channel.pieces[0].begin[i] for i in order])
@@ -142,7 +143,7 @@ def animate(owner, path, channel, rate, order=None):
 
 
 def animate_samples(owner, path, frames, values, index=0, held=False, also=None):
-    """A number as it is at frames: straight, or held, between them; none that others say already. Whether it varies."""
+    """Animates a number by its values at frames, linear or held between them. Returns whether it varies."""
     values = [float(v) for v in values]
     if all(v == values[0] for v in values):
         return False
@@ -155,10 +156,10 @@ def animate_samples(owner, path, frames, values, index=0, held=False, also=None)
     return True
 
 
-# ---- what is seen
+# ---- meshes, materials, lights, cameras
 
 def mesh_of(name, shape):
-    """A mesh of Blender's, its texture upright."""
+    """Returns a Blender mesh. Its texture coordinates are flipped, because Blender's start at the bottom."""
     made = bpy.data.meshes.new(name)
     positions, triangles = shape.positions, shape.triangles
     made.vertices.add(len(positions))
@@ -193,7 +194,7 @@ def image_of(name, picture):
 
 
 def material_of(name, looks, frames, part=None):
-    """What a thing looks like over time: its colour, how clear and how shiny it is."""
+    """Returns a material with the thing's colour and transparency over time, and its shininess."""
     first = looks[0]
     made = bpy.data.materials.new(name)
     made.use_nodes = True
@@ -233,10 +234,10 @@ def material_of(name, looks, frames, part=None):
 
 
 class Thing:
-    """What is drawn of one object: its looks and shapes over the frames at which it is seen."""
+    """The looks and shapes of one object, at the frames at which it is visible."""
 
     def __init__(self):
-        self.frames, self.looks, self.shapes = [], [], []  # shapes: (frame from which on it is so, item)
+        self.frames, self.looks, self.shapes = [], [], []  # shapes: (first frame, item)
 
     def see(self, frame, item):
         self.frames.append(frame)
@@ -249,7 +250,7 @@ class Thing:
 
 
 def dress(owner, thing, frames, collection):
-    """Gives an object its meshes: one, one that changes its shape, or several of which one is seen at a time."""
+    """Gives an object its meshes: one, one with shape keys, or several of which one is visible at a time."""
     meshes = [item.mesh() for _, item in thing.shapes]
     first = meshes[0]
     alike = all(m.triangles.shape == first.triangles.shape and (m.triangles == first.triangles).all()
@@ -280,7 +281,7 @@ def dress(owner, thing, frames, collection):
 
 
 def hold_while(shown, thing, frames, variant=None):
-    """Shows an object while its thing is seen; a variant only while that is the shape."""
+    """Shows an object while its thing is visible; a variant only while the thing has that shape."""
     seen = set(thing.frames)
     if variant is not None:
         begin = thing.shapes[variant][0]
@@ -293,7 +294,7 @@ def hold_while(shown, thing, frames, variant=None):
 
 
 def light_of(name, lights, frames, target):
-    """Suns send what ours send; lamps, which fade otherwise here, are as bright at `target` as ours."""
+    """Returns a light. Suns are as bright as ours. Lamps fade differently in Blender, so they match ours at `target`."""
     sun = lights[0].sun
     made = bpy.data.lights.new(name, "SUN" if sun else "POINT")
     bright = [max(*l.color, 1e-9) for l in lights]
@@ -345,7 +346,7 @@ def camera_of(name, cameras, frames, scene, rate):
 
 
 def pose_samples(owner, frames, worlds):
-    """Rigid motions of which only matrices are known."""
+    """Animates a rigid motion given by matrices."""
     owner.rotation_mode = "QUATERNION"
     places, turns = [], []
     for w in worlds:
@@ -365,7 +366,7 @@ def pose_samples(owner, frames, worlds):
 # ---- the film
 
 def surroundings(frame, scene, collection, root):
-    """What is behind and beneath, and the light from everywhere."""
+    """Sets background, ground and ambient light."""
     world = bpy.data.worlds.new("betwixt")
     world.use_nodes = True
     nodes, links = world.node_tree.nodes, world.node_tree.links
@@ -381,7 +382,7 @@ def surroundings(frame, scene, collection, root):
     links.new(mix.outputs[0], nodes["World Output"].inputs["Surface"])
     scene.world = world
     scene.render.film_transparent = frame.clear
-    scene.view_settings.view_transform = "Standard"  # colours are as they are said
+    scene.view_settings.view_transform = "Standard"  # colours appear as the script gives them
     scene.view_settings.exposure = frame.exposure
     if frame.ground is not None:
         far = 5000.0
@@ -408,7 +409,7 @@ def say_time(film, scene):
 
 
 def bring_in(film, name, scene, tolerance=2e-6):
-    """A collection with the film's objects under one parent that turns y up to z up. The objects by their names."""
+    """Imports a film. Returns a collection, below one parent that turns y up to z up, and its objects by name."""
     say_time(film, scene)
     rate = film.rate
     frames = list(range(scene.frame_start, scene.frame_end + 1))
@@ -432,7 +433,7 @@ def bring_in(film, name, scene, tolerance=2e-6):
         cameras[frame.camera.name][0].append(f)
         cameras[frame.camera.name][1].append(frame.camera)
 
-    moved, holds, parents = {}, {}, {}  # by name: what is moved, what holds the thing itself and all that hangs on it
+    moved, holds, parents = {}, {}, {}  # by name: the object with the motion; that of the data and children; the parent
     for k in film.motion(metres=tolerance, radians=tolerance, arcs=False):
         data = None
         if k.name in cameras:
@@ -445,7 +446,7 @@ def bring_in(film, name, scene, tolerance=2e-6):
         moved[k.name] = held
         collection.objects.link(held)
         held["betwixt"] = k.name
-        if k.sheared:  # a turn, a stretch and another turn: what it is, and what hangs on it, is within the first two
+        if k.sheared:  # a turn, a stretch and another turn: the data and the children are below both objects
             held.rotation_mode = "QUATERNION"
             animate(held, "rotation_quaternion", k.inner, rate, (3, 0, 1, 2))
             held.parent = moved[k.name] = bpy.data.objects.new(k.name + " around", None)
@@ -474,7 +475,7 @@ def bring_in(film, name, scene, tolerance=2e-6):
         for path in ("hide_render", "hide_viewport"):
             setattr(shown, path, hidden[0])
             animate_samples(shown, path, frames, hidden, held=True)
-    if "" in cameras:  # the film has none: all there is to see is seen
+    if "" in cameras:  # the film has no camera: this one sees everything
         eye = bpy.data.objects.new("eye", camera_of("eye", cameras[""][1], cameras[""][0], scene, rate))
         collection.objects.link(eye)
         eye.parent = root
@@ -486,7 +487,7 @@ def bring_in(film, name, scene, tolerance=2e-6):
         if len(cameras) > 1 and frame.camera.name != before:
             scene.timeline_markers.new(frame.camera.name or "eye", frame=f).camera = holds[frame.camera.name]
         before = frame.camera.name
-    if not lights:  # as ours: a key and a fill that follow the camera
+    if not lights:  # as in Betwixt: a key and a fill light follow the camera
         for part, turn, strength in (("key", (-0.7, 0.6, 0), 2.6), ("fill", (-0.2, -0.9, 0), 0.9)):
             lamp = bpy.data.lights.new(part, "SUN")
             lamp.energy = strength
@@ -498,13 +499,13 @@ def bring_in(film, name, scene, tolerance=2e-6):
 
 
 def middle_of(frame):
-    """Of what is seen: where lamps are to be as bright as ours."""
+    """Returns the middle of the visible things. There, lamps are as bright as ours."""
     places = [i.world[:3, 3] for i in frame.items]
     return np.mean(places, axis=0) if places else np.zeros(3)
 
 
 def take_out(collection):
-    """What a film brought in goes, with all that only it used."""
+    """Removes an imported film, and everything that only it used."""
     for owner in list(collection.objects):
         data = owner.data
         bpy.data.objects.remove(owner)
@@ -523,12 +524,12 @@ def take_out(collection):
 # ---- live
 
 class Live:
-    """Follows a file, or a server: whenever what it says changes, the film is brought in anew."""
+    """Follows a file or a server: imports the film again whenever its script changes."""
 
     def __init__(self, where, scene, tolerance=2e-6):
         self.where, self.scene, self.tolerance = where, scene, tolerance
         self.server, self.collection, self.objects, self.known = None, None, {}, None
-        self.said = ""  # what is wrong with the film now; the last good one stays
+        self.said = ""  # the error in the current script; the last good film stays
         if not where.endswith(".bx"):
             self.server = importlib.import_module("betwixt_client").Server(where)
 
@@ -539,7 +540,7 @@ class Live:
             return script.read()
 
     def look(self):
-        """Whether there was something new."""
+        """Imports the film if the script changed. Returns whether it did."""
         try:
             text = self.text()
         except OSError as why:
@@ -550,7 +551,7 @@ class Live:
         self.known = text
         try:
             film = betwixt().loads(text, "" if self.server is not None else self.where)
-        except Exception as why:  # half a line, say: it goes on when that is whole
+        except Exception as why:  # for example half a line; works again when the line is complete
             self.said = str(why)
             return False
         self.said = ""
@@ -579,7 +580,7 @@ def _tick():
 # ---- Blender
 
 class IMPORT_OT_betwixt(bpy.types.Operator, ImportHelper):
-    """Bring in a film of Betwixt"""
+    """Import a Betwixt film"""
     bl_idname = "import_scene.betwixt"
     bl_label = "Betwixt (.bx)"
     bl_options = {"UNDO"}
@@ -587,7 +588,7 @@ class IMPORT_OT_betwixt(bpy.types.Operator, ImportHelper):
     filter_glob: StringProperty(default="*.bx", options={"HIDDEN"})
     tolerance: FloatProperty(name="Tolerance", description="How far off a curve may be, in metres and radians",
                              default=2e-6, min=1e-9, max=0.1, precision=7)
-    live: BoolProperty(name="Live", description="Follow the file: what is saved in it is brought in", default=False)
+    live: BoolProperty(name="Live", description="Follow the file: import it again when it is saved", default=False)
 
     def execute(self, context):
         global _live
@@ -598,7 +599,7 @@ class IMPORT_OT_betwixt(bpy.types.Operator, ImportHelper):
         try:
             film = betwixt().load(self.filepath)
         except ImportError:
-            self.report({"ERROR"}, "the Python module betwixt is not found: the add-on's preferences name its folder")
+            self.report({"ERROR"}, "the Python module betwixt is not found: name its folder in the add-on's preferences")
             return {"CANCELLED"}
         except Exception as why:
             self.report({"ERROR"}, str(why))
@@ -608,7 +609,7 @@ class IMPORT_OT_betwixt(bpy.types.Operator, ImportHelper):
 
 
 class BETWIXT_OT_follow(bpy.types.Operator):
-    """Follow a running imaging server; again: stop"""
+    """Follow a running imaging server. Choose this again to stop"""
     bl_idname = "betwixt.follow"
     bl_label = "Follow a Betwixt server"
     where: StringProperty(name="Socket", description="The path of its socket")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Within Blender: brings a film in and renders it with Cycles as numbered PNGs; tools/cycles.sh calls it."""
+"""Runs inside Blender: imports a film and renders it with Cycles as numbered PNGs. Called by tools/cycles.sh."""
 
 import argparse
 import os
@@ -40,7 +40,7 @@ def main():
     scene.render.resolution_percentage = 100
     scene.render.engine = "CYCLES"
     scene.cycles.samples = call.samples
-    scene.cycles.use_denoising = False  # Debian's Blender has none
+    scene.cycles.use_denoising = False  # Debian's Blender has no denoiser
     scene.render.image_settings.file_format = "PNG"
     scene.render.image_settings.color_mode = "RGBA"
     scene.render.filepath = os.path.join(call.folder, "frame-####")

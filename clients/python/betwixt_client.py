@@ -458,8 +458,8 @@ class Host(Server):
 
         Every `period` ticks the interval grows by `change`, or shrinks if it is negative. A growing interval stops the
         motion for good at the `ceiling`. The motion starts `from_` ticks from now (None: at once) and stops `until`
-        ticks from now (None: never). With `keep_phase`, the first update comes when the old motion's next one was due. This
-        call creates the environment; it also accepts a number that `make_environment` did not return.
+        ticks from now (None: never). With `keep_phase`, the first update comes when the old motion's next one was due.
+        This call creates the environment; it also accepts a number that `make_environment` did not return.
         """
         line = f"animate {_name('E', environment)} every {operator.index(interval)}t by {_matrix(matrix)}"
         if change:
@@ -525,7 +525,7 @@ class Host(Server):
         return super()._bundle_over()
 
     def _name(self, kind):
-        """Returns a new number. The server gives each number once, a thousand at a time. Different kinds may share one."""
+        """Returns a new number. The server gives each number once, a thousand at a time. Kinds share numbers."""
         block, number = divmod(self._named[kind], self.NAMES_AT_ONCE)
         if block == len(self._blocks):
             self._blocks.append(self._answer_to("names")["first"])
