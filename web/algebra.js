@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The algebra of motions for pages: what algebra.cpp answers, as values. `call` is that of engine.js.
+// The algebra of motions for pages: returns the answers of algebra.cpp as values. `call` is Engine.call of engine.js.
 const algebraOf = (call) => {
   const ask = (name, ...given) => JSON.parse(call(name, ...given));
   const places = (points) => points.flat().join(' ');

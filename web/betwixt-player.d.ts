@@ -1,31 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 
-/** What there is to say of a script. Lines and columns begin at 1; columns count characters (code points). */
+/** An error, a warning or a notice about a script. Lines and columns begin at 1; columns count characters (code points). */
 export interface Diagnostic {
   severity: "error" | "warning" | "notice";
   text: string;
-  /** What may help; may be empty. */
+  /** A suggestion; may be empty. */
   hint: string;
   file: string;
-  /** 0: of the file as a whole. */
+  /** 0 if the message is about the whole file. */
   line: number;
   column: number;
   /** The text of the line. */
   source: string;
 }
 
-/** A number, several (a vector, a colour, the 16 of a matrix row by row), points, on or off, words, names, no object. */
+/** A number, numbers (a vector, a colour, the 16 of a matrix row by row), points, a boolean, a text, names, or null for no object. */
 export type Value = number | number[] | number[][] | boolean | string | string[] | null;
 
-/** A film that has been opened. Times are those of its script, in seconds: frame 1 is 0. */
+/** An open film. Times are those of its script, in seconds: frame 1 is 0. */
 export interface Film {
-  /** false: it has errors, and only the diagnostics can be asked for. */
+  /** False if the film has errors; then only `diagnostics`, `message` and `wants` are valid. */
   readonly ok: boolean;
   readonly diagnostics: Diagnostic[];
-  /** All of them as a terminal shows them, with caret lines. */
+  /** All diagnostics as a terminal shows them, with caret lines. */
   readonly message: string;
-  /** Files that it asked for and that were not given. */
+  /** Files that the film needs and that are missing. */
   readonly wants: string[];
   readonly start: number;
   readonly end: number;
@@ -33,38 +33,38 @@ export interface Film {
   readonly fps: number;
   readonly firstFrame: number;
   readonly lastFrame: number;
-  /** What `note` says in the script, in the order of time. */
+  /** The notes of the script, in the order of time. */
   readonly notes: { seconds: number; text: string }[];
-  /** What the script says of its pictures, else 1280 x 720. */
+  /** The script's `size`, or 1280 x 720. */
   readonly width: number;
   readonly height: number;
-  /** `background transparent`: where nothing is, the canvas is clear. */
+  /** True with `background transparent`: the canvas is transparent where the film is empty. */
   readonly clear: boolean;
-  /** Draws in the canvas's own width and height. */
+  /** Draws in the canvas's width and height. */
   draw(canvas: HTMLCanvasElement | OffscreenCanvas, seconds: number): void;
-  /** A value, as `betwixt eval --json` has it. */
+  /** Returns a value as `betwixt eval --json` gives it. */
   eval<T extends Value = Value>(target: string, time: number | string, how?: { text?: false }): T;
-  /** The same as `betwixt eval` prints it. */
+  /** Returns a value as `betwixt eval` prints it. */
   eval(target: string, time: number | string, how: { text: true }): string;
-  /** Several at several times, as JSON of `betwixt eval --json`. */
+  /** Returns several values at several times, as the object of `betwixt eval --json`. */
   evalAll(targets: string[], times: (number | string)[], how?: { text?: false }): unknown;
   evalAll(targets: string[], times: (number | string)[], how: { text: true }): string;
-  /** What code in the script did wrong while pictures were drawn. */
+  /** Returns the errors of the script's code while pictures were drawn. */
   problems(): Diagnostic[];
-  /** Gives its memory back. */
+  /** Frees the film's memory. */
   dispose(): void;
 }
 
 export interface Engine {
   readonly version: string;
-  /** Brings what reads such files (meshes, scenes, drawings, pictures), where a film wants some. */
+  /** Loads the reader of meshes, scenes, drawings and pictures if one of these files needs it. */
   prepare(files: Record<string, Uint8Array>): Promise<void>;
-  /** Never throws for what is wrong with a script: see `Film.ok`. */
+  /** Opens a film. Does not throw for errors in the script: see `Film.ok`. */
   open(text: string, how?: { name?: string; files?: Record<string, Uint8Array> }): Film;
   readonly algebra: Algebra;
 }
 
-/** What is wrong with a string of motions; column and length in characters, 0: of it as a whole. */
+/** An error in a string of motions; column and length in characters, both 0 for the whole string. */
 export interface AlgebraError {
   error: { message: string; hint: string; column: number; length: number };
 }
@@ -73,7 +73,7 @@ export type Rows = number[];
 /** x, y, z. */
 export type Place = [number, number, number];
 
-/** The algebra of motions, as lessons ask it: src/algebra/lesson.h. */
+/** The algebra of motions, for lessons: src/algebra/lesson.h. */
 export interface Algebra {
   string(text: string, points?: Place[]): AlgebraError | {
     text: string;
@@ -83,20 +83,20 @@ export interface Algebra {
     symbols: object;
     alone: object[];
   };
-  /** A(t) at count + 1 even times; undefined where the text is no motion. */
+  /** Returns A(t) at count + 1 even times, or undefined if the text is no motion. */
   frames(text: string, from: number, to: number, count: number, linear?: boolean): Rows[] | undefined;
   moment(text: string, t: number): AlgebraError | { matrix: Rows; letters: number[]; parts: Place[]; alone: Rows[] };
   changed(text: string, factor: number, what: "by" | "centre" | "axis" | "angle" | "linear", to: number[]): AlgebraError | { text: string };
 }
 
 export interface PlayerEventMap extends HTMLElementEventMap {
-  /** A script has been read, well or not. */
+  /** A script was read, with or without errors. */
   diagnostics: CustomEvent<{ diagnostics: Diagnostic[] }>;
-  /** The film has come to a note of its script. */
+  /** The film reached a note of its script. */
   note: CustomEvent<{ text: string; time: number }>;
 }
 
-/** `<betwixt-player>`: a film that is used as a video is. */
+/** `<betwixt-player>`: a film with the interface of a video. */
 export class BetwixtPlayer extends HTMLElement {
   static readonly observedAttributes: string[];
   static readonly NETWORK_EMPTY: 0;
@@ -116,13 +116,13 @@ export class BetwixtPlayer extends HTMLElement {
   autoplay: boolean;
   loop: boolean;
   controls: boolean;
-  /** Films are silent in pages; it is here because videos have it. */
+  /** Has no effect, because films are silent in pages. Videos have it. */
   muted: boolean;
-  /** Shows the film's own frames only, and nothing between them. */
+  /** Shows only the film's own frames, and none between them. */
   stepped: boolean;
-  /** "none": nothing is loaded before it is played. */
+  /** "none" loads nothing until the film plays. */
   preload: string;
-  /** "eager": it is loaded wherever on the page it is. */
+  /** "eager" loads the film wherever on the page it is. */
   loading: "eager" | "lazy";
   width: number;
   height: number;
@@ -139,26 +139,26 @@ export class BetwixtPlayer extends HTMLElement {
   readonly videoHeight: number;
   /** Seconds since the film's beginning. */
   currentTime: number;
-  /** Below 0 it runs backwards, at 0 it stands. */
+  /** Negative rates run backwards; 0 stops. */
   playbackRate: number;
 
   play(): Promise<void>;
   pause(): void;
-  /** Begins anew with what the page says. */
+  /** Starts again with the page's own source. */
   load(): void;
   getVideoPlaybackQuality(): { creationTime: number; totalVideoFrames: number; droppedVideoFrames: number };
 
-  /** The engine's film; null while there is none. It goes when another text is given. */
+  /** The engine's film, or null. It is disposed of when you set another script. */
   readonly film: Film | null;
   readonly diagnostics: Diagnostic[];
-  /** The same as text; empty where nothing is wrong. */
+  /** The diagnostics as text; empty if there are none. */
   readonly message: string;
-  /** The film's text. Another one is another film at the same time; a wrong one leaves the last good film where it is. */
+  /** The film's text. Set it to show another film at the same time; if it has errors, the last good film stays. */
   script: string;
-  /** Files that the film uses, by the names that it has for them. */
+  /** The film's files, by their names in the script. */
   get files(): Record<string, Uint8Array>;
   set files(all: Record<string, string | Uint8Array | ArrayBuffer>);
-  /** A value at a time since the film's beginning; now, where none is said. `eval<number[]>(…)` says what it is. */
+  /** Returns a value at a time since the film's beginning, by default now. `eval<number[]>(…)` declares its type. */
   eval<T extends Value = Value>(target: string, time?: number | string): T;
 
   addEventListener<K extends keyof PlayerEventMap>(
@@ -168,18 +168,18 @@ export class BetwixtPlayer extends HTMLElement {
                    options?: boolean | AddEventListenerOptions): void;
 }
 
-/** `<betwixt-editor>`: the text beside the picture of the player within. */
+/** `<betwixt-editor>`: a text box beside the player inside it. */
 export class BetwixtEditor extends HTMLElement {
   readonly player: BetwixtPlayer | null;
   text: string;
-  /** Puts the cursor there. */
+  /** Puts the cursor at a line and column, both from 1. */
   go(line: number, column?: number): void;
 }
 
-/** The engine of the page, made when it is first asked for. */
+/** Returns the engine of the page. The first call makes it. */
 export function engine(): Promise<Engine>;
 
-/** What may stand in the player's tag, where markup is written in TypeScript. */
+/** The attributes of the player's tag in TypeScript markup. */
 export interface PlayerAttributes {
   src?: string | undefined;
   alt?: string | undefined;
@@ -196,13 +196,13 @@ export interface PlayerAttributes {
   playbackrate?: number | string | undefined;
   class?: string | undefined;
   part?: string | undefined;
-  /** These are properties: React sets them from 19 on. */
+  /** These are properties. React sets them from version 19 on. */
   script?: string | undefined;
   files?: Record<string, string | Uint8Array | ArrayBuffer> | undefined;
   currentTime?: number | undefined;
   playbackRate?: number | undefined;
 }
-/** React hears events of elements from 19 on. */
+/** React listens to events of elements from version 19 on. */
 export type PlayerHandlers = {
   [K in "loadstart" | "durationchange" | "resize" | "loadedmetadata" | "loadeddata" | "canplay" | "canplaythrough" | "play"
     | "playing" | "waiting" | "pause" | "timeupdate" | "seeking" | "seeked" | "ratechange" | "ended" | "emptied" | "error"
@@ -212,7 +212,7 @@ export type PlayerHandlers = {
 };
 type Tag<Usual, Own> = Own & Omit<Usual, keyof Own>;
 
-// Each of these counts where the framework is there; elsewhere the compiler has nothing to say about it.
+// Each of these takes effect if the framework is installed; otherwise the compiler ignores it.
 // @ts-ignore
 import type {} from "react";
 // @ts-ignore
@@ -264,6 +264,6 @@ declare global {
     "betwixt-player": BetwixtPlayer;
     "betwixt-editor": BetwixtEditor;
   }
-  /** What the classic file, betwixt-player.js, leaves behind. */
+  /** The global that betwixt-player.js defines. */
   var Betwixt: { engine: typeof engine; Player: typeof BetwixtPlayer; Editor: typeof BetwixtEditor };
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Player and editor make their insides by these. So a page may forbid markup from text, styles in the page, and scripts
-// that it does not name (docs/web.md#which-policy-it-needs).
+// Helpers with which player and editor build their contents. They need no markup from text and no inline styles or
+// scripts, so a page may forbid those (docs/web.md#which-policy-it-needs).
 
-// An element, its attributes, and what is in it: elements and texts.
+// Makes an element with attributes and children (elements and texts).
 const element = (name, attributes = {}, ...inside) => {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
@@ -21,7 +21,7 @@ const drawing = (path) => {
   svg.append(made("path", { d: path }));
   return svg;
 };
-// Rules that several roots may have.
+// Makes a style sheet that several shadow roots can share.
 const sheet = (rules = "") => {
   const made = new CSSStyleSheet();
   made.replaceSync(rules);

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// <betwixt-editor>: around a <betwixt-player>, the film's text beside its picture. Who types sees the film change; what
-// is wrong stands below with its caret, and the last good film goes on. docs/web.md says how it is used.
+// <betwixt-editor> wraps a <betwixt-player> and shows the film's text beside its picture. The film follows the typing.
+// Errors appear below with a caret, and the last good film keeps playing. docs/web.md explains how to use it.
 if (globalThis.customElements && !customElements.get("betwixt-editor")) {
-  const longest_coloured = 200_000;  // characters; beyond, colours would come late
+  const longest_coloured = 200_000;  // characters; longer texts are not coloured, because colours would lag
 
-  // The pieces of a line that are told apart: texts, comments, colours, numbers with their units, keys, what opens it.
+  // The tokens of a line: texts, comments, colours, numbers with units, keys, names.
   const pieces =
     /("(?:[^"\\]|\\.)*"?)|(#(?=\s|$).*)|(#(?:[0-9a-f]{6}|[0-9a-f]{3})\b)|((?<![\w.])[+-]?(?:\d+x\d+|(?:\d+\.?\d*|\.\d+)(?:[a-z°%]+)?))|([A-Za-z][\w-]*)(?==)|([A-Za-z_][\w/*{}.-]*)/gi;
-  // A line as texts and elements.
+  // Returns a line as texts and coloured elements.
   const coloured_line = (line, bad) => {
     const all = [];
     let at = 0;
@@ -38,7 +38,7 @@ if (globalThis.customElements && !customElements.get("betwixt-editor")) {
     return [line.slice(0, blanks), wrong];
   };
 
-  // Columns count characters, texts of JavaScript half of some.
+  // Converts a column, which counts characters, to UTF-16 units, which JavaScript counts.
   const utf16_column = (line, column) => [...line].slice(0, column - 1).join("").length;
 
   const look = sheet(`
@@ -123,10 +123,10 @@ i { font-style: normal; }
     #root;
     #parts;
     #player = null;
-    #first = null;      // the text as it was
+    #first = null;      // the original text
     #due = 0;
-    #leaves = false;    // Escape was the last key
-    #wrong = new Set(); // lines
+    #leaves = false;    // whether Escape was the last key
+    #wrong = new Set(); // lines with errors
     #hears = new AbortController();
 
     constructor() {
@@ -148,7 +148,7 @@ i { font-style: normal; }
     }
 
     connectedCallback() {
-      // What stands within is there when the page is.
+      // The children exist once the page has been parsed.
       if (document.readyState === "loading")
         document.addEventListener("DOMContentLoaded", () => this.#find_player(), { once: true });
       this.#find_player();
@@ -175,7 +175,7 @@ i { font-style: normal; }
       this.#take_text();
     }
 
-    // The player's, as long as nobody has typed.
+    // Takes the player's text, unless the text was edited.
     #take_text() {
       const { text, name } = this.#parts, script = this.#player?.script ?? "";
       if (this.#first !== null || !script) return;
@@ -189,7 +189,7 @@ i { font-style: normal; }
       return inline ?? (this.#player?.currentSrc.split("/").pop() || "film.bx");
     }
 
-    // At most once a frame: more is not seen.
+    // Passes the text on at most once a frame; more often would not be visible.
     #changed() {
       this.#colour();
       this.#root.querySelector("[data-do=revert]").disabled = this.text === this.#first;
@@ -203,7 +203,7 @@ i { font-style: normal; }
       const { text, area, lines, colours } = this.#parts, all = text.value.split("\n");
       const plain = text.value.length > longest_coloured;
       area.classList.toggle("plain", plain);
-      // The last line has its height only where something follows it.
+      // A last empty line has its height only if something follows it.
       if (plain) colours.textContent = text.value + "\n ";
       else this.#colour_lines(all);
       if (lines.dataset.count !== String(all.length)) {
@@ -212,7 +212,7 @@ i { font-style: normal; }
       }
     }
 
-    // One by one: a call takes fewer arguments than a text has pieces.
+    // Appends the pieces one by one, because a text can have more pieces than a call can have arguments.
     #colour_lines(all) {
       const shown = new DocumentFragment();
       all.forEach((line, i) => {
@@ -248,8 +248,8 @@ i { font-style: normal; }
       if (d.line) add("b", `${here ? "line" : `${d.file},`} ${d.line}: `);
       item.append(d.text);
       if (d.line && d.source) {
-        // What stands before the caret keeps its tabs, so that the caret is below its place.
-        const all = [...d.source], at = d.caret ?? d.column - 1;  // of a long line there is a part
+        // Tabs before the caret stay tabs, so that the caret is below its place.
+        const all = [...d.source], at = d.caret ?? d.column - 1;  // a long line is shown in part
         const before = all.slice(0, at).map((c) => (c === "\t" ? c : " ")).join("");
         const caret = "^".padEnd(Math.min(d.length ?? 1, all.length - at), "~");
         add("code", `${d.source}\n${before}`).append(Object.assign(document.createElement("i"), { textContent: caret }));
@@ -259,7 +259,7 @@ i { font-style: normal; }
       return item;
     }
 
-    // Puts the cursor there; lines and columns begin at 1.
+    // Puts the cursor at a line and column, both from 1.
     go(line, column = 1) {
       const { text } = this.#parts, all = text.value.split("\n");
       const before = all.slice(0, line - 1).reduce((sum, l) => sum + l.length + 1, 0);
@@ -274,7 +274,7 @@ i { font-style: normal; }
       if (scroller.getBoundingClientRect().top < 0) scroller.scrollIntoView({ block: "nearest" });
     }
 
-    // As if it had been typed: the browser's undo takes it back.
+    // Inserts words as if typed, so that the browser's undo takes them back.
     #type(words) {
       if (!document.execCommand("insertText", false, words)) {
         const { text } = this.#parts;

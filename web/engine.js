@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The engine as a page sees it: Betwixt.engine() gives the one of this page, engine.open(text) a film. engine.cpp is the
-// other half. Stands inside a function that the build puts around all parts of the player; `makeBetwixt` is
-// Emscripten's, `wasmBytes(name)` gives a program, `algebraOf` is in algebra.js.
+// The engine for pages: Betwixt.engine() returns the page's engine, engine.open(text) a film. engine.cpp is the other
+// half. The build wraps all parts of the player in one function. There `makeBetwixt` is Emscripten's, `wasmBytes(name)`
+// returns a program, and `algebraOf` is in algebra.js.
 
 const Betwixt = (globalThis.Betwixt ??= {});
 
@@ -19,7 +19,7 @@ class Film {
     this.duration = this.end - this.start;
   }
 
-  // Draws the film at `seconds` as large as the canvas is. Errors: no WebGL 2, what the graphics refuse.
+  // Draws the film at `seconds` in the size of the canvas. Throws without WebGL 2, or if drawing fails.
   draw(canvas, seconds) {
     this.#alive();
     const { width, height } = canvas;
@@ -29,21 +29,21 @@ class Film {
     this.#bitmaps.set(canvas, kind);
     this.#engine.hand_over(kind, width, height);
   }
-  // What a target is at a time (seconds, or a text such as "24f"): numbers, as `betwixt eval --json` has them; `text`: as
-  // `betwixt eval` prints it.
+  // Returns the value of a target at a time (seconds, or a text such as "24f") as `betwixt eval --json` gives it; with
+  // `text`, as `betwixt eval` prints it.
   eval(target, time, { text = false } = {}) {
     return this.#eval([target], [time], 1)[text ? "text" : "value"];
   }
-  // What all of them are at all times: the object that `betwixt eval --json` prints; `text`: as it prints it.
+  // Returns the values of all targets at all times: the object that `betwixt eval --json` prints, or its text.
   evalAll(targets, times, { text = false } = {}) {
     return this.#eval(targets, times, 0, text);
   }
-  // What procedures did wrong while pictures were drawn, as `diagnostics`.
+  // Returns the errors of procedures while pictures were drawn, in the form of `diagnostics`.
   problems() {
     this.#alive();
     return JSON.parse(this.#engine.call("betwixt_problems", this.#handle));
   }
-  // Gives up what is kept to draw with, until it is drawn again.
+  // Releases the graphics resources until the next draw.
   rest() {
     if (this.#handle) this.#engine.call("betwixt_rest", this.#handle);
   }
@@ -71,7 +71,7 @@ class Engine {
   #lost = false;
   #reader = null;
   #coming = null;
-  #files = {};  // of the film that is being opened
+  #files = {};  // of the film that is opening
 
   constructor(module) {
     this.#module = module;
@@ -84,14 +84,14 @@ class Engine {
     this.algebra = algebraOf((...all) => this.call(...all));
   }
 
-  // Brings what reads such files where it is not there yet: meshes, scenes, drawings, pictures.
+  // Loads the reader of meshes, scenes, drawings and pictures if one of the files needs it.
   async prepare(files) {
     if (this.#reader || Object.keys(files).every((path) => /\.(bx|ttf|otf|ttc)$/i.test(path))) return;
     this.#coming ??= reader().finally(() => (this.#coming = null));
     this.#reader = await this.#coming;
   }
 
-  // A film of a script. `files`: what lies beside it, bytes by path; fonts (.ttf, .otf) wherever they lie.
+  // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.
   open(text, { name = "film.bx", files = {} } = {}) {
     const { FS } = this.#module;
     const written = [];
@@ -118,9 +118,9 @@ class Engine {
     }
   }
 
-  // ---- for films
+  // ---- Used by Film
 
-  // Calls a function of the engine; texts become texts. What it gives is a text, or with `false` at the end a handle.
+  // Calls a function of the engine, and converts texts. Returns a text, or with a last argument `false` a handle.
   call(name, ...values) {
     const m = this.#module;
     const number = values.at(-1) === false && (values.pop(), true);
@@ -143,7 +143,7 @@ class Engine {
       for (const at of texts) m._free(at);
     }
   }
-  // Makes the hidden canvas as large and draws; what stands against it becomes an Error.
+  // Resizes the hidden canvas and draws. Throws if drawing fails.
   picture(width, height, draw) {
     if (this.#lost) {
       this.#lost = false;
@@ -162,7 +162,8 @@ class Engine {
     kind.drawImage(this.#canvas, 0, 0);
   }
 
-  // The files that were asked for on the way, a line each; what was read is put where apart.cpp finds it.
+  // Reads a file in the reader's module, and puts the result where apart.cpp finds it. Returns the paths of the files that
+  // the reader asked for, a line each, or null without a reader.
   #read_apart(task, path) {
     if (!this.#reader) return null;
     const { FS, UTF8ToString, stringToUTF8, lengthBytesUTF8, _malloc, _free } = this.#reader;
@@ -182,7 +183,7 @@ class Engine {
       for (const file of written) FS.unlink(file);
       return asked;
     } catch {
-      this.#reader = null;  // what it was at is broken, and so is it
+      this.#reader = null;  // a reader that failed is in an unknown state
       this.#module.FS.writeFile("/handed", "");
       return "";
     }
@@ -209,7 +210,7 @@ const reader = async () => {
 };
 
 let only = null;
-// The engine of this page, made when it is first asked for. Errors: in plain words, where it cannot be had.
+// Returns the engine of this page; the first call makes it. Rejects with a readable message if that fails.
 Betwixt.engine = () =>
   (only ??= (async () => {
     if (typeof WebAssembly !== "object") throw new Error("this browser cannot run the engine: it has no WebAssembly");

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// <betwixt-player>: a film in a page, made from its text and used as <video> is. It draws by the engine of engine.js;
-// the build puts both together. docs/web.md says what it does.
+// <betwixt-player> plays a film from its text, with the interface of <video>. It draws with the engine of engine.js; the
+// build puts both together. docs/web.md explains how to use it.
 if (globalThis.customElements && !customElements.get("betwixt-player")) {
   const longest_side = 4096;     // of a picture, in pixels
   const timeupdate_every = 250;  // ms, as videos do
-  const tries_again = 1000;      // ms, where drawing failed
+  const tries_again = 1000;      // ms, after drawing failed
   const flags = ["autoplay", "loop", "controls", "muted", "stepped"];
   const speeds = [-2, -1, -0.5, 0.25, 0.5, 1, 1.5, 2, 4];
-  let upgrading = false;         // the elements that the page has already
+  let upgrading = false;         // while elements that the page already has are defined
   const script_query = 'script[type="text/betwixt"]';
   const files_query = 'script[type="application/json"][data-betwixt-files]';
 
@@ -28,7 +28,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
   const has_words = (error) => (error && error.message) || String(error);
   const wants_calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-  // What the comment at the head of a script says, without the file's name in front.
+  // Returns the first comment of a script, without the file name in front.
   const first_comment = (script) => {
     const said = [];
     for (const line of script.split("\n")) {
@@ -39,7 +39,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     return said.join(" ").replace(/^[\w.-]+\.bx\s*[—:-]+\s*/, "").trim();
   };
 
-  // Files are fetched from the script's folder and below it, as the program reads them.
+  // Returns the URL of a file, or null if it is not in the script's folder or below it.
   const below = (base, path) => {
     const url = new URL(path.split("/").map(encodeURIComponent).join("/"), base);
     return url.href.startsWith(base.href) ? url : null;
@@ -155,9 +155,9 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     static HAVE_FUTURE_DATA = 3;
     static HAVE_ENOUGH_DATA = 4;
 
-    // ---- What all players of a page share
+    // ---- Shared by all players of a page
 
-    // One loop, which runs while a picture that is seen may change.
+    // One loop for all players. It runs while a visible picture may change.
     static #awake = new Set();
     static #due = 0;
     static #wake(player) {
@@ -182,7 +182,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     static #sizes = new ResizeObserver((all) => {
       for (const one of all) one.target.getRootNode().host.#measure(one.contentRect);
     });
-    // Another screen, or another zoom: pixels are as many as before on the page, not on the screen.
+    // Redraws on another screen or another zoom: the size on the page stays, but the number of screen pixels changes.
     static #all = new Set();
     static #watch_pixels() {
       matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
@@ -192,17 +192,17 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     }
     static { this.#watch_pixels(); }
 
-    // ---- What one is
+    // ---- State
 
     #root;
     #parts;
     #size = sheet();      // its size and its background
     #said_size = "";
-    #film = null;         // that is shown
+    #film = null;         // the film that is shown
     #engine = null;
     #source = null;       // {text, name, base, files, failed}
-    #given_text = null;   // by `script`, in place of what the page says
-    #given_files = {};    // by `files`
+    #given_text = null;   // set by `script`; overrides the page's text
+    #given_files = {};    // set by `files`
     #text_wrong = false;
     #diagnostics = [];
     #message = "";
@@ -212,9 +212,9 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #ready = 0;
     #paused = true;
     #may_autoplay = true;
-    #time = 0;            // since the film's beginning, where the clock was set
-    #wall = 0;            // when that was
-    #begin = 0;           // where it is to begin, said before there was a film
+    #time = 0;            // seconds since the film's beginning, when the clock was last set
+    #wall = 0;            // the real time of that
+    #begin = 0;           // start time that was set before there was a film
     #rate = 1;
     #seeking = false;
     #held = null;         // an AbortController: the slider is dragged, and the clock waits
@@ -222,10 +222,10 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #pulse = 0;
     #updated = 0;
     #promises = [];
-    #posing = true;       // the poster stands, until it is played or sought
+    #posing = true;       // the poster is shown until the film plays or seeks
     #stage_size = [0, 0]; // in pixels of the page
     #drawn = {};
-    #trouble = "";        // drawing
+    #trouble = "";        // the error of the last draw
     #retry = 0;
     #quiet_timer = 0;
     #spoken = 0;
@@ -245,7 +245,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     }
 
     connectedCallback() {
-      // What was set before the element was known stands in the way of what it means.
+      // Properties that were set before the element was defined hide the accessors, so set them again.
       for (const name of ["files", "script", "currentTime", "playbackRate", "src", ...flags])
         if (Object.hasOwn(this, name)) {
           const said = this[name];
@@ -257,13 +257,13 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       BetwixtPlayer.#sizes.observe(this.#parts.stage);
       BetwixtPlayer.#all.add(this);
       this.#show_attributes();
-      // Of what is there already it is known at once where it is, without waiting for an observer.
+      // The place of an existing element is known at once, without waiting for an observer.
       const { top, bottom } = upgrading || document.readyState !== "loading" ? this.getBoundingClientRect() : { top: Infinity };
       this.#visible = top < innerHeight && bottom > 0;
       if (this.loading === "eager" || (top < 2 * innerHeight && bottom > -innerHeight)) this.#comes_near();
     }
 
-    // One that is only moved comes back before the microtask.
+    // A player that is only moved in the page is connected again before the microtask.
     disconnectedCallback() {
       queueMicrotask(() => {
         if (this.isConnected) return;
@@ -348,7 +348,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#may_autoplay = false;
       if (this.ended) this.#seek(0);
       const promise = new Promise((resolve, reject) => this.#promises.push({ resolve, reject }));
-      promise.catch(() => {});  // nobody has to look at it
+      promise.catch(() => {});  // callers may ignore the promise
       if (this.#paused) {
         this.#set_clock(this.#time);
         this.#paused = false;
@@ -373,7 +373,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#update();
     }
 
-    // Begins anew with what the page says.
+    // Starts again with the page's own source.
     load() {
       this.#settle(new DOMException("play() was interrupted by load()", "AbortError"));
       const was_there = this.#network !== 0;
@@ -399,13 +399,13 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     get diagnostics() { return this.#diagnostics; }
     get message() { return this.#message; }
 
-    // A value at a time since the film's beginning: numbers, as `betwixt eval --json` has them.
+    // Returns a value at a time since the film's beginning, as `betwixt eval --json` gives it.
     eval(target, time = this.currentTime) {
       if (!this.#film) throw new Error("there is no film yet: wait for loadedmetadata");
       return this.#film.eval(target, typeof time === "number" ? this.#film.start + time : time);
     }
 
-    // The text. Another one is another film at the same time; where it is wrong, the one before stays.
+    // The film's text. Setting it shows the new film at the same time; if it has errors, the last good film stays.
     get script() {
       if (this.#given_text !== null) return this.#given_text;
       const inline = this.#source || this.hasAttribute("src") ? null : this.querySelector(script_query);
@@ -422,7 +422,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#open_again();
     }
 
-    // Files that the film uses, by their names in it: texts, Uint8Arrays or ArrayBuffers.
+    // The film's files by their names in the script: texts, Uint8Arrays or ArrayBuffers.
     get files() { return { ...(this.#source ? Object.fromEntries(this.#source.files) : this.#given_files) }; }
     set files(all) {
       this.#given_files = {};
@@ -450,7 +450,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     }
 
     async #find_source(signal) {
-      // What stands within is there when the page is.
+      // The children exist once the page has been parsed.
       if (!this.hasAttribute("src") && this.#given_text === null && document.readyState === "loading")
         await new Promise((done) => document.addEventListener("DOMContentLoaded", done, { once: true, signal }));
       const inline = this.querySelector(script_query);
@@ -473,7 +473,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       return here;
     }
 
-    // Opens and looks what it wants, until it wants nothing that can be had.
+    // Opens the film and fetches the files that it lacks, until no missing file can be fetched.
     async #open(signal) {
       const source = this.#source;
       for (const tried = new Set(); ;) {
@@ -513,7 +513,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#fire("loadstart");
       this.#show();
       try {
-        const engine = Betwixt.engine();  // both at once
+        const engine = Betwixt.engine();  // loads in parallel with the source
         engine.catch(() => {});
         const source = await this.#find_source(signal);
         if (signal.aborted) return;
@@ -536,7 +536,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       }
     }
 
-    // Another text. At once, unless it wants files that have to be fetched.
+    // Opens a new text: at once, unless files must be fetched first.
     #open_again() {
       let film;
       try {
@@ -617,7 +617,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#update();
     }
 
-    // The film goes; what it was made from stays.
+    // Releases the film, and keeps its source.
     #forget() {
       if (this.#loading) this.#loading.abort();
       this.#loading = null;
@@ -636,13 +636,13 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
 
     get #frames() { return Math.max(1, Math.floor(this.#film.lastFrame - this.#film.firstFrame + 1 + 1e-6)); }
     get #last() { return (this.#frames - 1) / this.#film.fps; }
-    // How many whole frames are behind a time.
+    // Returns the number of whole frames before a time.
     #frames_at(time) { return clamp(Math.floor(time * this.#film.fps + 1e-6), 0, this.#frames - 1); }
 
     #moving() {
       return !this.#paused && !this.#held && this.#ready > 2 && this.#rate !== 0 && !this.#stuck();
     }
-    // At the end of its way: there as a video is, paused or not.
+    // Whether the film is at the end of its direction, where a video stops, paused or not.
     #stuck() {
       return !this.loop && (this.#rate > 0 ? this.#time >= this.duration : this.#rate < 0 && this.#time <= 0);
     }
@@ -672,7 +672,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         this.#update();
       }
     }
-    // At its end a film stops.
+    // Stops the film at its end.
     #end() {
       if (this.#paused || this.#held || !this.ended || this.#rate <= 0) return;
       this.#paused = true;
@@ -708,7 +708,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#update();
     }
 
-    // While the slider is dragged the film waits.
+    // Makes the film wait while the slider is dragged.
     #hold() {
       if (this.#held) return;
       this.#set_clock(this.currentTime);
@@ -726,7 +726,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#update();
     }
 
-    // Whatever differs now: who has to be asked again, and when.
+    // Starts or stops the timer, and redraws, after any change of state.
     #update() {
       const moving = this.#moving();
       if (moving && !this.#pulse)
@@ -742,7 +742,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       BetwixtPlayer.#wake(this);
     }
 
-    // Events come in order, when the caller has done.
+    // Fires an event after the caller has finished, so that events keep their order.
     #fire(name, detail) {
       queueMicrotask(() => this.dispatchEvent(detail ? new CustomEvent(name, { detail }) : new Event(name)));
     }
@@ -766,7 +766,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       BetwixtPlayer.#wake(this);
     }
 
-    // One beat of the loop. Whether it wants the next.
+    // One step of the loop. Returns whether the player needs another.
     #step() {
       this.#tick();
       if (this.#film && this.#visible) this.#draw();
@@ -775,7 +775,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       return this.#moving() && this.#visible;
     }
 
-    // As large as fits, in whole pixels of the screen.
+    // Draws as large as fits, in whole pixels of the screen.
     #draw() {
       const { canvas } = this.#parts, film = this.#film, drawn = this.#drawn, ratio = devicePixelRatio || 1;
       const [w, h] = this.#stage_size.map((side) => Math.round(side * ratio));
@@ -804,9 +804,9 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       }
     }
 
-    // What the author's code does wrong shows when frames are made.
+    // Reports errors of the author's code, which appear only when frames are made.
     #hear_code(film) {
-      if (this.#text_wrong) return;  // that is said: the film is the one before
+      if (this.#text_wrong) return;  // already reported; the film shown is the last good one
       const found = film.problems();
       if (found.length + film.diagnostics.length === this.#diagnostics.length) return;
       this.#diagnostics = [...film.diagnostics, ...found];
@@ -814,7 +814,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#show();
     }
 
-    // It may come back: a context is lost when a machine sleeps, or has too much to do.
+    // Tries again later: a graphics context can be lost when a machine sleeps or is overloaded.
     #cannot_draw(error) {
       const words = has_words(error);
       if (this.#trouble !== words) {
@@ -826,7 +826,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#retry = setTimeout(() => this.isConnected && BetwixtPlayer.#wake(this), tries_again);
     }
 
-    // ---- What stands around it
+    // ---- Size, messages and controls
 
     #show_attributes() {
       const { controls, poster } = this.#parts;
@@ -838,7 +838,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#show();
       BetwixtPlayer.#wake(this);
     }
-    // What the page says of its size, until the film says more; a page's style is stronger.
+    // Sets the size from the attributes until there is a film. A style of the page overrides it.
     #show_size() {
       const { width, height } = this.#film ?? this;
       const aspect = width && height ? `aspect-ratio: ${width} / ${height};` : "";
@@ -914,13 +914,13 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       time.style.setProperty("--at", `${(100 * now) / end}%`);
       clock.textContent = `${now.toFixed(1)} / ${end.toFixed(1)}`;
       clock.title = `frame ${frame} of ${this.#film.lastFrame}`;
-      // Nobody wants to hear all frames of a film that plays.
+      // A screen reader should not read every frame of a playing film.
       if (this.#moving() && performance.now() - this.#spoken < 1000) return;
       this.#spoken = performance.now();
       time.setAttribute("aria-valuetext", `frame ${frame} of ${this.#film.lastFrame}, ${now.toFixed(1)} seconds`);
     }
 
-    // ---- Hands
+    // ---- Input
 
     #listen() {
       const { stage, time, speed, canvas, poster } = this.#parts;
@@ -944,7 +944,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       stage.addEventListener("pointerleave", () => this.#rest());
     }
 
-    // Controls go while it plays and nothing stirs.
+    // Hides the controls if the film plays and the pointer rests.
     #stir() {
       this.#parts.stage.classList.remove("idle");
       clearTimeout(this.#quiet_timer);
@@ -956,7 +956,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       if (this.#paused) {
         this.play();
       } else if (this.#stuck()) {
-        this.playbackRate = -this.#rate;  // backwards at the beginning: there is nothing but the way back
+        this.playbackRate = -this.#rate;  // at an end, the only way is back
       } else {
         this.pause();
       }
@@ -970,7 +970,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.pause();
       this.currentTime = (this.#frames_at(this.currentTime) + count) / this.#film.fps;
     }
-    // As at a cutting table: j runs backwards, l forwards, once more twice as fast.
+    // As on an editing table: j runs backwards, l forwards, and again doubles the speed.
     #shuttle(way) {
       const faster = !this.#paused && Math.sign(this.#rate) === way;
       this.playbackRate = faster ? clamp(2 * this.#rate, -8, 8) : way;
@@ -988,7 +988,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       const on_button = at.localName === "button", on_speed = at.localName === "select";
       if (on_button && (key === " " || key === "Enter")) return;
       if (on_speed && key !== "f") return;
-      if (!this.#parts.stage.contains(at) && at !== this) return;  // what the page put within
+      if (!this.#parts.stage.contains(at) && at !== this) return;  // an element that the page put inside
       const second = this.#film ? Math.round(this.#film.fps) : 1, by = event.shiftKey ? second : 1;
       const keys = {
         " ": () => this.#toggle(), k: () => this.#toggle(),
@@ -1006,7 +1006,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     }
   }
 
-  // Attributes that are there or not, as properties.
+  // Boolean attributes as properties.
   for (const name of flags)
     Object.defineProperty(BetwixtPlayer.prototype, name, {
       configurable: true,
