@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The lesson: a string that is edited as text, as a row of factors or by what is dragged in the picture, and all that
-// follows from it.
+// The lesson: a string of motions, which the reader edits as text, as a row of factors, or by dragging in the picture.
+// Everything else on the page follows from the string.
 // ---- The string: text, errors, the row of factors
 
 const field = byId("string");
@@ -22,7 +22,7 @@ const complain = (text, error) => {
     `Error: ${error.message}` + (error.hint ? `\n${error.hint}` : "");
 };
 
-// The string is now this one. `from`: "typing" leaves the text as it stands, "drag" the window.
+// Sets the string. `from`: "typing" keeps the text box unchanged, "drag" the window.
 const change = (text, from = "") => {
   const answer = algebra.string(text, state.points);
   if (from !== "typing") field.value = answer.error ? text : answer.text;
@@ -64,7 +64,7 @@ const takeOut = (i) => {
   const left = byId("chips").querySelectorAll(".out");
   (left[Math.min(i, left.length - 1)] || byId("add-T")).focus();
 };
-// Equal factors in equal times, or equal amounts.
+// Switches a scaling between equal factors in equal times and equal amounts.
 const changeLaw = (i) => {
   const answer = algebra.changed(shownText, i, "linear", [+!lesson.factors[i].linear]);
   if (answer.error)
@@ -99,7 +99,7 @@ const showChips = () => {
       .addEventListener("click", () => swap(i, i + 1));
   });
 };
-// Let go over another factor, it changes places with that.
+// Drags a factor. Released over another one, the two swap places.
 const dragChip = (down, chip, i) => {
   if (down.button !== 0 || down.target.closest("button")) return;
   down.preventDefault();
@@ -158,7 +158,7 @@ const bracketed = (parent, kind = "") => {
   return Array.from({length: size}, () => put(body, "tr"))
     .map((row) => Array.from({length: size}, () => put(row, "td")));
 };
-// Of twelve, those that the plane has.
+// Of the twelve numbers, those that the plane needs.
 const across = () => lesson.planar ? [[0, 1, 3], [4, 5, 7]] : [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]];
 const fill = (cells, write) => {
   const rows = across();
@@ -210,7 +210,7 @@ const showNumbers = (t) => {
 // ---- Matrices in letters
 
 let written = null;
-// "(1 - c2) x2^2", its letters in their factors' colours.
+// Writes a sum such as "(1 - c2) x2^2", each letter in the colour of its factor.
 const writeSum = (cell, sum, symbols) => {
   cell.textContent = "";
   for (const part of sum.split(/([a-z]\d*(?:\^\d+)?)/)) {
@@ -299,7 +299,7 @@ const showCards = () => {
   byId("factors-lead").textContent =
     ["There are none. An empty string is the identity at every t.", "There is only one here."][count] || order;
   byId("cards").textContent = "";
-  const most = 12;  // more would be as many pictures twice
+  const most = 12;  // more pictures would repeat
   for (let i = count - 1; i >= Math.max(0, count - most); --i) {
     const card = put(byId("cards"), "li");
     put(card, "h3", {class: "factor", style: `color: ${factorColour(i)}`}, factors[i].text);
@@ -379,7 +379,7 @@ const showGallery = () => {
     }
 };
 
-// ---- The address: the string, the moment, and what else was chosen
+// ---- The address: the string, the moment, and the other settings
 
 let noting = 0;
 const noteAddress = () => {
@@ -410,7 +410,7 @@ const fromAddress = () => {
   const view = (said.get("v") || "").split(",").map(Number);
   if (view.length === 2 && view.every(Number.isFinite))
     [state.yaw, state.pitch] = [view[0], Math.max(-1.5, Math.min(1.5, view[1]))];
-  // A string of an address comes with its own points.
+  // A string in the address has its own points.
   const points = said.has("m") ? readPoints(said.get("p") || "") : state.points;
   const other = pointsText(points) !== pointsText(state.points);
   state.points = points;
@@ -420,7 +420,7 @@ const fromAddress = () => {
   } catch { /* no text of an address: the string stays */
   }
   stop();
-  if (!lesson) change(given.text, "address");  // whatever the address says, there is a string
+  if (!lesson) change(given.text, "address");  // a valid string is needed, even if the address has none
   if (other || text !== shownText)
     change(text, "address");
   else

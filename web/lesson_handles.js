@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The whole motion in a picture, and what can be dragged in it.
-// ---- The whole motion, and what can be dragged in it
+// The whole motion in a picture, and the handles in it.
+// ---- The whole motion and its handles
 
 const lead = (factors) => {
   const count = factors.length;
@@ -12,7 +12,7 @@ const lead = (factors) => {
     `${factors[0].text} last. Each factor also moves the centres of those on its right.`;
 };
 let stage = null;    // the picture
-let holding = null;  // the window stays as it is while something is dragged
+let holding = null;  // the window's frame while a handle is dragged; it stays unchanged
 
 const drawStage = () => {
   const {figure, followed} = wholeFigure(), grips = gripsOf(lesson.factors);
@@ -65,8 +65,7 @@ const orbit = (svg) => {
     showLater();
   });
 };
-// What was pressed is followed wherever it goes. The elements under it are drawn anew meanwhile, so that the box around
-// them is what a finger holds.
+// Follows a pressed pointer. The box captures it, because the elements in the box are drawn anew during the drag.
 const follow = (down, moves, ends) => {
   down.preventDefault();
   byId("stage").setPointerCapture(down.pointerId);
@@ -85,7 +84,7 @@ const follow = (down, moves, ends) => {
   addEventListener("pointercancel", end);
 };
 
-// Whatever of a factor can be dragged: where its grip stands, at rest, and what comes of another place for it.
+// Returns the handles (grips) of all factors: the place of each, and the change that a new place makes.
 const gripsOf = (factors) => factors.flatMap((f, i) => {
   const u = lesson.unit,
         grip = (what, name, at, to, more = {}) => ({i, what, name: `${name} of ${f.text}`, at, to, ...more});
@@ -177,10 +176,10 @@ const showGrip = (svg, grip, k) => {
   g.addEventListener("pointerdown", (down) => {
     if (down.button === 0) dragGrip(down, grip);
   });
-  g.addEventListener("touchstart", (e) => e.preventDefault(), {passive: false});  // or the page would be scrolled
+  g.addEventListener("touchstart", (e) => e.preventDefault(), {passive: false});  // otherwise the page would scroll
   g.addEventListener("keydown", (e) => moveGrip(e, grip));
 };
-// In the plane of the paper, through where the grip stood.
+// Moves a place in the plane of the picture by pixels.
 const dragged = (from, dx, dy) =>
   plus(plus(from, stage.w.eye.right, dx / stage.w.scale), stage.w.eye.up, -dy / stage.w.scale);
 const changeBy = (grip, at, fine) => {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The methods beside each other: what they cost, what they lose, and other ways to the same end.
+// Compares the methods: their cost, their drift, and other paths to the same end.
 // ---- Methods
 
 const means = {
@@ -82,7 +82,7 @@ const showBars = ({ways, countedFor}) => {
     if (w.printed) bar(w.printed.operations, "printed");
   }
 };
-// Where each method has the marked corner, step by step, on the path that the motion takes.
+// Shows where each method puts the marked corner, step by step, on the path of the motion.
 const showMethodPictures = (ways) => {
   const box = byId("ways-pictures"), tip = wholeFigure().followed[0], most = 240;
   box.textContent = "";
@@ -125,7 +125,7 @@ byId("steps").addEventListener("change", () => {
 const methodLine = (name) => ["var(--p0)", "var(--p1)", "var(--p2)", "var(--ink)"][
   ["matrix", "geometric", "differences", "best"].indexOf(name.split(",")[0])];
 const methodWidth = (name) => [4.5, 3.4, 2.4, 1.6][
-  ["matrix", "geometric", "differences", "best"].indexOf(name.split(",")[0])];  // where lines meet, each is seen
+  ["matrix", "geometric", "differences", "best"].indexOf(name.split(",")[0])];  // each is visible where lines meet
 const showDrift = (drifting, marks, steps) => {
   const all =
     drifting.flatMap((w) => ["f32", "f64"].flatMap((k) => [...w[k].alone, ...w[k].renewed])).filter((d) => d > 0);
@@ -195,7 +195,7 @@ const driftPicture = (kind, drifting, marks, steps, low, high) => {
     caption.append(w.name + " ");
   }
 };
-// A hundred thousand steps, eight times: in pieces, while nothing else is wanted.
+// Measures a hundred thousand steps, eight times, in pieces, so that the page stays responsive.
 const measureDrift = (of) => {
   const able = (lesson.ways || []).filter((w) => !w.refused),
         pieces = able.flatMap((w) => ["f32", "f64"].map((kind) => ({w, kind})));
@@ -256,7 +256,7 @@ const showWays = () => {
   }
 };
 
-// What is below the picture follows a moment later: nobody looks at it while something is dragged.
+// Updates everything below the picture a moment later, because the reader looks at the picture during a drag.
 let later = 0, measuring = 0;
 const showLater = () => {
   clearTimeout(later);

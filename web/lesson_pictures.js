@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures of motions, in the plane and in space. A matrix is twelve numbers, its upper three rows row by row; a place
-// three. What is a factor's has a factor's colour, and what is a path has a path's.
+// Pictures of motions, in the plane and in space. A matrix is twelve numbers: its upper three rows, row by row. A place
+// is three numbers. Factors and paths have their own colours.
 const byId = (id) => document.getElementById(id);
 const svgSpace = byId("play").querySelector("svg").namespaceURI;
 
-// Text is only ever set as text.
+// Sets text only as text, never as markup.
 const put = (parent, name, attributes = {}, text) => {
   const space = parent.namespaceURI === svgSpace || name === "svg" ? svgSpace : parent.namespaceURI;
   const element = parent.appendChild(document.createElementNS(space, name));
@@ -32,7 +32,7 @@ const crossed = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
 const lengthOf = (v) => Math.hypot(...v);
 const direction = (v) => v.map((x) => x / (lengthOf(v) || 1));
 const moved = (m, [x, y, z]) => [0, 4, 8].map((r) => m[r] * x + m[r + 1] * y + m[r + 2] * z + m[r + 3]);
-// Two directions in which an angle about the axis is 0 and a quarter.
+// Returns the directions of the angles 0 and a quarter turn about an axis.
 const around = (axis) => {
   const first = direction(crossed(Math.abs(axis[1]) < 0.9 ? [0, 1, 0] : [0, 0, -1], axis));
   return [first, crossed(axis, first)];
@@ -51,14 +51,14 @@ const figureOf = (unit, flat) => {
 
 // ---- Windows
 
-// How space is looked at: turned about y by yaw, then tipped by pitch. In the plane both are 0.
+// Returns the view directions: turned about y by yaw, then tilted by pitch. In the plane both are 0.
 const lookFrom = ({yaw, pitch}) => {
   const cy = Math.cos(yaw), sy = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
   return {right: [cy, 0, sy], up: [sy * sp, cp, -cy * sp], near: [-sy * cp, sp, cy * cp]};
 };
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-// Round numbers that divide low to high into a few parts.
+// Returns round numbers that divide low to high into a few parts.
 const ticks = (low, high, most) => {
   const least = (high - low) / most, power = 10 ** Math.floor(Math.log10(least));
   const step = power * ([1, 2, 5].find((s) => s * power >= least * (1 - 1e-9)) || 10);
@@ -67,8 +67,8 @@ const ticks = (low, high, most) => {
   return all;
 };
 
-// What has to be in the window: its middle, and how far it reaches on paper. Of space a ball is taken, so that nothing
-// changes its size while it is turned.
+// Returns the middle and the extent of places. In space the extent is that of a ball around them, so that the picture
+// keeps its size while it turns.
 const frameAround = (places, unit, flat) => {
   const low = [0, 1, 2].map((c) => places.reduce((x, p) => Math.min(x, p[c]), Infinity));
   const high = [0, 1, 2].map((c) => places.reduce((x, p) => Math.max(x, p[c]), -Infinity));
@@ -93,7 +93,7 @@ const windowOn = (parent, seen, look, label, wide, shapes, flat) => {
   return w;
 };
 
-// Squared paper under the plane.
+// Draws squared paper under the plane.
 const paper = ({svg, on, scale, wide, high}, {middle}) => {
   const grid = put(svg, "g", {"stroke-width": 1, fill: "none", "aria-hidden": true});
   const marks = put(svg, "g", {"aria-hidden": true});
@@ -110,7 +110,7 @@ const paper = ({svg, on, scale, wide, high}, {middle}) => {
     if (at > 14 && at < high - 22) put(marks, "text", {x: 6, y: at + 4}, number(y));
   }
 };
-// A squared floor, y = 0, under space, and its three directions.
+// Draws a squared floor, y = 0, under space, and the three axes.
 const floor = ({svg, on, path}, {middle, wide}) => {
   const g = put(svg, "g", {"stroke-width": 1, fill: "none", "aria-hidden": true});
   const r = wide / 2, lines = ticks(-r, r, 8), step = lines[1] - lines[0];
@@ -128,14 +128,14 @@ const floor = ({svg, on, path}, {middle, wide}) => {
   });
 };
 
-// ---- What is drawn on them
+// ---- The figure and its motion
 
 const stand = (element, [x, y]) => element.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
 const cross = (parent, stroke) => put(
   parent, "path",
   {class: "factor", d: "M-7 0H7M0 -7V7", stroke, "stroke-width": 2, fill: "none", "stroke-linecap": "round"});
 
-// The figure as it stands: flat, or its faces from the farthest to the nearest, without those that look away.
+// Returns a function that draws the figure at a matrix: flat, or its faces from the farthest to the nearest.
 const solid = (w, figure, flat) => {
   const g = put(w.svg, "g", {stroke: "var(--ink)", "stroke-width": 1.4, "stroke-linejoin": "round"});
   const faces = figure.faces.map(() => put(g, "path", flat ? {fill: "var(--ink)", "fill-opacity": 0.14} : {}));
@@ -152,8 +152,8 @@ const depth = (w, places) => places.reduce((sum, p) => sum + dot(p, w.eye.near),
 
 const ghosts = [1, 2, 3, 4, 5, 6, 7, 8].map((k) => k / 8);
 
-// A motion in a picture. `motion`: {at(t), line: frames, shade: [frames], others: {line, at}}; `crosses`: {colour, at,
-// line}; `followed`: places. Gives {w, update(t), seen}.
+// Draws a motion. `motion`: {at(t), line: frames, shade: [frames], other: {line, at}}; `crosses`: {colour, at, line};
+// `followed`: places. Returns {w, update(t), seen}.
 const drawMotion = (parent, motion, options) => {
   const {figure, followed, look, label, wide, shapes, unit, flat, crosses = [], plain = false} = options;
   const poses = ghosts.map(motion.at), corners = figure.outline.concat(followed);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the lesson is about, in words, and what it asks the engine (algebra.js), which works out all that is shown of a
-// motion.
+// Describes motions in words, and asks the engine (algebra.js), which computes everything that the lesson shows.
 const given = JSON.parse(byId("lesson").textContent);
 const state = {
   text: given.text,
@@ -13,25 +12,25 @@ const state = {
   pitch: 0.35
 };
 let algebra = null;
-let shownText = "";  // the last string that was one
-let lesson = null;   // what there is to know of it
-let before = [];     // strings, to undo
+let shownText = "";  // the last valid string
+let lesson = null;   // the engine's answer for it
+let before = [];     // earlier strings, for undo
 const updates = {
   stage: [],
   rest: [],
   methods: []
-};  // what is drawn anew when t changes
+};  // functions to call when t changes
 
 // ---- Words
 
 const place = (p) => `(${(p[2] ? p : p.slice(0, 2)).map((x) => number(x)).join(", ")})`;
-// As many digits at any time, so that they do not jump about; small figures have small numbers.
+// Writes a number with a fixed number of digits, so that it does not jump about; small figures get more digits.
 const fixed = (x, unit = lesson.unit) => {
   if (Math.abs(x) < 1e-7 * Math.min(1, unit)) x = 0;
   if (Math.abs(x) >= 1e7 || (unit < 0.01 && x !== 0 && Math.abs(x) < 0.01)) return number(x, 5);
   return x.toFixed(Math.abs(x) >= 1000 ? 1 : Math.abs(x) >= 100 ? 3 : 5).replace("-", "−");
 };
-// An error of floating point, as one says it.
+// Writes a floating-point error in words or short digits.
 const tiny = (x) => {
   if (x === null) return "lost";
   if (x === 0) return "none";
@@ -56,7 +55,7 @@ const turnInWords = (turns) => {
 };
 const growthInWords = (g) => {
   const plain = {"-1": "its own mirror image", "0": "zero", "0.5": "half as large", "2": "twice as large"};
-  const size = Math.abs(g), digits = Math.abs(size - 1) < 1e-3 ? 17 : 4;  // or nearly 1 would be 1
+  const size = Math.abs(g), digits = Math.abs(size - 1) < 1e-3 ? 17 : 4;  // otherwise a number near 1 would read as 1
   return plain[g] || `${g < 0 ? "mirrored and " : ""}${number(size, digits)} times as large`;
 };
 const scalingInWords = (f) => {
@@ -80,7 +79,7 @@ const described = (f) => {
   const round = forward > 0 ? "counterclockwise" : "clockwise";
   return `Turns everything ${turnInWords(f.turns)} about ${place(f.centre)}, ${round}${seen}.`;
 };
-// What of a factor is done: its numbers as the engine gives them.
+// Writes the part of a factor that is done, from the engine's numbers.
 const partly = (f, part) => {
   const at = f.centre && f.centre.some(Boolean) ?
     ` @ ${(f.centre[2] ? f.centre : f.centre.slice(0, 2)).map((x) => number(x)).join(" ")}` :
@@ -91,11 +90,11 @@ const partly = (f, part) => {
 
 // ---- Asking the engine
 
-const kept = new Map();  // frames of some factors, as long as the string is the same
+const kept = new Map();  // frames of factors, for the current string
 const keptNow = {
   t: -1,
   of: new Map()
-};  // and at one moment, which many pictures ask for
+};  // matrices at one moment, which many pictures share
 const framesOf = (texts, from, to, count, linear = false) => {
   const text = texts.join(" "), key = [text, from, to, count, linear].join();
   if (count === 0) return [momentOf(text, from, linear)];
@@ -118,9 +117,9 @@ const turnsOf = (factors) => factors.reduce((n, f) => n + (f.kind === "R" ? Math
 const exponentsOf = (factors) => factors.reduce(
   (n, f) => n + (f.kind === "S" && !f.linear ? Math.max(...f.by.map((g) => Math.abs(Math.log(g)))) : 0), 0);
 
-// The moments that a path is drawn through are so many that a quick turn looks round. More turns than can be told apart
-// are not drawn one by one: `line` is the first of them then, and `shade` shows where they run. It has all, or so many
-// as can be drawn, in no rhythm that another turn could share.
+// Samples a path densely enough that a quick turn looks round. If there are too many turns to tell apart, `line` is only
+// the first of them, and `shade` shows where they run: all of them, or as many as can be drawn, spaced irregularly so
+// that they do not line up with another turn.
 const mostTurns = 24, firstTurns = 3, perTurn = 64, mostShaded = 300;
 const isDense = (factors) => turnsOf(factors) > mostTurns;
 const denseNote = (factors) => {
@@ -138,7 +137,7 @@ const motionOf = (factors, linear = false) => {
   const begin = (k) => (k + golden * k % 1) / mostShaded * (1 - 1 / turns);
   return {at, line, shade: Array.from({length: mostShaded}, (_, k) => frames(begin(k), begin(k) + 1 / turns, perTurn))};
 };
-// A centre is carried by the factors on its left.
+// Returns the paths of the centres. The factors on the left of a centre move it.
 const crossesOf = (factors, first) => factors.flatMap((f, i) => {
   if (f.kind === "T") return [];
   const over = factors.slice(0, i), at = matrixOf(over);
