@@ -57,20 +57,20 @@ void warn(const Diagnostics& all) {
 }
 
 void bind_errors(py::module_& m) {
-  py::class_<Diagnostic>(m, "Diagnostic", "Something to tell the author about a text.")
+  py::class_<Diagnostic>(m, "Diagnostic", "An error, a warning or a notice about a script.")
       .def_property_readonly(
           "severity", [](const Diagnostic& d) { return word_of(d.severity); }, "\"notice\", \"warning\" or \"error\".")
       .def_property_readonly(
           "code", [](const Diagnostic& d) { return word_of(d.what.code); },
           "Its sort: \"syntax\", \"name\", \"type\", \"range\", \"file\" or \"machine\".")
       .def_property_readonly(
-          "message", [](const Diagnostic& d) { return shown(d.what.message); }, "The mistake, in plain words.")
+          "message", [](const Diagnostic& d) { return shown(d.what.message); }, "The message.")
       .def_property_readonly(
-          "hint", [](const Diagnostic& d) { return shown(d.what.hint); }, "A way out; may be empty.")
+          "hint", [](const Diagnostic& d) { return shown(d.what.hint); }, "A suggestion; may be empty.")
       .def_property_readonly(
           "file", [](const Diagnostic& d) { return shown(d.what.place.file); }, "The file; may be empty.")
       .def_property_readonly(
-          "line", [](const Diagnostic& d) { return d.what.place.line; }, "The line, from 1; 0: no place is known.")
+          "line", [](const Diagnostic& d) { return d.what.place.line; }, "The line, from 1; 0 if the place is unknown.")
       .def_property_readonly(
           "column", [](const Diagnostic& d) { return d.what.place.column; }, "The column, from 1, in characters.")
       .def_property_readonly(
@@ -79,7 +79,7 @@ void bind_errors(py::module_& m) {
           "text", [](const Diagnostic& d) { return shown(d.line); }, "The text of the line.")
       .def(
           "__str__", [](const Diagnostic& d) { return shown(without_newline(to_string(d))); },
-          says("As the program says it: the line, a caret below the place, a hint."))
+          says("Formats it as the program does: the line, a caret below the place, a hint."))
       .def(
           "__repr__",
           [](const Diagnostic& d) {

@@ -207,7 +207,7 @@ std::vector<double> breaks(const Film& film, py::handle after, py::handle until)
 py::class_<Film> bind_film(py::module_& m) {
   py::class_<Film> film(m, "Film",  // inspect.signature of a class reads this, not __init__.
                         "Film(text, name='', *, read_anywhere=False, tex=False)\n--\n\n"
-                        "A film: what a script says. Any thread may ask it, and change it.");
+                        "The film of a script. You can read and change it from any thread.");
   film.def(py::init([](std::string text, const std::string& name, bool read_anywhere, bool tex) {
              const LoadOptions options{.read_anywhere = read_anywhere, .tex = tex};
              auto film = unlocked([&] { return std::make_unique<Film>(std::move(text), name, options); });
@@ -235,26 +235,27 @@ py::class_<Film> bind_film(py::module_& m) {
                              "The notes of the script: frame and text, in the order of time.")
       .def_property_readonly("cuts", of_document(cuts),
                              "Where the camera changes: frame and camera. Minus infinity marks the first camera.")
-      .def("kind", kind_named, py::arg("name"), says("What kind of object that is: \"sphere\"."))
+      .def("kind", kind_named, py::arg("name"), says("Returns the kind of an object: \"sphere\"."))
       .def(
           "time",
           [](const Film& f, py::handle t) {
             return in_document(f, [&](const Document& d) { return frame_of(time_of(t, d), d); });
           },
-          py::arg("time"), says("The number of the frame at a time."))
+          py::arg("time"), says("Returns the frame number of a time."))
       .def(
           "seconds",
           [](const Film& f, py::handle t) {
             return in_document(f, [&](const Document& d) { return time_of(t, d).seconds(); });
           },
-          py::arg("time"), says("Seconds since the beginning, which is frame 1."))
+          py::arg("time"), says("Returns a time in seconds since the beginning, which is frame 1."))
       .def("breaks", breaks, py::arg("after"), py::arg("until"),
-           says("The frames behind the first and up to the other at which something may jump."))
+           says("Returns the frames after the first and up to the second at which something may jump."))
       .def("eval", eval, py::arg("target"), py::arg("time"),
-           says("The value of a target at a time, or at many: an array then, a row for each. A time is a frame, words "
-                "such as \"24f\" or \"2.5s\", or a timedelta."))
+           says("Returns the value of a target at a time, or an array with a row for each of many times. A time is a "
+                "frame "
+                "number, a text such as \"24f\" or \"2.5s\", or a timedelta."))
       .def("values", values, py::arg("time"), py::arg("pattern") = "",
-           says("All values that a pattern names, by name; without a pattern, all values of all objects."))
+           says("Returns all values that a pattern names, by name; without a pattern, all values of all objects."))
       .def(
           "say", [](Film& f, const std::string& lines) { return told(unlocked([&] { return f.say(lines); })); },
           py::arg("lines"),
@@ -271,7 +272,7 @@ py::class_<Film> bind_film(py::module_& m) {
             const auto text = py::bytes(unlocked([&] { return f.text(); }));
             py::module_::import("pathlib").attr("Path")(path).attr("write_bytes")(text);
           },
-          py::arg("path"), says("Writes the script, as `text` has it."))
+          py::arg("path"), says("Writes the script, `text`, to a file."))
       .def(
           "player",
           [](const py::object& self, const py::object& first, const py::object& last, const py::object& size,
@@ -282,17 +283,18 @@ py::class_<Film> bind_film(py::module_& m) {
           },
           py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
           py::arg("size") = py::make_tuple(480, 270), py::arg("style") = "shaded", py::arg("most") = 60,
-          says("What a notebook plays: pictures from the first frame to the last, at most `most`, with a button and a "
-               "slider."))
+          says(
+              "Returns a player for notebooks: at most `most` pictures from the first frame to the last, with a button "
+              "and a slider."))
       .def(
           "_repr_html_", [](const py::object& self) { return self.attr("player")().attr("_repr_html_")(); },
-          says("The player, for notebooks."))
+          says("Returns the player as HTML, for notebooks."))
       .def(
           "__repr__",
           [](const Film& f) {
             return py::str("<Film {!r} of {} objects>").format(f.name(), f.document().names().size());
           },
-          says("Its name, and how many objects it has."));
+          says("Returns its name and its number of objects."));
   return film;
 }
 

@@ -113,9 +113,9 @@ py::array_t<double> world_of(const Of<Part>& o) {
 }
 
 void bind_meshes(py::module_& m) {
-  py::class_<MeshPart>(m, "MeshPart", "A run of triangles that share a look.")
+  py::class_<MeshPart>(m, "MeshPart", "A range of triangles with the same look.")
       .def_property_readonly(
-          "first", [](const MeshPart& p) { return p.first / 3; }, "The first of its triangles.")
+          "first", [](const MeshPart& p) { return p.first / 3; }, "The index of its first triangle.")
       .def_property_readonly(
           "count", [](const MeshPart& p) { return p.count / 3; }, "How many triangles it has.")
       .def_property_readonly(
@@ -130,15 +130,16 @@ void bind_meshes(py::module_& m) {
           "normals", [](const Triangles& t) { return rows(t, t.mesh->normals); }, "The normal of each corner.")
       .def_property_readonly(
           "uvs", [](const Triangles& t) { return rows(t, t.mesh->uvs); },
-          "The place of each corner on the picture, whose top left is (0 0); empty without a picture.")
+          "The texture coordinates of each corner; (0 0) is the top left. Empty without a picture.")
       .def_property_readonly(
-          "triangles", [](const Triangles& t) { return groups(t, t.mesh->triangles, 3); }, "Three corners each.")
+          "triangles", [](const Triangles& t) { return groups(t, t.mesh->triangles, 3); },
+          "The triangles, three corners each.")
       .def_property_readonly(
           "edges", [](const Triangles& t) { return groups(t, t.mesh->edges, 2); },
-          "Two corners each: what lines are drawn along.")
+          "The edges for drawing lines, two corners each.")
       .def_property_readonly(
           "parts", [](const Triangles& t) { return t.mesh->parts; },
-          "Runs of triangles that share a look; an empty list for one plain part.")
+          "Ranges of triangles with the same look; empty if the mesh has one look.")
       .def_property_readonly(
           "closed", [](const Triangles& t) { return t.mesh->closed; }, "Whether it encloses a space.")
       .def(
@@ -148,12 +149,12 @@ void bind_meshes(py::module_& m) {
 }
 
 void bind_items(py::module_& m) {
-  py::class_<ItemOf>(m, "Item", "What is drawn of an object.")
+  py::class_<ItemOf>(m, "Item", "The visible part of an object.")
       .def_property_readonly(
           "name", [](const ItemOf& i) { return name_of(i->id, i.made->document); }, "The name of its object.")
       .def_property_readonly(
           "body", [](const ItemOf& i) { return name_of(i->body, i.made->document); },
-          "The object that it is one body with.")
+          "The object with which it forms one body.")
       .def_property_readonly(
           "kind", [](const ItemOf& i) { return betwixt::name_of(i->shape->kind); }, "Its kind: \"sphere\".")
       .def_property_readonly("world", world_of<Item>, "Where it is: a matrix, [row, column].")
@@ -170,14 +171,16 @@ void bind_items(py::module_& m) {
           "casts", [](const ItemOf& i) { return i->casts; }, "Whether it casts shadows.")
       .def_property_readonly(
           "texture", [](const ItemOf& i) { return picture_or_none(i->texture); }, "Its picture, or None.")
-      .def("has_shape_of", has_shape_of, py::arg("other"), says("Whether its triangles are the other's too."))
+      .def("has_shape_of", has_shape_of, py::arg("other"),
+           says("Returns whether the other item has the same triangles."))
       .def(
           "mesh",
           [](const ItemOf& i, int around) {
             if (around < 6 || around > 1024) raise(fail(ErrorCode::range, "6 to 1024 faces go around a mesh"));
             return unlocked([&] { return triangles_of(*i.part, around); });
           },
-          py::arg("around") = 48, says("Its triangles, in its own space; so many faces go around the widest circle."))
+          py::arg("around") = 48,
+          says("Returns its triangles, in its own space. `around` is the number of faces around the widest circle."))
       .def(
           "__repr__", [](const ItemOf& i) { return "<Item " + i.made->document.name(i->id) + ">"; }, says("Its name."));
 }
@@ -195,34 +198,34 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "position", [](const LightOf& l) { return array_of(l->position); }, "Where it is.")
       .def_property_readonly(
-          "direction", [](const LightOf& l) { return array_of(l->direction); }, "Where it shines to.")
+          "direction", [](const LightOf& l) { return array_of(l->direction); }, "The direction of its light.")
       .def_property_readonly(
           "color", [](const LightOf& l) { return array_of(l->color); }, "Linear light, intensity included.")
       .def_property_readonly(
           "range", [](const LightOf& l) { return l->range; }, "How far it reaches, in metres.");
-  py::class_<CameraOf>(m, "Camera", "The camera that is looked through.")
+  py::class_<CameraOf>(m, "Camera", "The active camera.")
       .def_property_readonly(
           "name", [](const CameraOf& c) { return name_of(c.made->camera, c.made->document); },
           "Its name; empty if the film has no camera.")
       .def_property_readonly("world", world_of<Camera>, "Where it is: a matrix, [row, column].")
       .def_property_readonly(
-          "orthographic", [](const CameraOf& c) { return c->orthographic; }, "Whether it sees without perspective.")
+          "orthographic", [](const CameraOf& c) { return c->orthographic; }, "Whether it has no perspective.")
       .def_property_readonly(
-          "fov", [](const CameraOf& c) { return c->fov; }, "How much it sees from left to right, in radians.")
+          "fov", [](const CameraOf& c) { return c->fov; }, "The horizontal angle of view, in radians.")
       .def_property_readonly(
-          "height", [](const CameraOf& c) { return c->height; }, "Orthographic: metres from bottom to top.")
+          "height", [](const CameraOf& c) { return c->height; }, "If orthographic: the height of the view, in metres.")
       .def_property_readonly(
           "aspect", [](const CameraOf& c) { return c->aspect; }, "Width of the picture by height.")
       .def_property_readonly(
-          "shutter", [](const CameraOf& c) { return c->shutter; }, "How long it is open, in seconds.")
+          "shutter", [](const CameraOf& c) { return c->shutter; }, "How long the shutter is open, in seconds.")
       .def_property_readonly(
-          "aperture", [](const CameraOf& c) { return c->aperture; }, "How wide its opening is, in metres.")
+          "aperture", [](const CameraOf& c) { return c->aperture; }, "The diameter of the lens opening, in metres.")
       .def_property_readonly(
-          "focus", [](const CameraOf& c) { return c->focus; }, "The distance of sharp things, in metres.")
+          "focus", [](const CameraOf& c) { return c->focus; }, "The focus distance, in metres.")
       .def_property_readonly(
           "shift", [](const CameraOf& c) { return py::make_tuple(c->shift_x, c->shift_y); },
-          "How far the picture is shifted, in halves of it.");
-  py::class_<Made, std::shared_ptr<Made>>(m, "Frame", "Everything that can be seen at one time.")
+          "The lens shift, in halves of the picture.");
+  py::class_<Made, std::shared_ptr<Made>>(m, "Frame", "Everything visible at one time.")
       .def_property_readonly(
           "time", [](const Made& f) { return frame_of(f.frame.time, f.document); }, "Its frame.")
       .def_property_readonly(
@@ -240,36 +243,36 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
           [](const std::shared_ptr<Made>& f) {
             return CameraOf{f, &f->frame.camera};
           },
-          "The camera that is looked through.")
+          "The active camera.")
       .def_property_readonly(
           "background", [](const Made& f) { return array_or_none(f.frame.background); },
           "The colour behind everything, linear light; None without one.")
       .def_property_readonly(
           "ambient", [](const Made& f) { return array_or_none(f.frame.surroundings.ambient); },
-          "Light from everywhere; None without one.")
+          "The ambient light; None without one.")
       .def_property_readonly(
           "ground", [](const Made& f) { return array_or_none(f.frame.surroundings.ground); },
           "The colour of the endless ground; None without one.")
       .def_property_readonly(
           "exposure", [](const Made& f) { return f.frame.surroundings.exposure; },
-          "All light is multiplied by 2 to the power of this.")
+          "The exposure in stops: light is multiplied by 2 to this power.")
       .def_property_readonly(
           "sky", [](const Made& f) { return f.frame.surroundings.sky; }, "Whether there is a sky.")
       .def_property_readonly(
           "flat", [](const Made& f) { return f.frame.surroundings.flat; },
-          "Whether it is a drawing, in which colours are exact.")
+          "Whether the film is flat, so that colours are exact.")
       .def_property_readonly(
-          "clear", [](const Made& f) { return f.frame.surroundings.clear; }, "Whether nothing is behind the things.")
+          "clear", [](const Made& f) { return f.frame.surroundings.clear; }, "Whether the background is transparent.")
       .def_property_readonly(
-          "notes", [](const Made& f) { return f.frame.notes; }, "What `note` says at this time.")
+          "notes", [](const Made& f) { return f.frame.notes; }, "The notes at this time.")
       .def_property_readonly(
-          "problems", [](const Made& f) { return f.frame.problems; }, "The mistakes of code in the script.")
+          "problems", [](const Made& f) { return f.frame.problems; }, "The errors of the script's code.")
       .def(
           "__repr__", [](const Made& f) { return "<Frame of " + std::to_string(f.frame.items.size()) + " things>"; },
-          says("How many things are drawn."));
+          says("Returns the number of items."));
   film.def(
       "frame", [](const Film& f, py::handle when) { return std::const_pointer_cast<Made>(make(f, when)); },
-      py::arg("time"), says("Everything that can be seen at a time."));
+      py::arg("time"), says("Returns everything visible at a time."));
 }
 
 }  // namespace betwixt::python

@@ -98,7 +98,7 @@ std::string_view word_of(KeyPiece::Shape shape) {
 }  // namespace
 
 void bind_keys(py::module_& m, py::class_<Film>& film) {
-  py::class_<PieceOf>(m, "KeyPiece", "A piece of time in which something is held, goes straight or along a cubic.")
+  py::class_<PieceOf>(m, "KeyPiece", "A piece of time in which a value is held, linear or cubic.")
       .def_property_readonly(
           "shape", [](const PieceOf& p) { return word_of(p->shape); }, "\"held\", \"straight\", \"cubic\" or \"leap\".")
       .def_property_readonly(
@@ -110,10 +110,11 @@ void bind_keys(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "end", [](const PieceOf& p) { return numbers(p, p->end); }, "The numbers at its end.")
       .def_property_readonly(
-          "leaving", [](const PieceOf& p) { return numbers(p, p->leaving); }, "Cubic: how fast they leave, per second.")
+          "leaving", [](const PieceOf& p) { return numbers(p, p->leaving); },
+          "If cubic: the tangent at `first`, per second.")
       .def_property_readonly(
           "arriving", [](const PieceOf& p) { return numbers(p, p->arriving); },
-          "Cubic: how fast they arrive, per second.")
+          "If cubic: the tangent at `last`, per second.")
       .def(
           "__repr__",
           [](const PieceOf& p) {
@@ -121,13 +122,13 @@ void bind_keys(py::module_& m, py::class_<Film>& film) {
                 .format(word_of(p->shape), format_time(p->from, p.of.document), format_time(p->until, p.of.document));
           },
           says("Its shape and its frames."));
-  py::class_<ChannelOf>(m, "Channel", "One thing that varies, as pieces without gaps.")
+  py::class_<ChannelOf>(m, "Channel", "A value over time, as pieces without gaps.")
       .def_property_readonly(
           "width", [](const ChannelOf& c) { return c.channel->width; }, "How many numbers it has.")
       .def_property_readonly(
-          "constant", [](const ChannelOf& c) { return c.channel->constant(); }, "Whether nothing changes.")
+          "constant", [](const ChannelOf& c) { return c.channel->constant(); }, "Whether the value never changes.")
       .def_property_readonly(
-          "keys", [](const ChannelOf& c) { return c.channel->keys(); }, "How many keys a player needs.")
+          "keys", [](const ChannelOf& c) { return c.channel->keys(); }, "The number of keys that a player needs.")
       .def_property_readonly(
           "pieces",
           [](const ChannelOf& c) {
@@ -142,8 +143,9 @@ void bind_keys(py::module_& m, py::class_<Film>& film) {
             const auto v = value_at(*c.channel, time_of(when, c.document));
             return py::array_t<double>(static_cast<py::ssize_t>(c.channel->width), v.data());
           },
-          py::arg("time"), says("What a player makes of it."));
-  py::class_<KeysOf>(m, "ObjectKeys", "How an object moves: its parent's matrix times translation, rotation and scale.")
+          py::arg("time"), says("Returns the value at a time, as a player interpolates it."));
+  py::class_<KeysOf>(m, "ObjectKeys",
+                     "The motion of an object: its parent's matrix times translation, rotation and scale.")
       .def_property_readonly(
           "name", [](const KeysOf& k) { return name_of(k.keys.id, k.document); }, "The name of the object.")
       .def_property_readonly(
@@ -156,23 +158,23 @@ void bind_keys(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "sheared", [](const KeysOf& k) { return k.keys.sheared; }, "Whether it needs `inner` too.")
       .def_property_readonly(
-          "translation", [](const KeysOf& k) { return k.channel(k.keys.translation); }, "Where it goes, in metres.")
+          "translation", [](const KeysOf& k) { return k.channel(k.keys.translation); }, "The translation, in metres.")
       .def_property_readonly(
-          "rotation", [](const KeysOf& k) { return k.channel(k.keys.rotation); }, "How it turns: quaternions, x y z w.")
+          "rotation", [](const KeysOf& k) { return k.channel(k.keys.rotation); }, "The rotation: quaternions, x y z w.")
       .def_property_readonly(
-          "scale", [](const KeysOf& k) { return k.channel(k.keys.scale); }, "How it grows.")
+          "scale", [](const KeysOf& k) { return k.channel(k.keys.scale); }, "The scale.")
       .def_property_readonly(
           "inner", [](const KeysOf& k) { return k.channel(k.keys.inner); },
-          "A further rotation, before it grows, where it is sheared.")
+          "A further rotation, applied before the scale, if the object is sheared.")
       .def(
           "__repr__", [](const KeysOf& k) { return "<ObjectKeys of " + k.document.name(k.keys.id) + ">"; },
           says("Its name."));
   film.def("motion", motion, py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
            py::arg("style") = "cubic", py::arg("metres") = 1e-4, py::arg("radians") = 1e-4, py::arg("arcs") = true,
-           says("How all objects move, as keys within a tolerance."));
+           says("Returns the motion of all objects, as keys within a tolerance."));
   film.def("keys", keys, py::arg("target"), py::arg("first") = py::none(), py::arg("last") = py::none(), py::kw_only(),
            py::arg("style") = "cubic", py::arg("tolerance") = 1e-4,
-           says("How one value varies, colours as linear light."));
+           says("Returns one value over time, as keys; colours as linear light."));
 }
 
 }  // namespace betwixt::python

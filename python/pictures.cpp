@@ -171,8 +171,8 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
             py::object made = pixels_of(p);
             return dtype.is_none() ? made : made.attr("astype")(dtype);
           },
-          py::arg("dtype") = py::none(), says("The same as an array, for numpy."))
-      .def("png", png_of, says("The bytes of a PNG."))
+          py::arg("dtype") = py::none(), says("Returns the pixels as an array, for numpy."))
+      .def("png", png_of, says("Returns the bytes of a PNG."))
       .def("_repr_png_", png_of, says("The same, for notebooks."))
       .def(
           "write",
@@ -185,10 +185,10 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
           [](const Pixels& p) {
             return "<Picture " + std::to_string(p.picture->width) + "x" + std::to_string(p.picture->height) + ">";
           },
-          says("How large it is."));
-  py::class_<FilmStats>(m, "Made", "What a film took.")
+          says("Returns its size as a text."));
+  py::class_<FilmStats>(m, "Made", "The result of making a film: counts and times.")
       .def_readonly("frames", &FilmStats::frames, "How many frames it has.")
-      .def_readonly("found", &FilmStats::found, "How many pictures were there already.")
+      .def_readonly("found", &FilmStats::found, "How many pictures already existed.")
       .def_readonly("seconds", &FilmStats::seconds, "The seconds that it took.")
       .def_readonly("painting", &FilmStats::painting, "Seconds of painting, summed over all painters.")
       .def_readonly("encoding", &FilmStats::encoding, "Seconds of encoding.")
@@ -197,14 +197,15 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
           says("How many frames it has."));
   film.def("picture", picture, py::arg("time"), py::kw_only(), py::arg("size") = py::none(),
            py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("shutter") = py::none(),
-           py::arg("subframes") = py::none(), says("The picture at a time. What is not said here the script says."));
-  film.def(
-      "render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(), py::arg("size") = py::none(),
-      py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("shutter") = py::none(),
-      py::arg("subframes") = py::none(), py::arg("bits") = 8, py::arg("jobs") = 0, py::arg("overwrite") = true,
-      py::arg("missing") = false, py::arg("progress") = py::none(),
-      says("Makes a film, or numbered pictures: the ending says which. `progress(done, frames, seconds)` is called now "
-           "and then; False ends it, and nothing is left."));
+           py::arg("subframes") = py::none(),
+           says("Returns the picture at a time. The script decides what you leave out."));
+  film.def("render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(),
+           py::arg("size") = py::none(), py::arg("style") = "shaded", py::arg("samples") = py::none(),
+           py::arg("shutter") = py::none(), py::arg("subframes") = py::none(), py::arg("bits") = 8, py::arg("jobs") = 0,
+           py::arg("overwrite") = true, py::arg("missing") = false, py::arg("progress") = py::none(),
+           says("Makes a film, or numbered pictures, in the format of the ending. `progress(done, frames, seconds)` is "
+                "called "
+                "now and then. If it returns False, the film ends and no file is left."));
   m.def(
       "styles",
       [] {
@@ -212,7 +213,7 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
         for (const Style& s : styles()) names.push_back(s.name);
         return names;
       },
-      says("The ways in which pictures can be drawn, by name."));
+      says("Returns the names of all drawing styles."));
 }
 
 }  // namespace betwixt::python

@@ -92,14 +92,14 @@ void bind_poses(py::module_& m, py::class_<Film>& film) {
                         {std::ssize(p->frames), std::ssize(p->names), 4, 4}, {row(*p), matrix, number, 4 * number},
                         keep<Poses>(p));
           },
-          "Where they are: matrices by frame, object, row and column.")
+          "The world matrices, by frame, object, row and column.")
       .def_property_readonly(
           "parents",
           [](const Held& p) {
             const py::ssize_t n = std::ssize(p->names), whole = sizeof(std::int32_t);
             return view(p->parents.data(), {std::ssize(p->frames), n}, {n * whole, whole}, keep<Poses>(p));
           },
-          "The parents, by frame and object: places among the names, -1 for no parent.")
+          "The parents, by frame and object: indices in `names`, -1 without a parent.")
       .def(
           "__len__", [](const Held& p) { return p->frames.size(); }, says("How many frames there are."))
       .def(
@@ -111,7 +111,7 @@ void bind_poses(py::module_& m, py::class_<Film>& film) {
             return view(p->world.empty() ? nullptr : p->world[place].m.data(), {std::ssize(p->frames), 4, 4},
                         {row(*p), number, 4 * number}, keep<Poses>(p));
           },
-          py::arg("name"), says("The matrices of one object, by frame, row and column."))
+          py::arg("name"), says("Returns the matrices of one object, by frame, row and column."))
       .def(
           "__repr__",
           [](const Held& p) {
@@ -125,7 +125,7 @@ void bind_poses(py::module_& m, py::class_<Film>& film) {
         return std::const_pointer_cast<Poses>(poses(f, first, last, step));
       },
       py::arg("first") = py::none(), py::arg("last") = py::none(), py::arg("step") = 1,
-      says("Where all objects are, frame by frame; the film's own range where nothing is said."));
+      says("Returns where all objects are, frame by frame; by default over the film's own range."));
 }
 
 }  // namespace betwixt::python

@@ -72,7 +72,7 @@ std::string_view word_of(EventView::What what) {
 }  // namespace
 
 void bind_tracks(py::module_& m, py::class_<Film>& film) {
-  py::class_<EventOf>(m, "Event", "A value at a time, and how to go on from there.")
+  py::class_<EventOf>(m, "Event", "A keyframe: a value at a time, and the twerper to the next one.")
       .def_property_readonly(
           "time", [](const EventOf& e) { return frame_of(e.view.time, e.document); }, "Its frame.")
       .def_property_readonly(
@@ -93,25 +93,25 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "arguments", [](const EventOf& e) { return e.view.arguments; }, "The numbers of its twerper.")
       .def_property_readonly(
           "stops", [](const EventOf& e) { return std::vector(e.view.stops.begin(), e.view.stops.end()); },
-          "The stops of its twerper, where it has some.")
+          "The stops of its twerper, if it has any.")
       .def_property_readonly(
           "ease_out", [](const EventOf& e) { return length_of(e.view.ease_out, e.document); },
-          "For how many frames it gathers speed.")
+          "The ease on leaving it, in frames.")
       .def_property_readonly(
           "ease_in", [](const EventOf& e) { return length_of(e.view.ease_in, e.document); },
-          "For how many frames it loses speed before the next event.")
+          "The ease on arriving at it, in frames.")
       .def_property_readonly(
           "tangent_in", [](const EventOf& e) { return value_or_none(e.view.tangent_in, e); },
-          "How fast hermite comes here, per second; None if it is not given.")
+          "The tangent-in, per second; None if it is not given.")
       .def_property_readonly(
           "tangent_out", [](const EventOf& e) { return value_or_none(e.view.tangent_out, e); },
-          "How fast hermite leaves, per second; None if it is not given.")
+          "The tangent-out, per second; None if it is not given.")
       .def_property_readonly(
           "handle_in", [](const EventOf& e) { return length_or_none(e.view.handle_in, e.document); },
-          "How long the handle before it is, in frames; None if it is not given.")
+          "The length of the handle before it, in frames; None if it is not given.")
       .def_property_readonly(
           "handle_out", [](const EventOf& e) { return length_or_none(e.view.handle_out, e.document); },
-          "How long the handle behind it is, in frames; None if it is not given.")
+          "The length of the handle after it, in frames; None if it is not given.")
       .def(
           "__repr__",
           [](const EventOf& e) {
@@ -126,7 +126,7 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "object", [](const TrackOf& t) { return name_of(t.view.target.object, t.document); },
           "The name of the object.")
       .def_property_readonly(
-          "velocity", [](const TrackOf& t) { return t.view.target.velocity; }, "Whether it is that of the speed.")
+          "velocity", [](const TrackOf& t) { return t.view.target.velocity; }, "Whether it is a velocity track.")
       .def_property_readonly(
           "layer",
           [](const TrackOf& t) -> py::object {
@@ -141,9 +141,10 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "unsaid", [](const TrackOf& t) { return t.view.unsaid; }, "The default twerper.")
       .def_property_readonly(
           "before", [](const TrackOf& t) { return t.view.before; },
-          "The way before the first event, a word of `before`.")
+          "The extrapolation before the first event, a word of `extend`.")
       .def_property_readonly(
-          "after", [](const TrackOf& t) { return t.view.after; }, "The way after the last event, a word of `after`.")
+          "after", [](const TrackOf& t) { return t.view.after; },
+          "The extrapolation after the last event, a word of `extend`.")
       .def_property_readonly("events", events_of, "Its events, in the order of time.")
       .def(
           "__len__", [](const TrackOf& t) { return t.view.events; }, says("How many events it has."))
@@ -158,7 +159,8 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
       [](const Film& f, const std::string& pattern) {
         return tracks_of(unlocked([&] { return f.document(); }), pattern);
       },
-      py::arg("pattern") = "", says("The tracks of what a pattern names, objects or functions; without one, all."));
+      py::arg("pattern") = "",
+      says("Returns the tracks of the objects or functions that a pattern names; without a pattern, all."));
 }
 
 }  // namespace betwixt::python
