@@ -49,11 +49,11 @@ int check(const CheckCall& call) {
 const Enlisted enlisted_check(check, [](CheckCall& call) -> Subcommand {
   return {.rank = 60,
           .name = "check",
-          .sentence = "says all errors and warnings of a script, and what goes wrong in its frames",
+          .sentence = "prints all errors and warnings of a script, and those that appear only in its frames",
           .takes = {script_parameter(call.file),
-                    flag("-v,--verbose", "says of each command how many objects its pattern named", call.counts)},
+                    flag("-v,--verbose", "prints for each command how many objects its pattern named", call.counts)},
           .example = "betwixt check examples/bounce.bx",
-          .manual = "Up to 60 of its frames are looked at. The exit code is 1 if there is an error."};
+          .manual = "It checks up to 60 frames. The exit code is 1 if there is an error."};
 });
 
 }  // namespace

@@ -43,10 +43,10 @@ int contacts(const ContactsCall& call) {
 const Enlisted enlisted_contacts(contacts, [](ContactsCall& call) -> Subcommand {
   return {.rank = 90,
           .name = "contacts",
-          .sentence = "prints what touches and what leaves the view, tick by tick",
+          .sentence = "prints which things touch and which leave the view, tick by tick",
           .takes = {script_parameter(call.file), frames_parameter(call.frames),
-                    flag("--swept", "what touches between two ticks too", call.sweep),
-                    flag("--related", "the parts of one body too", call.options.related)},
+                    flag("--swept", "also contacts between two ticks", call.sweep),
+                    flag("--related", "also contacts between the parts of one body", call.options.related)},
           .example = "betwixt contacts examples/bounce.bx --frames 1f..24f",
           .manual = "A line of JSON for each."};
 });

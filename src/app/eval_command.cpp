@@ -82,7 +82,7 @@ const Enlisted enlisted_eval(eval, [](EvalCall& call) -> Subcommand {
       .name = "eval",
       .sentence = "prints values at times",
       .takes = {script_parameter(call.file),
-                targets_parameter(call.targets, "ball.position, wheel*.color, ball; all if none is named"),
+                targets_parameter(call.targets, "ball.position, wheel*.color, ball; all by default"),
                 {.name = "--at",
                  .value = "T[,T…]",
                  .sentence = "the times: 24f, 2.5s, …",
@@ -90,7 +90,7 @@ const Enlisted enlisted_eval(eval, [](EvalCall& call) -> Subcommand {
                  .required = true,
                  .separated = true},
                 flag("--json", "one JSON object", call.json),
-                flag("--stats", "say where the time of a frame goes, and what document and program take", call.stats)},
+                flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)},
       .example = "betwixt eval examples/bounce.bx --at 12f,24f ball.position --json",
       .manual = "In JSON numbers are the shortest that read back the same; a world is 16 numbers, row by row."};
 });

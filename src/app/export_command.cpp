@@ -115,24 +115,23 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
       .name = "export",
       .sentence = "writes a film's motion for other programs",
       .takes = {script_parameter(call.file),
-                targets_parameter(call.targets, "the objects whose motion it is; all if none is named"),
+                targets_parameter(call.targets, "the objects to write; all by default"),
                 output_parameter(call.out, "FILE",
-                                 "what is made; its ending says what: " + endings() + "; -.glb: on standard output"),
+                                 "the file; its ending chooses the format: " + endings() + "; -.glb: standard output"),
                 frames_parameter(call.frames),
                 {.name = "--keys",
                  .value = "WORD",
                  .sentence =
-                     "linear: straight ones, which all programs play alike (what .glb, .gltf and .usda have if "
-                     "nothing is said); cubic: as few as there can be, for programs that keep tangents (Blender "
-                     "and assimp do not); baked: one a frame",
+                     "linear: straight keys, which all programs play alike (the default for .glb, .gltf and .usda); "
+                     "cubic: as few keys as possible, for programs that keep tangents (Blender and assimp do "
+                     "not); baked: one key a frame",
                  .into = &call.keys,
                  .words_only = true,
                  .words = {"cubic", "linear", "baked"}},
                 {.name = "--tolerance",
                  .value = "NUMBER",
-                 .sentence =
-                     "how far off it may be, in metres and radians; if nothing is said, 0.001 where keys are straight, "
-                     "else 0.0001",
+                 .sentence = "the largest error, in metres and radians; by default 0.001 for straight keys, otherwise "
+                             "0.0001",
                  .into = ReadValue([&call](const std::string& text) -> Status {
                    std::size_t read = 0;
                    try {
@@ -144,13 +143,12 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
                      return fail(ErrorCode::range, fmt::format("it is a number from 1e-9 to 1, not \"{}\"", text));
                    return Nothing{};
                  })},
-                flag("--no-overwrite", "leave a file alone that is there already", call.keep_old)},
+                flag("--no-overwrite", "keep a file that exists", call.keep_old)},
       .example = "betwixt export examples/bounce.bx -o bounce.glb",
       .manual =
-          "Objects keep their names and what they hang on; motion becomes keys that are as many as the tolerance "
-          "needs. "
-          "Lottie and SVG take flat films: outlines that change, lines that are drawn on by trim, cameras that move. "
-          "What the format cannot say is left out and named."};
+          "Objects keep their names and parents. Motion becomes as many keys as the tolerance needs. Lottie and SVG "
+          "take flat films: outlines that change, lines that are drawn by trim, cameras that move. The command names "
+          "and leaves out what the format cannot hold."};
 });
 
 }  // namespace

@@ -102,23 +102,23 @@ int frame(FrameCall& call) {
 }
 
 const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
-  return {.rank = 20,
-          .name = "frame",
-          .sentence = "makes one picture: PNG, JPEG or OpenEXR",
-          .takes = joined(
-              {{script_parameter(call.file),
-                {.name = "--at",
-                 .value = "TIME",
-                 .sentence = "when: 24f, 2.5s, 00:01:02.5; usually the film's first frame",
-                 .into = &call.at},
-                output_parameter(call.out, "PICTURE",
-                                 "the picture, .png .jpg .exr; - is standard output, -.jpg a JPEG there", "png")},
-               picture_parameters(call.picture),
-               exposure_parameters(call.exposure),
-               {bits_parameter(call.bits), quality_parameter(call.quality, "of JPEG; 92 if not said"),
-                flag("--no-overwrite", "leave a picture alone that is there already", call.keep_old),
-                keep_going_flag(call.keep_going)}}),
-          .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
+  return {
+      .rank = 20,
+      .name = "frame",
+      .sentence = "makes one picture: PNG, JPEG or OpenEXR",
+      .takes = joined(
+          {{script_parameter(call.file),
+            {.name = "--at",
+             .value = "TIME",
+             .sentence = "the time: 24f, 2.5s, 00:01:02.5; by default the film's first frame",
+             .into = &call.at},
+            output_parameter(call.out, "PICTURE",
+                             "the picture: .png .jpg .exr; - is standard output, -.jpg a JPEG there", "png")},
+           picture_parameters(call.picture),
+           exposure_parameters(call.exposure),
+           {bits_parameter(call.bits), quality_parameter(call.quality, "of JPEG; by default 92"),
+            flag("--no-overwrite", "keep a picture that exists", call.keep_old), keep_going_flag(call.keep_going)}}),
+      .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
 });
 
 }  // namespace

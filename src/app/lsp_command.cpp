@@ -80,19 +80,18 @@ int lsp(const LspCall&) {
 }
 
 const Enlisted enlisted_lsp(lsp, [](LspCall& call) -> Subcommand {
-  return {
-      .rank = 105,
-      .name = "lsp",
-      .sentence = "tells an editor what there is to say of a script, as a language server on standard input and output",
-      .takes = {{.name = "--stdio",
-                 .sentence = "what it does anyhow: some editors say it",
-                 .into = &call.stdio,
-                 .hidden = true}},
-      .example = "betwixt lsp",
-      .manual =
-          "It is started by an editor and speaks the Language Server Protocol: errors and warnings while one "
-          "types, completion, help, definitions, references, renaming, colours, folding and tidying. It "
-          "runs no other programs, and reads only what the scripts may read."};
+  return {.rank = 105,
+          .name = "lsp",
+          .sentence = "is the language server that an editor starts; it talks over standard input and output",
+          .takes = {{.name = "--stdio",
+                     .sentence = "has no effect; some editors pass it",
+                     .into = &call.stdio,
+                     .hidden = true}},
+          .example = "betwixt lsp",
+          .manual =
+              "An editor starts it. It speaks the Language Server Protocol: errors and warnings while you type, "
+              "completion, help, definitions, references, renaming, colours, folding and tidying. It runs no "
+              "other programs, and reads only the files that the scripts may read."};
 });
 
 }  // namespace

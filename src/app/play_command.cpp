@@ -375,10 +375,10 @@ namespace {
 std::vector<Parameter> live_parameters(PlayCall& call) {
   return {{.name = "--listen",
            .value = "[HOST:]PORT",
-           .sentence = "what the script's dials turn is moved by OSC sent to this port, and by MIDI; "
-                       "from this machine only, unless an address of its own is named",
+           .sentence = "moves the targets of the script's dials by OSC sent to this port, and by MIDI. Only this "
+                       "machine can send, unless you name another address of it",
            .into = &call.listen},
-          file_option("--record", "OUT.bx", "what came in is written as a script at the end", &call.record),
+          file_option("--record", "OUT.bx", "writes the input as a script at the end", &call.record),
           flag("--overwrite", "--record may replace a file", call.overwrite)};
 }
 
@@ -389,19 +389,19 @@ const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
       .sentence = "plays in real time: in a window, or in the terminal",
       .takes =
           joined({{script_parameter(call.file),
-                   flag("--terminal", "in the terminal, where there is a display too", call.terminal),
+                   flag("--terminal", "plays in the terminal, even if there is a display", call.terminal),
                    frames_parameter(call.frames)},
                   picture_parameters(call.picture),
-                  {flag("--loop", "again and again", call.loop), flag("--mute", "its sounds are not heard", call.mute)},
+                  {flag("--loop", "repeats the film", call.loop), flag("--mute", "plays without sound", call.mute)},
                   live_parameters(call)}),
       .note =
-          "Keys: space pauses and goes on, left and right step a frame, up and down a second, home and end, s and a "
+          "Keys: space pauses and continues, left and right step a frame, up and down a second, home and end, s and a "
           "change style and samples (anti-aliasing), + and - the size, m mutes, q quits.",
       .example = "betwixt play examples/bounce.bx --terminal --loop",
       .manual =
-          "The window is the studio's, bare: it opens where there is a display and the studio has been built, unless "
-          "something is asked for that the terminal does (--terminal, --listen, --frames). Frames are dropped "
-          "rather than slowed down."};
+          "The window is the studio's, without its panels. It opens if there is a display and the studio is built, "
+          "unless you use an option of the terminal (--terminal, --listen, --frames). Late frames are dropped: "
+          "nothing slows down."};
 });
 
 }  // namespace

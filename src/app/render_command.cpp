@@ -148,43 +148,41 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
       .takes = joined(
           {{script_parameter(call.file),
             output_parameter(call.out, "OUT",
-                             "the film; its ending says what is made, frame-%04d.png: numbered pictures; - is standard "
-                             "output, -.webm a film of that kind there",
+                             "the film; its ending chooses the format; frame-%04d.png makes numbered pictures; - is "
+                             "standard output, -.webm a film of that format there",
                              "mp4"),
             frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
            picture_parameters(call.picture),
            exposure_parameters(call.exposure),
            {bits_parameter(call.bits),
-            quality_parameter(call.quality, "of .mp4 and .webm; what is usual for the codec if not said"),
-            option("--codec", "NAME", "how it is coded; " + all_codecs(), &call.codec),
-            option("--fps", "RATE", "pictures a second, 24, 29.97 or 30000/1001; the script's if not said",
+            quality_parameter(call.quality, "of .mp4 and .webm; by default what is usual for the codec"),
+            option("--codec", "NAME", "the codec; " + all_codecs(), &call.codec),
+            option("--fps", "RATE", "pictures a second, 24, 29.97 or 30000/1001; by default the script's rate",
                    ReadValue([&call](const std::string& text) { return read_rate(text, call.rate); })),
             {.name = "--jobs",
              .value = "N",
-             .sentence = "pictures made at once; if not said, what suits this machine",
+             .sentence = "pictures made at once; by default as many as suit this machine",
              .into = &call.jobs,
              .range = {{1, 256}}},
             {.name = "--missing",
-             .sentence = "numbered pictures: make those only that are not there, or broken",
+             .sentence = "makes only the numbered pictures that are missing or broken",
              .into = &call.missing,
              .excludes = "--no-overwrite"},
-            flag("--no-overwrite", "leave a film alone that is there already", call.keep_old),
+            flag("--no-overwrite", "keep a film that exists", call.keep_old),
             keep_going_flag(call.keep_going),
-            flag("--progress", "say in lines how far it is, where there is no terminal too", call.progress),
-            flag("--plan", "make nothing, but say as JSON what would be made: which frames, at which rate and size",
+            flag("--progress", "prints the progress in lines, even without a terminal", call.progress),
+            flag("--plan", "makes nothing; prints as JSON what would be made: which frames, at which rate and size",
                  call.plan),
-            flag("--stats", "say where the time of a frame went, and what document and program take", call.stats)}}),
+            flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =
-          "All but pictures need the program ffmpeg. Of \"background transparent\" .webm, .mov (ProRes 4444), .apng "
-          "and .png "
-          "keep a straight opacity, .gif whether there is any, and .exr has it multiplied in; .mov has more than 8 "
-          "bits a "
-          "channel, as .png has with --bits 16; .exr has light, as bright as it is, in half floats. A progress bar "
-          "with frames per second and the time left is "
-          "shown on a terminal. A film that is stopped or fails leaves nothing under its final name; with --missing "
-          "each picture is put in "
-          "place when it is whole, so that the next call goes on from there."};
+          "Everything but pictures needs the program ffmpeg. With \"background transparent\", .webm, .mov (ProRes "
+          "4444), "
+          ".apng and .png have straight opacity, .exr has premultiplied opacity, and .gif is transparent or not. "
+          ".mov has more than 8 bits a channel, and so has .png with --bits 16. .exr has linear light in half "
+          "floats. A terminal shows a progress bar with frames per second and the time left. If you stop a film "
+          "or it fails, no file gets the film's name. With --missing each picture gets its name once it is "
+          "complete, so the next call continues from there."};
 });
 
 }  // namespace

@@ -233,7 +233,7 @@ int serve(ServeCall& call) {
 std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
   Ceilings& most = options.ceilings;
   const auto ceiling = [](const char* name, const std::string& sentence, std::size_t& to) {
-    return option(name, "N", fmt::format("{}; {} if not said", sentence, to), &to);
+    return option(name, "N", fmt::format("{}; by default {}", sentence, to), &to);
   };
   return {ceiling("--ceiling", "environments", most.environments),
           ceiling("--objects", "environments and removed ones included", most.objects),
@@ -246,49 +246,48 @@ std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
 // Where hosts come in.
 std::vector<Parameter> door_parameters(ServeCall& call) {
   return {
-      file_option("--socket", "PATH", "hosts come in there; $XDG_RUNTIME_DIR/betwixt.sock if not said", &call.socket),
-      option("--tcp", "HOST:PORT", "hosts come in there, with a token", &call.tcp, "--socket"),
-      flag("--anywhere", "--tcp may be an address that other machines can reach", call.anywhere),
-      file_option("--token-file", "FILE", "holds the token; if not said, one is made and printed", &call.token_file)};
+      file_option("--socket", "PATH", "a socket for hosts; by default $XDG_RUNTIME_DIR/betwixt.sock", &call.socket),
+      option("--tcp", "HOST:PORT", "an address for hosts, which need a token", &call.tcp, "--socket"),
+      flag("--anywhere", "lets --tcp be an address that other machines can reach", call.anywhere),
+      file_option("--token-file", "FILE", "has the token; by default a token is made and printed", &call.token_file)};
 }
 
 std::vector<Parameter> clock_parameters(ServeCall& call) {
   return {{.name = "--class",
            .value = "CLASS",
-           .sentence = "fifo, nice or ordinary; the best that is granted if not said",
+           .sentence = "fifo, nice or ordinary; by default the best that the system grants",
            .into = &call.priority,
            .words_only = true,
            .words = {"fifo", "nice", "ordinary"}},
-          flag("--sweep", "contacts are noticed even between two frames", call.imaging.sweep),
-          flag("--wait", "time stands at 0 until a host says start", call.imaging.wait),
+          flag("--sweep", "also finds contacts between two frames", call.imaging.sweep),
+          flag("--wait", "keeps the time at 0 until a host sends start", call.imaging.wait),
           {.name = "--latency",
            .value = "N",
-           .sentence = "ticks from a command to its effect; 1 if not said",
+           .sentence = "ticks from a command to its effect; by default 1",
            .into = &call.imaging.latency,
            .range = {{0, 1'000'000}}},
-          file_option("--save", "FILE", "keeps the history there: every command, before it is answered", &call.save),
-          flag("--overwrite", "--save may replace a file", call.overwrite),
+          file_option("--save", "FILE", "keeps the history there: each command before its answer", &call.save),
+          flag("--overwrite", "lets --save replace a file", call.overwrite),
           {.name = "--hosts",
            .value = "N",
-           .sentence = "at once; 1000 if not said",
+           .sentence = "at once; by default 1000",
            .into = &call.serve.hosts,
            .range = {{1, 100'000}}}};
 }
 
 // Where frames go, and how many.
 std::vector<Parameter> place_parameters(ServeCall& call) {
-  return {
-      {.name = "--to",
-       .value = "PLACE",
-       .sentence = "where frames go: nowhere, window, terminal, film:OUT.mp4, ring:NAME",
-       .into = &call.to,
-       .words = {"nowhere", "window", "terminal", "film:", "ring:"}},
-      {.name = "--rate", .value = "N", .sentence = "frames a second; the script's if not said", .into = &call.rate}};
+  return {{.name = "--to",
+           .value = "PLACE",
+           .sentence = "the output of frames: nowhere, window, terminal, film:OUT.mp4, ring:NAME",
+           .into = &call.to,
+           .words = {"nowhere", "window", "terminal", "film:", "ring:"}},
+          {.name = "--rate", .value = "N", .sentence = "frames a second; by default the script's", .into = &call.rate}};
 }
 
 const Enlisted enlisted_serve(serve, [](ServeCall& call) -> Subcommand {
   const Parameter file{
-      .name = "FILE", .sentence = "the script it begins with", .into = &call.file, .offer = Offer::scripts};
+      .name = "FILE", .sentence = "the script to begin with", .into = &call.file, .offer = Offer::scripts};
   return {.rank = 110,
           .name = "serve",
           .sentence = "shows a document that other programs change while it runs",
@@ -299,7 +298,7 @@ const Enlisted enlisted_serve(serve, [](ServeCall& call) -> Subcommand {
                            clock_parameters(call),
                            ceiling_parameters(call.imaging)}),
           .example = "betwixt serve examples/bounce.bx --socket /tmp/bounce.sock --to terminal",
-          .manual = "They say what moves how, in the language, over a socket, and are answered in JSON."};
+          .manual = "Other programs send commands of the language over a socket, and get answers in JSON."};
 });
 
 }  // namespace

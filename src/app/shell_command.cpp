@@ -352,21 +352,21 @@ const Enlisted enlisted_shell(shell, [](ShellCall& call) -> Subcommand {
           .name = "shell",
           .sentence = "makes a film line by line, with help, undo and a journal",
           .takes = {{.name = "FILE",
-                     .sentence = "the script; a new one if it is not there yet",
+                     .sentence = "the script; a new one if it does not exist",
                      .into = &call.file,
                      .offer = Offer::scripts},
-                    flag("--recover", "do again what an earlier session did and did not save", call.recover),
+                    flag("--recover", "recovers the unsaved commands of an earlier session", call.recover),
                     {.name = "--discard",
-                     .sentence = "throw away what an earlier session did not save",
+                     .sentence = "discards the unsaved commands of an earlier session",
                      .into = &call.discard,
                      .excludes = "--recover"},
-                    flag("-q,--quiet", "does not say how many objects a pattern named", call.quiet)},
+                    flag("-q,--quiet", "does not print how many objects a pattern named", call.quiet)},
           .example = "betwixt shell examples/bounce.bx",
           .manual =
-              "At a terminal, or from standard input. In it, help lists all words, undo takes back without "
-              "limit, save keeps the author's text and writes below it what was done. Every command is in a "
-              "journal beside the script (.FILE.journal) before it is answered; after a crash the next start "
-              "offers to recover it."};
+              "The shell reads from a terminal, or from standard input. help lists all words. undo takes back "
+              "without limit. save keeps the author's text and writes your commands below it. Each command is in a "
+              "journal beside the script (.FILE.journal) before the answer. After a crash the next start offers to "
+              "recover it."};
 });
 
 }  // namespace

@@ -83,14 +83,14 @@ const std::vector<Parameter>& common_parameters() {
        .into = ReadValue(read_colours),
        .words = {"auto", "always", "never"}},
       {.name = "--read-anywhere",
-       .sentence = "let the script read files outside its own folder, and files that unpack to any size",
+       .sentence = "lets the script read files outside its own folder, and files that unpack to any size",
        .into = &load_options().read_anywhere},
       {.name = "--tex",
-       .sentence = "let the script's formulas be set by the programs latex and dvisvgm",
+       .sentence = "lets the programs latex and dvisvgm set the script's formulas",
        .into = &load_options().tex},
       {.name = "--load",
        .value = "PLUGIN",
-       .sentence = "a plug-in: its words are the script's",
+       .sentence = "a plug-in, whose words the script can use",
        .into = ReadValue(use_plugin),
        .repeated = true,
        .offer = Offer::files}};
@@ -113,7 +113,7 @@ Parameter output_parameter(std::string& out, const std::string& value, const std
                            const std::string& usual) {
   return {.name = "-o,--output",
           .value = value,
-          .sentence = usual.empty() ? sentence : sentence + "; usually the script's name with ." + usual,
+          .sentence = usual.empty() ? sentence : sentence + "; by default the script's name with ." + usual,
           .into = &out,
           .required = usual.empty(),
           .offer = Offer::files};
@@ -125,7 +125,8 @@ std::string output_or(const std::string& out, const std::string& script, const s
 }
 
 Parameter frames_parameter(std::string& frames, const std::string& examples) {
-  return {.name = "--frames", .value = "A..B", .sentence = "these only, ends included: " + examples, .into = &frames};
+  return {
+      .name = "--frames", .value = "A..B", .sentence = "only these, both ends included: " + examples, .into = &frames};
 }
 
 Parameter option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
@@ -189,11 +190,11 @@ Result<std::optional<Exposure>> ExposureCall::of(const Document& document) const
 
 std::vector<Parameter> exposure_parameters(ExposureCall& to) {
   return {option("--shutter", "LENGTH",
-                 "how long each picture is exposed: 180deg is half a frame, 10ms, off; the camera's if not said",
+                 "how long each picture is exposed: 180deg is half a frame, 10ms, off; by default the camera's",
                  ReadValue([&to](const std::string& text) -> Status { return to.shutter = text, Nothing{}; })),
           {.name = "--subframes",
            .value = "N",
-           .sentence = "of how many pictures at most a blurred one is added up; the script's if not said, or 16",
+           .sentence = "the number of pictures at most that make up a blurred one; by default the script's, or 16",
            .into = ReadValue([&to](const std::string& text) -> Status {
              int n = 0;
              const auto read = std::from_chars(text.data(), text.data() + text.size(), n);
@@ -224,16 +225,16 @@ Parameter quality_parameter(int& quality, const std::string& of) {
 std::vector<Parameter> picture_parameters(PictureCall& to) {
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);
-  return {size_parameter(to.size, fmt::format("pixels; the script's if not said, or {}x{}", to.otherwise.width,
+  return {size_parameter(to.size, fmt::format("pixels; by default the script's size, or {}x{}", to.otherwise.width,
                                               to.otherwise.height)),
           {.name = "--style",
            .value = "STYLE",
-           .sentence = fmt::format("one of {}; {} if not said", fmt::join(names, ", "), to.otherwise.style),
+           .sentence = fmt::format("one of {}; by default {}", fmt::join(names, ", "), to.otherwise.style),
            .into = &to.otherwise.style,
            .words = names},
           {.name = "--samples",
            .value = "N",
-           .sentence = fmt::format("samples a pixel: {}; the script's if not said, or {}, traced {}", sample_counts(),
+           .sentence = fmt::format("samples a pixel: {}; by default the script's, or {}, traced {}", sample_counts(),
                                    to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
            .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
            .words = {"1", "4", "9", "16", "64", "256", "1024"}}};

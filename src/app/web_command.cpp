@@ -105,26 +105,26 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
   return {
       .rank = 18,
       .name = "web",
-      .sentence = "makes a page that plays films in any browser, where they can be edited too",
+      .sentence = "makes a page that plays films in any browser and lets you edit them",
       .takes = {{.name = "FILE",
                  .sentence = "the scripts, in the order in which they stand on the page",
                  .into = &call.files,
                  .required = true,
                  .offer = Offer::scripts},
                 output_parameter(call.out, "PAGE.html", "the page", "html"),
-                option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
-                size_parameter(call.size, "how large the pictures are; else as wide as there is room"),
-                flag("--no-edit", "the films alone, without their texts beside them", call.no_edit),
-                flag("--link", "what plays lies beside the page (betwixt-player.js, betwixt-page.css), for many pages",
+                option("--title", "TEXT", "the title; by default the film's name", &call.title),
+                size_parameter(call.size, "the size of the pictures; by default as wide as there is room"),
+                flag("--no-edit", "shows the films without their scripts", call.no_edit),
+                flag("--link", "puts the player (betwixt-player.js, betwixt-page.css) beside the page, for many pages",
                      call.link),
-                flag("--no-overwrite", "leave a page alone that is there already", call.keep_old)},
-      .note = "What plays is built when ./betwixt web is called for the first time.",
+                flag("--no-overwrite", "keep a page that exists", call.keep_old)},
+      .note = "The first ./betwixt web builds the player.",
       .example = "betwixt web examples/bounce.bx -o bounce.html",
       .manual =
-          "The page is one file and needs no other: it plays offline, from a folder too. The script stands in "
-          "it as text, with the files that it uses. Whoever types in it changes the film at once. What the film "
-          "has and no page shows is said, a line each: sound, motion blur, depth of field, live input. Where a "
-          "server's policy forbids scripts and styles that stand in pages, --link makes one that needs none."};
+          "The page is one file and needs no other. It plays offline, also from a folder. It contains the script "
+          "as text, and the files that the script uses. The film follows when you edit the text. The command "
+          "prints a line for each thing that a page cannot show: sound, motion blur, depth of field, live input. "
+          "If a server's policy forbids inline scripts and styles, --link makes a page without them."};
 });
 
 }  // namespace
