@@ -332,12 +332,14 @@ bool frame(Command& k) {
 }
 
 constexpr Verb arranging_rows[] = {
-    {"frame", "frame A [margin=0.1]", "Fits the camera to what is named, seen from the side that it is seen from.",
-     "frame {ball,hand}", Verb::timed, frame},
+    {"frame", "frame A [margin=0.1]",
+     "Moves the camera so that the named things fit into the picture, seen from the same side.", "frame {ball,hand}",
+     Verb::timed, frame},
     {"arrange", "arrange A in row|column|grid|circle [columns=N] [gap=L] [radius=L] [centre=(X Y Z)]",
-     "Lays things out side by side, by what they measure.", "arrange wheel* in row gap=0.5", Verb::timed, arrange},
+     "Arranges things in a row, a column, a grid or a circle, by their sizes.", "arrange wheel* in row gap=0.5",
+     Verb::timed, arrange},
     {"place", "place A next-to B [side=left|right|top|bottom|front|back] [gap=L] [align=top|…]",
-     "Puts things beside another, by what they measure.", "place ball next-to hand side=top gap=0", Verb::timed, place},
+     "Places things beside another one, by their sizes.", "place ball next-to hand side=top gap=0", Verb::timed, place},
 };
 
 }  // namespace

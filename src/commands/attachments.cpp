@@ -46,15 +46,15 @@ bool let_loose(Command& k) {
 }
 
 constexpr Verb attachments_rows[] = {
-    {"hang", "hang A on B [keep-world]", "Hangs an object on another: it is carried along, not turned.",
+    {"hang", "hang A on B [keep-world]", "Hangs an object on another: it moves along, but does not turn with it.",
      "at 20f hang ball on hand", Verb::timed | Verb::aside, take_hold<AttachmentKind::hang>},
-    {"attach", "attach A to B [keep-world]", "Attaches an object to another: it is carried and turned along.",
+    {"attach", "attach A to B [keep-world]", "Attaches an object to another: it moves and turns along.",
      "at 20f attach ball to hand keep-world", Verb::timed | Verb::aside, take_hold<AttachmentKind::attach>},
-    {"couple", "couple A to B [keep-world]", "Couples an object to another: it takes part in all it does, scaling too.",
+    {"couple", "couple A to B [keep-world]", "Couples an object to another: it moves, turns and scales along.",
      "couple ball to hand", Verb::timed | Verb::aside, take_hold<AttachmentKind::couple>},
-    {"detach", "detach A", "Nothing holds the object any more: its own tracks place it in the world.", "detach ball",
+    {"detach", "detach A", "Detaches an object from its parent: its own tracks place it in the world.", "detach ball",
      Verb::timed | Verb::aside, let_loose<AttachmentKind::detach>},
-    {"letgo", "at TIME letgo A", "Lets an object go: it stays where it is, without a jump.",
+    {"letgo", "at TIME letgo A", "Releases an object from its parent: it keeps its place, without a jump.",
      "at 20f attach ball to hand\nat 60f letgo ball", Verb::timed | Verb::aside, let_loose<AttachmentKind::letgo>},
 };
 

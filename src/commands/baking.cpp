@@ -181,7 +181,7 @@ bool bake(Command& k) {
 
 constexpr Verb baking_rows[] = {
     {"bake", "bake TARGETS A..B [every LENGTH] [within TOLERANCE]",
-     "What code, filters, velocities and what reaches make of a value becomes plain events.",
+     "Turns the values that code, filters, velocities and reaching make into plain events.",
      "bake ball.position 1f..24f within 0.01", 0, bake},
 };
 

@@ -70,9 +70,9 @@ bool record(Command& k) {
 }
 
 constexpr Verb dials_rows[] = {
-    {"dial", "dial ADDRESS to TARGET [from A B to C D]", "A control of live input turns a target.",
+    {"dial", "dial ADDRESS to TARGET [from A B to C D]", "Connects a control of live input to a target.",
      "dial /fader/1 to ball.radius from 0 1 to 0.5 2", 0, dial},
-    {"record", "record on or record off", "Whether what dials say becomes events.", "record on", 0, record},
+    {"record", "record on or record off", "Whether the input of dials becomes events.", "record on", 0, record},
 };
 
 }  // namespace

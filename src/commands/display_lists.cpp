@@ -153,9 +153,9 @@ constexpr Verb display_lists_rows[] = {
      "Opens a display list again: rows are added, or replace others.",
      "make star\n  tag first\n  color gold\nedit star\n  replace first\n  color red", Verb::timed | Verb::opens_sheet,
      edit},
-    {"delete", "[at TIME] delete NAME, a display list", "Takes a display list out of the film.",
+    {"delete", "[at TIME] delete NAME, a display list", "Deletes a display list.",
      "make star\n  point (0 0)\ndelete star", Verb::timed, delete_it},
-    {"start", "start NAME, a display list", "Shows a display list with all that it calls: it is the main object.",
+    {"start", "start NAME, a display list", "Shows a display list, as the main object, with all lists that it calls.",
      "make star\n  point (0 0)\nstart star", Verb::starts_show, start},
 };
 

@@ -331,7 +331,8 @@ bool fall(Command& k) {
 
 constexpr Verb fall_rows[] = {
     {"fall", "at TIME fall A [delay=L] [gravity=G] [ground=Y] [bounce=K] [for L]",
-     "Objects fall and bounce, as plain events; a ball's ground is its radius.", "at 24f fall ball", Verb::timed, fall},
+     "Makes objects fall and bounce, as plain events; for a ball, ground is its radius.", "at 24f fall ball",
+     Verb::timed, fall},
 };
 
 // The event that ends it on one of its pieces.

@@ -185,7 +185,7 @@ bool filter(Command& k) {
 
 constexpr Verb filters_rows[] = {
     {"filter", "filter TARGET NAME [key=value …] [A..B]; filter TARGET none",
-     "A function through time over a track: smooth, noise, delay, limit, wobble, spring.",
+     "Puts a function over time on a track: smooth, noise, delay, limit, wobble, spring.",
      "filter ball.position delay by=6f", Verb::layered, filter},
 };
 

@@ -163,7 +163,7 @@ constexpr Verb groups_rows[] = {
      "stagger wheel*.position by 6f\nstagger wheel*.rotation by 2f from centre\nstagger wheel*.color by 1f per 1m from "
      "(0 0 0)",
      Verb::layered, stagger},
-    {"spread", "spread TARGETS from VALUE to VALUE", "Lays values evenly from one object to the last.",
+    {"spread", "spread TARGETS from VALUE to VALUE", "Spreads values evenly from the first object to the last.",
      "spread wheel*.position from (0 0 0) to (9 0 0)", Verb::layered, spread},
 };
 

@@ -30,7 +30,7 @@ bool note(Command& k) {
 bool notes(Command& k) { return on_or_off(k.cursor, "notes are on or off", k.scene.notes_shown); }
 
 constexpr Verb notes_rows[] = {
-    {"note", "at TIME note \"…\"", "A remark at a time; it shows while the film plays.",
+    {"note", "at TIME note \"…\"", "A text at a time, a marker; it shows while the film plays.",
      "at 24f note \"first bounce ends\"", Verb::timed | Verb::aside, note},
     {"notes", "notes on or notes off", "Whether notes show while the film plays.", "notes off",
      Verb::once | Verb::aside, notes},

@@ -242,7 +242,7 @@ constexpr Verb reaching_rows[] = {
     {"reach",
      "reach A to B [from TIME until TIME] [pole=POINT] [chain=N] [blend=L] [blend-in=L] [blend-out=L] or at TIME reach "
      "…",
-     "Brings a thing to a place by turning the joints that it hangs on: two, as of an arm or a leg, or N.",
+     "Brings a thing to a place by turning the joints above it (inverse kinematics): two, as in an arm or a leg, or N.",
      "create arm box\ncreate forearm box position=(1 0 0)\ncreate palm sphere position=(1 0 0)\n"
      "couple forearm to arm\ncouple palm to forearm\nreach palm to (1 1 0) from 12f until 36f",
      Verb::timed, reach},

@@ -341,8 +341,7 @@ constexpr Verb segments_rows[] = {
     {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", "Turns the values of a segment about an axis.",
      "rotate ball.position 1f..24f 90deg y", Verb::layered, rotate},
     {"clear", "clear TARGET A..B or clear TARGET TIME or clear TARGET before TIME",
-     "Takes out the events of a segment, or of one time, or those before a time that nothing from there on needs; or "
-     "notes.",
+     "Removes the events of a segment or of one time, those before a time that later values do not need, or notes.",
      "clear ball.position 6f..18f", Verb::layered, clear},
 };
 

@@ -61,15 +61,16 @@ bool policy(Command& k) {
 }
 
 constexpr Verb settings_rows[] = {
-    {"rate", "rate N, as in rate 24 or rate 30000/1001", "Frames per second; the first thing to say.", "rate 25",
-     Verb::once, rate},
-    {"range", "range FROM TO, as in range 1f 48f", "The part of time that is the film.", "range 1f 48f",
+    {"rate", "rate N, as in rate 24 or rate 30000/1001", "Frames per second; write it first.", "rate 25", Verb::once,
+     rate},
+    {"range", "range FROM TO, as in range 1f 48f", "The first and the last frame of the film.", "range 1f 48f",
      Verb::once | Verb::aside, range},
     {"ticks", "ticks N [smooth], environment ticks per second",
      "Environment ticks per second, for times such as 90t; smooth: motion between them too.", "ticks 60 smooth", 0,
      ticks},
-    {"policy", "policy translate|ignore|ask", "What an operation gets that means nothing for a target.",
-     "policy ignore", 0, policy},
+    {"policy", "policy translate|ignore|ask",
+     "What happens to a value that makes no sense for its target: error, warning or translation.", "policy ignore", 0,
+     policy},
 };
 
 }  // namespace

@@ -48,8 +48,8 @@ bool display(Command& k) {
 }
 
 constexpr Verb showing_rows[] = {
-    {"look", "at TIME look through CAMERA", "From this time on the film is seen through a camera.",
-     "at 24f look through eye", Verb::timed | Verb::aside, look},
+    {"look", "at TIME look through CAMERA", "Changes the camera from this time on: a cut.", "at 24f look through eye",
+     Verb::timed | Verb::aside, look},
     {"show", "show A or at TIME show A", "Shows objects, from a time on or for the whole film.", "at 12f show ball",
      Verb::timed | Verb::layered | Verb::aside, display<true>},
     {"hide", "hide A or at TIME hide A", "Hides objects, from a time on or for the whole film.", "at 24f hide ball",

@@ -120,7 +120,7 @@ bool split(Command& k) {
 
 constexpr Verb texts_rows[] = {
     {"split", "split TITLE into letters|words|lines",
-     "Makes objects TITLE/1, TITLE/2 … of a text's parts, in their places; they hang on it, and it is not drawn.",
+     "Splits a text into objects TITLE/1, TITLE/2 …, in their places; they hang on the text, which is hidden.",
      "create title text text=\"The end\"\nsplit title into letters\nat 1f title/*.position (0 5 0)\n"
      "at 24f title/*.position (0 0 0)\nstagger title/*.position by 2f",
      0, split},

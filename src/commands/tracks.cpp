@@ -211,15 +211,17 @@ bool extend(Command& k) {
 }
 
 constexpr Verb tracks_rows[] = {
-    {"set", "set TARGET VALUE, as in set ball.color red", "The value of a function while its track has no events.",
-     "set ball.color red", Verb::timed | Verb::layered | Verb::aside, set},
+    {"set", "set TARGET VALUE, as in set ball.color red",
+     "Sets the value of a function; it counts while the track has no events.", "set ball.color red",
+     Verb::timed | Verb::layered | Verb::aside, set},
     {"at", "at TIME TARGET VALUE or at TIME COMMAND", "Gives a command its time, or puts one event on a track.",
      "at 12f ball.radius 2 ease-in=4f", Verb::layered, at},
     {"twerper", "twerper TARGET NAME [in=light|srgb]; none gives every event its own again",
-     "One interpolator for a whole track.", "twerper ball.position linear", Verb::layered, global_twerper},
+     "Sets the twerper (interpolation, easing) of a whole track.", "twerper ball.position linear", Verb::layered,
+     global_twerper},
     {"extend", "extend TARGET hold|linear|cycle|bounce [before|after]",
-     "What a track does before its first and after its last event.", "extend ball.position cycle", Verb::layered,
-     extend},
+     "The extrapolation of a track: its values before its first and after its last event.",
+     "extend ball.position cycle", Verb::layered, extend},
 };
 
 }  // namespace

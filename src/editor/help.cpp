@@ -21,28 +21,28 @@ namespace {
 using enum HelpGroup;
 
 constexpr HelpEntry other_words[] = {
-    {function, "world", "Where it is in the world, a matrix; it can be asked for, not set.", "", ""},
-    {function, "loudness", "How loud a sound is then, 0 to 1, as it is heard; it can be asked for, not set.", "", ""},
-    {function, "onsets", "How many beats and strokes of a sound have been heard by then; it can be asked for, not set.",
-     "", ""},
-    {function, "touching", "The names of what it touches; it can be asked for, not set.", "", ""},
-    {function, "in-view", "Whether any of it is in view; it can be asked for, not set.", "", ""},
+    {function, "world", "Its matrix in the world; read only.", "", ""},
+    {function, "loudness", "How loud a sound is at a time, 0 to 1; read only.", "", ""},
+    {function, "onsets", "How many onsets (beats, strokes) a sound has had up to a time; read only.", "", ""},
+    {function, "touching", "The names of the things that it touches; read only.", "", ""},
+    {function, "in-view", "Whether any of it is in view; read only.", "", ""},
 
-    {kind, "scene", "What a file holds (glTF, BVH, FBX, Collada, SVG): each node an object, its animation as tracks.",
+    {kind, "scene",
+     "The contents of a file (glTF, BVH, FBX, Collada, SVG): nodes become objects, animation becomes tracks.",
      "file=\"…\" animation=… start=TIME, then what the whole is told", ""},
     {kind, "disc", "Another name of `circle`.", "radius=1", "create dot disc radius=3"},
 
-    {option, "cut", "A jump: the track comes to the first value and goes on from the second.", "VALUE cut VALUE",
+    {option, "cut", "A jump: the track arrives at the first value and continues from the second.", "VALUE cut VALUE",
      "at 12f ball.radius 2 cut 1"},
-    {option, "keep", "The twerper changes, the value is what it would have been.", "keep TWERPER",
+    {option, "keep", "Changes only the twerper; the value is what it would have been.", "keep TWERPER",
      "at 12f ball.radius keep linear"},
-    {option, "tangent", "Where hermite comes from and goes to, per second; also tangent-in, tangent-out.",
-     "tangent=VALUE", "at 12f ball.radius 2 hermite tangent=1"},
-    {option, "velocity", "The speed of a target, a track beside its own; it reigns until a release.", "TARGET.velocity",
-     "at 12f ball.position.velocity (1 0 0)"},
-    {option, "release", "Ends the reign of a velocity; from here the track goes to its next event.",
+    {option, "tangent", "The tangents of hermite, per second; also tangent-in, tangent-out.", "tangent=VALUE",
+     "at 12f ball.radius 2 hermite tangent=1"},
+    {option, "velocity", "The speed of a target, on a track beside its own; it has priority until a release.",
+     "TARGET.velocity", "at 12f ball.position.velocity (1 0 0)"},
+    {option, "release", "Ends the priority of a velocity; from here the track goes to its next event.",
      "at TIME TARGET.velocity release", "at 12f ball.position.velocity (1 0 0)\nat 24f ball.position.velocity release"},
-    {option, "keep-world", "What is attached stays where it is in the world at that moment.",
+    {option, "keep-world", "The attached object keeps its place in the world at that moment.",
      "attach A to B keep-world", "at 20f attach ball to hand keep-world"},
 };
 

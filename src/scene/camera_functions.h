@@ -20,8 +20,7 @@ inline const FunctionSpec camera_functions[] = {
      .unit = Unit::opening,
      .low = 0,
      .high = 60,
-     .sentence =
-         "How long a picture is exposed, from its time on: what moves is blurred by as much as it goes meanwhile.",
+     .sentence = "How long a picture is exposed, from its time on: motion blur.",
      .written = "an angle, of which 360deg are a frame; a length of time; or off",
      .example = "set eye.shutter 180deg"},
     {.name = "f-stop",
@@ -30,8 +29,7 @@ inline const FunctionSpec camera_functions[] = {
      .kinds = bit(Kind::camera),
      .low = 1e-4,
      .high = sharp,
-     .sentence =
-         "How small a camera's opening is: the smaller the number, the less is sharp before and behind its focus.",
+     .sentence = "The opening of a camera: the smaller the number, the stronger the depth of field.",
      .written = "a number; or off, which is 1e6: all is sharp",
      .example = "set eye.f-stop 0.1"},
     {.name = "focus",
@@ -39,7 +37,7 @@ inline const FunctionSpec camera_functions[] = {
      .rest = ObjectId{},
      .kinds = bit(Kind::camera),
      .unit = Unit::metres,
-     .sentence = "What is sharp: a thing, or all that is so far away; none: what the camera looks at.",
+     .sentence = "What is in focus: an object, or a distance; none is the point that the camera looks at.",
      .written = "a distance or a name",
      .example = "set eye.focus ball"},
 };

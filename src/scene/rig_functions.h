@@ -16,7 +16,7 @@ inline const FunctionSpec rig_functions[] = {
      .rest = Names(),
      .kinds = bit(Kind::mesh),
      .sentence =
-         "The objects that the vertices of a mesh with a skin follow, as its file numbers them, for the whole film.",
+         "The objects that the vertices of a mesh with a skin follow, in the order of its file, for the whole film.",
      .written = "(A B), or none",
      .example = "create tree mesh file=\"tree.obj\" joints=(ball)"},
 };

@@ -65,7 +65,7 @@ inline const FunctionSpec text_functions[] = {
            const double all = static_cast<double>(most_letters);
            s.letters.typed = static_cast<std::uint32_t>(std::floor(std::clamp(std::get<double>(v), 0.0, all) + 1e-6));
          },
-     .sentence = "How many letters of a text are seen, blanks counted; they stand where they stand in the whole.",
+     .sentence = "How many letters of a text are visible, blanks counted; letters keep their places.",
      .written = "a number",
      .example = "create title text text=\"The end\"\nat 1f title.typed 0 linear\nat 24f title.typed 7"},
     {.name = "tex",
@@ -77,7 +77,7 @@ inline const FunctionSpec text_functions[] = {
            const auto found = scene.formulas->find(*std::get<Text>(v));
            if (found != scene.formulas->end()) s.formula = found->second;
          },
-     .sentence = "A formula in the words of TeX, drawn in place of the text. Needs latex and dvisvgm, and --tex.",
+     .sentence = "A TeX formula, drawn instead of the text. Needs latex and dvisvgm, and --tex.",
      .written = "\"\\\\frac{a}{b}\""},
 };
 
