@@ -5,7 +5,7 @@
 // ---- Methods
 
 const means = {
-  matrix: "The points at rest, times the matrix of the step. Its numbers go on from step to step.",
+  matrix: "The points at rest, times the matrix of the step. Its numbers continue from step to step.",
   geometric: "Points are pushed, grown and sheared where they are.",
   "geometric, linear law": "The same for scalings by the linear law, for which the source counts it.",
   differences: "One constant matrix, times the points of the step before.",
