@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where what is said of a text stands in it.
+// Finds the place of a diagnostic in a text.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-// Gives it the place at which a part, of one line or of several, first stands in a text; where it is not in it, none.
+// Sets the place where a part, of one line or of several, first occurs in a text; sets none if it does not occur.
 void point_at(Diagnostic&, std::string_view text, std::string_view part);
 
 }  // namespace betwixt

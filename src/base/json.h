@@ -9,10 +9,10 @@
 
 namespace betwixt {
 
-// In double quotes. What is not UTF-8 becomes the replacement character, so that the answer can always be read.
+// Returns the text in double quotes. Bytes that are not UTF-8 become the replacement character, so JSON stays valid.
 std::string json_text(std::string_view);
-// How many lists and objects stand in one another, where most do. The text need not be JSON.
+// Returns the deepest nesting of lists and objects. The text need not be JSON.
 std::size_t json_depth(std::string_view);
-std::string json_number(double);  // JSON knows no numbers beyond all numbers: those are null
+std::string json_number(double);  // null for infinity and NaN, which JSON lacks
 
 }  // namespace betwixt
