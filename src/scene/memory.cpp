@@ -11,14 +11,14 @@
 namespace betwixt {
 namespace {
 
-// Beyond what fits into a string itself.
+// Bytes beyond those that fit into a string itself.
 std::size_t letters(const std::string& s) { return s.capacity() > std::string().capacity() ? s.capacity() + 1 : 0; }
 
 class Weighing {
  public:
   SceneSize sum;
 
-  // The object alone, with those of its tracks that the other has not.
+  // Counts the object, with those of its tracks that the other does not share.
   void apart(const Object& o, const Object* other) {
     sum.bytes += shared_bytes<Object> + letters(o.name) + bytes_held(o.slots);
     for (const Slot& s : o.slots) {
@@ -62,7 +62,7 @@ class Weighing {
       if (e.detail) sum.bytes += sizeof(EventDetail);
     });
   }
-  // What it holds elsewhere.
+  // Counts what a value holds elsewhere.
   void value(const Value& v) {
     if (const auto* text = std::get_if<Text>(&v); text && first(text->at.get()))
       sum.bytes += shared_bytes<std::string> + letters(**text);
@@ -74,7 +74,7 @@ class Weighing {
       sum.bytes += shared_bytes<Mat4>;
     if (const auto* moves = std::get_if<Moves>(&v); moves && first(moves->at.get())) sum.bytes += shared_bytes<Motion>;
   }
-  // What many share is counted once.
+  // Counts shared parts once.
   bool first(const void* thing) { return seen_.insert(thing).second; }
 
   std::unordered_set<const void*> seen_;
@@ -95,7 +95,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
     lost.apart(before.objects[i], i < after.objects.size() ? &after.objects[i] : nullptr);
   });
   lost.sum.bytes += sizeof(Scene) + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
-  const auto whole = [&lost](const auto& was, const auto& is) {  // what an edit copies as a whole
+  const auto whole = [&lost](const auto& was, const auto& is) {  // parts that an edit copies as a whole
     if (!was.same(is)) lost.sum.bytes += bytes_held(*was);
     return !was.same(is);
   };
