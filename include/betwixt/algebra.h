@@ -100,7 +100,7 @@ class Steps {
   void step();                // goes to the next frame; there is no last one
   void seek(std::int64_t k);  // goes to any frame, by the closed form
   // Sets after how many steps the closed form is evaluated again, against rounding errors; 0: never. The default is 256
-  // in double and 64 in float; for two-term recurrences and for the numbers of A_k it is 32.
+  // in double and 64 in float. It is 32 for two-term recurrences in float, and for the numbers of A_k.
   void renew_every(int steps);
   std::span<const Number> x() const;
   std::span<const Number> y() const;

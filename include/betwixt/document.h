@@ -30,7 +30,7 @@ inline constexpr Time from_the_beginning{INT64_MIN}, for_good{INT64_MAX};
 // Values of an object that you can read and not set. A target has one in place of a display function.
 enum class Query : std::uint16_t {
   loudness = 0xfff8,  // of a sound, as heard at the time: the root mean square over 50 ms, 0 to 1
-  onsets,             // how many onsets (beats, strokes) of the sound have sounded until the time
+  onsets,             // how many onsets (beats, strokes) of the sound there were until the time
   in_view,            // whether any part of a drawn object is in view
   touching,           // the names of the objects that a drawn object touches
   count,              // of an environment: the number of updates until the time

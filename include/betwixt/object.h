@@ -30,7 +30,7 @@ Kind kind(const Document&, ObjectId);  // Kind::group if there is no such object
 // Returns whether the object comes from a display list. Then it comes and goes with the list; no script creates it.
 bool derived(const Document&, ObjectId);
 
-// The unit of a number without a unit in a script: metres, millimetres, or none of these.
+// How a script writes the numbers of a function. Without a unit they are metres, millimetres, or plain numbers.
 enum class Unit : std::uint8_t { none, metres, millimetres, moment, seconds, opening };
 
 // A display function of an object: a property that can be animated.

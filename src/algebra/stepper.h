@@ -36,7 +36,7 @@ class Stepper {
   void seek(std::int64_t k);  // goes to a frame by the closed form
   void step();
   // Sets after how many steps the closed form is evaluated again; 0: never. The default is 32 for the registers, which
-  // cost nothing beside the points; for the points it is 256, in f32 64, and 32 for the two-term kernels.
+  // cost nothing beside the points; for the points it is 256, in f32 64, and in f32 32 for the two-term kernels.
   void renew_every(int steps) { renew_ = renew_registers_ = steps; }
   void use_threads(unsigned most) { threads_ = most; }  // 0: as many as the machine has
   std::span<const Number> x() const { return {drawn_x(), rest_x_.size()}; }
