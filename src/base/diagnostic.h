@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-// Sets the place where a part, of one line or of several, first occurs in a text; sets none if it does not occur.
+// Gives it the place at which a part, of one line or of several, first stands in a text; where it is not in it, none.
 void point_at(Diagnostic&, std::string_view text, std::string_view part);
 
 }  // namespace betwixt

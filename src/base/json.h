@@ -9,9 +9,9 @@
 
 namespace betwixt {
 
-// Returns the text in double quotes. Bytes that are not UTF-8 become the replacement character, so JSON stays valid.
+// In double quotes. What is not UTF-8 becomes the replacement character, so that the answer can always be read.
 std::string json_text(std::string_view);
-// Returns the deepest nesting of lists and objects. The text need not be JSON.
+// How many lists and objects stand in one another, where most do. The text need not be JSON.
 std::size_t json_depth(std::string_view);
 std::string json_number(double);  // null for infinity and NaN, which JSON lacks
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Counts the bytes that values own, as they request them; the overhead of the allocator is not counted.
+// How many bytes things hold beside themselves, as they ask for them; what an allocator adds is not counted.
 #pragma once
 
 #include <cstddef>

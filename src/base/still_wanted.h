@@ -37,7 +37,7 @@ class StillWanted {
   static void ask() {
     if (current) current->look();
   }
-  // Returns the processor time of this thread.
+  // What this thread has taken of a processor.
   static std::chrono::nanoseconds used() {
     timespec t{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

@@ -9,7 +9,7 @@
 
 namespace betwixt {
 
-// Prints the text. With colours, marks "error:", "warning:" and "notice:", the text before them, and carets.
+// In colours where that is wanted: "error:", "warning:" and "notice:", what stands before them, and carets.
 void tell_user(std::string_view text);
 
 enum class Colours { automatic, always, never };

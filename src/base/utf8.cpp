@@ -34,8 +34,7 @@ std::size_t character_length(std::string_view text, std::size_t i) {
 
 namespace {
 
-// Invisible characters that change how others are shown.
-
+// Characters that nobody sees, and that change how others are shown.
 bool hidden(char32_t c) {
   struct Range {
     char32_t first, last;

@@ -353,7 +353,7 @@ class Maker {
   // ---- the file
 
   // assimp takes a channel without a node for the translation of the first node, and refuses files where it does not
-  // fit. The last channel of a node counts there. So these come first, and that translation comes after them.
+  // fit. The last channel of a node counts there: so these come first, and that translation is said behind them.
   void put_pointers_first() {
     const auto points = [](const Json& channel) { return channel["target"]["path"] == "pointer"; };
     auto& all = film_.channels.get_ref<Json::array_t&>();

@@ -11,7 +11,7 @@
 namespace betwixt {
 namespace {
 
-// Bytes beyond those that fit into a string itself.
+// Beyond what fits into a string itself.
 std::size_t letters(const std::string& s) { return s.capacity() > std::string().capacity() ? s.capacity() + 1 : 0; }
 
 class Weighing {
@@ -62,7 +62,7 @@ class Weighing {
       if (e.detail) sum.bytes += sizeof(EventDetail);
     });
   }
-  // Counts what a value holds elsewhere.
+  // What it holds elsewhere.
   void value(const Value& v) {
     if (const auto* text = std::get_if<Text>(&v); text && first(text->at.get()))
       sum.bytes += shared_bytes<std::string> + letters(**text);
@@ -95,7 +95,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
     lost.apart(before.objects[i], i < after.objects.size() ? &after.objects[i] : nullptr);
   });
   lost.sum.bytes += sizeof(Scene) + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
-  const auto whole = [&lost](const auto& was, const auto& is) {  // parts that an edit copies as a whole
+  const auto whole = [&lost](const auto& was, const auto& is) {  // what an edit copies as a whole
     if (!was.same(is)) lost.sum.bytes += bytes_held(*was);
     return !was.same(is);
   };

@@ -12,7 +12,7 @@ namespace betwixt {
 
 std::string object_name(const Scene&, ObjectId);       // "none" if there is no such object
 std::string target_name(const Scene&, const Target&);  // "ball.position.x", "ball.position.velocity", "ball.world"
-std::string format_time(Time, Rate);                   // "24f" on a frame, otherwise seconds: "1.2345s"
+std::string format_time(Time, Rate);                   // "24f" where it is on a frame, else seconds: "1.2345s"
 
 // Returns "world"; for environments "by", "every" and "count"; for drawn objects "touching" and "in-view".
 std::string_view name_of(Query);

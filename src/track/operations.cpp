@@ -9,7 +9,8 @@
 namespace betwixt {
 namespace {
 
-// Calls f for each pair of numbers in a and b; b may be one number for all of them. Fails for rotations and booleans.
+// f for each pair of numbers in a and b; b may be one number for all of them. What turns or is on or off has no such
+// thing.
 template <class F>
 std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
   for (const Value* v : {&a, &b})
@@ -408,7 +409,7 @@ Result<Changed> translate_segment(Track& track, Segment s, const Value& by) {
 
 Result<Changed> rotate_segment(Track& track, Segment s, Quat by, Vec3 centre) {
   const Mat4 turn = rotation(by);
-  // Tangents are rotated too, but not about the centre: they are differences.
+  // Tangents turn too, but about no centre: they are differences.
   const auto vectors = change_values(track, s, false, "rotated", [&](const Value& v) -> std::optional<Value> {
     if (const auto* p = std::get_if<Vec3>(&v)) return centre + transform_vector(turn, *p - centre);
     if (const auto* q = std::get_if<Quat>(&v)) return normalize(*q * by);
