@@ -47,7 +47,7 @@ bool whole_number(std::string_view s, long& out) {
   return r.ec == std::errc{} && r.ptr == s.data() + s.size();
 }
 
-// Returns the alternatives of a brace group: the numbers of a..b, or the parts between commas.
+// One brace group's alternatives: the numbers of a..b, or the parts between commas.
 Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t most) {
   std::vector<std::string> out;
   const auto dots = body.find("..");

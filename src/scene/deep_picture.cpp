@@ -40,7 +40,8 @@ float steps_of(float light) {
   return table[below] + (place - static_cast<float>(below)) * (table[below + 1] - table[below]);
 }
 
-// Calls f for each pixel with its straight light and its opacity, which is raised so far that straight light reaches it.
+// Calls f for each pixel with its straight light and its opacity, which is raised so far that straight light reaches
+// it.
 template <class F>
 void each_pixel(const DeepPicture& picture, F&& f) {
   for (std::size_t i = 0; i + 4 <= picture.rgba.size(); i += 4) {

@@ -110,8 +110,9 @@ std::vector<ObjectId> once_each(const Scene& s, const std::vector<ObjectId>& all
 
 std::vector<ObjectId> select(const Scene& s, std::string_view word) {
   std::vector<ObjectId> out;
-  // An alias takes precedence over an object of the same name and is expanded once, which ends cycles: inside itself its
-  // name is the object's. A list in place of recursion: aliases of aliases may be nested as deep as the author likes.
+  // An alias takes precedence over an object of the same name and is expanded once, which ends cycles: inside itself
+  // its name is the object's. A list in place of recursion: aliases of aliases may be nested as deep as the author
+  // likes.
   struct Step {
     std::string_view word;
     bool end = false;  // of the alias

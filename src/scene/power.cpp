@@ -14,8 +14,8 @@ namespace {
 using Real = long double;
 using Block = std::array<std::array<Real, 3>, 3>;
 
-constexpr Real exact = 1e-14L;  // more than the rounding of a few products in f64
-constexpr Real product = 1e-12L;  // and of many
+constexpr Real exact = 1e-14L;     // more than the rounding of a few products in f64
+constexpr Real product = 1e-12L;   // and of many
 constexpr Real in_floats = 1e-7L;  // an element: f32 rounds by 6e-8
 const double log_bound = std::log(Power::bound);
 
@@ -155,8 +155,8 @@ void find_centre(Power::Similarity& f) {
   f.side = cross(f.axis, f.centre);
 }
 
-// A rotation about an axis elsewhere, computed by products, rarely has an advance of exactly 0. An advance that rounding
-// explains is dropped, since it would become a drift.
+// A rotation about an axis elsewhere, computed by products, rarely has an advance of exactly 0. An advance that
+// rounding explains is dropped, since it would become a drift.
 void drop_rounding(Power::Similarity& f, double shift) {
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   const bool still = f.turns == 0 && f.scale == 1 && !f.mirrored;

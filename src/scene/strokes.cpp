@@ -12,7 +12,7 @@ namespace betwixt {
 namespace {
 
 constexpr double longest_point = 4;  // of a corner, in widths
-constexpr double gentle = 0.9;  // the cosine of turns without a corner
+constexpr double gentle = 0.9;       // the cosine of turns without a corner
 
 // Returns the length along a line at each of its points; for a closed one, the total length at the end.
 std::vector<double> places_along(const std::vector<Vec3>& line, bool closed) {
