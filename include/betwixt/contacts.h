@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contacts: which of the things drawn touch, in which groups, and what is leaving the picture. (Animation Imaging
-// Model, 5: a collision module of its own that tells the host)
+// Contacts (collision detection): which drawn objects touch, which groups they form, and which leave the picture.
+// Source: Animation Imaging Model, section 5, where a module of its own detects collisions and tells the host.
 //
 // Room: program
 #pragma once
@@ -16,12 +16,12 @@
 
 namespace betwixt {
 
-// Where a box is to what the camera sees: fully outside, across the window's boundary (touching it counts), or inside.
-// What is seen goes from the eye (in perspective) or from the camera's plane (orthographic) as far as anything is;
-// what is behind that is out.
+// Where a box is in the camera's view: fully outside, across the edge of the window (touching it counts), or
+// inside. The camera sees everything before its eye (perspective) or before its plane (orthographic), however far.
+// Anything behind that is outside.
 enum class Sight : std::uint8_t { out, boundary, in };
 
-// A box along the axes of the world around one thing drawn; its faces belong to it.
+// A box in world space around one drawn object, with its sides along the axes. Its faces belong to it.
 struct ContactBox {
   ObjectId id, body;
   Vec3 low, high;
@@ -30,70 +30,71 @@ struct ContactBox {
 
 struct Contact {
   ObjectId a, b;  // a before b in object order
-  Time time;      // of the frame; of a swept test, when they first touch
+  Time time;      // the frame's time; from `swept`, the time at which they first touch
 };
 
-// More than two things that are connected by touching.
+// More than two objects that are connected by contacts.
 struct ContactGroup {
   std::vector<ObjectId> objects;  // in object order
   std::vector<Contact> pairs;     // among them
 };
 
 struct ContactOptions {
-  bool related = false;               // pairs of one body too (see Item::body)
-  std::optional<double> aspect = {};  // width by height of the picture; none: as the camera has it
+  bool related = false;               // whether to report pairs of one body too (see Item::body)
+  std::optional<double> aspect = {};  // width / height of the picture; nullopt: as the camera says
 };
 
 struct Contacts {
-  // Where so much touches that the pairs do not fit, there are this many of them, and they are not `complete`.
+  // The most pairs that are kept. If more objects touch, `pairs` has this many and `complete` is false.
   static constexpr std::size_t most_pairs = 500'000;
 
   Time time;
-  std::vector<ContactBox> boxes;     // in object order; what has no extent has no box
+  std::vector<ContactBox> boxes;     // in object order; an object without extent has no box
   std::vector<Contact> pairs;        // sorted by a, then b
-  std::vector<ContactGroup> groups;  // by their first object
+  std::vector<ContactGroup> groups;  // ordered by their first object
   bool complete = true;
 
-  const ContactBox* find(ObjectId) const;  // null: it is not drawn
-  Sight sight(ObjectId) const;             // of what is not drawn: out
+  const ContactBox* find(ObjectId) const;  // null if the object is not drawn
+  Sight sight(ObjectId) const;             // Sight::out if the object is not drawn
+  // Return the objects that touch one, and whether two touch.
   std::vector<ObjectId> touching(ObjectId) const;
   bool touching(ObjectId, ObjectId) const;
 };
 
-// At the time of the frame.
+// Returns the contacts at the time of the frame.
 Contacts contacts(const Frame&, const ContactOptions& = {});
-// Whatever touches at some time from the one frame to the other while each box goes straight, and evenly, from where it
-// was to where it is: what is fast does not slip through. What is drawn in one of them only is there at its time only.
-// Boxes and sights are those of `after`.
+// Returns every pair that touches at some time from `before` to `after`, if each box moves straight and at constant
+// speed between its two positions. So fast objects do not pass through each other unnoticed. An object that only one of
+// the frames draws is present at that frame's time only. Boxes and sights are those of `after`.
 Contacts swept(const Frame& before, const Frame& after, const ContactOptions& = {});
 
-// What began or ended from one tick to the next.
+// A contact, a group or a visibility that began or ended between two ticks.
 struct ContactEvent {
   enum class What : std::uint8_t { contact, group, view };
   What what = What::contact;
   bool begin = true;              // contact, group
   Sight sight = Sight::out;       // view
-  std::vector<ObjectId> objects;  // two, more than two, one
+  std::vector<ObjectId> objects;  // contact: two; group: more than two; view: one
   std::vector<Contact> pairs;     // group
   Time time;                      // of the tick
 };
 
-// One line of JSON, without its end:
+// Returns one line of JSON, without a line break:
 //   {"event":"contact","state":"begin","a":"ball","b":"wall","tick":90}
 //   {"event":"group","state":"end","objects":["a","b","c"],"pairs":[["a","b"],["b","c"]],"tick":90}
 //   {"event":"view","object":"ball","state":"boundary","tick":90}
 std::string to_json(const ContactEvent&, const Document&);
 
-// Looks on while a film plays. It begins with nothing touching and nothing in view.
+// Reports contacts while a film plays. At first nothing touches and nothing is in view.
 class ContactWatch {
  public:
   explicit ContactWatch(ContactOptions options = {}, bool sweep = false) : options_(options), sweep_(sweep) {}
 
-  // The next tick in forward play, or the same one after the film was changed. A frame from before the last one is a
-  // seek. Ends come first, then begins: contacts, groups, views.
-  // With `sweep`, what touches between two ticks only begins and ends at the later one.
+  // Returns what changed since the last frame. Call it for the next tick of forward play, or for the same tick after
+  // the film was edited. A frame from before the last one is a seek. Ends come first, then begins: contacts, groups,
+  // views. With `sweep`, a contact that exists only between two ticks begins and ends at the later one.
   std::vector<ContactEvent> step(const Frame&);
-  // To any other time: no events, but what holds there is known.
+  // Jumps to another time. Returns no events; later steps compare with this frame.
   void seek(const Frame&);
   const Contacts& now() const { return now_; }
 

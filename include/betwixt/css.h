@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lists of CSS transforms: as motions, motions as such lists, and what a browser shows between any two of them.
-// After CSS Transforms 1 and 2. The numbers stay those of CSS, whose y points down: there rotate(90deg) takes x to y,
-// as in a motion, and it is the page that shows this as clockwise.
+// Lists of CSS transforms: converts them to motions and back, and computes what a browser shows between two lists.
+// Source: CSS Transforms 1 and 2. Numbers stay as in CSS, whose y axis points down: rotate(90deg) takes x to y, as in a
+// motion; only on the page this looks clockwise.
 //
 // Room: algebra
 #pragma once
@@ -20,58 +20,61 @@
 
 namespace betwixt {
 
-// One function, its lengths in pixels and its angles in radians.
+// One transform function. Lengths are in pixels, angles in radians.
 struct CssFunction {
-  // Functions of one kind are mixed number by number. translateX() is a translation, rotateY() a rotation; skewX() and
-  // skewY() have nothing in common.
+  // Functions of one kind are interpolated number by number. translateX() is a translation, rotateY() is a rotation;
+  // skewX() and skewY() are two kinds.
   enum class Kind : std::uint8_t { translate, rotate, scale, skew, skew_x, skew_y, perspective, matrix };
   Kind kind = Kind::translate;
-  Vec3 by{};              // translate: the way; scale: the factors; skews: the angles along x and along y
+  Vec3 by{};              // translate: the displacement; scale: the factors; skews: the angles along x and y
   Vec3 axis{0, 0, 1};     // rotate
-  double angle = 0;       // rotate: all of it, whole turns too
-  double angle_rest = 0;  // rotate: what rounding took of it
-  double nearness = 0;    // perspective: one divided by the distance; 0: none
+  double angle = 0;       // rotate: the total, whole turns included
+  double angle_rest = 0;  // rotate: the rounding error of `angle`
+  double nearness = 0;    // perspective: 1 / distance; 0: no perspective
   Mat4 matrix;            // matrix
   friend bool operator==(const CssFunction&, const CssFunction&) = default;
 };
-using CssList = std::vector<CssFunction>;  // empty: none
+using CssList = std::vector<CssFunction>;  // an empty list is `none`
 
-// What percentages are of: of an element on a page, its border box.
+// The border box of the element, which percentages refer to.
 struct CssSize {
   double width = 0, height = 0;
 };
 
-// "translate(10px, 20px) rotate(90deg) scale(2)" or "none": every function of CSS Transforms 2, lengths in px and what
-// is measured in inches or centimetres, calc(), min(), max() and clamp() of what is known. Errors: syntax, name, range,
-// type (a unit that depends on the page, % without a size); place.column and place.length count characters.
+// Reads a list such as "translate(10px, 20px) rotate(90deg) scale(2)", or "none". Knows every function of CSS
+// Transforms 2, lengths in px and in the absolute units (inches, centimetres …), and calc(), min(), max() and clamp()
+// of known values. Errors: syntax, name, range, type (a unit that depends on the page, % without a size); place.column
+// and place.length count characters.
 Result<CssList> parse_css(std::string_view list, std::optional<CssSize> size = {});
 
-// The product of the list. A perspective is in its fourth row: the place of a point is (x, y, z) divided by w.
+// Returns the product of the list. A perspective fills the fourth row: divide x, y and z of a point by its w.
 Mat4 matrix_of(const CssList&);
 
-// What a browser shows between two lists, at 0 the one, at 1 the other, before and beyond by the same rule: function by
-// function as long as both are of one kind, the shorter list padded with functions that do nothing; what is left of
-// both as a matrix each, taken apart and mixed.
+// What a browser shows between two lists: at t = 0 the first, at t = 1 the second, outside that by the same rule.
+// Functions are interpolated pairwise as long as both are of one kind; the shorter list is padded with functions that
+// do nothing. The rest of each list is multiplied to one matrix; both matrices are decomposed and interpolated.
 struct CssBetween {
   Mat4 matrix;
-  // The first function, counted from 1, of which whole turns are lost; 0: none.
-  std::size_t mixed = 0;      // from here on the lists differ, and matrices are mixed
-  std::size_t short_way = 0;  // it turns about two axes, and goes the short way from one to the other
-  bool jumps = false;         // a matrix cannot be taken apart: one list is shown up to half way, then the other
+  // The number of the first function, counted from 1, that loses whole turns; 0: none loses any.
+  std::size_t mixed = 0;      // the lists differ from here on, so matrices are interpolated
+  std::size_t short_way = 0;  // the rotations have two axes, so the short way is taken
+  bool jumps = false;         // a matrix cannot be decomposed: the first list holds up to half way, then the second
 };
 CssBetween css_between(const CssList& from, const CssList& to, double t);
 
-// animation-composition: accumulate: both at once, ways and angles added up, scale(2) and scale(3) making scale(4). The
-// other composition, add, is one list behind the other. Where a matrix cannot be taken apart, `over` alone.
+// Returns the list that `animation-composition: accumulate` makes of both: displacements and angles are added, and
+// scale(2) with scale(3) gives scale(4). (`add` is one list behind the other.) Returns `over` alone if a matrix cannot
+// be decomposed.
 CssList css_accumulated(const CssList& under, const CssList& over);
 
-// The motion that a browser shows from `none` to this list about `transform-origin`, in pixels. Scalings are by the
-// linear law. Errors: as of `parse_css`; type: matrix(), skew(), perspective().
+// Returns the motion that a browser shows from `none` to this list about `transform-origin`, in pixels. Scalings follow
+// the linear law. Errors: those of `parse_css`; type if the list has matrix(), skew() or perspective().
 Result<Motion> from_css(std::string_view list, Vec3 origin = {}, std::optional<CssSize> size = {});
 
-// A browser that goes from `from` to `to`, with `transform-origin: 0 0`, shows the motion. `to` alone is its end only:
-// a centre is written as translate(centre) ... translate(-centre), and these stand still because both lists have them.
-// Errors: those of `check`; a scaling by the exponential law, the name of an object as a centre (type).
+// Two lists between which a browser shows the motion, with `transform-origin: 0 0`. `to` alone gives the end only: a
+// centre is written as translate(centre) ... translate(-centre), and both lists need it so that it does not move.
+// Errors: those of `check`; type for a scaling under the exponential law or an object's name as a centre.
+
 struct CssLists {
   std::string from, to;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures of light, for what is added up, laid over something or worked on further.
+// Pictures of linear light (high dynamic range), for compositing and further processing.
 //
 // Room: scene
 #pragma once
@@ -13,19 +13,19 @@
 
 namespace betwixt {
 
-// Linear light as bright as it may be, with the primaries of sRGB and the opacity multiplied in; rows from the top,
-// four numbers a pixel: r g b a.
+// Linear light without an upper limit, with the primaries of sRGB and premultiplied alpha. Rows from the top, four
+// numbers a pixel: r g b a.
 struct DeepPicture {
   int width = 0, height = 0;
   std::vector<float> rgba;
 };
 
-// As screens show it, the opacity not multiplied in: the colours are straight. Light above white is white; what is
-// brighter than its opacity (highlights on glass) gets more of that. What has no number is black.
+// Converts to sRGB with straight alpha, for screens. Light above white becomes white. A pixel brighter than its
+// opacity (a highlight on glass) gets more opacity. A number that is NaN becomes black.
 void to_shown(const DeepPicture&, Picture& out);
-// The same with 16 bits a channel.
+// The same, with 16 bits a channel.
 std::vector<std::uint16_t> to_shown_16(const DeepPicture&);
-// Back: of what is shown, four numbers of 16 bits a pixel, its light.
+// Converts back: takes four numbers of 16 bits a pixel, as shown, and returns their light.
 DeepPicture to_light(int width, int height, const std::vector<std::uint16_t>& rgba);
 
 }  // namespace betwixt

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A program at a time, kept from one time to the next by whoever plays it: what did not change on the way costs
-// nothing. The frame comes as columns, one place a drawable (an object of a kind that can be drawn, seen or not, in the
-// order of the objects), with the places that differ since the last time. What it gives for a time never depends on the
-// times before. One thread at a time; any number of threads each with their own.
+// An evaluation: a program at one time, kept from one time to the next, for playback. Going to a new time computes
+// only the things that change.
+//
+// The frame comes as columns. Each drawable has one place in every column; drawables are the objects of a kind that can
+// be drawn, visible or not, in object order. The evaluation also lists the places that differ since the last time. The
+// result for a time never depends on the times before. Use an evaluation from one thread at a time; each thread may
+// have its own.
 //
 // Room: program
 #pragma once
@@ -27,52 +30,53 @@ class Evaluation {
   Evaluation& operator=(Evaluation&&) noexcept;
   ~Evaluation();
 
+  // Evaluates the program at a time.
   void to(Time);
-  // Goes on with an edited program: the next `to` says what differs from what the one before gave.
+  // Replaces the program by an edited one. The next `to` then lists what differs from the last time of the old one.
   void use(const Program&);
 
   const Program& program() const;
-  Time time() const;  // of the last `to`
+  Time time() const;  // that of the last `to`
 
-  // Columns: valid until the next `to` or `use`; before the first `to` they say nothing.
-  std::span<const ObjectId> drawables() const;
-  std::span<const Mat4> worlds() const;  // object space to world space
-  // What it looks like; nothing of it is said where it is not seen.
+  // The columns are valid until the next `to` or `use`. Before the first `to` their content has no meaning.
+  std::span<const ObjectId> drawables() const;  // in object order
+  std::span<const Mat4> worlds() const;         // object space to world space
+  // The look of a drawable. If it is not visible, the other fields have no meaning.
   struct Look {
     Vec3 color{1, 1, 1};                                        // linear light
-    double transparency = 0, shininess = 0;                     // as Item's
+    double transparency = 0, shininess = 0;                     // as in Item
     double blend = 0;                                           // how far it is on the way to `toward`
-    std::uint32_t shape = none, toward = none, texture = none;  // numbers
+    std::uint32_t shape = none, toward = none, texture = none;  // pass them to shape() and texture()
     Material material = Material::plastic;
     bool visible = false;
-    bool casts = true;  // keeps light from others
+    bool casts = true;  // whether it casts shadows
     static constexpr std::uint32_t none = 0xffffffff;
     friend bool operator==(const Look&, const Look&) = default;
   };
   std::span<const Look> looks() const;
-  // What the numbers stand for. That of a shape that varies stays, and the shape is another one where `changed` says
-  // so.
+  // Return the shape or texture of a number. A shape that varies keeps its number; when `changed` lists its drawable,
+  // the number gives another shape.
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const;
   const std::shared_ptr<const Picture>& texture(std::uint32_t number) const;
-  // The drawables of which anything differs since the last `to`, in order; all after the first one, and where `use` has
-  // brought other drawables.
+  // Returns the drawables that differ in anything since the last `to`, in order. Returns all of them after the first
+  // `to`, and if `use` has changed which drawables there are.
   std::span<const std::uint32_t> changed() const;
-  // For who does not see every `to`: whether `changed` is all that differs from what he saw last.
+  // Tells a caller who misses some calls of `to` whether `changed` lists all that differs from the state it saw last.
   struct Revision {
-    std::uint64_t program = 0;  // another one after each `use`; no two evaluations have the same
-    std::uint64_t times = 0;    // how often `to` was called since
+    std::uint64_t program = 0;  // differs after each `use`; no two evaluations have the same
+    std::uint64_t times = 0;    // how often `to` was called since `use`
     friend bool operator==(const Revision&, const Revision&) = default;
   };
   Revision revision() const;
 
   const std::vector<Light>& lights() const;
   const Camera& camera() const;
-  // From now on the camera is this one, wherever the film's is; none: the film's again.
+  // Replaces the film's camera from now on. Pass nullopt to return to the film's own.
   void look_from(std::optional<Camera>);
-  const std::vector<std::string>& problems() const;  // as Frame's
+  const std::vector<std::string>& problems() const;  // as in Frame
   const std::vector<Frame::CodeError>& errors() const;
 
-  Frame frame() const;  // all of it as a value
+  Frame frame() const;  // the whole state as a value
 
  private:
   struct State;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Films as motion, for other programs: not as pixels.
+// Exports films as motion, not as pixels, for other programs.
 //
 // Room: export
 #pragma once
@@ -17,22 +17,22 @@
 namespace betwixt {
 
 struct ExportOptions {
-  std::string path;               // the ending says what is made: .glb .gltf …
-  Time from, until;               // what of the film; it begins at 0 in the file
-  KeyOptions keys;                // where its go_on says no, nothing is written
-  std::vector<ObjectId> objects;  // whose motion; empty: everybody's
+  std::string path;               // the extension gives the format: .glb .gltf …
+  Time from, until;               // the segment to export; it begins at 0 in the file
+  KeyOptions keys;                // if its go_on returns false, no file is written
+  std::vector<ObjectId> objects;  // the objects to export; all if empty
   bool overwrite = true;
 };
 
 struct Exported {
   std::size_t objects = 0;
-  std::size_t channels = 0;         // that vary
-  std::size_t keys = 0, baked = 0;  // of these; had all of them one a frame
+  std::size_t channels = 0;         // channels that vary
+  std::size_t keys = 0, baked = 0;  // their keys; the keys that one a frame would take
   std::size_t bytes = 0;
-  std::vector<std::string> left_out;  // what the format cannot say, in words, each once
+  std::vector<std::string> left_out;  // what the format cannot express, each once, in words
 };
 
-// Errors: range (an ending that nobody knows, what the format has no way to say), file, machine.
+// Writes the file. Errors: range (an unknown extension, something that the format cannot hold), file, machine.
 Result<Exported> export_film(const Program&, const ExportOptions&);
 
 struct ExportFormat {
@@ -41,9 +41,8 @@ struct ExportFormat {
 };
 std::vector<ExportFormat> export_formats();
 
-// How a file of this name is written where nobody says otherwise: the style of keys that all programs which read the
-// format play alike, or one that is asked for, and how far off that may be: a tenth of a millimetre, a whole one where
-// keys go straight.
+// Returns the default options for a file of this name. The style is `asked`, or else the one that all programs which
+// read the format play alike. The tolerance is a tenth of a millimetre, for straight keys a millimetre.
 KeyOptions usual_keys(std::string_view path, std::optional<KeyStyle> asked = {});
 
 }  // namespace betwixt

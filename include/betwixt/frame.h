@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A frame: everything that can be seen (or asked) of a document at one time. A pure value.
+// A frame: everything that can be seen of a document at one time. A pure value.
 //
 // Room: program
 #pragma once
@@ -16,82 +16,83 @@
 
 namespace betwixt {
 
-// One object that is drawn.
+// One drawn object.
 struct Item {
   ObjectId id;
   Mat4 world;                           // object space to world space
   std::shared_ptr<const Shape> shape;   // never null
-  std::shared_ptr<const Shape> toward;  // null, or the shape it is on the way to …
-  double blend = 0;                     // … and how far, 0 to 1 (and beyond, where a twerper overshoots)
+  std::shared_ptr<const Shape> toward;  // the shape that it is turning into; null if none
+  double blend = 0;                     // how far towards that, 0 to 1 (and outside, if a twerper overshoots)
   Vec3 color{1, 1, 1};                  // linear light
-  double transparency = 0;              // 0 solid to 1 invisible
-  double shininess = 0;                 // 0 dull to 1 a mirror's highlight
+  double transparency = 0;              // 0 opaque to 1 invisible
+  double shininess = 0;                 // 0 dull to 1 a mirror-like highlight
   Material material = Material::plastic;
-  bool casts = true;                       // keeps light from others
-  std::shared_ptr<const Picture> texture;  // null: the mesh's own, if any
-  // What it is one body with: the thing drawn that it hangs on in the end, or the whole that it is named as a part of
-  // (car/wheel on car); itself where there is none.
+  bool casts = true;                       // whether it casts shadows
+  std::shared_ptr<const Picture> texture;  // null if it has none but its mesh's
+  // The body that it belongs to: the drawn object at the end of its chain of attachments, or the whole that its name
+  // makes it a part of (car/wheel belongs to car). Without either, the object itself.
   ObjectId body;
 };
 
-// Which lights' shadows are drawn: the four strongest of those that cast any.
-enum class Casting : std::uint8_t { strongest, off, on, soft };  // strongest: if no other light is stronger
+// Whether a light casts shadows. `strongest`: if no other light is stronger. Of all lights that cast shadows, the four
+// strongest are drawn with them.
+enum class Casting : std::uint8_t { strongest, off, on, soft };
 
 struct Light {
   ObjectId id;
-  bool sun = false;     // parallel rays along `direction`; range does not matter
-  Vec3 position;        // world
-  Vec3 direction;       // world, unit length, away from the light (suns)
+  bool sun = false;     // parallel rays along `direction`, without a range
+  Vec3 position;        // in the world
+  Vec3 direction;       // in the world, unit length, away from the light (suns)
   Vec3 color{1, 1, 1};  // linear light, intensity included
-  double range = 20;    // metres: the light fades smoothly to nothing there
+  double range = 20;    // metres at which the light has faded smoothly to nothing
   Casting casting = Casting::strongest;
 };
 
 struct Camera {
-  Mat4 world;  // camera space (looks along -z, y up) to world space; a rigid motion
+  Mat4 world;  // camera space (looks along -z, y up) to world space; rotation and translation only
   bool orthographic = false;
   double fov = 0.9;          // horizontal, radians (perspective)
   double height = 10;        // metres seen from bottom to top (orthographic)
-  double aspect = 16.0 / 9;  // width by height of the film's pictures, as its script says; others may be made
-  double shutter = 0;        // seconds that a picture is exposed, from the frame's time on
-  double aperture = 0;       // metres across the lens's opening (perspective); 0: all is sharp
-  double focus = 10;         // metres before the eye, along its axis: what is sharp
-  // By how many halves of the picture all is moved to the right and up: a lens that is shifted.
+  double aspect = 16.0 / 9;  // width / height of the film's pictures, as the script says; you may make others
+  double shutter = 0;        // seconds of exposure, from the frame's time on
+  double aperture = 0;       // metres, the diameter of the lens opening (perspective); 0: all is sharp
+  double focus = 10;         // metres before the eye, along its axis, that are sharp
+  // Lens shift to the right and up, in halves of the picture.
   double shift_x = 0, shift_y = 0;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-// What is around the things of a film, and what light there is beside its lights. Colours: linear light.
+// The surroundings of a film's objects, and its light besides the lights. Colours are linear light.
 struct Surroundings {
   struct Fog {
     Vec3 color;
-    double from = 0, to = 0;  // metres from the eye: where it begins, where nothing else is seen
+    double from = 0, to = 0;  // metres from the eye: where fog begins, and where it hides everything
     friend bool operator==(const Fog&, const Fog&) = default;
   };
-  bool flat = false;            // a drawing: things show their own colours, there is no light
-  std::optional<Vec3> below;    // what the background goes over to at the bottom of the picture
-  std::optional<Vec3> ambient;  // the light from everywhere; none: the renderer's own
-  double exposure = 0;          // stops: all light is 2 to the power of this as much
+  bool flat = false;            // a drawing: objects show their own colours, unlit
+  std::optional<Vec3> below;    // the background's colour at the bottom of the picture, if it is a gradient
+  std::optional<Vec3> ambient;  // light from all directions; nullopt: the renderer's default
+  double exposure = 0;          // in stops: all light is multiplied by 2 to this power
   std::optional<Fog> fog;
-  std::optional<Vec3> ground;  // the colour of an endless floor at y = 0; none: there is none
+  std::optional<Vec3> ground;  // colour of an infinite floor at y = 0; nullopt: no floor
   bool sky = false;
-  bool clear = false;    // nothing is behind the things: what pictures have an opacity say so, elsewhere it is black
-  bool contact = false;  // it is darker where things meet
+  bool clear = false;    // a transparent background; black in pictures without alpha
+  bool contact = false;  // darkens places where objects meet (ambient occlusion)
   friend bool operator==(const Surroundings&, const Surroundings&) = default;
 };
 
 struct Frame {
   Time time;
   std::vector<Item> items;    // in object order
-  std::vector<Light> lights;  // empty: the renderer brings its own
+  std::vector<Light> lights;  // if empty, the renderer adds its own
   Camera camera;
-  std::optional<Vec3> background;  // linear light; none: the renderer's own soft gradient
+  std::optional<Vec3> background;  // linear light; nullopt: the renderer's soft gradient
   Surroundings surroundings;
-  std::vector<std::string> notes;  // notes exactly at this time
-  // Procedures that erred or did not end, each named once with the reason; what they should have given is the value
-  // that the track has without them.
+  std::vector<std::string> notes;  // the notes exactly at this time
+  // Procedures that failed or did not end, each once, with the reason. In their place the frame uses the value that the
+  // track has without them.
   std::vector<std::string> problems;
-  // Those of them in which code of the author's errs. `source`: the code as it was written, to be found in the script.
+  // Those that are errors in the author's code. `source` is the code as written, so that you can find it in the script.
   struct CodeError {
     std::string message, source;
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is drawn, as triangles: for programs that hand films to others.
+// Drawn objects as triangles, for programs that export films.
 //
 // Room: exchange
 #pragma once
@@ -12,14 +12,14 @@
 
 namespace betwixt {
 
-// A mesh and what stretches it to the shape's measures: spheres of any radius share one mesh.
+// A mesh, and the matrix that scales it to the shape's size: spheres of any radius share one mesh.
 struct Geometry {
-  std::shared_ptr<const Mesh> mesh;  // never null; empty for what is not drawn
-  Mat4 local;                        // mesh space to object space (a scaling, the identity for most)
+  std::shared_ptr<const Mesh> mesh;  // never null; empty if nothing is drawn
+  Mat4 local;                        // mesh space to object space (a scaling; for most shapes the identity)
 };
 
-// Of what an item looks like, on the way to another shape too; so many faces go around the widest circle. Equal shapes
-// get the same mesh as long as somebody holds it. Safe from any thread.
+// Returns the triangles of an item, also while it turns into another shape. `around` is the number of faces around the
+// widest circle. Equal shapes get the same mesh as long as you hold it. Safe to call from any thread.
 Geometry geometry_of(const Item&, int around = 48);
 
 }  // namespace betwixt

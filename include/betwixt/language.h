@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text to documents and back. The language is described in docs/language.md.
+// Converts text to documents and back. docs/language.md describes the language.
 //
 // Room: language
 #pragma once
@@ -17,53 +17,54 @@
 namespace betwixt {
 
 struct LoadOptions {
-  // Else a script reads files only below its own folder, and those that unpack to at most 100 times their size and 64
-  // MiB, and to 1 GiB in all.
+  // Allows any file. Otherwise a script reads files only below its own folder, and of packed files only those that
+  // unpack to at most 100 times their size and 64 MiB, and to 1 GiB in total.
   bool read_anywhere = false;
-  // Lines of a live host happen when they come. Where this is set, `animate`, `halt`, `kill` and `cancel` that give no
-  // time happen now; `set` puts what it names into environments (`environments`, `drive`) now, as `at` would; and a
-  // `begin` below `make` or `edit` belongs to the environment that has the name now. In a history each of them stands
-  // with this time, in ticks. What a line runs that its author did not write (files that it uses, commands of their
-  // own) is not the host's: it happens as it stands.
+  // The time, in ticks, at which a live host sends its lines. If it is set, `animate`, `halt`, `kill` and `cancel`
+  // without a time happen then. `set` puts objects into environments (`environments`, `drive`) then, as `at` would. A
+  // `begin` below `make` or `edit` means the environment that has the name then. In the history each of these lines has
+  // this time. Lines that the host did not write itself (in files that it uses, in own commands) happen as written.
   std::optional<Time> now = {};
-  bool read_nothing = false;  // no files at all
-  // Told the real path of each file that is asked for and may be read, whether it is there or not; some more than once.
+  bool read_nothing = false;  // reads no files at all
+  // Called with the real path of each file that is requested and allowed, whether it exists or not; may repeat a path.
   std::function<void(const std::string& path)> asked_for = {};
-  bool tex = false;     // formulas are set by the programs latex and dvisvgm; else they are errors
-  bool counts = false;  // a notice says of each command how many its pattern named, where that is more than one
-  // What a script that is used (its real path) says by now, where somebody is writing it; none: what is in the file.
+  bool tex = false;     // typesets formulas with the programs latex and dvisvgm; otherwise formulas are errors
+  bool counts = false;  // adds a notice of how many objects the pattern of a command named, if more than one
+  // Returns the current text of a used script (by its real path) while someone edits it, or nullopt to read the file.
   std::function<std::optional<std::string>(const std::string& path)> written = {};
 };
 
-// Loads a plug-in (include/betwixt/plugin.h) for good: from now on its twerpers, filters, commands and functions are
-// words of every script that is read. A script itself cannot do this: plug-ins are programs.
+// Loads a plug-in (include/betwixt/plugin.h) until the program ends. From then on every script can use its twerpers,
+// filters, commands and functions. A script cannot do this itself, since plug-ins are programs.
 Status use_plugin(const std::string& path);
 
 struct Loaded {
-  Document document;        // what could be carried out
-  Diagnostics diagnostics;  // everything there is to say, in the order of the text
+  Document document;        // everything that could be carried out
+  Diagnostics diagnostics;  // all messages, in the order of the text
 };
 
-// Never fails as a whole: what is wrong is among the diagnostics, each with its place.
+// Read a script. They never fail as a whole: each error is among the diagnostics, with its place.
 Loaded load_file(const std::string& path, const LoadOptions& = {});
 Loaded load_text(std::string_view text, const std::string& name, const LoadOptions& = {});
 
-// The same script in canonical form; comments and commands stay. A text whose words, brackets or rows cannot be told
-// apart comes back as it was; whether its commands can be carried out is not asked.
+// Returns the script in canonical form. Comments and commands are kept. If the text has words, brackets or rows that
+// the reader cannot separate, it is returned unchanged. The commands are not carried out, so they may have errors.
 std::string tidy(std::string_view text);
 
-// A script that makes this document: load_text(write(d)) == d.
+// Returns a script that makes this document: load_text(write(d)) == d.
 std::string write(const Document&);
 
-// "24f", "2.5s", "00:01:02.5" … at the document's rates.
-// How long a shutter is open, in seconds: 180deg (of 360 a frame), 10ms, 0.5f or off. Errors: syntax, range.
+// Reads how long a shutter is open: 180deg (of 360 a frame), 10ms, 0.5f or off. Returns seconds. Errors: syntax, range.
 Result<double> parse_shutter(std::string_view, const Document&);
+// Reads a time such as "24f", "2.5s" or "00:01:02.5", at the document's rates. Errors: syntax, range.
 Result<Time> parse_time(std::string_view text, const Document&);
-// "24f" where t is on a frame, else seconds: "1.2345s".
+// Returns "24f" if t is on a frame, otherwise seconds: "1.2345s".
 std::string format_time(Time, const Document&);
 
-// The targets a pattern names: "ball.position", "wheel*.{position,color}", "ball" (its position, rotation and scale …:
-// all that is not at rest). Empty where nothing matches; an error where a name or a function does not exist.
+// Returns the targets that a pattern names: "ball.position", "wheel*.{position,color}", or "ball" for all its display
+// functions that are not at rest (position, rotation, scale …). Returns an empty list if nothing matches. Errors: name,
+// if an object or a function does not exist.
+
 Result<std::vector<Target>> find_targets(std::string_view pattern, const Document&);
 
 }  // namespace betwixt

@@ -34,24 +34,24 @@ constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z};
 constexpr Vec3 operator*(Vec3 a, double s) { return s * a; }
 constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-inline double length(Vec3 a) {  // without overflow; written out, as libraries differ in its last bit
+inline double length(Vec3 a) {  // cannot overflow; not std::hypot, since libraries differ in its last bit
   const double x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z), most = std::max({x, y, z});
   if (!(most > 0)) return x + y + z;
   return most * std::sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most));
 }
-// The direction of `a`; `otherwise` where `a` has none.
+// Returns the unit vector along `a`, or `otherwise` if `a` has no direction.
 inline Vec3 normalize(Vec3 a, Vec3 otherwise = {0, 0, 1}) {
   const double l = length(a);
   return l > 0 ? (1 / l) * a : otherwise;
 }
 
-// A box with its sides along the axes; at first there is nothing in it.
+// A box with its sides along the axes, empty at first.
 struct Box {
-  Vec3 low{1, 1, 1}, high{-1, -1, -1};  // low > high: nothing
+  Vec3 low{1, 1, 1}, high{-1, -1, -1};  // empty if low > high
   constexpr bool empty() const { return low.x > high.x; }
   constexpr Vec3 middle() const { return 0.5 * low + 0.5 * high; }
   constexpr Vec3 half() const { return 0.5 * (high - low); }
-  // Grows until it holds that too.
+  // Grows the box until it contains the point or the other box.
   constexpr void add(Vec3 p) {
     if (empty()) low = high = p;
     for (int i = 0; i < 3; ++i) low[i] = p[i] < low[i] ? p[i] : low[i], high[i] = p[i] > high[i] ? p[i] : high[i];
@@ -61,7 +61,7 @@ struct Box {
   }
 };
 
-// A unit quaternion w + xi + yj + zk stands for an orientation.
+// A unit quaternion w + xi + yj + zk, as an orientation.
 struct Quat {
   double w = 1, x = 0, y = 0, z = 0;
   friend constexpr bool operator==(const Quat&, const Quat&) = default;
@@ -83,22 +83,23 @@ inline Quat axis_angle(Vec3 axis, double angle) {
   const double s = std::sin(angle / 2);
   return {std::cos(angle / 2), n.x * s, n.y * s, n.z * s};
 }
-// What does the turn of q `s` times, by the whole of its angle: that of -q is the other way around. Half the turn that
-// is shorter than half a circle is power(q.w < 0 ? -q : q, 0.5).
+// Returns the rotation of q done `s` times. The angle is that of q in full: -q turns the other way around. For half of
+// the shorter rotation use power(q.w < 0 ? -q : q, 0.5).
 inline Quat power(Quat q, double s) {
   const double sine = length(Vec3{q.x, q.y, q.z});
   if (sine < 1e-300) return {};
   const double half_angle = s * std::atan2(sine, q.w), k = std::sin(half_angle) / sine;
   return {std::cos(half_angle), k * q.x, k * q.y, k * q.z};
 }
-// Of an angle, to 2e-16; the same bits on every machine. Beyond a million radians they are the library's.
+// Returns the sine and cosine of an angle in radians, to 2e-16 and with the same bits on every machine. Beyond a
+// million radians they are those of the C library.
 struct SineCosine {
   double sine = 0, cosine = 1;
 };
 inline SineCosine sine_cosine(double angle) {
   if (!(std::abs(angle) < 1e6)) return {std::sin(angle), std::cos(angle)};
-  // The quarters of a turn go (the quarter in three parts, the first two of few bits, so that these products are
-  // exact); of the rest, at most an eighth of a turn, the series.
+  // Subtract whole quarter turns. A quarter turn is given in three parts; the first two have few bits, so that their
+  // products are exact. The remainder is at most an eighth of a turn; the series are for that.
   constexpr double quarters = 0.63661977236758134308, first = 1.57079632673412561417e+00,
                    second = 6.07710050630396597660e-11, third = 2.02226624879595063154e-21;
   constexpr double shift = 0x1.8p52;  // adding it rounds to whole numbers
@@ -117,14 +118,15 @@ inline SineCosine sine_cosine(double angle) {
                                z * (2.48015872894767294178e-05 +
                                     z * (-2.75573143513906633035e-07 +
                                          z * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11))))));
-  // Which of both it is, and its sign, by bits: angles come in no order that a processor could guess.
+  // Select sine or cosine, and the sign, by bits. A branch would be slow: processors cannot predict the order of
+  // angles.
   const auto quarter = static_cast<std::uint64_t>(static_cast<std::int64_t>(n));
   const std::uint64_t s = std::bit_cast<std::uint64_t>(sine), c = std::bit_cast<std::uint64_t>(cosine);
   const std::uint64_t swapped = (s ^ c) & (0 - (quarter & 1));
   return {std::bit_cast<double>(s ^ swapped ^ (quarter & 2) << 62),
           std::bit_cast<double>(c ^ swapped ^ ((quarter + 1) & 2) << 62)};
 }
-// Angles about the object's own x axis, then its y axis, then its z axis.
+// Returns the rotation by three angles in radians: about the object's own x axis, then its y axis, then its z axis.
 inline Quat from_angles(Vec3 a) {
   const auto [sx, cx] = sine_cosine(a.x / 2);
   const auto [sy, cy] = sine_cosine(a.y / 2);
@@ -133,7 +135,7 @@ inline Quat from_angles(Vec3 a) {
   return {xy.w * cz - xy.z * sz, xy.x * cz + xy.y * sz, xy.y * cz - xy.x * sz, xy.z * cz + xy.w * sz};
 }
 
-// Sixteen numbers in column-major memory: element (row, column), translation in the last column.
+// A matrix in column-major memory: element (row, column), with the translation in the last column.
 struct Mat4 {
   std::array<double, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   constexpr double& operator()(int row, int column) { return m[static_cast<std::size_t>(column * 4 + row)]; }
@@ -156,7 +158,7 @@ constexpr Vec3 transform_vector(const Mat4& a, Vec3 v) {
   return {a(0, 0) * v.x + a(0, 1) * v.y + a(0, 2) * v.z, a(1, 0) * v.x + a(1, 1) * v.y + a(1, 2) * v.z,
           a(2, 0) * v.x + a(2, 1) * v.y + a(2, 2) * v.z};
 }
-// a b, of what affine matrices do to directions alone; the rest of the outcome is the identity's.
+// Returns the linear part of a b, for affine matrices. The other elements are those of the identity.
 constexpr Mat4 linear_product(const Mat4& a, const Mat4& b) {
   Mat4 r;
   for (int c = 0; c < 3; ++c)
@@ -185,9 +187,9 @@ constexpr Mat4 rotation(Quat q) {
   return r;
 }
 
-// Of what an affine matrix does to directions.
+// Returns the determinant of the linear part of an affine matrix.
 constexpr double determinant(const Mat4& a) { return dot(column(a, 0), cross(column(a, 1), column(a, 2))); }
-// Of an affine matrix; none where it is singular.
+// Returns the inverse of an affine matrix, or std::nullopt if it is singular.
 inline std::optional<Mat4> inverse(const Mat4& affine) {
   const Vec3 a = column(affine, 0), b = column(affine, 1), c = column(affine, 2);
   const double det = determinant(affine);
@@ -201,7 +203,7 @@ inline std::optional<Mat4> inverse(const Mat4& affine) {
   return out;
 }
 
-// Whether all of the numbers are: neither infinite nor no number.
+// Returns whether all numbers are finite.
 inline bool finite(std::span<const double> numbers) {
   for (const double x : numbers)
     if (!std::isfinite(x)) return false;
@@ -210,7 +212,7 @@ inline bool finite(std::span<const double> numbers) {
 inline bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 inline bool finite(const Mat4& a) { return finite(std::span(a.m)); }
 
-// A rigid motion: at `eye`, the -z axis towards `target`, y up as far as may be.
+// Returns a rigid motion to `eye` with the -z axis towards `target` and y up as far as possible.
 inline Mat4 look_at(Vec3 eye, Vec3 target) {
   const Vec3 back = normalize(eye - target);
   const Vec3 up = std::abs(back.y) > 1 - 1e-12 ? Vec3{0, 0, back.y > 0 ? -1.0 : 1.0} : Vec3{0, 1, 0};
@@ -220,7 +222,7 @@ inline Mat4 look_at(Vec3 eye, Vec3 target) {
   return m;
 }
 
-// Of a rotation's matrix.
+// Returns the quaternion of a rotation matrix.
 inline Quat from_matrix(const Mat4& m) {
   const double t[] = {m(0, 0) + m(1, 1) + m(2, 2), m(0, 0), m(1, 1), m(2, 2)};
   int k = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Triangles, ready for the graphics interface (f32 begins here), and pictures as bytes.
+// Triangle meshes for the graphics interface (from here on in f32), and pictures as bytes.
 //
 // Room: scene
 #pragma once
@@ -22,12 +22,12 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
-// A run of triangles that share a look.
+// A range of triangles that share colour and texture.
 struct MeshPart {
-  std::uint32_t first = 0, count = 0;      // in indices, into Mesh::triangles
+  std::uint32_t first = 0, count = 0;      // indices into Mesh::triangles
   std::array<float, 3> color{1, 1, 1};     // linear light
-  std::shared_ptr<const Picture> texture;  // may be null
-  bool tinted = true;                      // the object's own colour multiplies it
+  std::shared_ptr<const Picture> texture;  // null if it has none
+  bool tinted = true;                      // whether the object's own colour multiplies it
 };
 
 struct Rig;  // src/scene/rig.h
@@ -35,15 +35,15 @@ struct Rig;  // src/scene/rig.h
 struct Mesh {
   std::vector<std::array<float, 3>> positions;
   std::vector<std::array<float, 3>> normals;  // as many as positions, unit length
-  std::vector<std::array<float, 2>> uvs;      // as many as positions, or none; (0 0) is the picture's top left
+  std::vector<std::array<float, 2>> uvs;      // as many as positions, or empty; (0 0) is the top left of the texture
   std::vector<std::uint32_t> triangles;       // three indices a triangle, counter-clockwise from outside
-  std::vector<std::uint32_t> edges;           // two indices an edge: what wireframe draws
-  std::vector<MeshPart> parts;                // covers `triangles`; empty: one plain part
-  bool closed = false;                        // no inside can be seen: back faces may be culled
-  std::shared_ptr<const Rig> rig;             // how joints and weights deform it; null: they do not
-  bool posed = false;                         // it has been deformed, and will be otherwise a moment later
+  std::vector<std::uint32_t> edges;           // two indices an edge, for wireframe
+  std::vector<MeshPart> parts;                // cover `triangles`; if empty, the mesh is one plain part
+  bool closed = false;                        // whether the inside can never be seen, so that back faces may be culled
+  std::shared_ptr<const Rig> rig;             // how joints and weights deform it; null if they do not
+  bool posed = false;                         // whether this is a deformed pose, which will soon be replaced by another
 
-  Box box() const;  // the origin, where there is nothing
+  Box box() const;  // an empty mesh has a box at the origin
 };
 
 }  // namespace betwixt

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a document says of its objects, for programs that show or translate it: a studio, an exporter, a binding.
+// The objects of a document, for programs that show or translate them: a studio, an exporter, a binding.
 //
-// Nothing here evaluates anything: values at times are a Program's. What views point to belongs to the document, and
-// stays as it is for as long as that or any copy of it lives. An object that is not there is nothing: a group without
-// functions. Numbers are as the author sees them after units: metres, seconds, radians, colours sRGB.
+// These functions read the document and evaluate nothing; for values at a time use a Program. A view points into the
+// document and is valid as long as the document or a copy of it lives. An object that does not exist is treated as a
+// group without functions. Numbers are in metres, seconds and radians, colours are sRGB.
 //
 // Room: scene
 #pragma once
@@ -21,49 +21,49 @@
 namespace betwixt {
 
 std::string_view name_of(Kind);  // "sphere"
-// All that there are, in the order of their creation.
+// Returns all objects, in order of creation.
 std::vector<ObjectId> objects(const Document&);
-// Those that a word of the language names: an alias (in its order), a pattern or braces (in the order of names), a
-// name.
+// Returns the objects that a word of the language names: an alias (in its order), a pattern or braces (in order of
+// names), or a name.
 std::vector<ObjectId> objects(const Document&, std::string_view word);
-Kind kind(const Document&, ObjectId);
-// Whether a display list says what it is: it comes and goes with the list, and no script creates it.
+Kind kind(const Document&, ObjectId);  // Kind::group if there is no such object
+// Returns whether the object comes from a display list. Then it comes and goes with the list; no script creates it.
 bool derived(const Document&, ObjectId);
 
-// How numbers of a function are written: where nothing is behind them they are metres, or millimetres, or plain.
+// How a script writes the numbers of a function. Without a unit they are metres, millimetres, or plain numbers.
 enum class Unit : std::uint8_t { none, metres, millimetres, moment, seconds, opening };
 
-// A display function of an object: what can vary about it.
+// A display function of an object: a property that can be animated.
 struct FunctionView {
-  std::uint16_t id = 0;      // of this document: Target::function
+  std::uint16_t id = 0;      // in this document, for Target::function
   std::string_view name;     // "position"
-  Type type = Type::scalar;  // of its values
+  Type type = Type::scalar;  // the type of its values
   Unit unit = Unit::none;
-  std::vector<std::string_view> components;  // x y z or r g b, where the type has any
-  std::string_view words;                    // of texts that are one of a few: "point|sun"; else empty
-  double low = -1e300, high = 1e300;         // numbers outside mean nothing
-  const Value* rest = nullptr;               // the value where nobody says otherwise; never null
-  const Value* set = nullptr;                // what it was set to; null: nothing
-  bool animated = false;                     // it has events, a velocity, filters, code or layers
+  std::vector<std::string_view> components;  // x y z or r g b; empty if the type has none
+  std::string_view words;                    // the valid words of a text, as "point|sun"; empty if any text is valid
+  double low = -1e300, high = 1e300;         // the range of valid numbers
+  const Value* rest = nullptr;               // the default value; never null
+  const Value* set = nullptr;                // the value that the script sets; null if it sets none
+  bool animated = false;                     // whether it has events, a velocity, filters, code or layers
 };
-// All that the object has, the author's own behind the built-in ones; not those that can only be asked for (Query).
+// Returns all display functions of an object, the built-in ones before the author's own. Queries are not included.
 std::vector<FunctionView> functions(const Document&, ObjectId);
 
-// What an object hangs on from `from` to just before `until`. The first span begins with the document, the last one
-// never ends; where nothing was ever said there is none, and nothing holds it.
+// The parent of an object from `from` to just before `until`. The first span begins at the earliest time and the last
+// one ends at the latest. An object without attachments has no spans.
 struct AttachmentSpan {
   Time from = from_the_beginning, until = for_good;
   Attachment to;
-  bool computed = false;  // by code, from time to time; what `to` says is nothing then
+  bool computed = false;  // code computes the parent at each time, and `to` has no meaning
 };
 std::vector<AttachmentSpan> attachments(const Document&, ObjectId);
 
-// A layer: what it holds is laid over the tracks of others. (its tracks: betwixt/track.h)
+// A layer: its tracks are combined with those of the objects. (For the tracks see betwixt/track.h.)
 struct LayerView {
   ObjectId id;
-  std::string_view mode;  // "add": its values are added; "mix": they take the place of what is below
-  Target weight;          // how much of it is seen, 0 to 1; may be animated as any function
+  std::string_view mode;  // "add": adds its values; "mix": blends over to them
+  Target weight;          // how much of it is applied, 0 to 1; can be animated
 };
-std::vector<LayerView> layers(const Document&);  // in the order in which they are laid, each on those before
+std::vector<LayerView> layers(const Document&);  // in the order in which they are applied
 
 }  // namespace betwixt

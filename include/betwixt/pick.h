@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is where in a picture: from places of the world to places of the picture and back, and what is under a finger.
-// Places of a picture go from 0 at its left and its top to 1 at its right and its bottom.
+// Projection and picking: maps points of the world to points of a picture and back, and finds the object at a point.
+// Points of a picture go from (0 0) at the top left to (1 1) at the bottom right.
 //
 // Room: render
 #pragma once
@@ -17,10 +17,10 @@
 namespace betwixt {
 
 struct Ray {
-  Vec3 from, along;  // along: of unit length
+  Vec3 from, along;  // `along` has unit length
 };
 
-// How a camera takes pictures, which are `aspect` times as wide as high.
+// The projection of a camera, for a picture whose width / height is `aspect`.
 class Projection {
  public:
   struct Spot {
@@ -35,12 +35,13 @@ class Projection {
 
   Projection(const Camera&, double aspect);
 
-  // None: it is not before the eye.
+  // Returns the point of the picture, or std::nullopt if `place` is not before the eye.
   std::optional<Spot> spot(Vec3 place) const;
-  // Through a place of the picture; from the eye on, or where it is orthographic from the camera's plane.
+  // Returns the ray through a point of the picture. It starts at the eye, or, if orthographic, at the camera's plane.
   Ray ray(double x, double y) const;
+  // Returns the point of the world at a point of the picture and a depth.
   Vec3 place(double x, double y, double depth) const;
-  // How many metres are seen there from bottom to top.
+  // Returns the metres that the picture shows from bottom to top at this depth.
   double height(double depth) const;
 
   Vec3 eye() const { return eye_; }
@@ -53,31 +54,32 @@ class Projection {
  private:
   Vec3 eye_, right_, up_, backward_;
   bool orthographic_;
-  double sx_, sy_, shift_x_, shift_y_, aspect_;  // as View's
+  double sx_, sy_, shift_x_, shift_y_, aspect_;  // as in View
 };
 
-// What an item is drawn with, in the world: three corners for each triangle of the mesh, two for each of its edges.
+// The triangles and edges of an item in the world: three corners for each triangle, two for each edge.
 struct Drawn {
   std::vector<Vec3> corners;
   std::shared_ptr<const Mesh> mesh;  // never null
 };
-// As fine as for what reaches so many pixels from its middle; 0: as coarse as will do to find it.
+// Returns them as fine as a shape needs that reaches this many pixels from its centre. 0: as coarse as picking allows.
 Drawn drawn(const Item&, double pixels = 0);
 
-// The smallest rectangle around it; without end where some of it is not before the eye. None: nothing of it is.
+// Returns the smallest rectangle around it, unbounded if part of it is not before the eye. Returns std::nullopt if no
+// part of it is before the eye.
 std::optional<Projection::Rectangle> rectangle_around(const Drawn&, const Projection&);
 
 struct Hit {
   ObjectId id;
-  Vec3 place;        // of its surface, in the world
+  Vec3 place;        // a point of its surface, in the world
   double depth = 0;  // metres before the eye
 };
-// The nearest thing at a place of the picture. Where there is none, one with an edge within `slack`, in heights of the
-// picture: lines and small things want no steady hand.
+// Returns the nearest object at a point of the picture. If there is none, returns one with an edge within `slack`, in
+// heights of the picture, so that thin and small objects are easy to hit. Otherwise returns std::nullopt.
 std::optional<Hit> pick(const Frame&, const Projection&, double x, double y, double slack = 0);
-// All things at a place of the picture, the nearest first.
+// Returns all objects at a point of the picture, the nearest first.
 std::vector<Hit> pick_through(const Frame&, const Projection&, double x, double y);
-// All that lie in a rectangle wholly, in the order of the frame.
+// Returns the objects that are wholly inside a rectangle, in the order of the frame.
 std::vector<ObjectId> pick_within(const Frame&, const Projection&, const Projection::Rectangle&);
 
 }  // namespace betwixt

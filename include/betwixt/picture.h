@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures in files.
+// Reads and writes picture files.
 //
 // Room: exchange
 #pragma once
@@ -14,16 +14,17 @@
 
 namespace betwixt {
 
-// A PNG, as bytes. Errors: machine.
+// Returns a PNG as bytes. Errors: machine.
 Result<std::string> to_png(const Picture&);
-// Written beside it first, then put in place: never half a file. Errors: file (cannot be written), machine (disk full).
+// Write a file beside the final one and rename it, so that no half file is ever left under the final name. Errors: file
+// (cannot be written), machine (disk full).
 Status write_png(const std::string& path, const Picture&, bool overwrite = true);
-// The same of light: as it is shown, with 16 bits a channel; and as it is, in half floats (OpenEXR).
+// The same for linear light: a PNG with 16 bits a channel, as a screen shows it; an OpenEXR in half floats, unchanged.
 Status write_png(const std::string& path, const DeepPicture&, bool overwrite = true);
 Status write_exr(const std::string& path, const DeepPicture&, bool overwrite = true);
-// PNG and OpenEXR, as light. Errors: as those of read_picture.
+// Reads PNG or OpenEXR and returns linear light. Errors: those of read_picture.
 Result<DeepPicture> read_deep_picture(const std::string& path);
-// PNG, JPEG, TGA, BMP. Errors: file (missing, unreadable, broken), range (more than 16384 pixels a side).
+// Reads PNG, JPEG, TGA or BMP. Errors: file (missing, unreadable, broken), range (more than 16384 pixels a side).
 Result<std::shared_ptr<const Picture>> read_picture(const std::string& path);
 
 }  // namespace betwixt

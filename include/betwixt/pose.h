@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where objects are at a time, and what they hang on then: what an exporter makes a hierarchy of.
+// Poses: the places of objects at a time, and their parents then, for exporters that need a hierarchy.
 //
 // Room: program
 #pragma once
@@ -14,20 +14,21 @@
 namespace betwixt {
 
 struct Pose {
-  ObjectId parent;  // what it hangs on then, by name or by display list; none: nothing holds it
-  AttachmentKind attachment = AttachmentKind::detach;  // and how
-  Mat4 world;                                          // object space to the world, with all that moves it
-  // Object space to the parent's: world = world of the parent * local, whatever comes through of the parent's turn and
-  // scale. The world's own where there is no parent; none where the parent is flattened.
+  ObjectId parent;  // its parent then, by attachment or by display list; empty if none
+  AttachmentKind attachment = AttachmentKind::detach;  // how it is attached
+  Mat4 world;                                          // object space to world space, all motion included
+  // Object space to the parent's space: world = world of the parent * local, whichever parts of the parent's rotation
+  // and scale are inherited. Without a parent it equals `world`. nullopt if the parent's matrix is singular.
   std::optional<Mat4> local = Mat4{};
 };
 
-// Of an object that is not there, and of layers and environments, which are nowhere: the identity.
+// Returns the identity for an object that does not exist, and for layers and environments, which have no place.
 Pose pose(const Program&, ObjectId, Time);
-// Of all objects, by ObjectId::index; what they share is evaluated once.
+// Returns the poses of all objects, by ObjectId::index. Evaluates what they share once.
 std::vector<Pose> poses(const Program&, Time);
 
-// The camera looked through at a time; none: the film has none, and its frames show all there is to see.
+// Returns the camera that the film is seen through at a time. The id is empty if the film has no camera; then its
+// frames show everything.
 ObjectId camera(const Program&, Time);
 
 }  // namespace betwixt

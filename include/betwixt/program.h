@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A program: a document compiled to flat arrays, ready to be asked for any time, in any order, from any thread.
+// A program: a document compiled to flat arrays. Ask it for any time, in any order, from any thread.
 //
 // Room: program
 #pragma once
@@ -17,43 +17,46 @@
 
 namespace betwixt {
 
-// How an object goes through the world at a time.
+// The motion of an object in world space at a time.
 struct Kinematics {
-  // Of its origin, in the world; the velocity per second, coming from before where there is a break.
+  // Of the object's origin. The velocity is per second; at a jump it is that from before.
   Vec3 position, velocity;
-  Mat4 to_world;  // the linear part of what takes values of its position track to the world
+  Mat4 to_world;  // linear part of the map from the values of its position track to the world
 };
 
 class Program {
  public:
+  // Compiles a document. Cannot fail.
   static Program compile(const Document&);
-  // The same, of an edited document: what the edit did not touch is shared with the program before, of whichever
-  // document.
+  // Compiles an edited document. Shares with `before` whatever the edit did not touch; `before` may be the program of
+  // any document.
   static Program compile(const Document&, const Program& before);
 
-  // Pure: the same time gives the same bits, whatever was asked before.
+  // Returns the frame at a time. Pure: the same time gives the same bits, whatever was evaluated before.
   Frame frame(Time) const;
-  // The value of one display function (or component) at a time, a world as a matrix; colours as the author writes them.
-  // Of an object that is not there it is the number 0; kinematics and motions are nothing.
+  // Returns the value of a target at a time; that of `world` is a matrix, colours are sRGB. A target whose object does
+  // not exist yields the number 0. For such an object, kinematics and motions are empty.
   Value read(const Target&, Time) const;
-  // Many at once: what they share is evaluated once. `problems`: procedures that gave no value, in words.
+  // Returns the value of each target, evaluating what they share once. `problems` receives a message for each procedure
+  // that gave no value.
   std::vector<Value> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;
-  // The same, where it is a few values that take at most so many steps and need no code; none: it may take longer.
+  // The same with a limit. Returns std::nullopt unless the values are few, take at most this many steps and need no
+  // code.
   std::optional<std::vector<Value>> read_within(std::uint64_t steps, const std::vector<Target>&, Time,
                                                 std::vector<std::string>* problems = nullptr) const;
-  // What procedures looked at to give this value, in the order they looked.
+  // Returns the targets that procedures read to compute this value, in order.
   std::vector<Target> reads(const Target&, Time) const;
 
   Kinematics kinematics(ObjectId, Time) const;
-  // The motions of an object in the order of time, their centres as places.
+  // Returns the motions of an object in order of time. Centres that are objects are replaced by their positions.
   std::vector<Motion> motions(ObjectId) const;
-  // The first time after `t` at which a frame may differ from the one at `t`: `t` itself while something goes on
-  // moving, none if nothing ever will. Until then nothing need be evaluated or drawn.
+  // Returns the first time after `t` at which a frame may differ from that at `t`, or `t` itself while something moves.
+  // Returns std::nullopt if nothing will ever change. Until then you need not evaluate or draw.
   std::optional<Time> next_change(Time t) const;
-  // Every time behind the first and up to the other at which something that is not code may jump, in order.
+  // Returns the times after `after` and up to `until` at which anything but code may jump, in order.
   std::vector<Time> breaks(Time after, Time until) const;
 
-  // What touches and what is in view: betwixt::contacts of the frame, without making all of it.
+  // Returns betwixt::contacts of the frame, without evaluating all of it.
   Contacts contacts(Time, const ContactOptions& = {}) const;
 
   const Document& document() const;
@@ -65,8 +68,8 @@ class Program {
   std::shared_ptr<const Compiled> code_;
 };
 
-// The numbers of a value, for plots: a scalar gives one, a vector three, true 1, a matrix sixteen, row by row; empty
-// for what is not made of numbers.
+// Returns the numbers of a value, for plots: a scalar gives one, a vector three, true gives 1, a matrix sixteen, row by
+// row. Returns an empty list if the value has no numbers.
 std::vector<double> numbers(const Value&);
 
 }  // namespace betwixt

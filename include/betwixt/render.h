@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures from frames. Needs no display and no GPU.
+// Renders frames to pictures. Needs no display and no GPU.
 //
 // Room: render
 #pragma once
@@ -21,64 +21,62 @@ namespace betwixt {
 
 struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 1 to 8192
-  int samples = 4;                 // a pixel, as many as the style takes
+  int samples = 4;                 // samples a pixel; Style::takes tells which numbers are valid
   std::string style = "shaded";    // one of styles()
-  // Pictures of linear light can be had, and what has nothing behind it is clear where the film says so (elsewhere
-  // black).
+  // Allows pictures of linear light. If the film says so, their background is transparent (otherwise black).
   bool deep = false;
-  bool open = false;  // deep: light stays as bright as it is; else it rolls off as in all that is shown
+  bool open = false;  // deep: keeps light above white; otherwise it is rolled off, as in all other pictures
 };
 
-// How a picture is taken that takes time.
+// Motion blur and depth of field.
 struct Exposure {
-  int subframes = 16;             // of so many at most it is added up, 1 to 4096
-  std::optional<double> shutter;  // seconds; none: as long as the camera says
+  int subframes = 16;             // the most pictures that one is averaged from, 1 to 4096
+  std::optional<double> shutter;  // exposure time in seconds; nullopt: that of the camera
 };
 
 struct Style {
   std::string_view name, what;
-  std::string_view samples;    // how many a pixel it takes: "1, 4, 9 or 16"
-  bool (*takes)(int samples);  // whether it takes so many
-  int usual;                   // where nobody says how many, at least
+  std::string_view samples;    // valid numbers of samples a pixel: "1, 4, 9 or 16"
+  bool (*takes)(int samples);  // whether this number of samples is valid
+  int usual;                   // the fewest samples if neither the caller nor the script sets them
 };
 const std::vector<Style>& styles();
 
-// One renderer belongs to one thread. The same frame gives the same picture, whatever was drawn before. What a picture
-// shares with the one before it is kept: where nothing differs at all, nothing is drawn.
+// Use a renderer from one thread. The same frame gives the same picture, whatever was drawn before. A renderer reuses
+// the parts that do not change from one picture to the next; if nothing changes it draws nothing.
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  // Draws into `out`, resizing it where needed.
+  // Draws into `out` and resizes it if necessary.
   virtual Status render(const Frame&, Picture& out) = 0;
-  // The picture of its frame(), for playing: what has not changed is not looked at, if every `to` is followed by a
-  // picture.
+  // Draws the evaluation's frame, for playback. If you render after every `to`, only changed objects are examined.
   virtual Status render(const Evaluation&, Picture& out) = 0;
-  // The same as light. Errors: range (RenderOptions::deep was not said).
+  // The same, as linear light. Errors: range (RenderOptions::deep is false).
   virtual Status render(const Frame&, DeepPicture& out) = 0;
   virtual Status render(const Evaluation&, DeepPicture& out) = 0;
-  // The picture goes to what the graphics themselves show, of the same size, and is not read back. Errors: machine
-  // (they show nothing: only in pages do they).
+  // Draws to the surface of the graphics system, at the same size, and reads nothing back. Errors: machine (there is no
+  // surface; only web pages have one).
   virtual Status show(const Evaluation&);
-  // The picture that is begun at a time, blurred as its camera's shutter and opening have it: the sum of pictures, as
-  // light, at times spread over the shutter's, through points spread over the lens. For what jumps meanwhile the
-  // shutter closes before it does. Where nothing would be blurred it is one picture. Moves the evaluation. Errors: as
-  // above.
+  // Draws the picture whose exposure begins at a time, with motion blur and depth of field: the mean, in linear light,
+  // of pictures at times spread over the shutter's and from points spread over the lens. Objects that jump in that time
+  // are exposed only up to the jump. If nothing would be blurred, draws a single picture. Moves the evaluation. Errors:
+  // as above.
   virtual Status expose(Evaluation&, Time, const Exposure&, DeepPicture& out) = 0;
 };
 
-// Whether some camera of it has a shutter or an opening that is said.
+// Returns whether any camera of the document sets a shutter or a lens opening.
 bool has_exposure(const Document&);
 
-// How pictures of a film are made: as is said here, else as its script says, else as `otherwise`.
+// Returns the options for a film: those given here, or else the script's, or else `otherwise`.
 RenderOptions options_for(const Document&, RenderOptions otherwise, std::optional<std::pair<int, int>> size = {},
                           std::optional<int> samples = {});
-// How they are blurred; none: nothing is.
+// Returns the exposure of a film, or std::nullopt if nothing is blurred.
 std::optional<Exposure> exposure_for(const Document&, std::optional<double> shutter = {},
                                      std::optional<int> subframes = {});
 
-// Whether it can be drawn so. Errors: range, name, as below.
+// Checks the options. Errors: those of make_renderer but machine.
 Status check_options(const RenderOptions&);
-// Errors: range (options out of bounds), name (no such style), machine (no graphics to be had).
+// Makes a renderer. Errors: range (options out of bounds), name (no such style), machine (no graphics available).
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions&);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Errors are values. A Result is a T or an Error; nothing in the library throws across its boundary.
+// Errors are values. A Result holds a value or an Error. The library throws no exceptions to its callers.
 //
 // Room: base
 #pragma once
@@ -15,17 +15,17 @@
 
 namespace betwixt {
 
-// What kind of thing went wrong; the exit code of the program follows from it.
+// The kind of an error. The exit code of the program follows from it.
 enum class ErrorCode : std::uint8_t {
-  syntax,   // the text cannot be read
-  name,     // a name that nothing has, or that something has already
-  type,     // a value or operation that means nothing for its target
-  range,    // a number outside what is possible
-  file,     // a file of the author's that is missing, unreadable or broken
-  machine,  // the machine failed: disk full, no such device, a program that is not there
+  syntax,   // the text cannot be parsed
+  name,     // an unknown name, or a name that is taken
+  type,     // a value or operation of the wrong type for its target
+  range,    // a number out of range
+  file,     // a file of the author's is missing, unreadable or broken
+  machine,  // the machine failed: disk full, no such device, a missing program
 };
 
-// Where in a text; line and column count from 1, column in characters. line 0: no place is known.
+// A place in a text. Line and column count from 1, the column in characters. Line 0: the place is unknown.
 struct Place {
   std::string file;
   int line = 0, column = 0, length = 1;
@@ -33,22 +33,22 @@ struct Place {
 
 struct Error {
   ErrorCode code = ErrorCode::syntax;
-  std::string message;  // what is wrong, in plain words, no full stop
-  std::string hint;     // a near miss or a way out, may be empty
+  std::string message;  // the error in plain words, without a full stop
+  std::string hint;     // a suggestion; may be empty
   Place place;
 };
 
-// Something to tell the author about a text.
+// A message to the author about a text.
 enum class Severity : std::uint8_t { notice, warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   Error what;
-  std::string line;  // the text of the line at place (a long one is cut around it)
-  int caret = 0;     // how many characters of `line` stand before the place
+  std::string line;  // the line of text at the place (a long one is cut around it)
+  int caret = 0;     // characters of `line` before the place
 };
 using Diagnostics = std::vector<Diagnostic>;
 
-// "file:line:column: error: message", the line, a caret, "suggestion"; with a final newline.
+// Returns "file:line:column: error: message", the line, a caret and the suggestion, with a final newline.
 std::string to_string(const Diagnostic&);
 bool has_errors(const Diagnostics&);
 

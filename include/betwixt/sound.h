@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What of a sound can be asked for at any time, in its own time.
+// A sound's loudness and onsets, as functions of the sound's own time in seconds.
 //
 // Room: scene
 #pragma once
@@ -12,17 +12,18 @@
 
 namespace betwixt {
 
-inline constexpr int sound_rate = 48'000;  // stereo samples a second, whatever the file has
+inline constexpr int sound_rate = 48'000;  // stereo samples a second, whatever rate the file has
 
 struct Sound {
-  std::string path;  // of its file, as it can be opened
+  std::string path;  // the path to open
   double seconds = 0;
-  std::vector<double> energy;  // the squares (means of left and right) summed up to each millisecond, in seconds
-  std::vector<double> onsets;  // when something begins to sound, ascending
+  std::vector<double>
+      energy;  // the integral of the squares (mean of left and right) up to each millisecond, in seconds
+  std::vector<double> onsets;  // the times at which a note or beat begins, ascending
 
-  // The root of the mean square over 50 ms about a time; silence outside. A full sine has 0.7071.
+  // Returns the root mean square over 50 ms around a time; outside the file there is silence. A full sine has 0.7071.
   double loudness(double at) const;
-  std::size_t onsets_between(double from, double to) const;  // from <= onset <= to
+  std::size_t onsets_between(double from, double to) const;  // counts from <= onset <= to
 };
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The matrix of a motion in letters: each of its numbers as a sum of products.
+// The matrix of a motion in symbolic form: each element is a sum of products.
 //
 // Room: algebra
 #pragma once
@@ -16,14 +16,14 @@
 
 namespace betwixt {
 
-// A letter of one factor. What is 0 or 1 in the string needs none.
+// A symbol (letter) for a number of one factor. Numbers that are 0 or 1 in the string have no symbol.
 struct Symbol {
   enum class Kind : std::uint8_t {
-    cosine,  // c: of the angle so far
-    sine,    // s
-    growth,  // g, h, k: so far, along x, y and z; one letter where they are alike
-    axis,    // l, m, n: the direction, of length 1
-    way,     // u, v, w: so far
+    cosine,  // c: cosine of the angle at t
+    sine,    // s: sine of the same
+    growth,  // g, h, k: the factor at t along x, y and z; a single letter if they are equal
+    axis,    // l, m, n: the unit direction
+    way,     // u, v, w: the displacement at t
     centre,  // x, y, z
   };
   Kind kind = Kind::cosine;
@@ -33,8 +33,8 @@ struct Symbol {
   friend bool operator==(const Symbol&, const Symbol&) = default;
 };
 
-// count times the product of these letters, which are numbers of Symbols::letters in rising order; one that is there
-// twice is its square.
+// A product: `count` times these letters. They are indices into Symbols::letters in ascending order; a repeated index
+// is a square.
 struct Term {
   int count = 1;
   std::vector<std::size_t> letters;
@@ -43,20 +43,20 @@ struct Term {
 
 struct Symbols {
   std::vector<Symbol> letters;
-  std::array<std::vector<Term>, 12> sums;  // the upper three rows of A(t), row by row; no terms: 0
+  std::array<std::vector<Term>, 12> sums;  // the first three rows of A(t), row by row; an empty sum is 0
 };
 
-// Of a motion that `check` passes. Errors (range): a number of the matrix that has more than `most_terms`.
+// Returns the symbolic form. The motion must pass `check`. Errors (range): an element has more than `most_terms`.
 inline constexpr std::size_t most_terms = 64;
 Result<Symbols> in_symbols(const Motion&);
 
-// What the letters are at t, and what a sum is of these.
+// Return the value of each letter at t, and the value of a sum from these.
 std::vector<double> values_of(const Symbols&, const Motion&, double t);
 double value_of(const std::vector<Term>&, std::span<const double> letters);
 
-// "(1 - c2) x2 + s2 y2": what belongs to one length stands together.
+// Returns a sum as text, such as "(1 - c2) x2 + s2 y2", with the terms of one length grouped.
 std::string to_string(const std::vector<Term>&, const Symbols&);
-// "cos 90deg t", "2^t", "3": what a letter stands for.
+// Returns the definition of a letter, such as "cos 90deg t", "2^t" or "3".
 std::string meaning_of(const Symbol&, const Motion&);
 
 }  // namespace betwixt

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Time is an exact whole number of flicks: 1/705,600,000 s, whole for every common frame rate and for 30 ticks a
-// second.
+// Time is an exact whole number of flicks of 1/705,600,000 s. All common frame rates, and 30 ticks a second, have a
+// whole number of flicks a frame.
 //
 // Room: base
 #pragma once
@@ -26,19 +26,20 @@ constexpr Time operator+(Time a, Time b) { return {a.flicks + b.flicks}; }
 constexpr Time operator-(Time a, Time b) { return {a.flicks - b.flicks}; }
 constexpr Time operator-(Time a) { return {-a.flicks}; }
 
-// The largest |seconds| a document can speak of (about 146 years): sums of a few times never overflow.
+// The largest |seconds| in a document (about 146 years). Sums of a few such times do not overflow.
 inline constexpr double longest_seconds = 4.6e9;
 constexpr bool in_reach(Time t) { return t.seconds() <= longest_seconds && t.seconds() >= -longest_seconds; }
 
-// Nearest flick; the caller has checked |s| <= longest_seconds.
+// Returns the nearest flick. The caller has checked that |s| <= longest_seconds.
 inline Time from_seconds(double s) { return {std::llround(s * static_cast<double>(flicks_per_second))}; }
 
-// Frames (or ticks) a second, as a fraction: 24/1, 30000/1001.
+// Frames or ticks a second, as a fraction: 24/1, 30000/1001.
 struct Rate {
   std::int64_t num = 24, den = 1;
   friend constexpr bool operator==(Rate, Rate) = default;
   double per_second() const { return static_cast<double>(num) / static_cast<double>(den); }
-  // The length of n frames: exact for a whole n wherever the frame is a whole number of flicks, else the nearest flick.
+  // Returns the length of n frames. Exact if n is whole and a frame is a whole number of flicks; else the nearest
+  // flick.
   Time span(double n) const {
     const std::int64_t whole = flicks_per_second * den;
     if (n == std::floor(n) && whole % num == 0 && std::abs(n) < 9e18 / static_cast<double>(whole / num))
@@ -46,7 +47,7 @@ struct Rate {
     return {static_cast<std::int64_t>(
         std::llroundl(static_cast<long double>(n) * static_cast<long double>(whole) / static_cast<long double>(num)))};
   }
-  // How many whole spans have gone by at t: the n with span(n) <= t < span(n + 1).
+  // Returns how many whole frames fit before t: the n with span(n) <= t < span(n + 1).
   std::int64_t whole(Time t) const {
     const long double n = std::floor(static_cast<long double>(t.flicks) * static_cast<long double>(num) /
                                      (static_cast<long double>(flicks_per_second) * static_cast<long double>(den)));
@@ -55,9 +56,9 @@ struct Rate {
     while (k >= guess && span(static_cast<double>(k)) > t) --k;
     return k;
   }
-  // Frame n; frame 1 is time 0.
+  // Returns the time of frame n; frame 1 is at time 0.
   Time frame(double n) const { return span(n - 1); }
-  // The frame number at t; whole at frames.
+  // Returns the frame number at t. It is a whole number exactly on frames.
   double frame_number(Time t) const {
     const double n =
         static_cast<double>(static_cast<long double>(t.flicks) * static_cast<long double>(num) /

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tracks of a document and the events on them, for programs that show or translate them.
+// The tracks of a document and the events (keyframes) on them, for programs that show or translate them.
 //
-// A target says which track: the whole of a function or, where its components have tracks of their own, one of these;
-// beside it the track of its velocity; on a layer the same again. What views point to belongs to the document, and
-// stays as it is for as long as that or any copy of it lives. Where there is no such track all answers are empty.
-// Values are as the author wrote them: metres, radians, colours sRGB, places in the space of what the object hangs on;
-// velocities and tangents are per second.
+// A target names a track: that of a whole display function, or of a component if components have tracks of their own.
+// Beside each track there may be one for its velocity, and layers have tracks of their own. A view points into the
+// document and is valid as long as the document or a copy of it lives. For a track that does not exist all results are
+// empty. Values are as the author wrote them: metres, radians, colours sRGB, positions in the space of the parent.
+// Velocities and tangents are per second.
 //
 // Room: scene
 #pragma once
@@ -25,79 +25,80 @@
 
 namespace betwixt {
 
-// An event: a value at a time, and how to go on from there.
+// An event (keyframe): a value at a time, and how the track continues from there.
 struct EventView {
   enum class What : std::uint8_t {
     value,
-    keep,    // changes how to go on, not where: the value is what the track would have here without it
-    release  // of a velocity: its reign ends
+    keep,    // changes the twerper only; the value is that of the track without this event
+    release  // of a velocity: the track takes over again
   };
   Time time;
   What what = What::value;
-  const Value* value = nullptr;  // null: keep, release
-  std::string_view twerper;      // "linear", the name of one of the author's; empty: nothing was said
-  std::array<double, 4> arguments{0.25, 0.1, 0.25,
-                                  1};            // in brackets behind it; of "bezier" x1 y1 x2 y2, as CSS counts them
-  std::span<const std::array<double, 2>> stops;  // of "linear": how far in time, in hundredths, and in value
-  Time ease_out, ease_in;                        // how long it takes to leave and to arrive; 0: at once
-  const Value* before = nullptr;  // a cut: what the track comes to; `value` is what it goes on from. Null: the same
-  const Value *tangent_in = nullptr, *tangent_out = nullptr;  // of "hermite"; null: none was given
-  // Of "fcurve": how far in time its handles are; the tangents are then the way there in value. None: none was given.
+  const Value* value = nullptr;  // null for keep and release
+  std::string_view twerper;      // "linear" or another name, possibly the author's own; "" if the event has none
+  std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};  // of the twerper; for "bezier" x1 y1 x2 y2 as in CSS
+  std::span<const std::array<double, 2>> stops;         // of "linear": time in percent, and value
+  Time ease_out, ease_in;                               // how long easing takes after this event and before it; 0: none
+  const Value* before = nullptr;  // a cut: the value just before it, if it differs; otherwise null
+  const Value *tangent_in = nullptr, *tangent_out = nullptr;  // of "hermite"; null if not given
+  // Of "fcurve": the length of the handles in time; the tangents are then their height in value. nullopt if not given.
   std::optional<Time> handle_in, handle_out;
 };
 
 struct TrackView {
   Target target;
   std::size_t events = 0;
-  Time first, last;  // of its events, where there are any
-  // The one twerper of the whole track, whatever its events say; empty: each event's own.
+  Time first, last;  // of its events, if it has any
+  // The twerper of the whole track, which overrides those of the events; "" if it has none.
   std::string_view twerper;
-  std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};  // of that
+  std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};  // of this twerper
   std::span<const std::array<double, 2>> stops;
-  std::string_view unsaid;         // what it is where neither the track nor the event has said one: "smooth"
+  std::string_view unsaid;         // the default twerper, for events without one: "smooth"
   std::string_view before, after;  // the extrapolation: "hold", "linear", "cycle", "bounce"
-  bool srgb = false;               // colours blend as the numbers are written, not as light
+  bool srgb = false;               // whether colours blend in sRGB numbers and not in linear light
 };
-// Of an object: all that have events, and those that a whole track's word was said for. In the order of its functions;
-// of each the object's own before those on layers, values before velocities, components in order.
+// Returns the tracks of an object that have events, or a twerper or extrapolation for the whole track. The order is
+// that of its functions. Within a function the object's own tracks come before those on layers, values before
+// velocities, and components in order.
 std::vector<TrackView> tracks(const Document&, ObjectId);
-// Those that say what a target has: its own, that of the whole it is a component of, or those of its components.
+// Returns the tracks that determine a target: its own, that of the whole if it is a component, or its components'.
 std::vector<TrackView> tracks(const Document&, const Target&);
-// What a layer holds, object by object.
+// Returns the tracks on a layer, object by object.
 std::vector<TrackView> tracks_on(const Document&, ObjectId layer);
-// None where there is no such track: of components while the whole has one, of the whole while they have.
+// Returns one track, or std::nullopt if there is none. When components have tracks of their own, the whole has none,
+// and the other way around.
 std::optional<TrackView> track(const Document&, const Target&);
-// What the function was set to, on a layer what was set there; null: nothing.
+// Returns the value that was set (on a layer: set there), or null if there is none.
 const Value* value_set(const Document&, const Target&);
 
-// f(event) for all with from <= time <= to, in order; finding the first one takes no longer on a long track. The view
-// is f's for the length of the call; what it points to stays.
+// Calls f for each event with from <= time <= to, in order. The length of the track does not slow down the search for
+// the first one. The view is valid during the call, its pointers as long as the document.
 void each_event(const Document&, const Target&, Time from, Time to, const std::function<void(const EventView&)>& f);
-// When the first event at or after a time is, and the last one before it: as fast on a long track.
+// Return the time of the first event at or after a time, and of the last one before it. As fast on a long track.
 std::optional<Time> next_event(const Document&, const Target&, Time from);
 std::optional<Time> event_before(const Document&, const Target&, Time);
-// All of them, for tracks that are not long.
+// Returns all events. Use it for tracks that are not long.
 std::vector<EventView> events(const Document&, const Target&);
 
-// A filter on a function. The first one sees the track, each next one what the one before made of it.
+// A filter on a function. The first filter gets the track, each further one the result of the one before.
 struct FilterView {
   std::string_view name;
-  bool own = false;                                           // the author's or a plug-in's, not a built-in one
-  std::span<const std::pair<std::string, Value>> parameters;  // as given; what is left out has its default
-  int component = -1;                                         // of the value that it works on; -1: all
-  std::optional<std::pair<Time, Time>> segment;               // when it works, both ends included; none: always
+  bool own = false;                                           // the author's or a plug-in's, not built-in
+  std::span<const std::pair<std::string, Value>> parameters;  // the given ones; the others have their defaults
+  int component = -1;                                         // the component that it changes; -1: all
+  std::optional<std::pair<Time, Time>> segment;               // when it acts, both ends included; nullopt: always
 };
-// Of the function that a target is of, or is a component of, on its layer or on none.
+// Returns the filters on the function of a target (or of its whole), on the target's layer if it has one.
 std::vector<FilterView> filters(const Document&, const Target&);
 
-// Code that computes values, or that has a name.
+// Code that computes values, or that has a name (a procedure).
 struct ProcedureView {
-  std::string_view name;      // empty: it stands in the place of a value
+  std::string_view name;      // "" if it is in the place of a value
   std::string_view role;      // "value", "twerper", "filter", "command"
   std::string_view language;  // "lua", "plug-in"
-  std::string_view source;    // as the author wrote it; a plug-in's path
+  std::string_view source;    // as written; for a plug-in, its path
 };
-std::vector<ProcedureView> procedures(const Document&);  // those with names
-ProcedureView procedure(const Procedure&);               // valid as long as the procedure
+std::vector<ProcedureView> procedures(const Document&);  // the ones with names
+ProcedureView procedure(const Procedure&);               // valid as long as its argument
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a display function can have for a value.
+// The values that display functions (animatable properties) can have.
 //
 // Room: track
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace betwixt {
 
-// An object of a document, numbered in the order of creation. A number is never given out twice, so an id that outlives
+// The id of an object in a document, numbered in order of creation. Numbers are never reused, so an id that outlives
 // its object finds nothing.
 struct ObjectId {
   static constexpr std::uint32_t nothing = 0xffffffff;
@@ -27,19 +27,19 @@ struct ObjectId {
   friend constexpr bool operator==(ObjectId, ObjectId) = default;
 };
 
-// A colour as the author writes it: sRGB, 0 to 1 (more is brighter than white). Blending is in linear light.
+// A colour as the author writes it: sRGB, 0 to 1 (above 1 is brighter than white). Colours blend in linear light.
 struct Color {
   double r = 1, g = 1, b = 1;
   friend constexpr bool operator==(const Color&, const Color&) = default;
 };
 
-// Rotation as three angles, radians, about the object's own x, y and z axes in that order. Whole turns count.
+// A rotation as three angles in radians, about the object's own x, y and z axes in that order. Whole turns count.
 struct Angles {
   Vec3 xyz;
   friend constexpr bool operator==(const Angles&, const Angles&) = default;
 };
 
-// Immutable and shared: copying a value never copies text or points.
+// An immutable, shared value. Copying it never copies the text or the points.
 template <class T>
 struct Shared {
   std::shared_ptr<const T> at;
@@ -61,26 +61,27 @@ using Names = Shared<std::vector<std::string>>;
 using Matrix = Shared<Mat4>;   // affine
 using Moves = Shared<Motion>;  // from this event to the next one
 
-// What an object hangs on, and how (rules, section 5).
-//   hang    its position only is moved by the parent    attach  the parent turns it too, its scale does not
-//   couple  the parent's whole matrix                   detach  nothing holds it: its tracks are in the world
-//   letgo   nothing holds it, but what held it stays as it was at that moment
+// The parent of an object, and how much of the parent's matrix it inherits (rules, section 5).
+//   hang    the parent's matrix moves its position, and no more
+//   attach  the parent also turns it; the parent's scale moves its position only
+//   couple  the parent's whole matrix                      detach  no parent: its tracks are in world space
+//   letgo   no parent, but it keeps the parent's matrix of that moment
 enum class AttachmentKind : std::uint8_t { detach, letgo, hang, attach, couple };
 struct Attachment {
   AttachmentKind kind = AttachmentKind::detach;
   ObjectId parent;          // of hang, attach and couple
-  bool keep_world = false;  // it stays where it is in the world at that moment
+  bool keep_world = false;  // its matrix in the world does not jump at that moment
   friend constexpr bool operator==(const Attachment&, const Attachment&) = default;
 };
 
-// A value that the author's code computes (an inquisitive event). Equal: the same words in the same language.
+// A value that the author's code computes (an inquisitive event). Equal if code and language are equal.
 class Routine;  // src/track/procedure.h
 struct Procedure {
   std::shared_ptr<const Routine> code;
   friend bool operator==(const Procedure&, const Procedure&);
 };
 
-// The types that values have. A display function has one type, its values and its events too.
+// The types of values. A display function has one type, and so have all its events.
 enum class Type : std::uint8_t {
   scalar,       // double
   angle,        // double, radians
@@ -90,8 +91,8 @@ enum class Type : std::uint8_t {
   boolean,      // bool
   rotation,     // Angles or Quat
   orientation,  // Quat
-  shape,        // ObjectId: the geometry of that object; none: its own
-  aim,          // Vec3, a point of the world, or ObjectId
+  shape,        // ObjectId: the geometry of that object; without one, its own
+  aim,          // Vec3, a point in the world, or ObjectId
   text,         // Text
   points,       // Points
   names,        // Names

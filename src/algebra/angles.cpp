@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Angles as text: to the last of the digits that are written, however many turns stand before them.
+// Angles as text, exact to the last digit for any number of turns.
 #include <algorithm>
 #include <charconv>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr Unit turn_unit{"turn", 2 * std::numbers::pi, 1}, degree{"deg", std::numbers::pi, 180};
 
-// How many of the unit make a turn; 0 for radians, of which no whole number does.
+// Returns how many of the unit are a turn, or 0 for radians, of which no whole number is.
 std::int64_t per_turn(const Unit& u) { return u.of == 1 ? 0 : std::llround(2 * std::numbers::pi * u.divisor / u.of); }
 
-// A number's digits, those before the point and those behind it.
+// The digits of a number before the point and after it.
 struct Decimal {
   bool negative = false;
   std::string before, behind;
@@ -33,7 +33,7 @@ Decimal decimal(std::string_view number) {
   const std::size_t point = std::min(number.find('.'), number.size());
   d.before = number.substr(0, point);
   if (point < number.size()) d.behind = number.substr(point + 1);
-  // More than these make no angle, and less no difference.
+  // Numbers with more digits are too large for an angle, or too small to matter.
   constexpr long long most = 400;
   exponent = std::clamp(exponent, -most, most);
   for (; exponent > 0; --exponent) {
@@ -47,7 +47,7 @@ Decimal decimal(std::string_view number) {
   return d;
 }
 
-// So many of what `per` of make a turn.
+// Returns the turns of a number in a unit of which `per` are a turn.
 std::optional<Turns> turns_in_text(std::string_view number, std::int64_t per) {
   const Decimal d = decimal(number);
   const Wide of = static_cast<Wide>(per), most = static_cast<Wide>(most_turns) * of;
@@ -58,7 +58,7 @@ std::optional<Turns> turns_in_text(std::string_view number, std::int64_t per) {
   Wide part = 0;
   for (std::size_t i = std::min<std::size_t>(d.behind.size(), 40); i-- > 0;)
     part = (part + (static_cast<Wide>(d.behind[i] - '0') << bits)) / 10;
-  // Of one turn, in 2^-100.
+  // In 2^-100 of a turn.
   part = (((units % of) << bits) + part) / of;
   const Wide rounded = (part + (Wide{1} << (bits - 65))) >> (bits - 64);
   const Turns turns = Turns{static_cast<std::int64_t>(units / of), 0} +
@@ -66,7 +66,7 @@ std::optional<Turns> turns_in_text(std::string_view number, std::int64_t per) {
   return d.negative ? -turns : turns;
 }
 
-// As many of the unit as the turns are, with so many digits behind the point.
+// Returns the number of units in the turns, with this many digits after the point.
 std::string decimal_text(Turns turns, std::int64_t per, int digits) {
   const bool negative = turns < Turns{};
   if (negative) turns = -turns;
@@ -88,12 +88,12 @@ std::string decimal_text(Turns turns, std::int64_t per, int digits) {
   return (negative ? "-" : "") + text;
 }
 
-// The shortest of one number of radians.
+// Returns the shortest text for a number of radians.
 std::string rounded_text(double radians) {
   std::string best = written(radians) + "rad";
   for (const Unit& u : {turn_unit, degree}) {
     const double count = radians * u.divisor / u.of;
-    // Neighbours too: what was written as 90 may come back one bit beside it.
+    // Try the neighbour too: a number written as 90 may come back one bit off.
     for (const double n : {count, std::round(count * 1e9) / 1e9}) {
       std::string text = written(n) + std::string(u.name);
       if (n * u.of / u.divisor == radians && read_angle(written(n), n, u) == Angle{radians} &&
@@ -114,14 +114,14 @@ Angle angle_of(Turns turns) {
   Angle a{static_cast<double>(radians_in(turns))};
   const Turns off = turns - exact_turns(a.radians);
   a.rest = static_cast<double>(off < Turns{} ? -radians_in(-off) : radians_in(off));
-  if (a.rest == 0 && turns_of(a.radians) != turns) a.rest = 0x1p-500;  // to the letter
+  if (a.rest == 0 && turns_of(a.radians) != turns) a.rest = 0x1p-500;  // marks it as exact
   return a;
 }
 
 std::optional<Angle> read_angle(std::string_view number, double value, const Unit& unit) {
   const Angle plain{value * unit.of / unit.divisor};
   if (!(std::abs(plain.radians) < 2 * std::numbers::pi * most_turns)) return std::nullopt;
-  // A turn and less is as exact as can be.
+  // Up to one turn, radians are exact enough.
   if (unit.of == 1 || std::abs(plain.radians) <= 2 * std::numbers::pi) return plain;
   const auto turns = turns_in_text(number, per_turn(unit));
   if (!turns || *turns == turns_of(plain.radians)) return turns ? std::optional(plain) : std::nullopt;

@@ -7,7 +7,7 @@ namespace betwixt::algebra {
 bool merge(Block& into, const Block& b) {
   if (!(into.conformal() && b.conformal()) && !(into.diagonal() && b.diagonal())) return false;
   into.turns = into.turns + b.turns, into.log_x += b.log_x, into.log_y += b.log_y;
-  // Parts of a turn that no 2^-64ths make, and that undo each other: three thirds.
+  // Rotations that cancel but are no multiple of 2^-64: three thirds.
   const Turns off = into.turns < Turns{} ? -into.turns : into.turns;
   if (off.whole == 0 && off.part < 16) into.turns = {};
   return true;
@@ -30,7 +30,7 @@ Canonical<Number> canonical(const Motion& motion, std::int64_t steps) {
     Block b;
     if (f.kind == Factor::Kind::rotate) {
       b.turns = planar_turns(f);
-      if (phase(b.turns, 1, steps) == 0) continue;  // whole at every step, and as good as none
+      if (phase(b.turns, 1, steps) == 0) continue;  // whole at every step, so it counts as none
     } else if (f.law == Factor::Law::linear) {
       b.linear = true;
       b.slope_x = value(Number(f.by.x) - Number(1)), b.slope_y = value(Number(f.by.y) - Number(1));
@@ -45,7 +45,7 @@ Canonical<Number> canonical(const Motion& motion, std::int64_t steps) {
       string.blocks.push_back(b);
       string.offsets.emplace_back();
     } else if (string.blocks.back().identity()) {
-      // They undo each other: what stood on both sides of them is one.
+      // They cancel: merge their neighbours.
       string.blocks.pop_back();
       string.offsets.pop_back();
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A number that counts what is done to it: put in place of double it tells what the very code that draws costs.
+// A number that counts the operations on it. In place of double it tells the cost of the very code that draws.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ class Counted {
   friend Counted operator+(Counted a, Counted b) { return ++tally.plus, Counted(a.value_ + b.value_); }
   friend Counted operator-(Counted a, Counted b) { return ++tally.plus, Counted(a.value_ - b.value_); }
   friend Counted operator-(Counted a) { return ++tally.plus, Counted(-a.value_); }
-  // Looking is free.
+  // Comparisons are not counted.
   friend bool operator==(Counted a, Counted b) { return a.value_ == b.value_; }
 
  private:
@@ -47,7 +47,7 @@ inline Counted logarithm(Counted x) { return ++Counted::tally.functions, Counted
 inline Counted tangent(Counted x) { return ++Counted::tally.functions, Counted(std::tan(double(x))); }
 inline double value(Counted x) { return double(x); }
 
-// Sine and cosine of the k-th of n parts of so many turns.
+// Returns sine and cosine of the k-th of n parts of these turns.
 template <class Number>
 struct SineCosine {
   Number sine, cosine;

@@ -19,7 +19,7 @@ Error about(std::size_t i, std::string what, std::string hint) {
   return fail(ErrorCode::type, fmt::format("factor {}: {}", i + 1, what), std::move(hint));
 }
 
-// CSS knows places and the linear law only.
+// CSS can express positions as centres and the linear law only.
 Status has_css(const Motion& motion) {
   if (auto sound = check(motion); !sound) return sound;
   for (std::size_t i = 0; i < motion.factors.size(); ++i) {
@@ -42,7 +42,7 @@ std::string translate_text(Vec3 way, bool in_space) {
   return fmt::format("translate{}({})", in_space ? "3d" : "", list(way, in_space ? 3 : 2, "px"));
 }
 
-// All of it, or the function of the same name that does nothing.
+// Returns the text of the factor, or, if not `all`, of the function of the same name that does nothing.
 std::string css_text(const Factor& f, bool all) {
   if (f.kind == Kind::translate) return translate_text(all ? f.by : Vec3{}, f.by.z != 0);
   if (f.kind == Kind::scale) {
@@ -61,7 +61,7 @@ void append(std::string& css, const std::string& function) { css += (css.empty()
 Result<CssLists> to_css(const Motion& motion) {
   if (auto possible = has_css(motion); !possible) return possible.error();
   CssLists lists;
-  Vec3 here;  // what the list stands about: a translation is the same about every place
+  Vec3 here;  // the current centre of the list; a translation does not depend on it
   const auto go = [&](Vec3 centre) {
     for (const Vec3 way : {-here, centre})
       for (std::string* css : {&lists.from, &lists.to})

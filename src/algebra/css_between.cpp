@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a browser shows between two lists of CSS transforms, and what it makes of one on top of the other.
+// What a browser shows between two lists of CSS transforms, and when one is added to the other.
 #include <algorithm>
 
 #include "algebra/matrix_parts.h"
@@ -25,7 +25,7 @@ CssFunction of_matrix(const Mat4& m) {
   f.matrix = m;
   return f;
 }
-// The function of the same kind that does nothing.
+// Returns the function of the same kind that does nothing.
 CssFunction idle(const CssFunction& like) {
   CssFunction f = of_kind(like.kind);
   if (like.kind == CssKind::scale) f.by = {1, 1, 1};
@@ -62,7 +62,7 @@ Mat4 product_from(const CssList& list, std::size_t first) {
   return m;
 }
 
-// The axis of both turns; none: they have two. A turn by nothing has whatever axis the other has.
+// Returns the axis of both rotations, or nullopt if they have two. A rotation by zero takes the axis of the other.
 std::optional<Vec3> common_axis(const CssFunction& a, const CssFunction& b) {
   if (b.angle == 0) return a.axis;
   if (a.angle == 0 || length(normalize(a.axis) - normalize(b.axis)) <= 1e-12) return b.axis;
@@ -74,7 +74,7 @@ Quat quaternion(const CssFunction& f) {
   return {half.cosine, a.x, a.y, a.z};
 }
 
-// None: one of both is flat.
+// Returns nullopt if one of them is singular.
 std::optional<Mat4> mixed_matrices(const Mat4& a, const Mat4& b, double t) {
   const bool plane = algebra::in_plane(a) && algebra::in_plane(b);
   const auto from = algebra::taken_apart(a, plane), to = algebra::taken_apart(b, plane);
@@ -82,12 +82,12 @@ std::optional<Mat4> mixed_matrices(const Mat4& a, const Mat4& b, double t) {
   return algebra::put_together(algebra::mixed(*from, *to, t, plane));
 }
 
-// Two functions of one kind.
+// Interpolates two functions of one kind.
 std::optional<Mat4> pair_between(const CssFunction& a, const CssFunction& b, double t) {
   if (a.kind == CssKind::matrix) return mixed_matrices(a.matrix, b.matrix, t);
   CssFunction now = of_kind(a.kind);
   now.by = algebra::mix(a.by, b.by, t);
-  now.nearness = std::max(0.0, std::lerp(a.nearness, b.nearness, t));  // nothing is seen from behind the eye
+  now.nearness = std::max(0.0, std::lerp(a.nearness, b.nearness, t));  // the eye has no negative distance
   if (a.kind != CssKind::rotate) return matrix_of(now);
   const auto axis = common_axis(a, b);
   if (!axis) return rotation(algebra::short_way(quaternion(a), quaternion(b), t));
@@ -95,8 +95,8 @@ std::optional<Mat4> pair_between(const CssFunction& a, const CssFunction& b, dou
   return algebra::rotated(algebra::turn(turns.part), *axis);
 }
 
-// Each with its fellow, or with what does nothing, as far as they are of one kind: what is there from then on is a
-// matrix each.
+// Pairs the functions, padded with functions that do nothing, as long as both are of one kind. The rest of each list is
+// a matrix.
 struct Matched {
   std::vector<std::pair<CssFunction, CssFunction>> pairs;
   std::size_t mixed = 0;
@@ -128,7 +128,7 @@ CssFunction added_turns(const CssFunction& a, const CssFunction& b) {
   return both;
 }
 
-// None: one of both is flat.
+// Returns nullopt if one of them is singular.
 std::optional<CssFunction> added(const CssFunction& a, const CssFunction& b) {
   CssFunction both = a;
   both.by = a.by + b.by;

@@ -51,7 +51,7 @@ std::string_view CssNumbers::word() {
   return text.substr(from, at - from);
 }
 
-// As CSS has it: no point without a digit behind it, and 1em is 1 with a unit.
+// As in CSS: a point needs a digit after it, and 1em is 1 with a unit.
 bool CssNumbers::number(double& out) {
   const std::size_t from = at;
   std::size_t end = at + (peek() == '+' || peek() == '-');
@@ -83,13 +83,13 @@ bool CssNumbers::too_large(std::size_t from) {
               fmt::format("'{}' is too large or too small a number", text.substr(from, at - from)));
 }
 
-// What stands behind a number: a unit, or nothing.
+// Reads the unit after a number, possibly "".
 std::string_view CssNumbers::unit() {
   if (peek() != '%') return word();
   return text.substr(at++, 1);
 }
 
-// So many of a unit of length.
+// Converts a number of a unit of length.
 bool CssNumbers::pixels(double& number, std::string_view name, std::size_t from, std::size_t unit_from,
                         Part percent_of) {
   if (name == "%" && percent_of != Part::none) {
@@ -149,7 +149,7 @@ bool CssNumbers::plain(double& out) {
               name == "%" ? "50% is 0.5" : "");
 }
 
-// ---- What is worked out
+// ---- Expressions
 
 bool CssNumbers::at_function() const {
   std::size_t end = at;
@@ -183,7 +183,7 @@ bool CssNumbers::function(Value& out, Part percent_of) {
   return read;
 }
 
-// Up to the ')' and past it.
+// Reads up to the ')' and skips it.
 bool CssNumbers::arguments(std::string_view name, std::size_t from, Value& out, Part percent_of) {
   Value values[3];
   std::size_t count = 0;
@@ -220,7 +220,7 @@ bool CssNumbers::sum(Value& out, Part percent_of) {
     const char sign = peek();
     if (sign != '+' && sign != '-') return true;
     ++at;
-    // As CSS has it: 1 -2 are two numbers.
+    // As in CSS, 1 -2 are two numbers.
     if (!apart || std::string_view(" \t\r\n\f/").find(peek()) == std::string_view::npos)
       return fail(sign_at, at, ErrorCode::syntax, fmt::format("blanks on both sides of '{}' are wanted", sign));
     space();

@@ -1,26 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands between the brackets of CSS: numbers, lengths and angles, and what is worked out of them.
+// Reads the arguments of CSS functions: numbers, lengths and angles, and expressions of these.
 #pragma once
 
 #include "algebra/text.h"
 
 namespace betwixt::algebra {
 
-// CSS does not tell capitals from small letters.
+// Compares as CSS does, ignoring case.
 bool same_in_css(std::string_view, std::string_view);
 
 struct CssNumbers : Cursor {
   enum class Part : std::uint8_t { none, width, height };
-  std::optional<double> width = {}, height = {};  // what percentages are of
+  std::optional<double> width = {}, height = {};  // the lengths that percentages refer to
 
   char peek(std::size_t further = 0) const { return at + further < text.size() ? text[at + further] : '\0'; }
-  // Past blanks and comments.
+  // Skips blanks and comments.
   void space();
   std::string_view word();
 
-  // Each reads its own value, or calc() and its like. False: it is none, and the error says why.
+  // Each reads a value of its type, or calc() and the like. Returns false if there is none; the error says why.
   bool length(double& pixels, Part percent_of);
   bool angle(Angle&);
   bool plain(double&);
@@ -36,7 +36,7 @@ struct CssNumbers : Cursor {
   bool number(double&);
   std::string_view unit();
   bool pixels(double& number, std::string_view unit, std::size_t from, std::size_t unit_from, Part percent_of);
-  // calc() and its like.
+  // Whether calc() or the like follows.
   bool at_function() const;
   bool worked_out(double&, Type wanted, Part percent_of);
   bool function(Value&, Part percent_of);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lists of CSS transforms from their text.
+// Reads lists of CSS transforms.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,9 +17,9 @@ using CssKind = CssFunction::Kind;
 struct FunctionRow {
   std::string_view name;
   CssKind kind;
-  std::size_t least;       // so many values
+  std::size_t least;       // the fewest values
   std::string_view takes;  // x, y, z: a length along it; n: a number; a: an angle; d: a distance
-  int axis;                // the only one that it is about, or -1
+  int axis;                // its only axis, or -1
   std::string_view values;
 };
 constexpr FunctionRow functions[] = {
@@ -90,7 +90,7 @@ struct ListReader : algebra::CssNumbers {
     value = a.radians, turned = a;
     return true;
   }
-  // How near the eye is: one divided by its distance, of which a pixel is the least.
+  // Returns 1 / distance of the eye, of which the least is a pixel.
   bool distance(double& nearness) {
     const std::size_t from = at;
     if (algebra::same_in_css(word(), "none")) return true;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What one step does to one point, or to a vector of them. No guard: it is compiled for each kind of machine, inside
-// its namespace, with BETWIXT_INLINE saying how.
+// One step of one point, or of a vector of points. There is no include guard: the file is compiled for each kind of
+// machine, inside its namespace, and BETWIXT_INLINE says how to inline.
 
 template <class V>
 BETWIXT_INLINE void shear(V& x, V& y, V a, V b) {
@@ -16,7 +16,7 @@ BETWIXT_INLINE void draw(Lane<V>& p, V x, V y) {
   p.ox = p.x + x, p.oy = p.y + y;
 }
 
-// k: the inputs of the kernel, in the order in which they stand here.
+// k: the inputs of the kernel, in the order of their use here.
 template <Kernel kernel, class V>
 BETWIXT_INLINE void step(Lane<V>& p, const V* k) {
   if constexpr (kernel == Kernel::offset) {
@@ -72,7 +72,7 @@ BETWIXT_INLINE void step(Lane<V>& p, const V* k) {
   }
 }
 
-// One after the other.
+// Steps the points one after the other.
 template <Kernel k, class Number>
 BETWIXT_INLINE void step_each(const Arrays<Number>& a, const Number* inputs) {
   constexpr Uses use = uses(k);

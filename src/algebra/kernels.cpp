@@ -11,8 +11,8 @@
 #include "algebra/counted.h"
 #include "base/in_parts.h"
 
-// This file is compiled once for each kind of machine (with SSSE3 but no SSE4: until 2008). Vectors without a size of
-// their own cannot stand in a Lane.
+// This file is compiled once for each kind of machine (SSSE3 without SSE4 existed until 2008 only, so it is left out).
+// Vectors without a fixed size cannot be members of a Lane.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_RVV | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "algebra/kernels.cpp"
@@ -31,7 +31,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "algebra/kernel_steps.h"
 #undef BETWIXT_INLINE
 
-// `through`: what is drawn goes past the caches, as nobody reads it soon.
+// `through`: bypasses the caches for drawn points, as they are not read soon.
 template <Kernel kernel, bool through, class D, class Number>
 HWY_INLINE void step_vector(D d, const Arrays<Number>& a, std::size_t i, const hn::Vec<D>* inputs) {
   constexpr Uses use = uses(kernel);
@@ -58,7 +58,7 @@ void step_arrays(const Arrays<Number>& a, const Number* inputs, bool through) {
   else
     for (; i + lanes <= a.count; i += lanes) step_vector<k, false>(d, a, i, all);
   step_each<k>(part(a, i, a.count), inputs);
-  if (through) hwy::FlushStream();  // before another thread is told that it is there
+  if (through) hwy::FlushStream();  // before another thread learns that it is there
 }
 
 template <class Number>
@@ -98,8 +98,8 @@ void dispatch(Kernel k, const Arrays<double>& a, const double* inputs, bool thro
   HWY_DYNAMIC_DISPATCH(step_doubles)(k, a, inputs, through);
 }
 
-constexpr std::size_t line = 64;                            // bytes: what a thread has is its own
-constexpr std::size_t thread_share = std::size_t{1} << 19;  // points below which another thread is no help
+constexpr std::size_t line = 64;                            // bytes; threads do not share cache lines
+constexpr std::size_t thread_share = std::size_t{1} << 19;  // fewer points do not gain from another thread
 constexpr std::size_t cache = std::size_t{8} << 20;         // bytes
 
 template <class Number>
@@ -110,7 +110,7 @@ bool whole_lines(const Arrays<Number>& a) {
 template <class Number>
 void step_threaded(Kernel kernel, const Arrays<Number>& a, const Number* inputs, unsigned most_threads) {
   const bool through = a.count * 4 * sizeof(Number) > cache && whole_lines(a);
-  static const unsigned machine = std::max(1u, std::thread::hardware_concurrency());  // asking takes a microsecond
+  static const unsigned machine = std::max(1u, std::thread::hardware_concurrency());  // the query takes a microsecond
   const std::size_t most = most_threads > 0 ? std::min(most_threads, machine) : machine;
   const std::size_t threads = std::clamp<std::size_t>(a.count / thread_share, 1, most);
   constexpr std::size_t grain = line / sizeof(Number);

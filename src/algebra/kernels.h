@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One step of points, for counting and for whole vectors of the machine. What a step does is written once, in
-// kernel_steps.h.
+// One step of all points: for counting, and with the vectors of the machine. kernel_steps.h has the step itself, once
+// for both.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ enum class Kernel : std::uint8_t {
   slide,    // x += d, each point its own
   stretch,  // x = g x + o, per axis
   turn,     // x = M x + o, M a rotation
-  // A state goes on in place and is drawn with an offset:
+  // A state is updated in place, and drawn with an offset:
   grow,       // y *= g
   ramp,       // y += d, each point its own
   two_term,   // y+ = 2 cos y - y-
@@ -34,7 +34,7 @@ enum class Kernel : std::uint8_t {
   carried_shears,  // y += v, each point its own; shear y, draw y + o, shear v
   swung_shears,    // shear y; e += d; draw y + e
 };
-// with(name) for each.
+// Expands with(name) for each kernel.
 #define BETWIXT_KERNELS(with)                                                                                 \
   with(offset) with(scale) with(matrix) with(move) with(slide) with(stretch) with(turn) with(grow) with(ramp) \
       with(two_term) with(damped) with(conformal) with(shears) with(pushed_shears) with(carried_shears)       \
@@ -44,23 +44,23 @@ enum class Kernel : std::uint8_t {
 inline constexpr int kernel_count = 0 BETWIXT_KERNELS(BETWIXT_ONE);
 #undef BETWIXT_ONE
 
-// The numbers of a point. In place: x, y are what is drawn.
+// The numbers of a point. For kernels in place, x and y are drawn.
 template <class V>
 struct Lane {
-  V x{}, y{};    // the point, or its state
+  V x{}, y{};    // the point or its state
   V u{}, v{};    // a second state
-  V du{}, dv{};  // what the second state gains
-  V ox{}, oy{};  // what is drawn
+  V du{}, dv{};  // the increment of the second state
+  V ox{}, oy{};  // the drawn point
 };
 
-// Which of them a kernel touches.
+// The arrays that a kernel uses.
 struct Uses {
-  bool state = true;     // x, y are written
-  bool second = false;   // u, v are read
-  bool written = false;  // and written
-  bool gain = false;     // du, dv are read
-  bool drawn = true;     // ox, oy are written
-  int offset = -1;       // which input is the offset that a state is drawn with; -1: none is
+  bool state = true;     // writes x, y
+  bool second = false;   // reads u, v
+  bool written = false;  // writes u, v
+  bool gain = false;     // reads du, dv
+  bool drawn = true;     // writes ox, oy
+  int offset = -1;       // the input that is the drawing offset of a state; -1: none
 };
 constexpr Uses uses(Kernel k) {
   switch (k) {
@@ -96,7 +96,7 @@ constexpr Uses uses(Kernel k) {
 
 inline constexpr int most_inputs = 6;  // of a kernel
 
-// Structure of arrays; those that a kernel does not use may be missing.
+// Structure of arrays; arrays that a kernel does not use may be empty.
 template <class Number>
 struct Arrays {
   Number *x = nullptr, *y = nullptr, *u = nullptr, *v = nullptr;
@@ -111,14 +111,14 @@ Arrays<Number> part(const Arrays<Number>& a, std::size_t from, std::size_t to) {
   return {at(a.x), at(a.y), at(a.u), at(a.v), at(a.du), at(a.dv), at(a.ox), at(a.oy), to - from};
 }
 
-// One point after the other.
+// Steps one point after the other.
 void step_plainly(Kernel, const Arrays<Counted>&, const Counted* inputs);
-// By vectors, and on several threads where the points are many, but on no more than `most_threads`; 0: as many as the
-// machine has. The same bits as above.
+// Steps by vectors. Uses several threads if there are many points, at most `most_threads`; 0: as many as the machine
+// has. Gives the same bits as step_plainly.
 void step_all(Kernel, const Arrays<float>&, const float* inputs, unsigned most_threads = 0);
 void step_all(Kernel, const Arrays<double>&, const double* inputs, unsigned most_threads = 0);
 
-// Operations (products, sums) per step and point, counted by doing one.
+// Returns the operations (multiplications, additions) per step and point, counted by doing one.
 int operations_per_point(Kernel);
 
 }  // namespace betwixt::algebra

@@ -31,7 +31,7 @@ std::string json_rows(const Mat4& m) {
   return json_list(numbers);
 }
 
-// A motion of a text, whether it can be shown or not.
+// Reads a motion, whether it can be shown or not.
 Result<Motion> understood(std::string_view text) {
   auto motion = parse_motion(text);
   if (!motion) return motion;
@@ -58,7 +58,7 @@ std::string factor_json(const Factor& f) {
                      json_place(f.centre), f.law == Factor::Law::linear);
 }
 
-// In letters: what each of its numbers is, or why it is not written out.
+// Returns the matrix in symbols, or why it is not written out.
 std::string symbols_json(const Motion& motion) {
   const auto symbols = in_symbols(motion);
   if (!symbols) return fmt::format("{{\"why\":{}}}", json_text(symbols.error().message));
@@ -71,7 +71,7 @@ std::string symbols_json(const Motion& motion) {
                      json_list(symbols->sums, sum));
 }
 
-// Of one factor alone, with the letters that it has in the whole string.
+// The same for one factor, with the letters that it has in the whole string.
 std::string symbols_json(const Motion& motion, std::size_t factor) {
   Motion alone = motion;
   for (std::size_t i = 0; i < alone.factors.size(); ++i)
@@ -79,7 +79,7 @@ std::string symbols_json(const Motion& motion, std::size_t factor) {
   return symbols_json(alone);
 }
 
-// What of a factor is done by t: the way, the degrees, the growths.
+// Returns the part of a factor at t: displacement, degrees or scales.
 Vec3 part_of(const Factor& f, double t) {
   if (f.kind == Factor::Kind::translate) return t * f.by;
   if (f.kind == Factor::Kind::rotate) return {t * f.angle * 180 / pi, 0, 0};
@@ -133,7 +133,7 @@ struct Taught {
   std::string printed;  // JSON; of the source's row
 };
 
-constexpr std::int64_t most_shown_steps = 2'000;  // of what is drawn and measured step by step
+constexpr std::int64_t most_shown_steps = 2'000;  // for everything that is drawn or measured step by step
 
 std::string method_json(const Taught& way, const Motion& motion, std::int64_t steps, const Places& points) {
   const Motion taught = way.linear_law ? by_linear_law(motion) : motion;
@@ -208,7 +208,7 @@ std::string methods_answer(std::string_view text, std::int64_t steps, const Plac
     if (!source) continue;
     if (method == Method::matrix) all.back().printed = printed_json(source->matrix, source->matrix_before, {});
     if (method != Method::geometric) continue;
-    // The source counts it by the linear law.
+    // The source counts it under the linear law.
     if (refuses && by_linear_law(*motion) != *motion) all.push_back({"geometric, linear law", method, true, ""});
     all.back().printed = printed_json(source->geometric, source->geometric_before, source->geometric_after);
   }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a page that teaches a motion asks, and the answers as JSON. A string that is none, or that cannot be shown, is
-// answered by {"error":{"message","hint","column","length"}}, column and length in characters, 0 where no place is
-// known. Matrices are the twelve numbers of their upper three rows, row by row.
+// The questions of the lesson's page about a motion, answered as JSON. For a string that cannot be read or shown the
+// answer is {"error":{"message","hint","column","length"}}, column and length in characters, 0 if the place is unknown.
+// Matrices are the twelve numbers of their first three rows, row by row.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@
 namespace betwixt::algebra::lesson {
 
 inline constexpr std::int64_t drift_steps = 100'000;
-inline constexpr std::size_t counted_for = 1'000;  // points that `best` is made for
+inline constexpr std::size_t counted_for = 1'000;  // the number of points for the plan of `best`
 
-// Motions of texts that a lesson can show. Errors: those of parse_motion and can_be_shown; name (a centre that is an
+// Reads a motion that the lesson can show. Errors: those of parse_motion and can_be_shown; name (a centre that is an
 // object).
 Result<Motion> read(std::string_view text, const Places& points = {});
 
-// The string as it is: its text, factors, unit, and the matrices in letters, of each factor and of all.
+// Returns the string itself: its text, factors, unit, and the matrices in symbols, of each factor and of all.
 std::string string_answer(std::string_view text, const Places& points);
-// {"frames": [A(t)]} at `count` + 1 even times. This and the next are asked for every picture: whether the string can
-// be shown is not looked at again.
+// Returns {"frames": [A(t)]} at `count` + 1 even times. The page calls this and moment_answer for every picture, so
+// they do not check again whether the string can be shown.
 std::string frames_answer(std::string_view text, double from, double to, int count, bool linear_law);
-// A(t), the letters' values, and of each factor what of it is done by t.
+// Returns A(t), the letters' values, and the part of each factor at t.
 std::string moment_answer(std::string_view text, double t);
-// What the methods cost, where each of them has the points, and how the string is compiled.
+// Returns the costs of the methods, their points, and how the string is compiled.
 std::string methods_answer(std::string_view text, std::int64_t steps, const Places& points);
-// {"alone": [...], "renewed": [...], "marks": [...]}; null: beyond all numbers.
+// Returns {"alone": [...], "renewed": [...], "marks": [...]}; null for infinity.
 std::string drift_answer(std::string_view text, Method, bool linear_law, bool single, const Places& points);
 std::string ways_answer(std::string_view text, const Places& points);
-// {"text": ...}: the string with one thing of one factor changed: "by", "centre", "axis", "angle" (to.x, in degrees),
-// "linear" (to.x, 0 or 1).
+// Returns {"text": ...}: the string with one field of one factor changed: "by", "centre", "axis", "angle" (to.x, in
+// degrees), "linear" (to.x, 0 or 1).
 std::string changed_answer(std::string_view text, std::size_t factor, std::string_view what, Vec3 to);
 
 }  // namespace betwixt::algebra::lesson

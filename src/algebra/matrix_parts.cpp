@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// After CSS Transforms 2, "Interpolation of 3D matrices", whose rotations go the short way as browsers' do. In the
-// plane as browsers have it: one skew and the growths that fit it.
+// After CSS Transforms 2, "Interpolation of 3D matrices"; rotations take the short way, as in browsers. In the
+// plane as in browsers: one skew and the scales that go with it.
 #include "algebra/matrix_parts.h"
 
 namespace betwixt::algebra {
 namespace {
 
-constexpr double flat = 1e-12;  // so much less than a box that is not
+constexpr double flat = 1e-12;  // volume relative to that of a regular box
 
 std::optional<MatrixParts> apart_in_plane(const Mat4& m) {
   const double a = m(0, 0), b = m(1, 0), c = m(0, 1), d = m(1, 1), det = a * d - b * c;
   MatrixParts p;
   p.way = translation_of(m);
   if (!(std::abs(det) > flat * std::hypot(a, b) * std::hypot(c, d))) return std::nullopt;
-  // Of a mirrored one it is the axis that looks the other way more.
+  // A reflection is along the axis that points away more.
   p.growth.x = det < 0 && a < d ? -std::hypot(a, b) : std::hypot(a, b);
   p.growth.y = det / p.growth.x;
   p.skew.x = (a * c + b * d) / det;
@@ -23,7 +23,7 @@ std::optional<MatrixParts> apart_in_plane(const Mat4& m) {
   return p;
 }
 
-// The fourth row of the perspective that stands before an affine matrix in this one.
+// Returns the fourth row of the perspective that multiplies an affine matrix from the left.
 std::optional<std::array<double, 4>> sight_of(const Mat4& m) {
   Mat4 affine = m;
   affine(3, 0) = affine(3, 1) = affine(3, 2) = 0, affine(3, 3) = 1;
@@ -90,7 +90,7 @@ double added_growth(double a, double b) { return a == 1 ? b : b == 1 ? a : a + b
 
 MatrixParts mixed(const MatrixParts& from, const MatrixParts& to, double t, bool plane) {
   MatrixParts a = from;
-  // One mirrored along x and one along y are half a turn from each other.
+  // A reflection along x and one along y differ by half a turn.
   if (plane && ((a.growth.x < 0 && to.growth.y < 0) || (a.growth.y < 0 && to.growth.x < 0))) {
     a.growth.x = -a.growth.x, a.growth.y = -a.growth.y;
     a.turn = a.turn * Quat{0, 0, 0, 1};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Matrices as CSS takes them apart: of whole turns nothing is known any more.
+// Decomposes matrices as CSS does. Whole turns are lost.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace betwixt::algebra {
 
-// Applied from the right to the left: growths, skews, a turn, a way, a perspective.
+// The parts of a matrix. From right to left: scale, skews, rotation, translation, perspective.
 struct MatrixParts {
   Vec3 way, growth{1, 1, 1};
   Vec3 skew;  // of y along x, of z along x, of z along y
@@ -19,21 +19,22 @@ struct MatrixParts {
   std::array<double, 4> sight{0, 0, 0, 1};  // the fourth row of the perspective
 };
 
-// A matrix that leaves z alone.
+// Returns whether a matrix leaves z unchanged.
 bool in_plane(const Mat4&);
-// None: it is flat. In the plane what is mirrored is so along one axis, in space along all three.
+// Decomposes a matrix; nullopt if it is singular. A reflection is along one axis in the plane, in space along all
+// three.
 std::optional<MatrixParts> taken_apart(const Mat4&, bool plane);
 Mat4 put_together(const MatrixParts&);
 
-// Of both at once, taken apart in one way: at 0 the one, at 1 the other.
+// Interpolates two decompositions of one sort: t = 0 is the first, t = 1 the second.
 MatrixParts mixed(const MatrixParts&, const MatrixParts&, double t, bool plane);
-// One added to the other.
+// Returns the sum of two decompositions.
 MatrixParts added(const MatrixParts&, const MatrixParts&);
 
-// The short way from one to the other, and on by the same turn.
+// Interpolates along the shorter rotation, and extrapolates by the same.
 Quat short_way(Quat from, Quat to, double t);
 Vec3 mix(Vec3, Vec3, double t);
-// Two factors that are each so much more than 1.
+// Returns the sum of two scales, each counted by how far it is above 1.
 double added_growth(double, double);
 
 }  // namespace betwixt::algebra

@@ -15,10 +15,10 @@ template <class Number>
 struct Shears {
   Number a, b;
 };
-// Of a rotation by these turns in a step.
+// Makes the shears of a rotation by these turns a step.
 template <class Number>
 Shears<Number> shears(Turns turns, std::int64_t steps) {
-  // Half of the angle, which is less than half a turn either way.
+  // Half of the angle, in either direction below half a turn.
   const auto part = static_cast<std::int64_t>(phase(turns, 1, steps));
   const Number half(std::ldexp(static_cast<double>(part), -64) * pi);
   return {-tangent(half), circle<Number>(turns, 1, steps).sine};
@@ -29,7 +29,7 @@ bool half_turn(Turns turns, std::int64_t steps) {
   return std::abs(std::ldexp(static_cast<double>(part), -63)) > 1 - 1e-9;
 }
 
-// The plan of a row of the source's table, while it is made.
+// Builds the plan of a row of the source's table.
 template <class Number>
 class Scheme {
  public:
@@ -72,7 +72,7 @@ class Scheme {
     add({R::Kind::second});
     return at;
   }
-  // Where the turning stands, or goes.
+  // Puts the offset of the rotation, constant or moving.
   void put_offset() {
     const Vec3 c = r_->centre;
     if (t_)
@@ -94,7 +94,7 @@ class Scheme {
     turned.turns = turns;
     plan_.blocks = {turned};
     const Shears<Number> whole = shears<Number>(turns, plan_.steps);
-    const Vec3 centre = r_->centre;  // of the last, which is the innermost
+    const Vec3 centre = r_->centre;  // of the last rotation, which is the innermost
     plan_.centre_x = -centre.x, plan_.centre_y = -centre.y;
     plan_.constants = {whole.a, whole.b};
     if (row_ == "R" || row_ == "TR") {
@@ -121,7 +121,7 @@ class Scheme {
     }
   }
 
-  // Each arm turns about the end of the one before.
+  // Each arm turns about the end of the arm before it.
   void turn_arms() {
     const std::vector<Factor>& f = motion_.factors;
     int x = add({R::Kind::constant, Number(f[0].centre.x)}), y = add({R::Kind::constant, Number(f[0].centre.y)});
@@ -169,7 +169,7 @@ Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
 
 namespace {
 
-// The one matrix of one step.
+// Returns the constant matrix of one step.
 template <class Number>
 Plan<Number> whole_step(const Motion& motion) {
   const Mat4 m = at(motion, 1);

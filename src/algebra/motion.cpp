@@ -18,16 +18,16 @@ using Law = Factor::Law;
 constexpr const char* axes[] = {"x", "y", "z"};
 constexpr const char* letters[] = {"T", "R", "S"};
 
-// Of fraction t; the whole is exact.
+// Returns the scale at fraction t; exact at t = 1.
 double scale_at(double total, Law law, double t) {
   return law == Law::linear ? std::lerp(1.0, total, t) : std::pow(total, t);
 }
-// The same less one, which is not the difference where that is tiny.
+// Returns the same minus 1, exact even if that is tiny.
 double growth_at(double total, Law law, double t) {
   if (law == Law::linear || t == 1) return (total - 1) * t;
   return std::expm1(t * std::log(total));
 }
-// Nothing is left of nothing, however often it is taken.
+// Multiplies with 0 times infinity = 0.
 double times(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 Mat4 scaled(const Factor& f, double t) {
@@ -40,7 +40,7 @@ Mat4 scaled(const Factor& f, double t) {
 }
 
 algebra::Turns turns_of(const Factor& f) { return algebra::turns_of(f.angle, f.angle_rest); }
-// Fraction t of a rotation: what ends within its turn as `phase` says, if it is not small.
+// Returns fraction t of a rotation. If the angle is not small, `phase` gives its end within a turn.
 template <class Phase>
 algebra::Turn turned(const Factor& f, double t, const Phase& phase) {
   const double angle = f.angle * t;
@@ -53,8 +53,8 @@ Mat4 matrix(const Factor& f, double t) {
   return algebra::rotated(turned(f, t, [&] { return algebra::phase(turns_of(f), t); }), f.axis, f.centre);
 }
 
-// Row by column, of affine matrices. What is endless in one number spoils no other, and is endless rather than no
-// number.
+// Returns an element of the product of affine matrices. An infinite element affects no other, and the result is
+// infinite rather than NaN.
 double entry(const Mat4& a, const Mat4& b, int row, int column) {
   const double own = column == 3 ? a(row, 3) : 0;
   const double sum = a(row, 0) * b(0, column) + a(row, 1) * b(1, column) + a(row, 2) * b(2, column) + own;
@@ -145,7 +145,7 @@ Result<Mat4> frame(const Motion& motion, std::int64_t k, std::int64_t steps) {
   if (steps < 1)
     return fail(ErrorCode::range, fmt::format("{} steps lead nowhere", steps),
                 "at least 1: frame 0 is rest, frame 1 the end");
-  // k / steps is rounded: what is left of it counts where a motion has many turns.
+  // k / steps is rounded; the remainder matters for a motion of many turns.
   Mat4 product;
   const double t = static_cast<double>(k) / static_cast<double>(steps);
   for (const Factor& f : motion.factors) {

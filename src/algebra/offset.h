@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The offset of A_k, as registers.
+// The offset of A_k as registers.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@ struct Pair {
   int x, y;
 };
 
-// [k] times (growth_x^k (x cos - y sin), growth_y^k (x sin + y cos)): what turns and growths make of an offset.
+// A term [k] (growth_x^k (x cos - y sin), growth_y^k (x sin + y cos)): an offset after rotations and scalings.
 template <class Number>
 struct Term {
-  bool drift = false;  // times k
+  bool drift = false;  // whether it has the factor k
   Number x{}, y{};
   Turns turns{};
   double log_x = 0, log_y = 0;
@@ -27,15 +27,15 @@ struct Term {
   bool like(const Term& o) const {
     return drift == o.drift && turns == o.turns && log_x == o.log_x && log_y == o.log_y;
   }
-  // Whether the block leaves it a term.
+  // Whether the block maps a term to a term.
   bool takes(const Block& b) const {
     if (b.linear) return !drift && turns.none() && log_x == 0 && log_y == 0;
     return b.turns.none() || log_x == log_y;
   }
 };
 
-// The offset of A_k from the inside outwards. Where `collapsed` says so, what is inside a block is worked out first
-// and then multiplied by the block; elsewhere each offset goes through all blocks as a sequence of its own.
+// Computes the offset of A_k from the inside outwards. For a block with `collapsed`, the inner offset is computed first
+// and then multiplied by the block; for any other, each offset goes through all blocks as a sequence of its own.
 template <class Number>
 class Horner {
  public:
@@ -60,7 +60,7 @@ class Horner {
         terms_.push_back({true, x, y});
         continue;
       }
-      // Those that differed before differ now.
+      // Terms that differed before differ now too.
       t.turns = t.turns + b.turns, t.log_x += b.log_x, t.log_y += b.log_y;
       terms_.push_back(t);
     }
@@ -87,14 +87,14 @@ class Horner {
     return {make_.difference(make_.product(c, v.x), make_.product(s, v.y)),
             make_.sum(make_.product(s, v.x), make_.product(c, v.y))};
   }
-  // One number of an offset: what it is made of, each kind once. What differs in the other number only is one kind
-  // here.
+  // Returns one coordinate of the offset, with each kind of term once. Terms that differ in the other coordinate only
+  // are of one kind here.
   int axis(const std::vector<Term<Number>>& terms, bool y) {
     struct Part {
       bool drift;
       Turns turns{};
       double log_growth;
-      Number cosine, sine;  // what they are multiplied by
+      Number cosine, sine;  // their coefficients
     };
     std::vector<Part> parts;
     for (const Term<Number>& t : terms) {

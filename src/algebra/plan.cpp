@@ -10,7 +10,7 @@
 namespace betwixt::algebra {
 namespace {
 
-// The linear part of A_k, with the offsets left out: fewer blocks.
+// Returns the blocks of the linear part of A_k, without offsets, so there are fewer.
 std::vector<Block> reduced(const std::vector<Block>& blocks) {
   std::vector<Block> few;
   for (const Block& b : blocks) {
@@ -20,7 +20,7 @@ std::vector<Block> reduced(const std::vector<Block>& blocks) {
   return few;
 }
 
-// a, -b, c, d of ((a b) (c d)).
+// Returns a, -b, c, d of ((a b) (c d)).
 template <class Number>
 std::array<int, 4> entries(Builder<Number>& make, const std::vector<Block>& blocks, std::int64_t steps) {
   const Number n(static_cast<double>(steps));
@@ -44,7 +44,7 @@ std::array<int, 4> entries(Builder<Number>& make, const std::vector<Block>& bloc
   return m;
 }
 
-// The kernels for linear parts of one law, where the points go from frame to frame by it; false: there is none.
+// Chooses the kernel for a linear part of one law that steps the points in place; returns false if there is none.
 template <class Number>
 bool by_law(Plan<Number>& plan, const Canonical<Number>& string, const Offset<Number>& inner, Pair o) {
   const Number n(static_cast<double>(plan.steps));
@@ -63,7 +63,7 @@ bool by_law(Plan<Number>& plan, const Canonical<Number>& string, const Offset<Nu
     plan.kernel = Kernel::ramp;
     plan.slope_x = Number(l[0].slope_x) / n, plan.slope_y = Number(l[0].slope_y) / n;
     plan.blocks.clear();
-    // Nothing but one such scaling and ways behind it: all of it in one difference.
+    // A single such scaling, with translations after it: one difference has all of it.
     if (string.blocks.size() != 1 || !inner.fixed()) return true;
     plan.kernel = Kernel::slide;
     plan.gain_x = string.offsets[0].drift_x + plan.slope_x * plan.centre_x;
@@ -93,7 +93,7 @@ bool by_law(Plan<Number>& plan, const Canonical<Number>& string, const Offset<Nu
   return true;
 }
 
-// The kernels that multiply the points at rest by A_k, whatever it is.
+// Chooses the kernel that multiplies the points at rest by A_k; there is always one.
 template <class Number>
 void by_matrix(Plan<Number>& plan, Builder<Number>& make, Pair o) {
   if (plan.blocks.empty()) {
@@ -112,7 +112,7 @@ Plan<Number> build(const Canonical<Number>& string, std::int64_t steps, Family f
   Builder<Number> make(steps);
   Plan<Number> plan;
   plan.steps = steps;
-  // The fixed part of the innermost offset belongs to the points.
+  // The constant part of the innermost offset is added to the points.
   Offset<Number> inner = string.offsets.back();
   plan.centre_x = inner.x, plan.centre_y = inner.y;
   inner.x = 0, inner.y = 0;
@@ -175,7 +175,7 @@ Plan<Number> compile(const Motion& motion, std::int64_t steps, Family family, st
       consider(priced(f, 0));
       consider(priced(f, ~std::uint64_t{0}));
       if (m > tried_each) continue;
-      // Downhill, one block at a time.
+      // Descend, one block at a time.
       for (bool better = true; better;) {
         better = false;
         for (std::size_t j = 0; j < m; ++j)

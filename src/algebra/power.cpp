@@ -14,7 +14,7 @@ struct Linear {
   double a = 1, b = 0, c = 0, d = 1;  // ((a b) (c d))
 };
 
-// What to do to the logarithm of an eigenvalue: l^t is exp(t log l), and its integral from 0 to t.
+// Functions of the logarithm of an eigenvalue: l^t is exp(t log l), and its integral from 0 to t.
 Complex grown(Complex log, double t) { return std::exp(t * log); }
 Complex gathered(Complex log, double t) {
   const Complex z = t * log;
@@ -22,7 +22,7 @@ Complex gathered(Complex log, double t) {
   return (std::exp(z) - 1.0) / log;
 }
 
-// A function of a matrix by its eigenvalues m + s and m - s: f(L) = p + q (L - m).
+// Computes functions of a matrix from its eigenvalues m + s and m - s: f(L) = p + q (L - m).
 class Spectrum {
  public:
   static std::optional<Spectrum> of(const Linear& l) {
@@ -31,14 +31,14 @@ class Spectrum {
     k.apart_ = {l.a - k.mean_, l.b, l.c, l.d - k.mean_};
     const double square = k.apart_.a * k.apart_.a + l.b * l.c, size = k.mean_ * k.mean_;
     const double skew = std::abs(l.b) + std::abs(l.c) + std::abs(k.apart_.a);
-    if (k.mean_ < 0 && skew < 1e-9 * -k.mean_) {  // half a turn: either way round is as good, this one is to the left
+    if (k.mean_ < 0 && skew < 1e-9 * -k.mean_) {  // half a turn: either direction will do, this one is to the left
       k.apart_ = {0, -1, 1, 0};
       k.half_turn_ = true;
       return k;
     }
     if (square >= 0 && (k.mean_ <= 0 || square >= size)) return std::nullopt;  // an eigenvalue of 0 or less
     k.half_ = std::sqrt(Complex(square));
-    // Two that are one: the derivative, by a small difference.
+    // For a double eigenvalue, use the derivative by a small difference.
     if (std::abs(k.half_) < 1e-6 * std::abs(k.mean_)) k.half_ = 1e-6 * std::abs(k.mean_);
     return k;
   }
@@ -68,7 +68,7 @@ std::optional<Mat4> power(const Mat4& m, double t) {
   const auto spectrum = Spectrum::of({m(0, 0), m(0, 1), m(1, 0), m(1, 1)});
   if (!spectrum) return std::nullopt;
   const Linear l = spectrum->apply([t](Complex log) { return grown(log, t); });
-  // The way of M^t is what a steady push v gathers while L^s turns it; v is such that all of it is M's way.
+  // The translation of M^t is the integral of a constant velocity v, rotated by L^s; v is chosen for M's translation.
   const Linear part = spectrum->apply([t](Complex log) { return gathered(log, t); });
   const Linear all = spectrum->apply([](Complex log) { return gathered(log, 1); });
   const double det = all.a * all.d - all.b * all.c;

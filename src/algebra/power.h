@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Powers of a whole motion, of which only the matrix is known: the path that its N-th root takes, step by step. It
-// ends where the motion ends, but turns are lost, and on the way it is somewhere else.
+// Powers of a whole motion of which only the matrix is known: the path of its N-th root, step by step. It ends where
+// the motion ends, but loses turns and differs on the way.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace betwixt::algebra {
 
-// M^t, the principal one, of a matrix of the plane; none where no real one exists.
+// Returns the principal M^t of a matrix of the plane, or nullopt if there is no real one.
 std::optional<Mat4> power(const Mat4&, double t);
 
 }  // namespace betwixt::algebra

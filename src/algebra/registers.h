@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The registers of a plan while it is made.
+// Builds the registers of a plan.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace betwixt::algebra {
 
-// Makes registers; what is there already is not made again, and what is known is not worked out.
+// Makes registers. It reuses existing ones and folds constants.
 template <class Number>
 class Builder {
  public:
@@ -55,7 +55,7 @@ class Builder {
     return add({R::Kind::difference, {}, {}, {}, 0, l, r});
   }
   bool is(int r, double x) const { return fixed(r) && of(r) == Number(x); }
-  // Only those that lead to what is asked for.
+  // Removes all registers that `wanted` does not depend on.
   void keep(std::vector<int>& wanted) {
     std::vector<bool> needed(registers_.size());
     for (const int w : wanted) needed[static_cast<std::size_t>(w)] = true;
@@ -75,7 +75,7 @@ class Builder {
     registers_ = std::move(kept);
     for (int& w : wanted) w = now[static_cast<std::size_t>(w)];
   }
-  // With what a step multiplies by.
+  // Returns the registers with the factors of their steps.
   std::vector<R> finished() {
     for (R& r : registers_) {
       if (r.kind != R::Kind::geometric && r.kind != R::Kind::wave) continue;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rotations, and where they take their centre.
+// Rotations about a centre.
 #pragma once
 
 #include "algebra/turns.h"
@@ -9,8 +9,8 @@
 
 namespace betwixt::algebra {
 
-// About an axis through the centre, after Rodrigues. Where the origin goes is worked out from the angle, not as
-// centre - M centre: of a centre far away and a turn that is small nothing would be left.
+// Returns a rotation about an axis through the centre, after Rodrigues. The displacement of the origin is computed from
+// the angle, not as centre - M centre, which would cancel for a small rotation about a centre far away.
 inline Mat4 rotated(Turn by, Vec3 axis, Vec3 centre = {}) {
   const Vec3 a = normalize(axis);
   const double s = by.sine, c = by.cosine, v = by.versine;

@@ -182,7 +182,7 @@ void Stepper<Number>::seek_points() {
       swung ? linear_at<Constant>(plan_.blocks, plan_.steps, plan_.steps) : LinearPart<Constant>{};
   const Constant k(static_cast<double>(k_));
   const bool centred = !(plan_.centre_x == Constant(0) && plan_.centre_y == Constant(0));
-  const bool own = use.second && !recalls && !swung;  // each point gains something of its own
+  const bool own = use.second && !recalls && !swung;  // each point has an increment of its own
   const bool all = !own && !swung && !(plan_.gain_x == Constant(0) && plan_.gain_y == Constant(0));
   struct Point {
     Constant x, y;
@@ -193,7 +193,7 @@ void Stepper<Number>::seek_points() {
   };
   for (std::size_t i = 0; i < rest_x_.size(); ++i) {
     Point p{as<Constant>(rest_x_[i]), as<Constant>(rest_y_[i])};
-    // In place the points begin as they are given, to the last bit.
+    // In place, frame 0 is the points as given, to the last bit.
     if (centred && !(in_place() && k_ == 0)) p = {p.x + plan_.centre_x, p.y + plan_.centre_y};
     Point gain{plan_.gain_x, plan_.gain_y};
     if (own) gain = {gain.x + plan_.slope_x * p.x, gain.y + plan_.slope_y * p.y};

@@ -15,7 +15,7 @@ namespace betwixt::algebra {
 template <class T>
 using Line = std::vector<T, LargePages<T>>;
 
-// What plans for these numbers are made of: constants are worked out in f64.
+// The number type of plans for Number: constants are computed in f64.
 template <class Number>
 struct Planned {
   using Type = double;
@@ -29,14 +29,14 @@ template <class Number>
 class Stepper {
  public:
   using Constant = typename Planned<Number>::Type;
-  // x and y: as many each. The motion is that of the plan; its end comes from it.
+  // x and y must have equal sizes. The plan is for this motion, which gives the last frame.
   Stepper(Plan<Constant>, Motion, std::span<const Number> x, std::span<const Number> y);
 
   std::int64_t frame() const { return k_; }
-  void seek(std::int64_t k);  // by the closed form
+  void seek(std::int64_t k);  // goes to a frame by the closed form
   void step();
-  // After so many steps the closed form is taken anew; 0 for never. As it comes: of the registers, which cost nothing
-  // beside the points, 32; of the points 256, in f32 64, and 32 for the two-term kernels.
+  // Sets after how many steps the closed form is evaluated again; 0: never. The default is 32 for the registers, which
+  // cost nothing beside the points; for the points it is 256, in f32 64, and in f32 32 for the two-term kernels.
   void renew_every(int steps) { renew_ = renew_registers_ = steps; }
   void use_threads(unsigned most) { threads_ = most; }  // 0: as many as the machine has
   std::span<const Number> x() const { return {drawn_x(), rest_x_.size()}; }
@@ -47,7 +47,7 @@ class Stepper {
   void seek_points();
   void step_registers();
   void gather_inputs();
-  void place_by_closed_form();  // draws the points at rest moved by A_k
+  void place_by_closed_form();  // draws A_k of the points at rest
   bool by_closed_form() const { return k_ == plan_.steps || plan_.whole_step; }
   void run(Kernel);
   Arrays<Number> arrays();

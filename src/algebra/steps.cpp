@@ -117,7 +117,7 @@ Result<Count> count_operations(const Motion& motion, std::int64_t steps, Method 
     if (!plan) return plan.error();
     count.kernel = name_of(plan->kernel);
     count.planned = {plan->per_point(), plan->per_step(), 0};
-    const std::vector<Counted> x(n, 1.25), y(n, -0.75);  // any place will do
+    const std::vector<Counted> x(n, 1.25), y(n, -0.75);  // any position will do
     Stepper<Counted> stepper(*std::move(plan), motion, x, y);
     const Tally ready_to_go = Counted::tally;
     stepper.step();

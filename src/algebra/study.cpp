@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t most_factors = 64, most_points = 50;
 constexpr double farthest = 1e9;
-constexpr int slow_samples = 120;          // of a slow path
-constexpr double most_sampled_turns = 24;  // of a path that is sampled for its turns
+constexpr int slow_samples = 120;          // for a slow path
+constexpr double most_sampled_turns = 24;  // for a path that is sampled for its turns
 
 double size_of(const Mat4& m) {
   double most = 0;
@@ -24,7 +24,7 @@ double size_of(const Mat4& m) {
 }
 double reach_of(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// What is drawn: every factor by itself, and every factor with those on its right.
+// Tests everything that is drawn: every factor by itself, and every factor with those to its right.
 bool stays_near(const Motion& motion) {
   const std::vector<Factor>& f = motion.factors;
   for (auto i = f.begin(); i != f.end(); ++i) {
@@ -93,7 +93,7 @@ double unit_for(const Motion& motion, const Places& points) {
   return power * (about < 1.5 * power ? 1 : about < 3.5 * power ? 2 : about < 7.5 * power ? 5 : 10);
 }
 
-// What becomes of three points says what becomes of all.
+// Three points determine an affine map.
 std::vector<Mat4> stepped(const Motion& motion, Method method, std::int64_t count) {
   const std::vector<double> x{0, 1, 0}, y{0, 0, 1};
   auto steps = Steps<double>::make(motion, count, method, x, y);
@@ -163,7 +163,7 @@ std::vector<double> drift(const Motion& motion, Method method, std::int64_t step
   std::vector<double> exact_x, exact_y;
   for (const Vec3& p : points) {
     x.push_back(static_cast<Number>(p.x)), y.push_back(static_cast<Number>(p.y));
-    // Of the points that the method was given, rounded as they are.
+    // Of the points as the method got them, rounded.
     exact_x.push_back(static_cast<double>(x.back())), exact_y.push_back(static_cast<double>(y.back()));
   }
   auto run = Steps<Number>::make(motion, steps, method, x, y);
@@ -171,7 +171,7 @@ std::vector<double> drift(const Motion& motion, Method method, std::int64_t step
   std::vector<double> largest;
   if (!run || !exact) return largest;
   if (!renewed) run->renew_every(0);
-  constexpr int apart = 61;  // no divisor of the steps between renewals: all their phases are looked at
+  constexpr int apart = 61;  // no divisor of the steps between renewals, so that all their phases occur
   double worst = 0;
   for (const std::int64_t mark : drift_marks(steps)) {
     while (run->frame() < mark) {

@@ -16,7 +16,7 @@ namespace {
 using LetterKind = Symbol::Kind;
 using FactorKind = Factor::Kind;
 
-// A sum of products: how often each is in it. None is in it 0 times.
+// A sum of products, with the count of each; no count is 0.
 using Sum = std::map<std::vector<std::size_t>, int>;
 using Sums = std::array<Sum, 12>;
 
@@ -41,7 +41,7 @@ Sum operator*(const Sum& a, const Sum& b) {
 }
 Sum operator-(const Sum& a, const Sum& b) { return a + number(-1) * b; }
 
-// The matrices of factors, while the letters are given out.
+// Makes the matrices of factors and gives out the letters.
 class LetterMaker {
  public:
   LetterMaker(const Motion& motion, std::vector<Symbol>& letters) : motion_(motion), letters_(letters) {}
@@ -67,7 +67,7 @@ class LetterMaker {
     Three sums;
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      // A way of 1 is t on its way, and a centre's 1 is written as all of its numbers are.
+      // A displacement of 1 is t after a part of the motion, and centres always have all their letters.
       const bool plain = kind == LetterKind::axis && std::abs(v[i]) == 1;
       if (v[i] != 0) sums[at] = plain ? number(v[i] < 0 ? -1 : 1) : letter(kind, i);
     }
@@ -79,7 +79,7 @@ class LetterMaker {
     for (std::size_t i = 0; i < 3; ++i) m[5 * i] = number(1), m[4 * i + 3] = by[i];
     return m;
   }
-  // About a centre: c - L c is what it adds.
+  // About a centre: adds c - L c.
   static Sums about(const Three& centre, Sums m) {
     for (std::size_t i = 0; i < 3; ++i) {
       m[4 * i + 3] = centre[i];
@@ -132,7 +132,7 @@ Sums times(const Sums& a, const Sums& b) {
 
 bool is_length(const Symbol& letter) { return letter.kind == LetterKind::way || letter.kind == LetterKind::centre; }
 
-// "2 c1 s2^2"; "1" where nothing is left.
+// Returns "2 c1 s2^2", or "1" for an empty product.
 std::string product_text(const Term& term, const Symbols& symbols) {
   std::string text;
   const auto put = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
@@ -151,7 +151,7 @@ std::string sum_text(const std::vector<Term>& sum, const Symbols& symbols) {
   return text;
 }
 
-// What one length is multiplied by; a sum without a length stands by itself.
+// The factor of one length; a sum without a length is by itself.
 struct Together {
   std::optional<std::size_t> length;
   std::vector<Term> terms;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motions as text.
+// Reads and writes motions.
 #include "algebra/text.h"
 
 #include <fmt/format.h>
@@ -35,12 +35,12 @@ struct MotionReader : algebra::Cursor {
     ++at;
     return true;
   }
-  // Where a factor ends that says no more than it has: behind its bracket.
+  // The place after the bracket of the last factor.
   std::size_t behind() {
     space();
     return at + (peek() == ')' ? 1 : 0);
   }
-  // Letters and what stands for them, up to the next blank or bracket.
+  // Reads letters, and signs such as °, up to the next blank or bracket.
   std::string_view word() {
     const std::size_t from = at;
     while (at < text.size() && std::string_view(" \t\r\n,()@").find(text[at]) == std::string_view::npos) ++at;
@@ -60,7 +60,7 @@ struct MotionReader : algebra::Cursor {
     const std::string_view w = next_word();
     return w == "nan" || w == "NaN" || w == "inf" || w == "infinity" || w == "Infinity";
   }
-  // A number with one of the units, or none.
+  // Reads a number with one of the units, or without.
   template <std::size_t n>
   bool number(double& out, const Unit (&units)[n], const char* kind, bool unit_needed = false,
               const Unit** used = nullptr) {
@@ -103,7 +103,7 @@ struct MotionReader : algebra::Cursor {
                 blank ? fmt::format("no blank before it: {}{}", text.substr(from, to - from), apart)
                       : fmt::format("units are {}", known));
   }
-  // Without units: factors, directions.
+  // Reads a number without a unit: a scale or a direction.
   bool plain_number(double& out) {
     const std::size_t from = at;
     if (!number(out, lengths, "length")) {
@@ -122,7 +122,7 @@ struct MotionReader : algebra::Cursor {
     }
     return true;
   }
-  // The end of a factor, or what does not belong into it.
+  // Reads the end of a factor, or reports what does not belong there.
   bool close(Kind kind) {
     if (accept(')')) return true;
     if (at == text.size()) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
@@ -140,7 +140,7 @@ struct MotionReader : algebra::Cursor {
         fmt::format("'{}' does not belong here, in a {}", text.substr(from, to - from), names[static_cast<int>(kind)]),
         forms[static_cast<int>(kind)]);
   }
-  // Behind '@': a place or a name.
+  // Reads a position or a name after '@'.
   bool centre(Factor& f) {
     space();
     const std::size_t from = at;
@@ -174,7 +174,7 @@ struct MotionReader : algebra::Cursor {
     const Unit* unit = nullptr;
     double count = 0;
     if (!number(count, angle_units, "angle", true, &unit)) return false;
-    if (unit == nullptr) return true;  // nothing, whatever its unit
+    if (unit == nullptr) return true;  // zero needs no unit
     const std::string_view digits = text.substr(from, at - from - unit->name.size());
     const auto read = algebra::read_angle(digits, count, *unit);
     if (!read)

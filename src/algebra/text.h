@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the readers and writers of motions share.
+// Shared by the readers and writers of motions.
 #pragma once
 
 #include <cstddef>
@@ -17,32 +17,32 @@ namespace betwixt::algebra {
 struct Unit {
   std::string_view name;
   double of;       // metres or radians
-  double divisor;  // 35 mm are 35/1000 m: dividing keeps the number that is written
+  double divisor;  // 35 mm are 35/1000 m: a division keeps the number as written
 };
 
-// A text that is being read, and the first thing that is wrong with it.
+// A text being read, and its first error.
 struct Cursor {
   std::string_view text;
   std::size_t at = 0;
   std::optional<Error> error = {};
 
-  // Of the bytes from..to. Always false.
+  // Records an error at the bytes from..to. Returns false.
   bool fail(std::size_t from, std::size_t to, ErrorCode, std::string message, std::string hint = {});
   char peek() const { return at < text.size() ? text[at] : '\0'; }
 };
 
-// The shortest that reads back the same; zero has no sign.
+// Returns the shortest text that reads back as the same number; zero has no sign.
 std::string written(double);
 
-// As a Factor holds it: what rounding takes of many turns is in the rest.
+// As in Factor: `rest` is the rounding error of many turns.
 struct Angle {
   double radians = 0, rest = 0;
   friend bool operator==(const Angle&, const Angle&) = default;
 };
 Angle angle_of(Turns);
-// Of a number as it is written, "1e3" or "-.5", and its value. None: it is beyond all counting.
+// Returns the angle of a number as written, "1e3" or "-.5", and its value; nullopt if it is too large to count.
 std::optional<Angle> read_angle(std::string_view number, double value, const Unit&);
-// The shortest that reads back the same, in deg, turn or rad.
+// Returns the shortest text that reads back the same, in deg, turn or rad.
 std::string angle_text(Angle);
 
 }  // namespace betwixt::algebra

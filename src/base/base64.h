@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bytes as letters, for files that are text.
+// Base64: bytes as letters, for files that are text.
 #pragma once
 
 #include <string>

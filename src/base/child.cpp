@@ -57,7 +57,7 @@ std::optional<int> wait_for_child(pid_t pid, std::chrono::milliseconds most) {
     over = ::waitid(P_PID, static_cast<id_t>(pid), &how, WEXITED | WNOHANG | WNOWAIT) != 0 || how.si_pid == pid;
     if (!over) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  ::kill(-pid, SIGKILL);  // its number is nobody else's while nobody has waited for it
+  ::kill(-pid, SIGKILL);  // before wait, no other process can get its number
   const int status = wait_for_child(pid);
   return over ? std::optional(status) : std::nullopt;
 }

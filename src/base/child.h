@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Other programs that run beside this one.
+// Starts other programs (child processes) and waits for them.
 #pragma once
 
 #include <sys/types.h>
@@ -13,17 +13,17 @@
 
 namespace betwixt {
 
-// What become its standard input, output and error; -1: nothing.
+// The files that become its standard input, output and error; -1: none.
 struct ChildFiles {
   int in = -1, out = -1, err = -1;
 };
 
-// Arguments are handed over one by one; no shell reads them. It is in a process group of its own: a Ctrl-C of the
-// terminal is for us, who then end it. The system's reason, or 0.
+// Starts a program. Arguments are passed one by one, without a shell. The child has a process group of its own, so a
+// Ctrl-C in the terminal goes to this program, which then ends the child. Returns 0, or the errno.
 int start_child(pid_t& pid, const std::vector<std::string>& arguments, ChildFiles);
 // Waits for its end: its status, as of waitpid.
 int wait_for_child(pid_t);
-// The same; after so long it is ended, and there is no status. What it began and left behind ends with it.
+// The same with a limit: after it, kills the child and whatever it has started, and returns std::nullopt.
 std::optional<int> wait_for_child(pid_t, std::chrono::milliseconds most);
 
 }  // namespace betwixt

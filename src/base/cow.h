@@ -18,8 +18,8 @@ class Cow {
   const T& operator*() const { return at_ ? *at_ : empty(); }
   const T* operator->() const { return &**this; }
 
-  // The value to change: a copy of our own if anybody else still sees it. Whoever edits holds the only path to this
-  // Cow, so a count of one cannot grow behind our back; the fence orders us after the last other owner's reads.
+  // Returns the value for changing: a copy of our own if another owner sees it too. The editor holds the only path to
+  // this Cow, so a count of one cannot grow in between; the fence orders us after the last other owner's reads.
   T& edit() {
     if (!at_)
       at_ = std::make_shared<T>();

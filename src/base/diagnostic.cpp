@@ -12,7 +12,7 @@ namespace betwixt {
 
 namespace {
 
-// Spaces below what is shown; tabs stay tabs, so that the caret stands where the eye expects it.
+// Returns spaces as wide as the shown text; tabs stay tabs, so that the caret is in the right column.
 std::string spaces_below(std::string_view shown) {
   std::string out;
   for (const char c : shown)
@@ -45,7 +45,7 @@ std::string to_string(const Diagnostic& d) {
 
 namespace {
 
-// "…: line 3: why", of code of several lines: takes the line out, counted from 0.
+// Removes the line from a message "…: line 3: why" about code of several lines, and returns it, counted from 0.
 std::size_t take_line(std::string& message) {
   constexpr std::string_view mark = ": line ";
   const std::size_t at = message.find(mark);

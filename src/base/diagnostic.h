@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where what is said of a text stands in it.
+// Finds the place of a diagnostic in a text.
 #pragma once
 
 #include <string_view>

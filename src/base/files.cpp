@@ -36,13 +36,13 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// What a new file is made with; `exactly`: whatever the process takes away from its files.
+// The rights of a new file; `exactly`: regardless of the process's umask.
 struct Rights {
   mode_t bits = 0666;
   bool exactly = false;
 };
 
-// There whole, or not at all.
+// Makes the file completely or not at all.
 int make(const std::string& path, std::string_view bytes, Rights rights, bool on_disk) {
   OpenFile file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights.bits));
   if (!file) return errno;
@@ -62,7 +62,7 @@ int move_to(const std::string& from, const std::string& to, bool overwrite) {
     reason = done(::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE));
     if (reason != EINVAL && reason != ENOSYS) return reason;
 #endif
-    // Some file systems cannot promise it. A link fails too where something has appeared under the name meanwhile.
+    // Some file systems cannot guarantee it. A link also fails if a file has appeared under the name in between.
     reason = done(::link(from.c_str(), to.c_str()));
     if (reason == 0) return ::unlink(from.c_str()), 0;
     if (reason == EEXIST) return reason;
@@ -70,7 +70,7 @@ int move_to(const std::string& from, const std::string& to, bool overwrite) {
   return done(::rename(from.c_str(), to.c_str()));
 }
 
-// What stands against it, and of a plain file its size, in `out`.
+// Opens a file. Sets `out` to the obstacle if there is one, and to the size of a regular file.
 OpenFile open_within(const std::string& path, const ReadingLimits& limits, FileContents& out) {
   const auto hindered = [&](Hindrance what, int reason = 0) {
     out.hindrance = what, out.reason = reason;
@@ -81,7 +81,7 @@ OpenFile open_within(const std::string& path, const ReadingLimits& limits, FileC
   if (S_ISDIR(about.st_mode)) return hindered(Hindrance::folder);
   const bool plain = S_ISREG(about.st_mode);
   if (!plain && !limits.special) return hindered(Hindrance::special);
-  // Should it have become a pipe meanwhile, one without a writer must not block.
+  // If it has become a pipe in between, a pipe without a writer must not block.
   OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (plain ? O_NONBLOCK : 0)));
   if (!file) return hindered(Hindrance::system, errno);
   out.size = plain ? static_cast<std::uint64_t>(about.st_size) : 0;
@@ -114,7 +114,7 @@ int OpenFile::close() {
 }
 
 int read_all(int file, std::string& text, std::uint64_t largest) {
-  ::lseek(file, 0, SEEK_SET);  // what has no beginning is read from where it stands
+  ::lseek(file, 0, SEEK_SET);  // a file without a beginning is read from its position
   char block[1 << 16];
   for (;;) {
     const ssize_t n = ::read(file, block, sizeof block);
@@ -159,7 +159,7 @@ int put_file(const std::string& path, std::string_view bytes, const Putting& how
     if (::stat(place.c_str(), &old) == 0) rights = {old.st_mode & 07777, true};
   }
   std::string part;
-  int reason = EEXIST;  // what a process of the same number has left behind is no hindrance
+  int reason = EEXIST;  // a file that an earlier process with the same number has left is no obstacle
   while (reason == EEXIST) reason = make(part = hidden_beside(place), bytes, rights, how.on_disk);
   if (reason != 0) return reason;
   reason = move_to(part, place, how.overwrite);
@@ -185,7 +185,7 @@ std::string hidden_beside(const std::string& path, const std::string& tail) {
   static std::atomic<unsigned> count{0};
   const std::size_t slash = path.rfind('/');
   const std::string folder = path.substr(0, slash == std::string::npos ? 0 : slash + 1);
-  const std::string name = path.substr(folder.size(), 100);  // a long name must not get too long
+  const std::string name = path.substr(folder.size(), 100);  // keeps the name within the limit
   return fmt::format("{}.{}.{}-{}.partial{}", folder, name, ::getpid(), count++, tail);
 }
 

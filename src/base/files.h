@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files: read whole, and written beside their place and then put into it, so that nobody ever sees half of one.
+// Reads whole files, and writes files beside their place and renames them, so that no reader ever gets half of one.
 #pragma once
 
 #include <sys/types.h>
@@ -18,35 +18,35 @@
 
 namespace betwixt {
 
-// ---- in words
+// ---- with errors in words
 
 // Errors: file (missing, a folder, not allowed, more than 1 GiB).
 Result<std::string> read_whole(const std::string& path);
-// For reading all of it. Errors: as those of read_whole.
+// Opens a file to read all of it. Errors: those of read_whole.
 class OpenFile;
 Result<OpenFile> open_whole(const std::string& path);
-// Beside it first, then in place: never half a file. What is no plain file (a pipe, a device) is written to as it is.
-// Errors: file (there already, not allowed), machine (disk full).
+// Writes a file beside its place and renames it. A file that is not regular (a pipe, a device) is written directly.
+// Errors: file (it exists, not allowed), machine (disk full).
 Status write_whole(const std::string& path, std::string_view bytes, bool overwrite);
 
-// Whether a file can be put at `path`. Errors: file (no such folder, a folder itself, there already), machine (not
-// writable).
+// Checks whether a file can be written at `path`. Errors: file (no such folder, a folder itself, it exists), machine
+// (not writable).
 Status check_place(const std::string& path, bool overwrite);
-// Gives a finished file its final name. Errors: file (there already), machine.
+// Renames a finished file to its final name. Errors: file (it exists), machine.
 Status put_in_place(const std::string& from, const std::string& to, bool overwrite);
-// "the disk is full" and the like, for what the system answered about a path.
+// Returns "the disk is full" and the like, for the system's error about a path.
 Error system_error(int number, const std::string& doing, const std::string& path);
 
-// Whether it is a program, for us.
+// Returns whether it is a program that we may run.
 bool can_be_run(const std::string& path);
-// What follows the last dot of the file's name, in small letters.
+// Returns the extension of a file's name, without the dot, in lower case.
 std::string ending(const std::string& path);
 std::span<const std::uint8_t> as_bytes(std::string_view);
 std::string_view as_text(std::span<const std::uint8_t>);
 
-// ---- with the system's reasons (numbers of errno, 0: none), for those who have words of their own
+// ---- with the system's errors (errno, 0: none), for callers with messages of their own
 
-// What the system opened; closed with it.
+// A file descriptor; closes itself.
 class OpenFile {
  public:
   explicit OpenFile(int opened) : fd_(opened) {}
@@ -55,8 +55,8 @@ class OpenFile {
   ~OpenFile() { close(); }
   explicit operator bool() const { return fd_ >= 0; }
   int fd() const { return fd_; }
-  int close();                                      // 0 or the reason
-  int release() { return std::exchange(fd_, -1); }  // from now on it is the caller's
+  int close();                                      // 0 or the errno
+  int release() { return std::exchange(fd_, -1); }  // passes it to the caller
 
  private:
   int fd_;
@@ -64,7 +64,7 @@ class OpenFile {
 
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
 
-// Whether a file was read, and what stood against it.
+// Whether a file was read, or why not.
 enum class Hindrance { none, missing, folder, special, too_large, system };
 struct FileContents {
   Hindrance hindrance = Hindrance::none;
@@ -74,27 +74,27 @@ struct FileContents {
 };
 struct ReadingLimits {
   std::uint64_t largest = largest_file;
-  bool special = false;  // pipes and devices too; a pipe is waited for
+  bool special = false;  // allows pipes and devices too; waits for a pipe
 };
 FileContents read_contents(const std::string& path, const ReadingLimits& = {});
 
-// From the beginning, where it has one, to the end. EFBIG where it is longer than `largest`.
+// Reads from the beginning, if the file has one, to the end. Returns EFBIG if it is longer than `largest`.
 int read_all(int file, std::string& text, std::uint64_t largest = UINT64_MAX);
-// All of it; from `at` on, where that is said.
+// Writes all bytes, at `at` if given.
 int write_all(int file, std::string_view bytes, std::optional<off_t> at = {});
 
 struct Putting {
   bool overwrite = true;
-  bool like_old = false;  // in place of what a link leads to, with the rights that it had
-  bool on_disk = false;   // when it returns
+  bool like_old = false;  // follow a link, and keep the rights of the old file
+  bool on_disk = false;   // wait until it is on the disk
 };
-// EEXIST where something is there that must not be overwritten.
+// Returns EEXIST if there is a file that must not be overwritten.
 int put_file(const std::string& path, std::string_view bytes, const Putting& = {});
-// A file that was not there (EEXIST), on the disk.
+// Makes a new file (EEXIST if it exists), on the disk.
 int make_file(const std::string& path, std::string_view bytes, mode_t rights);
-// A name is on the disk when its folder is.
+// A name is on the disk when its folder is synchronised.
 void sync_folder_of(const std::string& path);
-// A hidden name in the folder of `path` that nobody else uses.
+// Returns a hidden name in the folder of `path` that no other process uses.
 std::string hidden_beside(const std::string& path, const std::string& tail = "");
 
 }  // namespace betwixt

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How far work is that somebody waits for. Whoever does it says so now and then; where nobody listens on this thread,
-// that costs a look at a pointer.
+// Progress of long work. The worker reports it now and then; if no HowFar listens on this thread, that costs the test
+// of a pointer.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace betwixt {
 
-// Listens on this thread while it stands. Any thread may ask for the share.
+// Receives the progress of this thread during its lifetime. Any thread may read the share.
 class HowFar {
  public:
   HowFar() : outer_(std::exchange(listening_, this)) {}

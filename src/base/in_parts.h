@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Work in parts, a thread each.
+// Runs work in parts, each on a thread.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace betwixt {
 
-// work(0) … work(parts - 1), the first on this thread, and so are those for which the system has no more threads.
+// Calls work(0) … work(parts - 1). The first runs on this thread, and so do those for which the system has no threads.
 template <class F>
 void in_parts(std::size_t parts, const F& work) {
   std::vector<std::thread> others;

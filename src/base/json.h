@@ -13,6 +13,6 @@ namespace betwixt {
 std::string json_text(std::string_view);
 // How many lists and objects stand in one another, where most do. The text need not be JSON.
 std::size_t json_depth(std::string_view);
-std::string json_number(double);  // JSON knows no numbers beyond all numbers: those are null
+std::string json_number(double);  // null for infinity and NaN, which JSON lacks
 
 }  // namespace betwixt

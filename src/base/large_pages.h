@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Memory for arrays that are gone through from end to end. In pages of 2 MiB, where the system has them, the processor
-// looks up far fewer addresses: reading is twice as fast. Smaller arrays begin with a small page: of arrays that begin
-// alike, the same places of all lie alike, and what is read ahead in one is not taken for what was just written in
-// another (processors compare the last 12 bits of addresses first). The smallest begin with a line of the cache.
+// Memory for arrays that are traversed from end to end. With pages of 2 MiB, if the system has them, the processor
+// looks up far fewer addresses, and reading is twice as fast. Smaller arrays start at different small pages: if all
+// arrays started alike, the processor would take a prefetch in one for a recent write in another, since it compares the
+// last 12 bits of addresses first. The smallest arrays are aligned to a cache line.
 #pragma once
 
 #include <sys/mman.h>
@@ -26,7 +26,7 @@ struct LargePages {
   T* allocate(std::size_t n) {
     void* at = ::operator new(size(n), alignment(n));
 #ifdef MADV_HUGEPAGE
-    if (size(n) >= page) madvise(at, size(n), MADV_HUGEPAGE);  // a wish: without it all is well, too
+    if (size(n) >= page) madvise(at, size(n), MADV_HUGEPAGE);  // advice only: without it everything works too
 #endif
     return static_cast<T*>(at);
   }

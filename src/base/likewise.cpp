@@ -9,13 +9,13 @@
 namespace betwixt {
 namespace {
 
-// The thing that a message begins with, OBJECT.FUNCTION; empty where it begins with none.
+// Returns the subject OBJECT.FUNCTION that a message begins with, or "" if it begins with none.
 std::string_view thing_of(std::string_view message) {
   const std::string_view first = message.substr(0, message.find_first_of(": "));
   return first.find('.') == std::string_view::npos || first.size() == message.size() ? std::string_view() : first;
 }
 
-// All but the thing, and but the code, which may be another one for each thing of a pattern.
+// Returns the message without its subject and its code, which may differ for each object of a pattern.
 std::string_view besides(std::string_view message) {
   constexpr std::string_view behind_code = "\" gives no value: ";
   const auto code = message.find(behind_code);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is wrong with many things in the same way is said once, with how many there are.
+// Joins the same error in many objects to one message with their number.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ namespace betwixt {
 
 class Likewise {
  public:
-  // A message that begins with what it is about, as "ball.radius: …" does. Its number, which is that of another one
-  // where only the thing differs. `where`: in a script; messages of different places are different.
+  // Adds a message that begins with its subject, like "ball.radius: …". Returns its number; messages that differ only
+  // in the subject share one. Messages with different places `where` in a script are different.
   std::size_t add(std::string_view message, std::string_view where = {});
   std::size_t size() const { return all_.size(); }
-  // The first of those of a number, and of what else it holds.
+  // Returns the text of the first message with this number, and how many others there are.
   std::string text(std::size_t number) const;
 
  private:

@@ -90,7 +90,7 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
   if (const auto set = pattern.rfind('['); set != pattern.npos && pattern.find(']', set + 2) == pattern.npos)
     return fail(ErrorCode::syntax, fmt::format("the bracket in '{}' is not closed", pattern.substr(0, 60)));
   std::vector<std::string> done{std::string(pattern)};
-  // The leftmost group of every string is replaced until none is left; each round keeps the order written.
+  // Expands the leftmost group of every string until none is left; each round keeps the order.
   constexpr std::size_t most_characters = 64'000'000;
   for (int round = 0;; ++round) {
     bool any = false;
@@ -138,7 +138,7 @@ std::vector<std::size_t> brace_ranges(std::string_view pattern) {
 }
 
 bool matches(std::string_view p, std::string_view s) {
-  // Greedy with one way back to the last star: linear in practice, never exponential.
+  // Greedy with one backtrack to the last star: linear in practice, never exponential.
   std::size_t i = 0, j = 0, star = std::string_view::npos, mark = 0;
   while (j < s.size()) {
     const bool stop = s[j] == '/' || s[j] == '.';
@@ -229,7 +229,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
       std::swap(before, row);
       std::swap(row, next);
     }
-    // Of two that are as near, the one that begins the same.
+    // Of two equally near words, prefer the one with the same first letter.
     const bool begins = !c.empty() && c[0] == word[0] && !found.empty() && found[0] != word[0];
     if (row[c.size()] < best || (row[c.size()] == best && begins)) {
       best = row[c.size()];

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A list that only grows at its end, as a value: a copy costs nothing, and adding to a copy shares all that was there
-// before. What a reader on another thread holds is never moved or written.
+// An append-only list, as a value. A copy costs nothing, and appending to a copy shares the existing items. Items that
+// a reader on another thread holds are never moved or written.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class SharedLog {
   }
 
  private:
-  // Items begin, begin + 1, ...; those before that are in the blocks before.
+  // Holds the items begin, begin + 1, ...; earlier items are in earlier blocks.
   struct Block {
     Block(std::size_t first, std::size_t space, std::shared_ptr<Block> older)
         : begin(first),
@@ -52,13 +52,13 @@ class SharedLog {
   };
   static constexpr std::size_t deepest = 64;
 
-  // The next place of our last block, unless it is full or a copy of us has already gone on there.
+  // Takes the next place of our last block. Fails if it is full, or if a copy of us has appended there already.
   bool claim() {
     if (!last_) return false;
     std::size_t here = size_ - last_->begin;
     return here < last_->capacity && last_->used.compare_exchange_strong(here, here + 1);
   }
-  // A block of our own, as large as all before; where many copies went different ways, with all before in it.
+  // Adds a block of our own, as large as all before. If many copies have branched off, copies all items into it.
   void grow() {
     const bool flatten = last_ && last_->depth >= deepest;
     auto block = flatten ? std::make_shared<Block>(0, 2 * size_, nullptr)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where the time of a frame goes. What makes a frame says at its top which stage begins; who listens on this thread
-// gets the seconds of each. Where nobody listens, a stage costs a look at a pointer.
+// Measures the stages of a frame. Code that makes a frame opens a stage; a StageTimes on this thread gets the seconds
+// of each. Without one, a stage costs the test of a pointer.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 9> stage_names{
     "other", "tracks", "procedures", "environments", "hierarchy", "looks", "gather", "draw", "read back"};
 using StageSeconds = std::array<double, stage_names.size()>;
 
-// Listens on this thread while it stands; one that stands within it takes over meanwhile.
+// Listens on this thread during its lifetime; an inner one takes over until it ends.
 class StageTimes {
  public:
   StageTimes() : outer_(std::exchange(listening_, this)) {}
@@ -27,7 +27,7 @@ class StageTimes {
   StageTimes& operator=(const StageTimes&) = delete;
 
   static bool listened() { return listening_ != nullptr; }
-  // Of each stage since the last time this was asked; what belongs to none is `other`.
+  // Returns the seconds of each stage since the last call; time outside all stages is `other`.
   StageSeconds take() {
     begin(stage_);
     return std::exchange(seconds_, {});
@@ -36,7 +36,7 @@ class StageTimes {
  private:
   friend class InStage;
   using Clock = std::chrono::steady_clock;
-  // The one before it.
+  // Returns the previous stage.
   Stage begin(Stage next) {
     const auto now = Clock::now();
     seconds_[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - since_).count();
@@ -51,7 +51,7 @@ class StageTimes {
   StageSeconds seconds_{};
 };
 
-// From here to the end of the scope it is this stage, but where another one begins within it.
+// Opens a stage to the end of the scope; inner stages interrupt it.
 class InStage {
  public:
   explicit InStage(Stage stage) : times_(StageTimes::listening_), outer_(times_ ? times_->begin(stage) : stage) {}

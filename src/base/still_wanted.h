@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Work for somebody who may leave before it is done, or who shall wait where others need less. Whoever does such work
-// asks now and then whether it is still wanted; if not, it ends there. It is all done on copies, which go with it.
+// Cancellation and time slices for long work, whose client may leave, or which must wait while others need less. The
+// work asks now and then whether it is still wanted; if not, it is aborted. It changes copies only, so nothing is left
+// of it.
 #pragma once
 
 #include <time.h>
@@ -13,14 +14,14 @@
 
 namespace betwixt {
 
-// Thrown out of work that is not wanted.
+// Thrown to abort the work.
 struct NotWanted {};
 
-// The work that this thread does while it lives.
+// The work of this thread, during its lifetime.
 class StillWanted {
  public:
-  // Until one of the two flags is raised; and while others wait for its place it takes no more of the processor than
-  // this, 0: however much.
+  // Aborts when one of the two flags is raised, or when the work has used more processor time than this while others
+  // wait for its place; 0: no limit.
   StillWanted(const std::atomic<bool>& gone, const std::atomic<bool>& over, const std::atomic<int>& others,
               std::chrono::nanoseconds most)
       : gone_(gone),
@@ -32,7 +33,7 @@ class StillWanted {
   StillWanted(const StillWanted&) = delete;
   StillWanted& operator=(const StillWanted&) = delete;
 
-  // Of all work that may take long, between one piece and the next.
+  // Call it between two pieces of any work that may take long.
   static void ask() {
     if (current) current->look();
   }
@@ -49,7 +50,7 @@ class StillWanted {
     if (end_.count() > 0 && ++looks_ % looks_a_time == 0 && others_ > 0 && used() > end_) throw NotWanted{};
   }
 
-  static constexpr unsigned looks_a_time = 64;  // the system is asked for the time only now and then
+  static constexpr unsigned looks_a_time = 64;  // queries the system's time only once in this many calls
   static inline thread_local StillWanted* current = nullptr;
   const std::atomic<bool>&gone_, &over_;
   const std::atomic<int>& others_;

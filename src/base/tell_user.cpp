@@ -31,7 +31,7 @@ struct Kind {
 constexpr Kind kinds[] = {{"error: ", "\x1b[1;31m"}, {"warning: ", "\x1b[1;35m"}, {"notice: ", "\x1b[1;36m"}};
 constexpr std::string_view bold = "\x1b[1m", green = "\x1b[1;32m", end = "\x1b[0m";
 
-// "film.bx:3:1: error: …": what stands before the word has no blanks but those behind colons.
+// For "film.bx:3:1: error: …": the text before the word has no blanks except after colons.
 bool in_front(std::string_view before) { return before.empty() || before.ends_with(": "); }
 
 std::string painted_line(std::string_view line) {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Words for whoever runs the program, on standard error. Where nobody reads there any more, they are lost, and nothing
-// else happens.
+// Messages to the user on standard error. If no one reads it any more, they are lost and nothing else happens.
 #pragma once
 
 #include <string>
@@ -14,10 +13,10 @@ namespace betwixt {
 void tell_user(std::string_view text);
 
 enum class Colours { automatic, always, never };
-// Automatic, as it is unless somebody chooses: where standard error is a terminal that knows colours, and NO_COLOR is
-// not set (no-color.org).
+// Chooses colours. The default is automatic: on if standard error is a terminal with colours and NO_COLOR is not set
+// (no-color.org).
 void choose_colours(Colours);
-// The text as a terminal shows it in colours.
+// Returns the text with the terminal's codes for colours.
 std::string in_colours(std::string_view text);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Characters of a text in UTF-8.
+// Characters of UTF-8 texts.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +10,24 @@
 
 namespace betwixt {
 
-// Every byte but those that go on with a character.
+// Returns whether a byte begins a character, and does not continue one.
 inline bool begins_character(char byte) { return (byte & 0xC0) != 0x80; }
 
 std::size_t count_characters(std::string_view);
-// The first `count` characters; all where there are fewer.
+// Returns the first `count` characters, or all if there are fewer.
 std::string_view first_characters(std::string_view, std::size_t count);
 
-// How many bytes the character at `i` takes; 0: what stands there is no UTF-8.
+// Returns the number of bytes of the character at `i`, or 0 if it is not valid UTF-8.
 std::size_t character_length(std::string_view, std::size_t i);
 
 // Returns the text as a terminal or a log may show it: control characters, line separators, characters that turn the
 // direction of writing and bytes that are no UTF-8 are written as \x1b or \u{202e}. Tabs stay if `tabs` is set.
 std::string visible(std::string_view, bool tabs = false);
-// The same, where ends of lines and tabs stay.
+// The same; line ends and tabs stay.
 std::string visible_lines(std::string_view);
 
-// Returns a text that a film may have: what is no UTF-8, and each control character but a tab and the end of a line,
-// becomes the replacement character, U+FFFD.
+// Returns a text that a film may have. Bytes that are not UTF-8, and control characters other than tabs and line ends,
+// become the replacement character, U+FFFD.
 std::string clean_text(std::string_view);
 
 }  // namespace betwixt

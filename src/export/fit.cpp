@@ -10,8 +10,8 @@
 namespace betwixt {
 namespace {
 
-constexpr double most_turned = 12 * pi / 180;  // of straight pieces, for players that cut corners
-constexpr double most_arc = 150 * pi / 180;    // beyond it nobody knows which way round
+constexpr double most_turned = 12 * pi / 180;  // of linear pieces, for players that cut corners
+constexpr double most_arc = 150 * pi / 180;    // beyond it the direction is not certain
 constexpr std::int64_t shortest = flicks_per_second / 20'000;
 
 KeyValue plus(const KeyValue& a, double s, const KeyValue& b) {
@@ -56,12 +56,12 @@ class Follower {
   Follower(const Followed& f, const KeyOptions& options, Time beginning, std::size_t most, bool straight, bool cubic)
       : f_(f), options_(options), beginning_(beginning), most_(most), straight_(straight), cubic_(cubic) {}
 
-  // None: it takes more pieces than it may.
+  // Returns nullopt if it takes too many pieces.
   std::optional<std::vector<KeyPiece>> through(std::span<const Time> knots) {
     const Time end = knots.back();
     for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
       Time from = pieces_.empty() ? knots[k] : pieces_.back().until;
-      // Not too much at once: its looks are counted.
+      // Intervals of limited length, since the number of samples is limited.
       const std::int64_t longest = std::max<std::int64_t>(100 * f_.step.flicks, 1);
       for (Time at = knots[k]; at < knots[k + 1];) {
         Time next{std::min(at.flicks + longest, knots[k + 1].flicks)};
@@ -71,7 +71,7 @@ class Follower {
         at = next;
       }
     }
-    // What it jumps to at the very end.
+    // The value after a jump at the very end.
     if (pieces_.empty() || (!options_.in_floats && jumps_at(end)))
       pieces_.push_back({KeyPiece::held, pieces_.empty() ? knots.front() : end, end, value(end), value(end)});
     merge();
@@ -79,7 +79,7 @@ class Follower {
   }
 
  private:
-  // A leap may be over a little before its time: then what comes holds already.
+  // A leap in floats may end shortly before its time: then the next value holds already.
   Time meant(Time t) const {
     const auto next = early_.upper_bound(t);
     return next == early_.begin() ? t : std::max(t, std::prev(next)->second);
@@ -91,20 +91,20 @@ class Follower {
   double off(const KeyValue& a, const KeyValue& b) const { return f_.turn ? 2 * apart(a, near(b, a)) : apart(a, b); }
   bool jumps_at(Time t) { return off(f_.at({t.flicks - 1}), f_.at(t)) > 0.02 * f_.tolerance; }
 
-  // The time a file would keep: the nearest.
+  // Returns the nearest time that a file can store.
   Time kept(Time t) const { return options_.in_floats ? in_flicks(static_cast<float>((t - beginning_).seconds())) : t; }
   std::pair<Time, Time> kept_around(Time t) {
     const auto around = around_jump(t, beginning_, f_.step, options_);
     if (options_.in_floats) early_[around.second] = t;
     return around;
   }
-  // What a piece comes to that ends before a jump.
+  // Returns the final value of a piece that ends before a jump.
   KeyValue just_before(Time end, Time jump) const {
     return options_.style == KeyStyle::linear && options_.in_floats ? value(end) : f_.at({jump.flicks - 1});
   }
   Time in_flicks(float seconds) const { return betwixt::in_flicks(seconds, beginning_); }
 
-  // From where the last piece has ended up to a time at which it may jump.
+  // Fits from the end of the last piece to a possible jump.
   bool stretch(Time from, Time until) {
     const bool jump = jumps_at(until);
     const auto [end, next] = jump ? kept_around(until) : std::pair(kept(until), kept(until));
@@ -143,8 +143,8 @@ class Follower {
     }
     return parts(a, b, end, depth);
   }
-  // As many equal parts as should do: what a cubic is off by falls with the fourth power of its length, what a straight
-  // piece is with the second.
+  // Splits into as many equal parts as are probably needed: the error of a cubic falls with the fourth power of its
+  // length, that of a linear piece with the second.
   bool parts(Time a, Time b, const KeyValue& end, int depth) {
     const double needed = std::pow(too_far_ / f_.tolerance, cubic_ ? 0.25 : 0.5);
     const int n = std::clamp(static_cast<int>(std::ceil(1.02 * needed)), 2, 8);
@@ -158,7 +158,7 @@ class Follower {
     return split(from, b, end, depth + 1);
   }
 
-  // Between two times, if most of the way is made at once.
+  // Finds a jump between two times, if most of the change happens at once.
   std::optional<Time> find_jump(Time a, Time b) {
     std::int64_t low = meant(a).flicks, high = b.flicks - 1;
     if (low >= high) return std::nullopt;
@@ -172,7 +172,7 @@ class Follower {
     return Time{high};
   }
 
-  // All of it as one piece; none: no piece is near enough.
+  // Fits one piece; returns nullopt if none is within the tolerance.
   std::optional<KeyPiece> one(Time a, Time b, const KeyValue& end) {
     KeyPiece p{KeyPiece::held, a, b};
     p.begin = value(a);
@@ -216,14 +216,14 @@ class Follower {
   bool follows(const KeyPiece& p) {
     too_far_ = 0;
     for (const Look& look : looks_) too_far_ = std::max(too_far_, off(piece_at(p, look.share, f_.turn), look.value));
-    // Who drops tangents may blend the four numbers of a turn, too.
+    // A player that ignores tangents may also blend the four numbers of a rotation.
     if (f_.turn && options_.style == KeyStyle::linear)
       for (const auto& [share, v] : looks_)
         too_far_ = std::max(too_far_, off(unit(plus(plus({}, 1 - share, p.begin), share, p.end)), v));
     return too_far_ <= f_.tolerance;
   }
 
-  // Neighbours that are one piece as well.
+  // Merges neighbours that one piece can replace.
   void merge() {
     std::vector<KeyPiece> all = std::move(pieces_);
     pieces_.clear();
@@ -255,8 +255,8 @@ class Follower {
   const std::size_t most_;
   const bool straight_, cubic_;
   std::vector<Look> looks_;
-  std::map<Time, Time> early_;  // where leaps end that are over too early, and their times
-  double too_far_ = 0;          // how far off the last piece was that did not do
+  std::map<Time, Time> early_;  // ends of leaps that end early, and the times of the jumps
+  double too_far_ = 0;          // the error of the last piece that failed
   std::vector<KeyPiece> pieces_;
 };
 
@@ -319,10 +319,10 @@ std::pair<Time, Time> around_jump(Time jump, Time beginning, Time step, const Ke
   const double seconds = (jump - beginning).seconds();
   float f = static_cast<float>(seconds);
   if (static_cast<double>(f) > seconds) f = std::nextafter(f, -1e30F);
-  // Who counts in frames or milliseconds multiplies, and rounds again: assimp by floats.
+  // Programs that count in frames or milliseconds multiply and round again; assimp does so in floats.
   if (options.style == KeyStyle::linear) f = std::nextafter(std::nextafter(f, -1e30F), -1e30F);
   const Time after = in_flicks(f, beginning);
-  // Blender takes keys for one that are nearer than a hundredth of a frame.
+  // Blender merges keys that are nearer than a hundredth of a frame.
   if (options.style == KeyStyle::linear) f = static_cast<float>(seconds - 0.021 * step.seconds());
   while (in_flicks(f, beginning) >= after) f = std::nextafter(f, -1e30F);
   return {in_flicks(f, beginning), after};
@@ -352,7 +352,7 @@ Channel follow(const Followed& f, std::span<const Time> knots, const KeyOptions&
   };
   const bool linear = options.style == KeyStyle::linear;
   c.pieces = *with(SIZE_MAX, linear || !f.turn, !linear);
-  // Turns are blended in one way or the other: straight keys weigh a third of the others.
+  // Rotations are blended in one of two ways; linear keys are a third of the size of the others.
   if (f.turn && !linear && options.arcs)
     if (auto straight = with(c.pieces.size() * 3 / 2 + 1, true, false)) c.pieces = std::move(*straight);
   return c;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a film's motion can be written as, by the ending of the file's name. Each is a row.
+// The formats of motion, by extension. Each is a row.
 #pragma once
 
 #include "betwixt/export.h"
@@ -10,7 +10,7 @@ namespace betwixt {
 
 struct ExportRow {
   std::string_view ending, sentence;
-  // The bytes of the file; says in `made` what it is, and what is left out.
+  // Returns the bytes of the file; sets `made` to its counts and to everything that is left out.
   Result<std::string> (*make)(const Program&, const ExportOptions&, Exported& made) = nullptr;
   KeyStyle usual = KeyStyle::cubic;
 };

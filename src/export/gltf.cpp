@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film as glTF 2.0: objects are nodes below what they hang on, their motion is keys, what varies of their looks is
-// animated by KHR_animation_pointer, and shapes that change are meshes of which one at a time has a size.
+// A film as glTF 2.0. Objects are nodes below their parents, their motion is keys, changes of look are animated by
+// KHR_animation_pointer, and shapes that change are meshes of which one at a time has a size.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ class Maker {
     children_.emplace_back();
     return nodes_.size() - 1;
   }
-  // A property of a node: for good, or with keys. `rest`: what it is where nothing is said.
+  // Sets a property of a node, constant or with keys. `rest`: the default in glTF.
   void put(std::size_t node, const char* path, const Channel& c, const std::array<double, 4>& rest) {
     const auto& first = c.pieces.front().begin;
     const auto same = [&](double a, double b) { return static_cast<float>(a) == static_cast<float>(b); };
@@ -95,7 +95,7 @@ class Maker {
 
   bool asked(ObjectId id) const { return is_asked(id, options_.objects); }
 
-  // ---- what is deformed
+  // ---- skins
 
   std::size_t joint(const Skin& skin, std::size_t i) const {
     const std::int32_t node = skin.joints[i];
@@ -103,7 +103,7 @@ class Maker {
         program_.compiled().nodes[node < 0 ? skin.drawable : static_cast<std::uint32_t>(node)].object;
     return inner_of_.at(object);
   }
-  // Whether all joints hang on one node in the end, as glTF wants it.
+  // Returns whether all joints have a common root, as glTF requires.
   bool one_tree(const Skin& skin) const {
     for (const std::int32_t joint : skin.joints)
       if (joint >= 0 && !inner_of_.contains(program_.compiled().nodes[static_cast<std::uint32_t>(joint)].object))
@@ -117,7 +117,7 @@ class Maker {
     }
     return true;
   }
-  // Of a mesh with joints the node counts for nothing: it is the scene's own. The node that has it.
+  // A node with a skin has no effect itself, so it is at the root of the scene. Returns its number.
   std::size_t add_skin(const Seen& s, const std::string& name) {
     const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
     if (skin.joints.empty()) return inner_of_[s.id.index];
@@ -138,7 +138,7 @@ class Maker {
       leave_out(made_, fmt::format("{} is hidden at times: with its joints it is always seen", name));
     return node;
   }
-  // All weights of a mesh have their keys at the same times: what each is at the times of all.
+  // All weights of a mesh have keys at the same times, so each is evaluated at the times of all.
   void add_weights(const Seen& s, std::size_t node) {
     const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
     const auto& targets = s.forms[0].mesh->rig->targets;
@@ -169,7 +169,7 @@ class Maker {
     film_.animate(keys, 1, {{"node", node}, {"path", "weights"}});
   }
 
-  // ---- what is seen
+  // ---- objects
 
   Status draw(const Seen& s) {
     if (s.forms.empty() || !inner_of_.contains(s.id.index) || !asked(s.id)) return Nothing{};
@@ -191,7 +191,7 @@ class Maker {
     return Nothing{};
   }
 
-  // How large a form is: nothing, while it is not seen.
+  // Returns the scale of a form: zero while it is not visible.
   Channel sizes(const Seen& s, int form) const {
     Channel c{3, false, {}};
     for (std::size_t i = 0; i < s.when.size(); ++i) {
@@ -214,7 +214,7 @@ class Maker {
     }
     return with_leaps(c);
   }
-  // Where pieces that were put together jump, a leap.
+  // Inserts leaps where joined pieces jump.
   Channel with_leaps(const Channel& c) const {
     const Time step{std::max<std::int64_t>(document_.rate().span(0.5).flicks, 1)};
     Channel out{c.width, c.turn, {}};
@@ -247,7 +247,7 @@ class Maker {
       const Target intensity{{index}, fn::intensity}, color{{index}, fn::color};
       Channel power = value_keys(program_, intensity, options_.from, options_.until, options_.keys);
       const Channel tint = value_keys(program_, color, options_.from, options_.until, options_.keys);
-      // Full light is pi lux; of a lamp a twentieth of that is left where its reach ends, as scenes are read.
+      // Full light is pi lux. At the end of a lamp's range a twentieth of that is left, as when scenes are read.
       const double unit = l.sun ? pi : pi * l.range * l.range / 20;
       for (KeyPiece& p : power.pieces)
         for (auto* v : {&p.begin, &p.end, &p.leaving, &p.arriving}) (*v)[0] *= unit;
@@ -266,7 +266,7 @@ class Maker {
       if (!tint.constant()) film_.point(fmt::format("/extensions/KHR_lights_punctual/lights/{}/color", number), tint);
     }
   }
-  // A sun shines to the middle of the world, whichever way it is turned.
+  // A sun shines towards the world's origin, whatever its rotation.
   std::size_t sun(ObjectId id) {
     const std::size_t node = add_node({{"name", document_.name(id) + " rays"}});
     roots_.push_back(node);
@@ -405,8 +405,9 @@ class Maker {
 
   Json file_, nodes_ = Json::array(), skins_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array();
   std::vector<std::vector<std::size_t>> children_;
-  std::vector<std::size_t> roots_, parent_;                            // parents of objects' nodes; their number: none
-  std::unordered_map<std::uint32_t, std::size_t> node_of_, inner_of_;  // by object: its node, and what hangs on it
+  std::vector<std::size_t> roots_, parent_;  // parents of objects' nodes; their number if there is none
+  std::unordered_map<std::uint32_t, std::size_t> node_of_,
+      inner_of_;  // by object: its node, and the node of its children
 };
 
 void put_word(std::string& to, std::uint32_t word) {

@@ -90,7 +90,7 @@ std::size_t Buffer::picture(std::string_view png) { return view(png, plain); }
 Sampled sampled(const Channel& c, Time beginning, bool steps) {
   Sampled s;
   const std::array<double, 4> none{};
-  // A key for a time that has one already is the newer one's.
+  // A key at the time of an existing one replaces it.
   const auto key = [&](Time t, const std::array<double, 4>& v, const std::array<double, 4>* in = nullptr,
                        const std::array<double, 4>* out = nullptr) {
     const auto seconds = static_cast<float>((t - beginning).seconds());
@@ -107,7 +107,7 @@ Sampled sampled(const Channel& c, Time beginning, bool steps) {
     s.way = "STEP";
     for (std::size_t i = 0; i < c.pieces.size(); ++i)
       if (c.pieces[i].shape == KeyPiece::held) key(c.pieces[i].from, c.pieces[i].begin);
-    key(c.pieces.back().until, c.pieces.back().end);  // so that it is as long as the film
+    key(c.pieces.back().until, c.pieces.back().end);  // so that the animation is as long as the film
     return s;
   }
   const bool cubic =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parts of a glTF file: numbers in one buffer, and what speaks of them.
+// The parts of a glTF file: numbers in one buffer, and the accessors and animations that refer to them.
 // Source: glTF 2.0, sections 3.6 (binary data) and 3.11 (animations).
 #pragma once
 
@@ -20,13 +20,14 @@ namespace betwixt::gltf {
 class Buffer {
  public:
   enum Use { plain = 0, vertices = 34962, indices = 34963 };
-  // `bounds`: the file says the least and the most of each number. Equal numbers are kept once. The accessor's number.
+  // Returns the number of an accessor. `bounds`: writes the minimum and maximum of each number. Equal data is stored
+  // once.
   std::size_t floats(const std::vector<float>& all, std::size_t width, Use use, bool bounds);
-  std::size_t whole(const std::vector<std::uint32_t>& all);  // of triangles
-  // Of vertices: four numbers each; one that counts for nothing is 0.
+  std::size_t whole(const std::vector<std::uint32_t>& all);  // indices of triangles
+  // Four numbers for each vertex; joints without weight are 0.
   std::size_t joints(const std::vector<std::array<std::uint16_t, 4>>&,
                      const std::vector<std::array<float, 4>>& weights);
-  std::size_t picture(std::string_view png);  // the view's number
+  std::size_t picture(std::string_view png);  // returns the number of the buffer view
 
   Json views = Json::array(), accessors = Json::array();
   std::string bytes;
@@ -36,19 +37,19 @@ class Buffer {
   std::map<std::pair<std::string, std::size_t>, std::size_t> known_;  // by bytes, width and use
 };
 
-// A channel as glTF plays it: STEP, LINEAR or CUBICSPLINE, `width` numbers a key.
+// A channel as glTF plays it: STEP, LINEAR or CUBICSPLINE, `width` numbers in a key.
 struct Sampled {
   std::string way;
-  std::vector<float> times, values;  // CUBICSPLINE: three values a key: how it comes, what it is, how it goes
+  std::vector<float> times, values;  // CUBICSPLINE: three values in a key: in-tangent, value, out-tangent
 };
-// `steps`: what is held has STEP. Else two LINEAR keys: assimp takes STEP for LINEAR.
+// `steps`: held pieces are STEP. Otherwise they are two LINEAR keys, since assimp reads STEP as LINEAR.
 Sampled sampled(const Channel&, Time beginning, bool steps);
 
-// What varies of a file, and the numbers of all of it.
+// The animation of a file.
 struct Timeline {
   Time beginning;
   std::size_t frames = 1;  // of the film
-  bool steps = true;       // whether STEP is written
+  bool steps = true;       // whether STEP is used
   Exported& made;          // counts its keys
   Buffer buffer;
   Json channels = Json::array(), samplers = Json::array();
@@ -56,14 +57,14 @@ struct Timeline {
 
   void animate(const Channel&, Json target);
   void animate(const Sampled&, std::size_t width, Json target);
-  // By KHR_animation_pointer: "/materials/0/…".
+  // Animates a property through KHR_animation_pointer: "/materials/0/…".
   void point(const std::string& pointer, const Channel&);
   void use(const char* extension);
 };
 
 Json numbers(const std::array<double, 4>&, std::size_t width);
 std::array<double, 4> within_one(std::array<double, 4>);
-// Where channels have something new, and both ends.
+// Returns the times at which pieces of the channels begin, and both ends.
 std::vector<Time> keys_of(std::initializer_list<const Channel*>, Time from, Time until);
 
 }  // namespace betwixt::gltf

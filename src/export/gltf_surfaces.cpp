@@ -49,7 +49,7 @@ Result<std::size_t> Surfaces::add_mesh(const Seen& s, std::size_t form, const st
     Json only{{"POSITION", attributes["POSITION"]}};
     primitives.push_back({{"attributes", only}, {"indices", indices(f.mesh->edges)}, {"material", *look}, {"mode", 1}});
   }
-  // Meshes that are the same in all are one.
+  // Equal meshes are stored once.
   const auto [same, fresh] = meshes_known_.try_emplace(primitives.dump(), meshes.size());
   if (fresh)
     meshes.push_back(
@@ -92,7 +92,7 @@ Result<std::size_t> Surfaces::material(const Seen& s, const MeshPart& part, cons
     m["extensions"] = {{"KHR_materials_unlit", Json::object()}};
     film_.use("KHR_materials_unlit");
   }
-  // One that varies is its object's own; all meshes of that share it.
+  // A material that varies belongs to one object; all its meshes share it.
   std::string key = m.dump();
   if (!color.constant()) key += fmt::format(" {} {} {} {}", s.id.index, tint[0], tint[1], tint[2]);
   const auto [known, fresh] = materials_known_.try_emplace(key, materials.size());
@@ -110,7 +110,7 @@ bool Surfaces::flat_film() {
   return *flat_;
 }
 
-// Colour and opacity as one channel.
+// Returns colour and opacity as one channel.
 Channel Surfaces::colors(const Seen& s, const std::array<double, 4>& tint, bool tinted) const {
   const auto at = [&](Time t) {
     std::array<double, 4> v{1, 1, 1, 1};

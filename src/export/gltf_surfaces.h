@@ -17,7 +17,7 @@ class Surfaces {
   Surfaces(const Program& program, const ExportOptions& options, Timeline& film)
       : program_(program), options_(options), film_(film) {}
 
-  // One of the forms of what is seen. The mesh's number.
+  // Adds one of the forms of an object. Returns the number of the mesh.
   Result<std::size_t> add_mesh(const Seen&, std::size_t form, const std::string& name);
 
   Json meshes = Json::array(), materials = Json::array(), textures = Json::array(), images = Json::array();
@@ -39,7 +39,7 @@ class Surfaces {
   std::map<std::vector<std::uint32_t>, std::size_t> indices_;
   std::unordered_map<std::string, std::size_t> meshes_known_, materials_known_;
   std::unordered_map<const Picture*, std::size_t> textures_known_;
-  // So that no other comes to lie where they were.
+  // Keeps their addresses from being reused.
   std::vector<std::shared_ptr<const Mesh>> kept_;
   std::vector<std::shared_ptr<const Picture>> pictures_;
 };

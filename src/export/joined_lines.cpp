@@ -8,7 +8,7 @@
 namespace betwixt {
 namespace {
 
-// The looks' lines have their points in common, but for their ends.
+// Joins the lines of several looks, which have their inner points in common.
 class JoinedLines {
  public:
   explicit JoinedLines(const PlanarLooks& looks) : looks_(looks) {}
@@ -53,7 +53,7 @@ class JoinedLines {
   }
   static bool near(Vec3 a, Vec3 b) { return length(a - b) <= 1e-9 * (1 + length(a)); }
 
-  // Its inner points are some of those that are known, and more behind them.
+  // The inner points must be some of the known ones, and may continue beyond them.
   bool join(const std::vector<Vec3>& points) {
     if (points.size() < 2) {
       firsts_.push_back(1);
@@ -79,7 +79,7 @@ class JoinedLines {
     tip_ = {points.back()};
     return true;
   }
-  // How far along it a point of the side that begins at `side` is.
+  // Returns the position along the line of a point on the side that begins at `side`.
   std::optional<double> place(Vec3 p, std::size_t side, double tolerance) const {
     side = std::min(side, core_.size() - 2);
     double best = INFINITY, where = 0;
@@ -93,7 +93,7 @@ class JoinedLines {
 
   const PlanarLooks& looks_;
   std::vector<Vec3> core_, tip_;
-  std::vector<std::size_t> firsts_;  // of each look: which of the core its second point is
+  std::vector<std::size_t> firsts_;  // for each look: the index in the core of its second point
   std::size_t first_ = 1;
   std::vector<double> at_;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A line that is drawn on, and perhaps goes at its other end: one line, of which a part is seen.
+// A line that is drawn on, and perhaps erased at its other end: one line, of which a part is visible.
 #pragma once
 
 #include "export/planar_watch.h"
@@ -10,9 +10,9 @@ namespace betwixt {
 
 struct DrawnOn {
   std::vector<Vec3> line;
-  std::vector<std::pair<double, double>> shares;  // of each look: from where to where
+  std::vector<std::pair<double, double>> shares;  // for each look: the visible part
 };
-// None: the looks are no such line. `tolerance`: how far off its ends may be, metres.
+// Returns nullopt if the looks are no such line. `tolerance`: of the ends, metres.
 std::optional<DrawnOn> joined_lines(const PlanarLooks&, double tolerance);
 
 }  // namespace betwixt

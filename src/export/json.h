@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files of text that others read as JSON, in the order in which it is said.
+// JSON whose objects keep the order of their members.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -19,7 +19,7 @@ namespace {
 
 using Compiled = Program::Compiled;
 
-// The events of tracks, and where their eases end.
+// Adds the events of tracks, and the ends of their eases.
 void add_events(const Document& d, const std::vector<TrackView>& tracks, Time from, Time until,
                 std::vector<Time>& out) {
   for (const TrackView& t : tracks)
@@ -30,11 +30,11 @@ void add_events(const Document& d, const std::vector<TrackView>& tracks, Time fr
     });
 }
 
-// Where anything at all may have a corner.
+// Returns all possible corners.
 std::vector<Time> all_knots(const Program& program, Time from, Time until) {
   std::vector<Time> all;
   const Document& d = program.document();
-  for (Time at = from; at < until;) {  // ticks are told of some thousand at a time
+  for (Time at = from; at < until;) {  // breaks() returns some thousand ticks at a time
     const Time next = std::min(until, at + from_seconds(60));
     for (const Time t : program.breaks(at, next)) all.push_back(t);
     at = next;
@@ -43,7 +43,7 @@ std::vector<Time> all_knots(const Program& program, Time from, Time until) {
   return knots_between(std::move(all), from, until);
 }
 
-// Translation, rotation and scale of an object at a time; and another rotation, where it is sheared.
+// Translation, rotation and scale of an object at a time, and a further rotation if it is sheared.
 struct Place {
   Vec3 translation, scale;
   KeyValue rotation{}, inner{};
@@ -84,7 +84,7 @@ class Stage {
  private:
   enum : std::uint8_t { by_tracks = 1, by_code = 2 };
 
-  // What holds it all the time; a span with `computed` where that changes.
+  // Returns its constant parent, or a span with `computed` if that changes.
   CompiledSpan held(const Node& n) const {
     const CompiledSpan* first = compiled_.span(n, from_);
     const CompiledSpan* last = compiled_.span(n, {until_.flicks - 1});
@@ -97,16 +97,15 @@ class Stage {
     return std::max({length(column(m, 0)), length(column(m, 1)), length(column(m, 2))});
   }
 
-  // How near each must be so that what hangs on it is near enough: what is off adds up along a chain, and a turn moves
-  // what is far away by more, a
-  // scale what is small.
+  // Computes the tolerance of each object so that its descendants are exact enough: errors add up along a chain, a
+  // rotation moves far objects by more, and a scale magnifies.
   void measure() {
     const auto count = static_cast<std::uint32_t>(compiled_.nodes.size());
     std::vector<std::int32_t> above(count, -1);
     for (std::uint32_t i = 0; i < count; ++i)
       if (const CompiledSpan span = held(compiled_.nodes[i]); !span.computed) above[i] = span.parent;
     links_.assign(count, 1), reach_.assign(count, 1), above_.assign(count, 1);
-    // Chains that never end are cut by their length.
+    // Circles are cut by their length.
     const auto each_above = [&](std::uint32_t node, auto&& f) {
       std::int32_t at = above[node];
       for (std::uint32_t length = 1; at >= 0 && length <= deepest; ++length, at = above[static_cast<std::size_t>(at)])
@@ -135,7 +134,7 @@ class Stage {
   ObjectKeys keys(ObjectId id) {
     const Node& n = compiled_.nodes[compiled_.node_of[id.index]];
     const CompiledSpan span = held(n);
-    // Its own tracks say it all.
+    // Its own tracks determine everything.
     const bool coupled = span.kind == AttachmentKind::couple, own = coupled || span.kind == AttachmentKind::detach;
     const bool plain = own && !span.computed && span.frozen < 0 && n.drive < 0 && n.moving < 0 && !n.transform &&
                        !n.looks && !n.bends && n.reaches == 0 && !compiled_.sited;
@@ -167,7 +166,7 @@ class Stage {
   static std::size_t cost(const ObjectKeys& k) { return k.translation.keys() + k.rotation.keys() + k.scale.keys(); }
   std::vector<Time> still() const { return {from_, until_}; }
 
-  // Of tracks that end when their last event is over; none: others have to be asked.
+  // Returns the knots of its tracks if these are constant after their last event; nullopt: ask for all knots.
   std::optional<std::vector<Time>> own_knots(ObjectId id) const {
     const Document& d = program_.document();
     const std::vector<TrackView> own = tracks(d, id);
@@ -180,7 +179,7 @@ class Stage {
     return knots_between(std::move(all), from_, until_);
   }
 
-  // No pieces: a parent that is flat at some time has nothing below it.
+  // Returns no pieces if the parent is singular at some time.
   ObjectKeys by_matrix(ObjectId id, ObjectId parent) {
     const std::uint32_t node = compiled_.node_of[id.index];
     bool flat = false, sheared = false;
@@ -206,8 +205,8 @@ class Stage {
     });
   }
 
-  // Sheared: turn, stretch, turn. Both turns can be chosen in many ways, so each time's are those next to the time's
-  // before; straight pieces, close together.
+  // Sheared: rotation, scale, rotation. There are many choices for both rotations, so each is the one nearest to that
+  // of the time before; linear pieces, close together.
   template <class Matrix>
   ObjectKeys by_parts(ObjectId id, ObjectId parent, const Matrix& matrix) {
     ObjectKeys k;
@@ -288,7 +287,7 @@ class Stage {
   const KeyOptions& options_;
   static constexpr std::uint32_t deepest = 100;
   std::vector<std::uint8_t> moved_;  // by node
-  // The same: of the longest chain that it is in; how far what hangs on it reaches; how much larger all above makes it.
+  // By node too: the length of its longest chain, the reach of its descendants, the scale of all its parents.
   std::vector<double> links_, reach_, above_;
   std::vector<Time> everybodys_;
 };

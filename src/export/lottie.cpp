@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A flat film as Lottie: a layer with its shape for each object, below layers without one where it takes several to
-// say what moves it. Each number has curves of its own.
+// A flat film as Lottie: a layer with its shape for each object, below layers without shapes if one is not enough for
+// its motion. Each number has curves of its own.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -56,8 +56,8 @@ class LottieMaker {
   }
 
  private:
-  static constexpr double apart = 1e-4;    // frames: a jump takes that long, as no two keys have one time
-  static constexpr double hairline = 1.4;  // pixels, as the film draws it
+  static constexpr double apart = 1e-4;    // frames: the duration of a jump, since no two keys have one time
+  static constexpr double hairline = 1.4;  // pixels, as in the film
 
   double frame(Time t) const { return (t - options_.from).seconds() * rate_; }
 
@@ -74,8 +74,8 @@ class LottieMaker {
     k["i"] = handle(c->x2, c->shape == PlanarCurve::cubic ? c->y2 : 2.0 / 3);
     return k;
   }
-  // rlottie knows a curve by two digits of its handles, and takes what it has seen before for what looks the same so.
-  // Where that would be seen, a curve is two. `unit`: how many pixels, degrees or hundredths the number's 1 is.
+  // rlottie distinguishes curves by two digits of their handles only, and reuses earlier curves that look equal. If
+  // that would be visible, the curve is split. `unit`: pixels, degrees or percent for 1 of the number.
   void tell_apart(const PlanarCurve& c, double unit, int depth, PlanarCurves& out) {
     const bool even = std::abs(c.x1 - 1.0 / 3) < 1e-9 && std::abs(c.x2 - 2.0 / 3) < 1e-9;
     if (c.shape != PlanarCurve::cubic || !even) return out.push_back(c);
@@ -86,7 +86,7 @@ class LottieMaker {
     for (const PlanarCurve& half : halves(c)) tell_apart(half, unit, depth - 1, out);
   }
 
-  // As `value` has it of the number.
+  // Converts the curves of a number with `value`.
   template <class F>
   Json moving(const PlanarCurves& exact, double unit, F value) {
     if (constant(exact)) return still(value(exact[0].begin));
@@ -108,7 +108,7 @@ class LottieMaker {
   }
   static Json listed(Json v) { return v.is_array() ? v : Json::array({std::move(v)}); }
 
-  // What one layer can say: a way, then a turn, then a growth.
+  // What one layer can hold: a translation, then a rotation, then a scaling.
   struct Link {
     const PlanarStep* steps[5]{};
   };
@@ -138,7 +138,7 @@ class LottieMaker {
     return ks;
   }
 
-  // More along one axis than along the other, at some time.
+  // Returns whether the scale is not uniform at some time.
   bool stretched(const std::vector<PlanarStep>& steps) const {
     for (int i = 0; i <= 64; ++i) {
       const Time t{options_.from.flicks + (options_.until - options_.from).flicks / 64 * i};
@@ -152,15 +152,15 @@ class LottieMaker {
     return false;
   }
 
-  // Layers that move as the steps say, the outermost one first; all but it hang on the one before, and it on `above`
-  // (0: on the picture). The last one draws, unless all of them only move.
+  // Makes layers for the steps, the outermost one first. Each is the child of the one before; the parent of the first
+  // is `above` (0: the picture). The last one has the shape, unless all of them only move.
   std::vector<Json> layers(const std::vector<PlanarStep>& steps, const std::string& name, int above, bool move_only) {
     std::vector<Link> links(1);
     for (const PlanarStep& s : steps) {
       Link& last = links.back();
       bool free = true;
       for (int i = s.what; i < 5; ++i) free = free && !last.steps[i];
-      // Two growths that vary take two layers, as each has times of its own.
+      // Two scalings that vary need two layers, since each has times of its own.
       if (s.what == PlanarStep::grow_y && last.steps[PlanarStep::grow_x])
         free = free && (constant(s.curves) || constant(last.steps[PlanarStep::grow_x]->curves));
       if (!free) links.emplace_back();
@@ -195,7 +195,7 @@ class LottieMaker {
             {"ip", 0},  {"op", frames_},    {"st", 0},    {"bm", 0}};
   }
 
-  // A key's outlines: as many points as `most` has, the last one again and again.
+  // Returns a key's outline with as many points as `most`; the last one is repeated.
   Json path(const DrawnPart* part, std::size_t most) const {
     auto v = Json::array(), zero = Json::array();
     for (std::size_t i = 0; i < most; ++i) {
@@ -207,7 +207,7 @@ class LottieMaker {
   }
   static double rounded(double v) { return std::round(v * 1e4) / 1e4; }
 
-  // A path for each part; where their number varies, those that are too many are points, which draw nothing.
+  // Adds a path for each part. If their number varies, surplus ones are single points, which draw nothing.
   void add_paths(const PlanarForms& forms, Json& items) {
     std::vector<std::size_t> most;
     for (const PlanarForm& f : forms)
@@ -236,8 +236,8 @@ class LottieMaker {
     if (forms.size() > 1)
       ++made_.channels, made_.keys += forms.size(), made_.baked += static_cast<std::size_t>(frames_);
   }
-  // Where what is drawn has parts at some times only, it is a group that is seen then: the points that stand for
-  // nothing would have round ends.
+  // If parts exist at some times only, they are in a group that is visible then, since surplus points would have round
+  // ends.
   Channel there(const PlanarForms& forms) const {
     Channel out{1, false, {}};
     for (std::size_t k = 0; k < forms.size(); ++k) {
@@ -260,7 +260,7 @@ class LottieMaker {
                      {"o", still(100)}});
     return {{"ty", "gr"}, {"it", std::move(items)}};
   }
-  // What is in front stands first: strokes.
+  // The front comes first: strokes.
   Json shapes(const PlanarLook& look) {
     auto out = Json::array();
     if (!look.stroked.empty()) {
@@ -353,7 +353,7 @@ class LottieMaker {
   int width_ = 0, height_ = 0, number_ = 0, camera_ = 0;
   double frames_ = 1, pixels_ = 1;
   std::map<std::pair<long, long>, std::pair<double, double>> handles_{
-      {{33, 67}, {1.0 / 3, 2.0 / 3}}};  // by two digits: those of the first curve
+      {{33, 67}, {1.0 / 3, 2.0 / 3}}};  // to two digits: those of the first curve
 };
 
 }  // namespace

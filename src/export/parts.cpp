@@ -11,10 +11,10 @@ namespace {
 
 void put_column(Mat4& m, int c, Vec3 v) { m(0, c) = v.x, m(1, c) = v.y, m(2, c) = v.z; }
 
-// A direction at right angles to a unit one.
+// Returns a direction perpendicular to a unit vector.
 Vec3 across(Vec3 v) { return normalize(cross(v, std::abs(v.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0})); }
 
-// Columns made a rotation's: of those that have no length, what is at right angles to the others.
+// Completes the columns to a rotation: columns without length become perpendicular to the others.
 void complete(Mat4& m, const bool (&known)[3]) {
   const int count = known[0] + known[1] + known[2];
   if (count == 0) return put_column(m, 0, {1, 0, 0}), put_column(m, 1, {0, 1, 0}), put_column(m, 2, {0, 0, 1});
@@ -28,7 +28,7 @@ void complete(Mat4& m, const bool (&known)[3]) {
     if (!have[c]) put_column(m, c, normalize(cross(column(m, (c + 1) % 3), column(m, (c + 2) % 3))));
 }
 
-// The axes of a symmetric matrix, as columns of a rotation (Jacobi).
+// Returns the axes of a symmetric matrix, as columns of a rotation (Jacobi).
 Mat4 axes_of(Mat4 a) {
   Mat4 axes;
   for (int round = 0; round < 24; ++round)
@@ -77,7 +77,7 @@ TurnedParts turned_parts(const Mat4& m, const TurnedParts& near) {
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) squared(i, k) = dot(column(m, i), column(m, k));
   const Mat4 axes = axes_of(squared), wanted = rotation(conjugate(near.inner));
-  // Of the six orders and the signs of the axes those that are nearest.
+  // Of the six orders and the signs of the axes, take the nearest.
   static constexpr int orders[][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   double best = -1;
   Mat4 chosen;

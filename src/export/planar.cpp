@@ -17,7 +17,7 @@
 namespace betwixt {
 namespace {
 
-// A cubic by its values and its rates per second at both ends.
+// A cubic by its values and derivatives per second at both ends.
 struct Hermite {
   Time from, until;
   double begin, end, leaving, arriving;
@@ -31,7 +31,7 @@ struct Hermite {
     const double a = leaving * seconds(), b = arriving * seconds(), d = end - begin;
     return (a + u * (2 * (3 * d - 2 * a - b) + u * 3 * (a + b - 2 * d))) / seconds();
   }
-  // Where it turns back, between its ends.
+  // Returns the turning points between its ends.
   std::vector<double> turning() const {
     const double a = leaving * seconds(), b = arriving * seconds(), d = end - begin;
     const double q2 = 3 * (a + b - 2 * d), q1 = 2 * (3 * d - 2 * a - b), root = q1 * q1 - 4 * q2 * a;
@@ -48,9 +48,9 @@ struct Hermite {
   }
 };
 
-// A Bezier curve that ends where it begins goes nowhere, and one that ends near there is steep, which players with few
-// digits have trouble with: such a cubic is cut where it turns back.
-constexpr double steep = 0.25;  // of all that it goes through
+// A Bezier curve with equal ends is constant, and one with nearly equal ends is steep, which players with few
+// digits show badly. Such a cubic is cut at its turning points.
+constexpr double steep = 0.25;  // of the range of its values
 void add_cubic(const Hermite& h, bool in_unit, int depth, PlanarCurves& out) {
   const double seconds = h.seconds(), d = h.end - h.begin;
   double low = std::min(h.begin, h.end), high = std::max(h.begin, h.end);
@@ -78,7 +78,7 @@ void add_cubic(const Hermite& h, bool in_unit, int depth, PlanarCurves& out) {
   add_cubic({middle, h.until, h.at(u), h.end, h.rate(u), h.arriving}, in_unit, depth - 1, out);
 }
 
-// Of a Bezier curve from 0 to 1.
+// Evaluates a Bezier curve from 0 to 1.
 double bezier_at(double u, double a, double b) {
   const double v = 1 - u;
   return 3 * v * v * u * a + 3 * v * u * u * b + u * u * u;
@@ -96,7 +96,7 @@ double curve_at(const PlanarCurve& c, Time t) {
   return c.begin + bezier_at(low, c.y1, c.y2) * (c.end - c.begin);
 }
 
-// The curves of CSS that a row of the script names, with their numbers.
+// Returns the curve of CSS that a row of the script names.
 std::optional<std::array<double, 4>> css_curve(const EventView& e) {
   if (e.twerper == "bezier") return e.arguments;
   if (e.twerper == "ease") return {{0.25, 0.1, 0.25, 1}};
@@ -113,7 +113,7 @@ bool in_plane(const Channel& c) {
   return std::all_of(c.pieces.begin(), c.pieces.end(), [&](const KeyPiece& p) { return flat(p.begin) && flat(p.end); });
 }
 
-// The angle of turns in the plane, followed through whole turns: no piece turns by half of one.
+// Follows the angle of rotations in the plane through whole turns: no piece turns by half of one.
 class Turning {
  public:
   explicit Turning(const Channel& c) : turns_(c) {
@@ -167,7 +167,7 @@ class Planar {
     const Kind what = kind(program_.document(), id);
     return what != Kind::camera && what != Kind::light && what != Kind::sound && what != Kind::group;
   }
-  // What is drawn on something moves with that.
+  // A trace drawn on an object moves with that.
   const ObjectKeys& moved_with(const ObjectKeys& k) const {
     const auto paper = place_.find(drawn_within(program_, k.id, options_.from).index);
     return paper == place_.end() ? k : keys_[paper->second];
@@ -191,8 +191,8 @@ class Planar {
     return Nothing{};
   }
 
-  // Where a row says a curve of CSS, that curve in the place of those which were fitted to it; if they agree, as what
-  // the object hangs on and much else may have its say too.
+  // Replaces fitted curves by the curve of CSS that a row names, if both agree (parents and other influences may change
+  // the motion).
   PlanarCurves said(ObjectId id, FunctionId f, int component, PlanarCurves curves) const {
     if (constant(curves)) return curves;
     for (const Target& target : {Target{id, f}, Target{id, f, component}}) {
@@ -228,8 +228,8 @@ class Planar {
     curves.erase(first + 1, last);
   }
 
-  // What the author's track says of the angle about z, where that is all there is to the turn; else the angle of the
-  // turns.
+  // Returns the angle about z of the author's track, if that is the whole rotation; otherwise the angle of the
+  // rotations.
   PlanarCurves angles(ObjectId id, const Channel& turns) {
     const Turning turning(turns);
     if (id && !turns.constant()) {

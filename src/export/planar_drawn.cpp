@@ -18,7 +18,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_balls = 5000;  // of a cloud
+constexpr std::size_t most_balls = 5000;  // of a point cloud
 constexpr int around_ball = 24;
 
 std::vector<DrawnPart> closed_parts(const Contours& contours) {
@@ -27,13 +27,13 @@ std::vector<DrawnPart> closed_parts(const Contours& contours) {
   return out;
 }
 
-// A closed line that ends where it begins does so once.
+// Removes the repeated first point of a closed line.
 DrawnPart without_end(DrawnPart part) {
   if (part.closed && part.points.size() > 1 && part.points.front() == part.points.back()) part.points.pop_back();
   return part;
 }
 
-// The convex hull in the plane, anticlockwise (Andrew 1979).
+// Returns the convex hull in the plane, anticlockwise (Andrew 1979).
 std::vector<Vec3> hull_of(std::vector<Vec3> p) {
   std::sort(p.begin(), p.end(), [](Vec3 a, Vec3 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   const auto left = [](Vec3 a, Vec3 b, Vec3 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
@@ -81,7 +81,7 @@ void add_flat(const FlatDrawn& flat, const Mat4* seen_by, PlanarDrawn& to) {
   if (flat.pen.fills) to.filled = closed_parts(flat.contours);
   to.color = flat.pen.color, to.round = flat.pen.round;
   if (!(flat.pen.width > 0)) return;
-  // What is seen from aside has no even width.
+  // Seen at an angle, a stroke has no constant width.
   if (seen_by != nullptr) {
     to.bordered = closed_parts(stroke_areas(flat.contours, flat.pen, facing(flat.contours)));
     return;
@@ -106,7 +106,7 @@ void add_line(const Shape& s, bool round, PlanarDrawn& to) {
   }
 }
 
-// An arc whose ends move is a line of some width: as an outline it would have more and more points.
+// An arc whose ends move is a line with a width; as an outline its number of points would grow.
 bool is_bow(const Shape& s) {
   return s.kind == Kind::arc && s.filled && !(s.depth > 0) && !(pen_of(s).width > 0) && !(s.gap > 0) && s.width > 0 &&
          s.radius > s.width / 2;
@@ -136,7 +136,7 @@ double most_off(const std::vector<DrawnPart>& a, const std::vector<DrawnPart>& b
   return most;
 }
 
-// The same letters, in as many forms as there are.
+// Returns whether both have the same letters, possibly in several forms.
 bool one_thing(const Shape& a, const Shape& b) {
   return a.kind == b.kind && a.filled == b.filled && a.letters == b.letters && *a.text == *b.text &&
          *a.font == *b.font && a.formula == b.formula;
@@ -189,7 +189,7 @@ std::optional<PlanarDrawn> drawn_of(const std::shared_ptr<const Shape>& shape,
   } else {
     if (!flat && !has_outline(*s)) return std::nullopt;
     if (!flat) flat = FlatDrawn{outline_of(*s).contours, pen_of(*s)};
-    // Where holes reach beyond what they are in, players would fill them.
+    // Players would fill holes that reach beyond their contour.
     if (!s->holes->empty() && !flat->contours.empty() && flat->pen.fills) {
       const std::vector<DrawnPart> whole = closed_parts(flat->contours);
       Contours clean;
@@ -198,7 +198,7 @@ std::optional<PlanarDrawn> drawn_of(const std::shared_ptr<const Shape>& shape,
         for (auto& hole : island.holes) clean.push_back(std::move(hole));
       }
       add_flat(*flat, seen_by, out);
-      // Such a hole makes other contours; else they stay as they are, with their points.
+      // Such a hole changes the contours; otherwise they keep their points.
       std::size_t before = 0, after = 0;
       for (const auto& c : flat->contours) before += c.size();
       for (const auto& c : clean) after += c.size();
@@ -225,7 +225,7 @@ double front_of(const Shape& s) {
   const KindRow& row = row_of(s.kind);
   if (s.kind == Kind::box) return s.size.z / 2;
   if (s.kind == Kind::sphere || s.kind == Kind::cylinder || s.kind == Kind::cone) return 0.7 * s.radius;
-  // Seen from the front, a tube is above that height for seven tenths of its width.
+  // From the front, seven tenths of a tube's width are above that height.
   if (s.kind == Kind::points || (row.line && !row.contours)) return 0.35 * std::max(0.0, s.width);
   return row.deep ? std::max(0.0, s.depth) / 2 : 0;
 }

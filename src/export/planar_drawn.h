@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a shape is as a drawing: contours that are filled, lines that are stroked.
+// The drawing of a shape: filled contours and stroked lines.
 #pragma once
 
 #include <memory>
@@ -14,30 +14,30 @@ namespace betwixt {
 
 struct PlanarDrawn {
   std::vector<DrawnPart> filled;    // by the non-zero rule
-  std::vector<DrawnPart> bordered;  // the same, in the colour of the stroke
-  std::vector<DrawnPart> stroked;   // of each there is what lies between `from` and `to`, parts of its length
+  std::vector<DrawnPart> bordered;  // the same, in the stroke's colour
+  std::vector<DrawnPart> stroked;   // lines; of each the part from `from` to `to` of its length is drawn
   double width = 0, from = 0, to = 1;
   bool round = false, hairline = false;
-  std::optional<Vec3> color;  // of the stroke, linear light; none: that of the object
-  // What it comes from.
+  std::optional<Vec3> color;  // of the stroke, linear light; nullopt: the object's
+  // Its source.
   std::shared_ptr<const Shape> shape, toward;
 
   bool looks_like(const PlanarDrawn&) const;
   std::size_t numbers() const;
 };
 
-// In the shape's own space; with a matrix, as that shows it from the front. None: it is no flat thing, and no body
-// whose outline is known.
+// Returns the drawing in the shape's own space, or, given a matrix, as it looks from the front. nullopt: the shape is
+// not flat, nor a body with a known outline.
 std::optional<PlanarDrawn> drawn_of(const std::shared_ptr<const Shape>&, const std::shared_ptr<const Shape>& toward,
                                     double blend, const Mat4* seen_by = nullptr);
 void carry(PlanarDrawn&, const Mat4&);
-// How far in front of its middle it is, in its own space: a line is round, and half of it lies in front of what it is
-// on.
+// Returns how far its front is before its centre, in its own space: a line is round, and half of it is in front of the
+// surface that it is on.
 double front_of(const Shape&);
 
-// Whether one goes over into the other point by point: they are the same thing, with other measures.
+// Returns whether one blends into the other point by point: the same shape with other measures.
 bool goes_over(const PlanarDrawn&, const PlanarDrawn&);
-// How far one is at most off what lies at `s` between two that it goes over into.
+// Returns the largest distance of one from the blend at `s` of two others.
 double off_between(const PlanarDrawn& a, const PlanarDrawn& b, double s, const PlanarDrawn& there);
 
 }  // namespace betwixt

@@ -20,12 +20,12 @@
 namespace betwixt {
 namespace {
 
-// Of looks, those that say all: each goes straight on to the next one that is named, or holds until then.
+// A sample that is kept: the look is linear from it to the next kept one, or held until then.
 struct PlanarKey {
   std::size_t look;
   bool goes_on;
 };
-// `off(a, k, b)`: how far look k is off the straight way from a to b; less than 0: there is no such way.
+// `off(a, k, b)`: the distance of sample k from the linear blend of a and b; below 0: there is no such blend.
 template <class Off>
 std::vector<PlanarKey> needed(const PlanarLooks& looks, double tolerance, Off off) {
   constexpr std::size_t longest = 100;
@@ -55,7 +55,7 @@ bool same(const PlanarForm& a, const PlanarForm& b) {
       a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
       [](const DrawnPart& p, const DrawnPart& q) { return p.closed == q.closed && p.points == q.points; });
 }
-// Of what stays as it is only the beginning is said, and its end where it goes on to something else.
+// Removes forms that repeat the one before, except before a change.
 void thin_out(PlanarForms& forms) {
   PlanarForms kept;
   for (std::size_t i = 0; i < forms.size(); ++i) {
@@ -69,7 +69,7 @@ void thin_out(PlanarForms& forms) {
   forms = std::move(kept);
 }
 
-// The contours that are `parts` of what is drawn.
+// Returns the contours `parts` of the drawing.
 PlanarForms forms_of(const PlanarLooks& looks, Parts parts, double tolerance) {
   const auto off = [&](std::size_t a, std::size_t k, std::size_t b) -> double {
     const auto &p = looks[a].drawn, &q = looks[b].drawn, &there = looks[k].drawn;
@@ -89,7 +89,7 @@ PlanarForms forms_of(const PlanarLooks& looks, Parts parts, double tolerance) {
   return any ? out : PlanarForms{};
 }
 
-// Numbers of what is seen, in straight pieces.
+// Fits linear pieces to numbers of the samples.
 template <class At>
 Channel channel_of(const PlanarLooks& looks, const ExportOptions& options, std::size_t width, double tolerance, At at) {
   std::vector<KeyValue> values;
@@ -122,9 +122,9 @@ Channel channel_of(const PlanarLooks& looks, const ExportOptions& options, std::
   return out;
 }
 
-// ---- All of a thing
+// ---- The whole object
 
-constexpr double line_tolerance = 1.0 / 4000;  // of how far a line that is drawn on goes: half a pixel
+constexpr double line_tolerance = 1.0 / 4000;  // of the length over which a line is drawn on: half a pixel
 
 double extent_of(const PlanarLooks& looks) {
   Box all;

@@ -1,38 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a flat film looks like over time: outlines that change, lines that are drawn on, colours, and what lies in front
-// of what.
+// The look of a flat film over time: outlines that change, lines that are drawn on, colours, and the drawing order.
 #pragma once
 
 #include "export/planar.h"
 
 namespace betwixt {
 
-// Lines and contours from a time on. It goes straight to the next one, which has as many parts and points then.
+// Lines and contours from a time on. They blend linearly to the next form, which has as many parts and points then.
 struct PlanarForm {
   Time from;
   bool goes_on = false;
   std::vector<DrawnPart> parts;
 };
-// By time; the first one is that of the beginning. Empty: there is never anything.
+// In order of time, from the beginning on. Empty: never visible.
 using PlanarForms = std::vector<PlanarForm>;
 
-// Which part of each line is drawn, 0 to 1 of its length, the beginning never behind the end.
+// The visible part of each line, 0 to 1 of its length; the beginning is never after the end.
 struct PlanarTrim {
   PlanarCurves from, to;
 };
 
 struct PlanarLook {
   PlanarForms filled;    // by the non-zero rule
-  PlanarForms bordered;  // the same, in the colour of the stroke: strokes that are seen from aside
+  PlanarForms bordered;  // the same, in the stroke's colour: strokes seen at an angle
   PlanarForms stroked;
-  std::optional<PlanarTrim> trim;  // of what is stroked; none: all of it
+  std::optional<PlanarTrim> trim;  // of the stroked lines; nullopt: all of them
   Channel width;                   // of the stroke, metres
-  bool hairline = false;           // the stroke is as thin as it may be, however large it is drawn
+  bool hairline = false;           // the stroke has a constant width in pixels
   bool round = false;              // its ends and corners
   Channel color, stroke;           // sRGB
-  Channel opacity;                 // 0 where it is not seen
+  Channel opacity;                 // 0 while it is not visible
 };
 
 struct PlanarThing {
@@ -40,10 +39,10 @@ struct PlanarThing {
   PlanarLook look;
 };
 
-// A thing's place in the stack. One that comes in front of others and goes behind them has several.
+// An object's place in the drawing order. An object that passes others has several.
 struct PlanarPlace {
   std::size_t thing = 0;
-  Channel shown;  // 0 or 1, held; no pieces: always
+  Channel shown;  // 0 or 1, held; without pieces: always
   bool first = true;
 };
 
@@ -52,12 +51,12 @@ struct PlanarFilm {
   std::vector<PlanarThing> things;
   std::vector<PlanarPlace> order;  // from back to front
 };
-// What no drawing can hold is left out, which `made` says. Errors (range): as of planar_view; nothing would be left,
-// or outlines change so much that nobody could play it.
+// Everything that a drawing cannot hold is left out, and listed in `made`. Errors (range): those of planar_view;
+// nothing would be left; outlines change so much that no player could show them.
 Result<PlanarFilm> planar_film(const Program&, const ExportOptions&, Exported& made, bool in_unit = false);
 
-// What is behind everything, from top to bottom: one colour, or as many stops as an even mixture of light takes, in
-// linear light. Empty: nothing is behind.
+// Returns the background from top to bottom: one colour, or as many stops as a gradient in linear light needs. Empty:
+// no background.
 std::vector<Vec3> planar_background(const Program&, const ExportOptions&);
 
 }  // namespace betwixt

@@ -10,18 +10,18 @@ namespace {
 
 constexpr std::size_t most_cells = 16'000'000;
 
-using Order = std::vector<std::size_t>;  // things
+using Order = std::vector<std::size_t>;  // objects
 
 struct StackPart {
   std::size_t thing;
-  std::vector<Time> since;  // when it is taken, and left, by turns
+  std::vector<Time> since;  // when it begins and ends to be in use, alternating
 };
 
-// Which places of the stack an order takes, as many as can be: the longest common subsequence. -1: none.
+// Returns the places of the stack for an order, as many as possible: the longest common subsequence. -1: none.
 std::vector<std::int64_t> places_of(const std::vector<StackPart>& stack, const Order& order) {
   const std::size_t n = stack.size(), m = order.size(), row = m + 1;
   std::vector<std::int64_t> out(m, -1);
-  std::vector<std::uint32_t> longest((n + 1) * row);  // of what follows
+  std::vector<std::uint32_t> longest((n + 1) * row);  // of the rest
   for (std::size_t i = n; i-- > 0;)
     for (std::size_t j = m; j-- > 0;)
       longest[i * row + j] = stack[i].thing == order[j]

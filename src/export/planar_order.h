@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lies in front of what, for those who draw one thing over the other: a stack in which things that pass each other
-// have several places, one of them at a time.
+// The drawing order, for formats that draw objects one over the other: a stack in which objects that pass each other
+// have several places, one at a time.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@
 
 namespace betwixt {
 
-// How far in front a thing is from a time on; none: it is not seen.
+// The depth of an object from a time on; nullopt: it is not visible.
 using PlanarDepths = std::vector<std::pair<Time, std::optional<double>>>;
 void put(PlanarDepths&, Time, std::optional<double>);
 
 struct StackPlace {
   std::size_t thing = 0;
-  // From when it is that place; with its end. Empty: all the time.
+  // When it uses that place: beginnings and ends. Empty: always.
   std::vector<std::pair<Time, Time>> spans;
 };
-// From back to front; things as far in front as each other in their order. `whole`: false where that would be so many
-// places that the order is that of the beginning.
+// Returns the places from back to front; objects at the same depth in their own order. `whole`: false if there would be
+// so many places that the order of the beginning is used.
 std::vector<StackPlace> stack_of(const std::vector<PlanarDepths>&, Time until, bool& whole);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a drawing is seen by.
+// The view of a drawing.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +32,7 @@ Result<PlanarView> planar_view(const Program& program, const ExportOptions& opti
   bool moves = false;
   const auto knots = knots_between(program.breaks(options.from, options.until), options.from, options.until);
   const std::vector<Time> looks = looks_of(program, options.from, options.until);
-  std::vector<double> rolls;  // at these, followed through whole turns
+  std::vector<double> rolls;  // at these times, followed through whole turns
   for (const Time t : looks) {
     const Camera c = camera(t);
     const double angle = roll_of(c), before = rolls.empty() ? angle : rolls.back();

@@ -71,7 +71,7 @@ void PlanarWatch::look(Evaluation& e, std::uint32_t i, Watched& w, bool jumps) {
   if (drawn && known && w.looks.back().drawn->looks_like(*drawn)) return;
   put(w, {e.time(), drawn ? std::make_shared<const PlanarDrawn>(*std::move(drawn)) : nullptr, jumps});
 }
-// What stayed as it was goes on from the time before.
+// An unchanged look continues the one before.
 void PlanarWatch::put(Watched& w, SeenThen l) {
   if (w.looks.empty() && l.time > options_.from) w.looks.push_back({options_.from, nullptr, true});
   if (!w.looks.empty() && w.looks.back().time < before_) w.looks.push_back({before_, w.looks.back().drawn, false});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is drawn of a film's objects, looked at over time.
+// Samples the drawings of a film's objects over time.
 #pragma once
 
 #include <string>
@@ -14,22 +14,22 @@
 
 namespace betwixt {
 
-// What is drawn of one object, as it was looked at: again where anything of it changes.
+// The drawing of one object at a sample; there is one whenever anything of it changes.
 struct SeenThen {
   Time time;
-  std::shared_ptr<const PlanarDrawn> drawn;  // null: nothing is seen
-  bool jumps = false;                        // it may jump to it from the look before, which is just before
+  std::shared_ptr<const PlanarDrawn> drawn;  // null if nothing is visible
+  bool jumps = false;                        // there may be a jump from the sample just before
 };
 using PlanarLooks = std::vector<SeenThen>;
 
 struct Watched {
-  bool turns_out = false;  // it is drawn as it is seen, and so does not move
-  ObjectId paper;          // what it is drawn on
+  bool turns_out = false;  // it turns out of the plane, so it is drawn as it looks and has no motion
+  ObjectId paper;          // the object on which it is drawn
   PlanarLooks looks;
   PlanarDepths depths;
   bool textured = false;
-  std::string no_drawing;  // "a torus": why there is none
-  // When something of it was seen to change last, and what it was then.
+  std::string no_drawing;  // why it has no drawing: "a torus"
+  // The time of the last change, and the state then.
   std::shared_ptr<const Shape> shape, toward;
   double blend = 0;
 };

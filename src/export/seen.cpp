@@ -62,7 +62,7 @@ class Watch {
     return Nothing{};
   }
 
-  // What is only stretched is one form.
+  // A shape that is only scaled is one form.
   std::vector<Seen> finish(Exported& made) {
     for (Seen& s : all_) {
       s.color = value_keys(program_, {s.id, fn::color}, options_.from, options_.until, options_.keys);
@@ -109,7 +109,7 @@ class Watch {
     return Nothing{};
   }
 
-  // A shape that grows is too much to have it whole each frame: each n-th form stands for those up to the next.
+  // A shape that grows would be too large with all its frames: each n-th form is used up to the next.
   static void thin_out(Seen& s) {
     std::size_t largest = 1;
     for (const Seen::Form& f : s.forms) largest = std::max(largest, f.mesh->positions.size());
@@ -152,7 +152,7 @@ class Watch {
   const ExportOptions& options_;
   std::vector<bool> as_skin_;  // by skin
   std::vector<Seen> all_;
-  std::vector<std::map<std::pair<const Mesh*, std::array<double, 16>>, int>> forms_;  // of each: those it has had
+  std::vector<std::map<std::pair<const Mesh*, std::array<double, 16>>, int>> forms_;  // the forms that each has had
   std::unordered_map<std::uint32_t, std::size_t> at_;
   std::size_t triangles_ = 0;
 };
@@ -190,7 +190,7 @@ void keep_asked(std::vector<ObjectKeys>& all, const std::vector<ObjectId>& asked
   std::erase_if(all, [&](const ObjectKeys& k) { return !kept.contains(k.id.index); });
 }
 
-// What is around the things, and what no file of motion has: a sentence each.
+// Adds a sentence for each part of the surroundings that no file of motion holds.
 void leave_out_surroundings(const Program& program, const ExportOptions& options, bool background, Exported& made) {
   const std::vector<ObjectId> all = objects(program.document());
   const auto any = [&](Kind k) {
@@ -242,7 +242,7 @@ Result<std::vector<Seen>> all_seen(const Program& program, const ExportOptions& 
   leave_out_surroundings(program, options, true, made);
   Evaluation e(program);
   const std::vector<Time> looks = looks_of(program, options.from, options.until);
-  std::optional<Time> next = options.from;  // before it nothing differs
+  std::optional<Time> next = options.from;  // nothing differs before it
   for (std::size_t i = 0; i < looks.size() && next; ++i) {
     if (options.keys.go_on && i % 64 == 0 &&
         !options.keys.go_on(static_cast<double>(i) / static_cast<double>(looks.size())))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is drawn of a film, object by object over time: triangles, and how they look.
+// The drawn objects of a film over time: triangles, and their look.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ struct Skin;  // program/compiled.h
 
 struct Seen {
   ObjectId id;
-  // One mesh after the other, where its shape varies beyond being stretched; each in object space but for `stretch`.
+  // Meshes, one after the other, if the shape varies beyond scaling; each in object space except for `stretch`.
   struct Form {
     std::shared_ptr<const Mesh> mesh;
     Mat4 local;  // a scaling
@@ -25,33 +25,32 @@ struct Seen {
   std::vector<Form> forms;
   struct From {
     Time time;
-    int form = -1;  // -1: it is not seen
+    int form = -1;  // -1: not visible
   };
-  std::vector<From> when;  // by time; the first one is the beginning
-  Channel stretch;         // along its axes; no pieces: it is `local` of its form
-  Channel color, opacity;  // linear light; 1 is solid
+  std::vector<From> when;  // in order of time, from the beginning on
+  Channel stretch;         // the scale along its axes; without pieces: `local` of its form
+  Channel color, opacity;  // linear light; 1 is opaque
   Material material = Material::plastic;
   double shininess = 0;
   std::shared_ptr<const Picture> texture;
-  std::int32_t skin = -1;  // of Compiled::skins: its one form is the mesh at rest
+  std::int32_t skin = -1;  // index into Compiled::skins: its one form is the mesh at rest
 };
 
-// Of all that is ever seen. Shapes are looked at once a frame, and where something may jump. Errors: range (more
-// triangles than anybody can take).
-// `as_skin`: whether a mesh that is deformed is told as that; else it is a form after the other.
+// Returns everything that is ever visible. Shapes are sampled at each frame, and where they may jump. Errors: range
+// (too many triangles for any program). `as_skin`: exports a deformed mesh as a skin; otherwise as a sequence of forms.
 Result<std::vector<Seen>> all_seen(const Program&, const ExportOptions&, Exported&,
                                    const std::function<bool(const Skin&)>& as_skin = {});
 
-// Those of the objects that are asked for, and what they hang on; all, where nobody is asked for.
+// Keeps the requested objects and their parents; all, if none are requested.
 void keep_asked(std::vector<ObjectKeys>&, const std::vector<ObjectId>& asked);
 bool is_asked(ObjectId, const std::vector<ObjectId>& asked);
 
-// The frames of the film, and when something may jump in between.
+// Returns the times of the film's frames, and of possible jumps between them.
 std::vector<Time> looks_of(const Program&, Time from, Time until);
 
-// Says what is around the things and goes into no file of motion; with or without the background.
+// Lists the surroundings that no file of motion holds, with or without the background.
 void leave_out_surroundings(const Program&, const ExportOptions&, bool background, Exported&);
-// Each sentence once.
+// Adds each sentence once.
 void leave_out(Exported&, std::string sentence);
 
 }  // namespace betwixt

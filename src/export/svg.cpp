@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A flat film as a picture that moves (SVG): a group for each thing, with its steps as animations that are added to
-// each other; in it paths, whose outlines, colours and dashes are animated.
+// A flat film as a picture that moves (SVG): a group for each object, with its steps as animations that are added to
+// each other, and paths in it whose outlines, colours and dashes are animated.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace betwixt {
 namespace {
 
-constexpr double hairline = 1.4;  // pixels, as the film draws it
+constexpr double hairline = 1.4;  // pixels, as in the film
 
 std::string svg_color(const Color& c) {
   const auto byte = [](double v) { return std::lround(255 * std::clamp(v, 0.0, 1.0)); };
@@ -60,7 +60,7 @@ class SvgMaker {
   }
 
  private:
-  // Browsers count in whole microseconds, and who asks for a frame's time means what begins with it.
+  // Browsers count in whole microseconds, and the time of a frame means the value after a jump there.
   double share(Time t) const {
     constexpr double a_moment = 1.5e-6;
     if (t >= options_.until) return seconds_ > 0 ? 1 : 0;
@@ -110,7 +110,7 @@ class SvgMaker {
     out += "    </path>\n";
   }
 
-  // Each line that is cut is a path of its own: a path's dashes go on from one of its lines to the next.
+  // Each trimmed line is a path of its own, since the dashes of a path continue from one line to the next.
   void add_stroked(const PlanarLook& look, std::string& out) {
     if (look.stroked.empty()) return;
     if (!look.trim)
@@ -156,7 +156,7 @@ class SvgMaker {
     out += inside + "    </path>\n";
   }
 
-  // What is drawn of a line is its one dash.
+  // The visible part of a line is a single dash.
   PlanarCurves length_of(const PlanarTrim& trim) const {
     PlanarCurves length;
     if (constant(trim.from)) {
@@ -169,7 +169,7 @@ class SvgMaker {
       for (PlanarCurve& c : length) c.begin = trim.to[0].begin - c.begin, c.end = trim.to[0].begin - c.end;
       return length;
     }
-    // Of two ends that move: straight from frame to frame.
+    // If both ends move: linear from frame to frame.
     std::vector<Time> knots;
     for (const PlanarCurves* curves : {&trim.from, &trim.to})
       for (const PlanarCurve& c : *curves) knots.push_back(c.from), knots.push_back(c.until);
@@ -186,7 +186,7 @@ class SvgMaker {
     return length;
   }
 
-  // When a line is seen: where it has a length, as a dash of none still has its round ends; or where it is whole.
+  // When a line is visible: while it has a length, since a dash of length 0 still has round ends; or while it is whole.
   std::string displayed(const PlanarCurves& length, bool whole) const {
     constexpr double nothing = 1e-9, a_moment = 1e-7;
     std::string times, values;
@@ -237,7 +237,7 @@ class SvgMaker {
     std::string times, values;
     const auto add = [&](double at, const std::string& d) {
       if (!times.empty()) times += ';', values += ';';
-      // A path of nothing, which is an error elsewhere.
+      // An empty path, which would be an error elsewhere.
       times += fmt::format("{:.9g}", at), values += d.empty() ? "M0 0" : d;
     };
     for (std::size_t i = 0; i < forms.size(); ++i) {
@@ -253,7 +253,7 @@ class SvgMaker {
         short_number(std::max(seconds_, 1e-9)), steps ? "discrete" : "linear", times, values);
   }
 
-  // What goes straight from value to value.
+  // Writes linear keys from value to value.
   template <class F>
   void animate(const Channel& c, std::string_view attribute, std::string_view indent, std::string& out, F value) {
     if (c.constant()) return;
@@ -277,7 +277,7 @@ class SvgMaker {
   std::string animation(std::string_view attribute, const PlanarCurves& curves, F value) {
     return fmt::format("      <animate attributeName=\"{}\" {}/>\n", attribute, keys_of(curves, value));
   }
-  // A moment that comes twice is a jump; what is held has a key at its end.
+  // A repeated time is a jump; a held piece has a key at its end.
   template <class F>
   std::string keys_of(const PlanarCurves& curves, F value) {
     std::string times, values, splines;
@@ -287,7 +287,7 @@ class SvgMaker {
         if (!times.empty()) times += ';', values += ';';
         times += fmt::format("{:.9g}", share(at)), values += value(v);
       }
-      if (!first) splines += "0 0 1 1;";  // from the end of one to the beginning of the next: no time
+      if (!first) splines += "0 0 1 1;";  // from one piece to the next: no time
       splines += c.shape == PlanarCurve::cubic ? fmt::format("{} {} {} {};", short_number(c.x1), short_number(c.y1),
                                                              short_number(c.x2), short_number(c.y2))
                                                : "0 0 1 1;";
@@ -299,7 +299,7 @@ class SvgMaker {
         short_number(std::max(seconds_, 1e-9)), times, values, splines);
   }
 
-  // The first one takes the place of what stands there at rest, the others are added to it.
+  // The first animation replaces the transform at rest, the others are added to it.
   void add_steps(const std::vector<PlanarStep>& steps, std::string_view indent, std::string& out) {
     if (std::all_of(steps.begin(), steps.end(), [](const PlanarStep& s) { return constant(s.curves); })) return;
     constexpr std::string_view types[] = {"translate", "translate", "rotate", "scale", "scale"};
@@ -315,7 +315,7 @@ class SvgMaker {
            : what == PlanarStep::grow_y ? "1 " + n
                                         : n;
   }
-  // Where it is at the beginning: for those who show it at rest.
+  // The transform at the beginning, for viewers that do not animate.
   std::string rest(const std::vector<PlanarStep>& steps) const {
     constexpr std::string_view functions[] = {"translate({})", "translate({})", "rotate({})", "scale({})", "scale({})"};
     std::string all;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film as text of USD. Time samples go straight, turns by the shortest arc; a jump takes a millionth of a frame.
+// A film as text of USD. Time samples are linear, rotations take the shortest arc; a jump takes a millionth of a frame.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ class UsdMaker {
     const std::string s = fmt::format("{:.9g}", v);
     return s == "-0" ? "0" : s;
   }
-  // Without an exponent, for readers that know none there.
+  // Without an exponent, for readers that do not know it there.
   static std::string moment(double frames) {
     std::string s = fmt::format("{:.9f}", frames);
     s.erase(s.find_last_not_of('0') + 1);
@@ -92,7 +92,7 @@ class UsdMaker {
     out_ += '\n';
   }
 
-  // Of an attribute: its value, or its samples.
+  // Writes an attribute: its value, or its samples.
   void attribute(int depth, const std::string& name, const Channel& c,
                  std::string (*written)(const KeyValue&, std::size_t) = row) {
     if (c.constant()) return line(depth, fmt::format("{} = {}", name, written(c.pieces[0].begin, c.width)));
@@ -104,7 +104,7 @@ class UsdMaker {
       const KeyPiece& p = c.pieces[i];
       const bool jumps = i + 1 < c.pieces.size() && c.jumps_behind(i);
       KeyValue begin = p.begin, end = p.end;
-      for (KeyValue* v : {&begin, &end}) {  // of both signs of a turn the one that is near
+      for (KeyValue* v : {&begin, &end}) {  // of the two signs of a rotation, take the nearer one
         const double cosine = (*v)[0] * last[0] + (*v)[1] * last[1] + (*v)[2] * last[2] + (*v)[3] * last[3];
         if (c.turn && cosine < 0)
           for (double& n : *v) n = -n;
@@ -121,7 +121,7 @@ class UsdMaker {
     made_.baked += static_cast<std::size_t>(std::max(1.0, at(options_.until) + 1));
   }
 
-  // Letters, digits and '_'. No two are the same in the whole file, as some readers look for names only.
+  // Letters, digits and '_'. No two names in the file are equal, since some readers ignore paths.
   static std::string letters(std::string_view name) {
     std::string out(name.substr(name.rfind('/') + 1));
     for (char& c : out)
@@ -169,7 +169,7 @@ class UsdMaker {
     line(depth, "uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\", \"xformOp:scale\"]");
   }
 
-  // ---- What is seen
+  // ---- Objects
 
   void draw(int depth, const Seen& s, const std::string& path) {
     for (std::size_t form = 0; form < s.forms.size() && s.skin < 0; ++form) {
@@ -179,7 +179,7 @@ class UsdMaker {
         continue;
       }
       const std::string name = plain(path.substr(path.rfind('/') + 1) + "_shape");
-      // A mesh that several have is written once, and each of them is an instance of it.
+      // A mesh that several objects use is written once, and each of them is an instance of it.
       const bool shared = users_[&mesh] > 1;
       if (shared) {
         const auto [known, fresh] = shared_.try_emplace(&mesh, fmt::format("shape_{}", shared_.size() + 1));
@@ -209,7 +209,7 @@ class UsdMaker {
     if (s.texture) leave_out(made_, "pictures on things (textures) are left out");
   }
 
-  // Colours as readers without materials show them, and the material.
+  // Writes colours for readers without materials, and the material.
   void looks(int depth, const Seen& s) {
     attribute(depth, "color3f[] primvars:displayColor", s.color,
               [](const KeyValue& v, std::size_t) { return "[" + row(v, 3) + "]"; });
@@ -224,7 +224,7 @@ class UsdMaker {
     line(depth, fmt::format("rel material:binding = </film/looks/{}>", material(s)));
   }
 
-  // What several have: meshes as prototypes, which are not seen by themselves, and materials.
+  // Writes shared parts: meshes as prototypes, which are not visible by themselves, and materials.
   void add_shared() {
     if (!meshes_.empty()) {
       line(1, "class Scope \"shapes\"");
@@ -260,15 +260,15 @@ class UsdMaker {
     line(1, "}");
   }
 
-  // ---- What joints deform
+  // ---- Skins
 
-  // The joints of a skin and all that they hang on, above first; none: they cannot be told as a skeleton.
+  // Returns the joints of a skin and all their parents, parents first, or an empty list if they cannot be a skeleton.
   std::vector<const ObjectKeys*> joints_of(const Skin& skin) const {
     if (skin.joints.empty() || !skin.rest->rig || !skin.rest->rig->targets.empty()) return {};
     std::vector<const ObjectKeys*> all;
     std::set<std::uint32_t> known, once;
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-      if (!once.insert(joint(skin, i)).second) return {};  // two places at rest, and a skeleton has one
+      if (!once.insert(joint(skin, i)).second) return {};  // two poses at rest, and a skeleton has one
       std::vector<const ObjectKeys*> chain;
       for (ObjectId at{joint(skin, i)}; at && !known.contains(at.index);) {
         const auto found = keys_of_.find(at.index);
@@ -290,7 +290,7 @@ class UsdMaker {
     return translation({move[0], move[1], move[2]}) * rotation({turn[3], turn[0], turn[1], turn[2]}) *
            scaling({grow[0], grow[1], grow[2]});
   }
-  static std::string matrix(const Mat4& m) {  // USD has rows of what multiplies from the left: our columns
+  static std::string matrix(const Mat4& m) {  // USD multiplies rows from the left: our columns
     std::string all;
     for (int c = 0; c < 4; ++c) all += (c ? ", " : "") + row({m(0, c), m(1, c), m(2, c), m(3, c)}, 4);
     return "(" + all + ")";
@@ -309,7 +309,7 @@ class UsdMaker {
     out_ += '\n';
   }
 
-  // Of all joints together: samples at the times of all.
+  // Writes samples of all joints together, at the times of all.
   void together(int depth, const std::string& name, const std::vector<const ObjectKeys*>& joints,
                 Channel ObjectKeys::*channel, std::string (*written)(const KeyValue&, std::size_t)) {
     std::set<Time> times{options_.from};
@@ -344,7 +344,7 @@ class UsdMaker {
     made_.baked += static_cast<std::size_t>((options_.until - options_.from).seconds() * rate_) + 1;
   }
 
-  // A skeleton has a joint for each object that moves the mesh, above it and below; it stands in the world.
+  // Writes a skeleton with a joint for each object that moves the mesh, parents included; it is in world space.
   void skinned(const Seen& s) {
     const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
     const std::vector<const ObjectKeys*> joints = joints_of(skin);
@@ -440,7 +440,7 @@ class UsdMaker {
           " (interpolation = \"vertex\")");
   }
 
-  // Materials that are the same are one. Its name.
+  // Equal materials are written once. Returns the name.
   std::string material(const Seen& s) {
     const KeyValue& color = s.color.pieces[0].begin;
     std::string inputs;
@@ -459,7 +459,7 @@ class UsdMaker {
     const std::vector<double> n = numbers(program_.read({id, f}, options_.from));
     return n.empty() ? 0 : n[0];
   }
-  // In tenths of a unit, as USD has them.
+  // In tenths of a unit, as in USD.
   void lens(int depth, bool orthographic, double wide) {
     const double gate = orthographic ? 10 * wide : 36;
     line(depth, "def Camera \"camera\"");
@@ -512,7 +512,7 @@ class UsdMaker {
     line(depth, "}");
   }
 
-  // It shines to the middle of the world, whichever way it is turned: full light is pi lux.
+  // It shines towards the world's origin, whatever its rotation; full light is pi lux.
   void sun(const Light& l) {
     Channel power = value_keys(program_, {l.id, fn::intensity}, options_.from, options_.until, options_.keys);
     for (KeyPiece& p : power.pieces) p.begin[0] *= pi, p.end[0] *= pi;
@@ -543,10 +543,10 @@ class UsdMaker {
   std::vector<ObjectKeys> keys_;
   std::unordered_map<std::uint32_t, const ObjectKeys*> keys_of_;
   std::unordered_map<std::uint32_t, Seen*> seen_;
-  std::unordered_map<const Mesh*, std::size_t> users_;      // how many forms have it
+  std::unordered_map<const Mesh*, std::size_t> users_;      // how many forms use it
   std::unordered_map<const Mesh*, std::string> shared_;     // its prototype
   std::vector<std::shared_ptr<const Mesh>> meshes_;         // of prototypes, in order
-  std::unordered_map<std::string, std::size_t> materials_;  // by what they say
+  std::unordered_map<std::string, std::size_t> materials_;  // by content
   std::map<std::uint32_t, Light> suns_;
   std::unordered_map<std::uint32_t, std::vector<const ObjectKeys*>> below_;
   std::set<std::string> taken_{"film", "camera",   "light",     "looks",   "shapes",

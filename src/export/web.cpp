@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Motion for web pages: as keyframes of CSS, and as those of the Web Animations interface. An object's steps are
-// animations of one property that are added to each other, in their order; so each number has curves of its own, and
-// they are exact.
+// animations of one property that are added to each other, in their order. So each number has curves of its own, which
+// are exact.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -28,13 +28,13 @@ std::string css_easing(const PlanarCurve& c) {
                      short_number(c.y2));
 }
 
-// A value from a moment on, 0 to 1 of the film, and how it goes on.
+// A value at a time, 0 to 1 of the film, and how it continues.
 struct WebKey {
   double at;
   double value;
   std::string easing;
 };
-// Where it jumps, two keys have one moment; `apart` puts the first of them that much before it.
+// At a jump two keys have one time; `apart` moves the first of them to that much before.
 std::vector<WebKey> web_keys(const PlanarCurves& curves, const ExportOptions& options, double apart) {
   const double whole = (options.until - options.from).seconds();
   const auto share = [&](Time t) { return whole > 0 ? std::clamp((t - options.from).seconds() / whole, 0.0, 1.0) : 0; };
@@ -51,7 +51,7 @@ std::vector<WebKey> web_keys(const PlanarCurves& curves, const ExportOptions& op
   return out;
 }
 
-// What both have in common: the motion in pixels of the film's picture.
+// Shared by both: the motion in pixels of the film's picture.
 struct WebFilm {
   std::vector<PlanarMotion> motions;
   std::vector<std::string> names;
@@ -82,7 +82,8 @@ Result<WebFilm> web_film(const Program& program, const ExportOptions& options, E
   return film;
 }
 
-// Keyframes are of motion alone.
+// Lists everything but motion, which keyframes do not hold.
+
 void say_motion_only(const Program& program, const ExportOptions& options, const WebFilm& film, Exported& made) {
   for (const PlanarMotion& m : film.motions)
     if (!planar_color(program, options, m.id).constant() || !planar_opacity(program, options, m.id).constant())

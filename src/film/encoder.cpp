@@ -19,16 +19,16 @@
 namespace betwixt {
 namespace {
 
-constexpr int beat = 50;              // milliseconds between two looks at KeepGoing
-constexpr std::size_t memory = 4096;  // bytes of the program's words that are kept
-constexpr int buffer = 1 << 20;       // bytes under way to the program
+constexpr int beat = 50;              // milliseconds between two calls of KeepGoing
+constexpr std::size_t memory = 4096;  // bytes of the program's messages that are kept
+constexpr int buffer = 1 << 20;       // bytes on the way to the program
 
 void shut(int& fd) {
   if (fd >= 0) ::close(fd);
   fd = -1;
 }
 
-// The last three lines, on one.
+// Returns the last three lines, joined.
 std::string last_words(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   std::size_t from = text.size();
@@ -38,7 +38,7 @@ std::string last_words(std::string text) {
   return text;
 }
 
-// Whether it speaks of a file that could not be written.
+// Returns whether the messages report a file that could not be written.
 bool names_failure(const std::string& said) {
   for (const int reason : {ENOSPC, EIO, EDQUOT, EFBIG})
     if (said.find(std::strerror(reason)) != std::string::npos) return true;
@@ -50,7 +50,7 @@ bool names_failure(const std::string& said) {
 Error stopped() { return fail(ErrorCode::machine, "the film was stopped"); }
 
 Result<std::unique_ptr<Encoder>> Encoder::start(const std::vector<std::string>& arguments) {
-  // A socket rather than a pipe: writing to one whose reader has died is an answer, not a signal to the whole process.
+  // A socket in place of a pipe: a write to one whose reader has died is an error, not a signal to the whole process.
   std::array<int, 2> in{-1, -1}, err{-1, -1};
   const auto give_up = [&](int why) {
     for (int* fd : {&in[0], &in[1], &err[0], &err[1]}) shut(*fd);
@@ -98,13 +98,13 @@ Status Encoder::write(const std::vector<std::uint8_t>& bytes, const KeepGoing& k
       continue;
     }
     if (errno == EINTR) continue;
-    if (errno != EAGAIN) {  // it has closed its ear: let it say why
+    if (errno != EAGAIN) {  // it has closed its input: read why
       Status how = end(keep_going);
       return how ? Status(fail(ErrorCode::machine, "ffmpeg stopped before the end of the film")) : how;
     }
     std::array<pollfd, 2> both{pollfd{in_, POLLOUT, 0}, pollfd{err_, POLLIN, 0}};
     ::poll(both.data(), both.size(), beat);
-    // A poll on a mouth that is shut returns at once, for ever; but then the ear is shut as well.
+    // If standard error is closed, poll returns at once, again and again; but then standard input is closed as well.
     if (both[1].revents) listen();
     if (!keep_going()) return stopped();
   }
@@ -123,7 +123,7 @@ Status Encoder::end(const KeepGoing& keep_going) {
   }
   const int status = wait_for_child(pid_);
   pid_ = -1;
-  // Of what fails while it closes its file it speaks, and ends as if all were well.
+  // If closing its file fails, ffmpeg prints that and ends as if it had succeeded.
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !names_failure(said_)) return Nothing{};
   return complaint(status);
 }

@@ -36,8 +36,8 @@ Status check(const FilmOptions& o) {
   return Nothing{};
 }
 
-// Software graphics use all of a few cores for one picture already, so that a second painter would only be in the way
-// of the first and of the encoder. The painters of single pictures compress them too, on one core; a second one fills
+// Software graphics use several cores for one picture, so a second painter would only slow down the first one and the
+// encoder. Painters of numbered pictures also compress them, on one core; a second painter fills
 // that time.
 int jobs_of(const FilmOptions& o, bool pictures) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -76,29 +76,29 @@ NewFiller filler(const FilmOptions& o, const std::function<Result<Paints>()>& ne
   };
 }
 
-// Painters at work. Picture k goes through slot k mod the number of slots, so that no more than these are ever held,
-// and is taken out in the order of the film.
+// A pool of painters. Picture k goes through slot k mod the number of slots, so no more are in memory, and is taken out
+// in the order of the film.
 class Crew {
  public:
   Crew(const FilmOptions& o, int jobs, const NewFiller& new_filler, Sink& sink)
       : options_(o), new_filler_(new_filler), sink_(sink), slots_(2 * static_cast<std::size_t>(jobs)) {
     try {
       for (int j = 0; j < jobs; ++j) threads_.emplace_back([this] { work(); });
-    } catch (const std::system_error& e) {  // fewer than asked for will do
+    } catch (const std::system_error& e) {  // continue with fewer
       if (threads_.empty())
         failed_early_ = fail(ErrorCode::machine, fmt::format("cannot start a thread: {}", e.what()));
     }
   }
   ~Crew() {
     {
-      const std::lock_guard lock(mutex_);  // so that nobody goes to sleep between looking and waiting
+      const std::lock_guard lock(mutex_);  // so that no thread goes to sleep between its check and its wait
       stop_ = true;
     }
     changed_.notify_all();
     for (std::thread& t : threads_) t.join();
   }
 
-  // Waits until picture k is there; none while it is not, and once in a while.
+  // Waits for picture k; returns nullopt now and then if it is not finished.
   std::optional<Status> wait(int k) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, wait_beat, [&] { return slot(k).ready || failed_early_; });
@@ -129,7 +129,7 @@ class Crew {
   void work() {
     Result<Filler> filler = fail(ErrorCode::machine, "no painter");
     {
-      // One at a time, while those that are ready paint.
+      // One at a time, while finished ones paint.
       const std::lock_guard lock(making_);
       filler = new_filler_();
     }
@@ -150,7 +150,7 @@ class Crew {
     }
   }
 
-  // The next picture to paint, once there is room for it. After a failure only what comes before it is still of use.
+  // Returns the next picture to paint, once there is room. After a failure only earlier pictures are useful.
   std::optional<int> next() {
     std::unique_lock lock(mutex_);
     const auto over = [&] { return stop_ || next_ >= options_.frames || next_ > last_; };
@@ -188,10 +188,10 @@ class Crew {
   std::condition_variable changed_;
   int next_ = 0, taken_ = 0, last_ = std::numeric_limits<int>::max();
   std::atomic<bool> stop_ = false;
-  const std::atomic<int> nobody_ = 0;  // waits for a painter's place
+  const std::atomic<int> nobody_ = 0;  // no one waits for a painter's place
   std::optional<Error> failed_early_;
   double painting_ = 0, packing_ = 0;
-  int found_ = 0;  // that needed no painting
+  int found_ = 0;  // pictures that existed
   std::vector<std::thread> threads_;
 };
 

@@ -19,7 +19,7 @@ Words h264_words(const FilmOptions&, const std::string& crf) {
   return {"-c:v", "libx264", "-preset", "fast", "-crf", crf, "-pix_fmt", "yuv420p"};
 }
 
-// Apple's players ask for the tag.
+// Apple's players need the tag.
 Words h265_words(const FilmOptions&, const std::string& crf) {
   return {"-c:v",     "libx265", "-preset", "fast", "-crf",         crf,
           "-pix_fmt", "yuv420p", "-tag:v",  "hvc1", "-x265-params", "log-level=error"};
@@ -32,7 +32,7 @@ Words av1_words(const FilmOptions&, const std::string& crf) {
 Words vp9_words(const FilmOptions& o, const std::string& crf) {
   Words w{"-c:v",      "libvpx-vp9", "-crf",    crf, "-b:v",          "0", "-deadline", "good",
           "-cpu-used", "4",          "-row-mt", "1", "-tile-columns", "2"};
-  // Of films with opacity the encoder can make no frames that are seen later.
+  // With alpha, the encoder cannot make alternate reference frames.
   if (o.alpha) w.insert(w.end(), {"-auto-alt-ref", "0"});
   w.insert(w.end(), {"-pix_fmt", o.alpha ? "yuva420p" : "yuv420p"});
   return w;
@@ -41,7 +41,7 @@ Words vp9_words(const FilmOptions& o, const std::string& crf) {
 Words mp4_words(const FilmOptions&) { return {"-movflags", "+faststart", "-f", "mp4"}; }
 Words webm_words(const FilmOptions&) { return {"-f", "webm"}; }
 
-// ProRes 4444: what editors take. Opacity is not multiplied in.
+// ProRes 4444: the format for editors. Straight alpha.
 Words mov_words(const FilmOptions& o) {
   return {"-vf",
           "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
@@ -60,12 +60,12 @@ Words mov_words(const FilmOptions& o) {
           "mov"};
 }
 
-// A good palette needs all pictures at once, and ffmpeg keeps them; a long film gets a palette for each picture
-// instead.
+// A good palette needs all pictures at once, which ffmpeg keeps in memory; a long film gets a palette for each
+// picture instead.
 Words gif_words(const FilmOptions& o) {
   constexpr double palette_memory = 1 << 30;
   const bool whole = 4.0 * o.width * o.height * o.frames <= palette_memory;
-  // Players take a delay below 2/100 s for 10/100 s.
+  // Players treat a delay below 2/100 s as 10/100 s.
   const std::string thin = o.rate.per_second() > 50 ? "fps=50," : "";
   const std::string filter =
       thin +
@@ -94,7 +94,7 @@ const Codec* codec_of(const Format& format, const std::string& name) {
 
 }  // namespace
 
-// 100 is all but lossless (at 0 players refuse what comes of some), 1 the worst there is; in between it is even.
+// Quality 100 is nearly lossless (at crf 0 some results do not play), 1 is the worst possible; linear in between.
 std::vector<std::string> arguments_of(const Format& format, const FilmOptions& o) {
   Words all;
   if (const Codec* codec = codec_of(format, o.codec)) {

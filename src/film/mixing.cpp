@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sounds of a film, put together.
+// Mixes the sounds of a film.
 #include "film/mixing.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::int64_t block = 64;  // samples over which gain is straight: 1.3 ms
+constexpr std::int64_t block = 64;  // samples over which gain is linear: 1.3 ms
 constexpr std::int64_t flicks_of_sample = flicks_per_second / sound_rate;
 
 std::vector<ObjectId> sounds_of(const Scene& scene) {
@@ -41,7 +41,7 @@ Status decode(const Program& program, const HeardSound& h, Time from, std::span<
 }  // namespace
 
 std::vector<HeardSound> sounds_heard(const Program& program, Time from, std::int64_t pairs) {
-  // Whole samples first, so that all places of a film that lie whole samples apart agree.
+  // Whole samples first, so that positions that are whole samples apart agree.
   const std::int64_t whole = from.flicks / flicks_of_sample;
   const double rest = Time{from.flicks % flicks_of_sample}.seconds();
   std::vector<HeardSound> all;
@@ -67,7 +67,7 @@ void add_sound(const Program& program, const HeardSound& h, std::int64_t own, st
   const auto gain = [&](std::int64_t of) {
     return std::get<double>(program.read(Target(h.id, fn::gain), from + Time{(of - h.offset) * flicks_of_sample}));
   };
-  // Blocks begin where the sound has them, so that it is the same from wherever it is mixed.
+  // Blocks are aligned with the sound, so that the result does not depend on where mixing starts.
   std::int64_t first = 0, last = 0;
   double begins = 0, ends = 0;
   for (std::size_t i = 0; i + 1 < samples.size(); i += 2, ++own) {

@@ -30,7 +30,7 @@ Result<std::set<int>> numbers_there(const Output& pictures) {
     int number = 0;
     const char* const end = name.data() + name.size() - pictures.after.size();
     const auto read = std::from_chars(name.data() + pictures.before.size(), end, number);
-    // As it would be written: frame-7.png is none of frame-%04d.png.
+    // Only the exact name: frame-7.png is not part of frame-%04d.png.
     if (read.ec == std::errc() && read.ptr == end && pictures.path(number) == pictures.folder + '/' + name)
       all.insert(number);
   }
@@ -45,7 +45,7 @@ bool whole_picture(const std::string& path, int width, int height) {
     const auto light = decode_exr(*bytes, path);
     return light && light->width == width && light->height == height;
   }
-  constexpr auto end = "\0\0\0\0IEND\xae\x42\x60\x82"sv;  // which readers of pictures do not miss
+  constexpr auto end = "\0\0\0\0IEND\xae\x42\x60\x82"sv;  // readers of pictures do not check it
   const auto bytes = read_whole(path);
   if (!bytes || !bytes->ends_with(end)) return false;
   const auto picture = read_picture(path);

@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-// Reads the one %d or %0Nd of a picture's name.
+// Reads the %d or %0Nd in a picture's name.
 Result<Output> read_number(Output out) {
   const Error wrong =
       fail(ErrorCode::range, fmt::format("a film as pictures needs one number in its name, not \"{}\"", out.name),
@@ -33,7 +33,7 @@ Result<Output> read_number(Output out) {
   return out;
 }
 
-constexpr std::size_t longest_stem = 50;  // leaves room for the machine
+constexpr std::size_t longest_stem = 50;  // leaves room for the name of the machine
 
 std::string this_machine() {
   char name[50] = "";

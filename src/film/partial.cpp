@@ -17,7 +17,7 @@
 namespace betwixt {
 namespace {
 
-// Whether both are hidden names of one film: they differ in numbers of processes and the like only.
+// Returns whether both are hidden names of one film, which differ in the numbers of processes only.
 bool alike(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   const std::size_t mark = a.rfind(".partial");
@@ -33,7 +33,7 @@ bool alike(const std::string& a, const std::string& b) {
 
 std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-// The locked file is still the one of that name: nobody has cleared it away in between.
+// Returns whether the locked file still has that name, and was not removed in between.
 bool stands(int file, const std::string& path) {
   struct stat own {
   }, there{};
@@ -61,7 +61,7 @@ int Partial::try_to_make() {
   lock_ = ::open(path_.c_str(), how | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (lock_ < 0) return errno;
   made_ = true;
-  // A file system that knows no locks does not know who is alive either; nothing is ever cleared away there.
+  // On a file system without locks, no one can tell which processes run; nothing is ever removed there.
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 || stands(lock_, path_)) return 0;
   ::close(lock_);
   made_ = false;
@@ -92,7 +92,7 @@ void Partial::clear_left() const {
 }
 
 Status Partial::written() const {
-  // Some file systems find out only now that there is no room.
+  // Some file systems report only now that the disk is full.
   if (::fsync(lock_) == 0 || errno == EINVAL || errno == ENOSYS) return Nothing{};
   return system_error(errno, "write", place_.path());
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where a film gathers until it is whole.
+// The place of a film until it is complete.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,8 @@
 
 namespace betwixt {
 
-// A hidden file or folder beside the film, which goes with this. It is locked while its maker lives: what stands there
-// unlocked is what one who was killed has left, and is cleared away by the next who makes the same film on that
-// machine.
+// A hidden file or folder beside the film, which is removed with this. It is locked while its maker runs. An unlocked
+// one is the remains of a killed process, and is removed by the next process that makes the same film on that machine.
 class Partial {
  public:
   enum class What { file, folder };
@@ -25,9 +24,9 @@ class Partial {
 
   Status make();  // errors: machine
   const std::string& path() const { return path_; }
-  Status written() const;          // a file's: on the disk. Errors: machine
-  std::uint64_t size() const;      // a file's
-  void moved() { made_ = false; }  // it has got its name
+  Status written() const;          // of a file: flushed to the disk. Errors: machine
+  std::uint64_t size() const;      // of a file
+  void moved() { made_ = false; }  // it has its final name
 
  private:
   int try_to_make();

@@ -39,7 +39,7 @@ Status Samples::make(const FilmOptions& o, const std::string& folder) {
   const std::size_t bytes = std::max<std::size_t>(pairs, 1) * 2 * sizeof(float);
   file_ = nameless_file(folder);
   if (file_ < 0) return system_error(errno, "keep the sound of", o.path);
-  // All of it now: what is not there when it is written to would end this program.
+  // Allocate all now: a write to memory without disk space would kill this program.
   if (const int failed = ::posix_fallocate(file_, 0, static_cast<off_t>(bytes)); failed != 0)
     return system_error(failed, "keep the sound of", o.path);
   void* const at = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0);

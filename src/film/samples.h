@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film's sound on its way to the encoder: in a file without a name, which goes with whoever made it.
+// A film's sound for the encoder: in an unnamed file, which is removed with its owner.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,10 @@ class Samples {
   Samples(const Samples&) = delete;
   Samples& operator=(const Samples&) = delete;
 
-  // As many as the film is long, in its folder. Errors: machine (disk full, not writable), those of the sounds.
+  // Fills a file in `folder` with the film's samples. Errors: machine (disk full, not writable), those of the sounds.
   Status make(const FilmOptions&, const std::string& folder);
   bool made() const { return file_ >= 0; }
-  std::string path() const;  // for other programs, while this lives
+  std::string path() const;  // for other programs, during its lifetime
 
  private:
   int file_ = -1;

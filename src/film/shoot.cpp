@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Films of programs: what is painted when, and how.
+// Films of programs: the pictures and their painters.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 namespace betwixt {
 namespace {
 
-// A film longer than this is a mistake in the call.
+// A longer film is a mistake in the call.
 constexpr double most_frames = 10'000'000;
 
-// What each painter has for itself.
+// The own state of each painter.
 struct Easel {
   std::unique_ptr<Renderer> renderer;
   Evaluation evaluation;

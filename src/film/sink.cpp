@@ -27,7 +27,7 @@ class Movie final : public Sink {
 
   Status start() {
     if (Status s = check_place(options_.path, options_.overwrite); !s) return s;
-    // Made here, not by ffmpeg, so that a folder that cannot be written to is our own clear error.
+    // Made here and not by ffmpeg, so that a folder without write permission is a clear error of our own.
     if (Status s = partial_.make(); !s) return s;
     if (options_.sounds && !place_.format->sound.empty())
       if (Status s = samples_.make(options_, place_.folder); !s) return s;
@@ -60,7 +60,7 @@ class Movie final : public Sink {
   }
 
  private:
-  // Light is added up, not bytes.
+  // Adds in linear light, not in bytes.
   static void lay_over_black(Parcel& parcel) {
     if (parcel.deep.width > 0) return make_opaque(parcel.deep);
     Picture& shown = parcel.picture;
@@ -81,7 +81,7 @@ class Movie final : public Sink {
     return all;
   }
 
-  // Sixteen bits a channel, the low byte first.
+  // Sixteen bits a channel, little-endian.
   static void pack_deep(Parcel& parcel) {
     const std::vector<std::uint16_t> channels =
         parcel.deep.width > 0 ? to_shown_16(parcel.deep) : doubled(parcel.picture.rgba);
@@ -95,11 +95,11 @@ class Movie final : public Sink {
   const Output place_;
   Partial partial_;
   Samples samples_;
-  std::unique_ptr<Encoder> encoder_;  // goes first: it writes and reads there
+  std::unique_ptr<Encoder> encoder_;  // destroyed first: it writes and reads the others
 };
 
-// Pictures gather in a hidden folder and move to their names together: a film is there whole or not at all. Where only
-// those are wanted that are missing, each moves when it is whole.
+// Pictures are collected in a hidden folder and renamed together: a film is complete or not there at all. With
+// `missing`, each picture is renamed as soon as it is complete.
 class Pictures final : public Sink {
  public:
   Pictures(const FilmOptions& o, Output place)
@@ -122,10 +122,10 @@ class Pictures final : public Sink {
     const std::string hidden = gathering_.path(number(k));
     Status written = write(hidden, parcel);
     if (written) return options_.missing ? place(k) : written;
-    Error e = written.error();  // in words that name the picture, not where it waits
+    Error e = written.error();  // with the picture's final name, not its hidden one
     const std::size_t at = e.message.find(hidden);
     if (at != std::string::npos) e.message.replace(at, hidden.size(), place_.path(number(k)));
-    e.code = ErrorCode::machine;  // the folder could be written to a moment ago
+    e.code = ErrorCode::machine;  // a moment ago the folder was writable
     return e;
   }
   Status take(const Parcel&, const KeepGoing&) override { return Nothing{}; }
@@ -193,7 +193,7 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
   if (yuv) tags();
   const std::vector<std::string> how = arguments_of(format, o);
   a.insert(a.end(), how.begin(), how.end());
-  a.push_back("file:" + file);  // whatever the name looks like, it is a file
+  a.push_back("file:" + file);  // a file, whatever the name looks like
   return a;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where the pictures of a film go.
+// The target of a film's pictures.
 #pragma once
 
 #include <memory>
@@ -15,25 +15,25 @@ namespace betwixt {
 // One picture on its way from a painter to the film.
 struct Parcel {
   Picture picture;
-  DeepPicture deep;                 // in its place, where painters make these
-  std::vector<std::uint8_t> bytes;  // as the encoder wants it; empty: as it is in the picture
+  DeepPicture deep;                 // in place of the picture, for painters that make these
+  std::vector<std::uint8_t> bytes;  // the encoder's form; empty: as in the picture
 };
 
-// Until finish() has succeeded nothing stands under the film's name; whatever stands elsewhere goes with the sink.
+// Until finish() succeeds there is no file under the film's name; all other files are removed with the sink.
 class Sink {
  public:
   virtual ~Sink() = default;
   virtual Status pack(int k, Parcel&) = 0;                   // from the painters' threads, in any order
   virtual Status take(const Parcel&, const KeepGoing&) = 0;  // from one thread, in the order of the film
   virtual Status finish(const KeepGoing&) = 0;
-  // It need not be made. From the painters' threads, in any order.
+  // Whether the picture exists and need not be made. Called from the painters' threads, in any order.
   virtual bool stands(int /*k*/) const { return false; }
   virtual bool single_pictures() const { return false; }
 };
 
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions&);
 
-// What ffmpeg is called with to make `file`; `samples`: the file of its sound, "" for none. For tests.
+// Returns ffmpeg's arguments to make `file`; `samples`: the file of its sound, or "". For tests.
 std::vector<std::string> encoder_arguments(const FilmOptions&, const Format&, const std::string& file,
                                            const std::string& samples = {});
 

@@ -11,7 +11,7 @@ namespace betwixt {
 void SoundStream::fill(SoundOutput& output, std::optional<std::int64_t> now) {
   std::int64_t waiting = output.waiting();
   std::array<float, 2 * block> stereo{};
-  // Silence need not be waited for.
+  // Do not wait for the end of silence.
   if (now && !next_ && waiting > 0 && silent_ >= waiting && read(in_film(*now), stereo)) output.forget(), waiting = 0;
   for (; waiting < ahead; waiting += block) {
     stereo.fill(0);
@@ -24,7 +24,7 @@ void SoundStream::fill(SoundOutput& output, std::optional<std::int64_t> now) {
 void SoundStream::next_block(std::optional<std::int64_t> due, std::span<float> stereo) {
   if (next_ && due && near(*next_, *due) && read(*next_, stereo)) return go_on(*next_ + block);
   std::fill(stereo.begin(), stereo.end(), 0.0f);
-  if (next_) {  // nobody knows how it would go on, but a short way down from where it is makes no click
+  if (next_) {  // a short fade from the last value makes no click
     next_.reset();
     silent_ = block - fade;
     for (std::size_t i = 0; i < static_cast<std::size_t>(fade); ++i) {
@@ -33,7 +33,7 @@ void SoundStream::next_block(std::optional<std::int64_t> due, std::span<float> s
     }
     return;
   }
-  // A film begins with its first sample, though somebody was some milliseconds late.
+  // A film starts with its first sample, even if the clock is some milliseconds late.
   const std::int64_t from = due && *due >= block ? *due : 0;
   if (!due || !read(from, stereo)) {
     std::fill(stereo.begin(), stereo.end(), 0.0f);
@@ -51,7 +51,7 @@ void SoundStream::go_on(std::int64_t next) {
   if (*next_ >= length_) next_.reset();
 }
 
-// Across the end of the film, behind which it begins again or is silent.
+// Reads across the end of the film, where it begins again or is silent.
 bool SoundStream::read(std::int64_t from, std::span<float> stereo) const {
   if (from >= length_) return false;
   while (!stereo.empty()) {
@@ -67,7 +67,7 @@ bool SoundStream::read(std::int64_t from, std::span<float> stereo) const {
   return true;
 }
 
-// On a film that begins again its end is near its beginning.
+// With `loop`, the end of the film is near its beginning.
 bool SoundStream::near(std::int64_t a, std::int64_t b) const {
   const std::int64_t apart = std::abs(a - b);
   return std::min(apart, loop_ ? std::abs(length_ - apart) : apart) <= tolerance;

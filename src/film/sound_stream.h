@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sound in step with pictures: what an output is given next.
+// Sound in step with pictures: feeds an output.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,29 @@
 
 namespace betwixt {
 
-// What plays samples: a device, or a test.
+// An output of samples: a device, or a test.
 class SoundOutput {
  public:
   virtual ~SoundOutput() = default;
-  // Pairs that it was given and that are not heard yet.
+  // Returns the pairs that it has got and not played yet.
   virtual std::int64_t waiting() = 0;
   virtual void write(std::span<const float> stereo) = 0;
-  virtual void forget() = 0;  // what is waiting
+  virtual void forget() = 0;  // drops the waiting pairs
 };
 
-// Fills in the samples from a pair of the film on. False: they are not known yet.
+// Fills in the samples from a pair of the film on. Returns false if they are not known yet.
 using SoundSource = std::function<bool(std::int64_t from, std::span<float> stereo)>;
 
-// The output is kept a tenth of a second ahead. While pictures go on, so does the sound, from sample to sample, also
-// where a film begins again; where they are elsewhere, it goes there, softly. What is under way is heard nevertheless.
+// Keeps the output a tenth of a second ahead. While pictures continue, so does the sound, from sample to sample, also
+// where a film begins again; if they jump, it fades out and in. Sound that is under way is played to its end.
 class SoundStream {
  public:
   static constexpr std::int64_t block = 960, ahead = 5 * block, tolerance = 2 * block;  // 20, 100 and 40 ms
 
-  // The film has `length` pairs, one at least.
+  // The film has `length` pairs, at least one.
   SoundStream(SoundSource source, std::int64_t length, bool loop)
       : source_(std::move(source)), length_(length), loop_(loop) {}
-  // Gives the output what it lacks. `now`: the pair that is due at this moment; none: nothing is to be heard.
+  // Fills up the output. `now`: the pair that is due at this moment; nullopt: silence.
   void fill(SoundOutput&, std::optional<std::int64_t> now);
 
  private:
@@ -49,9 +49,9 @@ class SoundStream {
   SoundSource source_;
   std::int64_t length_;
   bool loop_;
-  std::optional<std::int64_t> next_;  // the pair that follows what the output has; none: it has silence
-  std::int64_t silent_ = 0;           // so many pairs of it
-  std::pair<float, float> last_;      // what it got last
+  std::optional<std::int64_t> next_;  // the pair after the last one in the output; nullopt: the output has silence
+  std::int64_t silent_ = 0;           // pairs of silence in it
+  std::pair<float, float> last_;      // the last pair in the output
 };
 
 }  // namespace betwixt

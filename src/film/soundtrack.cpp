@@ -14,7 +14,7 @@
 
 namespace betwixt {
 
-// A file as far as it is decoded, by a thread of its own, which stops some way ahead of what was asked for.
+// The decoded part of a file. A thread decodes it, and stops some way ahead of the requested samples.
 class Tape {
  public:
   explicit Tape(const Sound& sound)
@@ -29,7 +29,7 @@ class Tape {
     changed_.notify_all();
     decoder_.join();
   }
-  // That everything before this sample is wanted.
+  // Requests everything before this sample.
   void want(std::int64_t until) {
     const std::lock_guard lock(mutex_);
     if (until <= wanted_) return;
@@ -41,7 +41,7 @@ class Tape {
     return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
                              [&] { return ended_ || have_ >= std::min(until, length_); });
   }
-  // Of those that it has.
+  // Returns those of the samples that are decoded.
   std::span<const float> samples(std::int64_t first, std::int64_t last) {
     const std::lock_guard lock(mutex_);
     first = std::min(first, have_), last = std::min(last, have_);
@@ -68,7 +68,7 @@ class Tape {
   }
 
   const std::int64_t length_;
-  const std::unique_ptr<float[]> samples_;  // memory is taken as they come
+  const std::unique_ptr<float[]> samples_;  // memory is allocated as samples come
   std::mutex mutex_;
   std::condition_variable changed_;
   std::int64_t have_ = 0, wanted_ = 0;

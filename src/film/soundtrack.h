@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sound of a film in blocks, from any place at once.
+// The sound of a film in blocks, from any position.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ namespace betwixt {
 
 class Tape;
 
-// Files are decoded once and kept, as they are heard: 23 MB a minute. The blocks are mix_sounds' samples to the bit.
+// Files are decoded once, as needed, and kept: 23 MB a minute. The blocks equal the samples of mix_sounds to the bit.
 class Soundtrack {
  public:
   explicit Soundtrack(Time first);  // of the film
@@ -21,12 +21,12 @@ class Soundtrack {
   Soundtrack(const Soundtrack&) = delete;
   Soundtrack& operator=(const Soundtrack&) = delete;
 
-  // False: not decoded yet. What follows soon is decoded meanwhile.
+  // Returns false if it is not decoded yet. The next part is decoded in the background.
   bool mix(const Program&, std::int64_t from, std::span<float> stereo);
-  // Waits till it is; false: that took longer than so many seconds.
+  // Waits until it is decoded; returns false after so many `seconds`.
   bool await(const Program&, std::int64_t from, std::int64_t pairs, double seconds);
 
-  static constexpr std::int64_t soon = 2 * sound_rate;  // pairs; more than a decoder takes to begin
+  static constexpr std::int64_t soon = 2 * sound_rate;  // pairs; longer than a decoder takes to start
 
  private:
   Time time(std::int64_t pair) const;

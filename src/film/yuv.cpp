@@ -8,7 +8,7 @@
 namespace betwixt {
 namespace {
 
-// Fixed point with 16 bits behind the point. Kr = 0.2126, Kb = 0.0722 (ITU-R BT.709); 219 steps of luma, 224 of chroma.
+// Fixed point with 16 fractional bits. Kr = 0.2126, Kb = 0.0722 (ITU-R BT.709); 219 steps of luma, 224 of chroma.
 constexpr int fixed(double x) { return static_cast<int>(x * 65536 + (x < 0 ? -0.5 : 0.5)); }
 constexpr double kr = 0.2126, kb = 0.0722, luma = 219.0 / 255, chroma = 224.0 / 255;
 constexpr int yr = fixed(luma * kr), yb = fixed(luma * kb), yg = fixed(luma) - yr - yb;
@@ -26,8 +26,9 @@ void luma_row(const std::uint8_t* rgba, int width, std::uint8_t* out) {
   }
 }
 
-// One row of chroma from two rows of pixels: weights 1 2 1 across (centred on the even pixel), 1 1 down, 8 in all;
-// times the opacity where there is one, so that what is clear colours no border.
+// Computes a row of chroma from two rows of pixels: weights 1 2 1 across (centred on the even pixel), 1 1 down, 8 in
+// all; times the opacity, if there is one, so that transparent pixels do not colour borders.
+
 void chroma_row(const std::uint8_t* a, const std::uint8_t* b, int width, bool alpha, std::uint8_t* cb,
                 std::uint8_t* cr) {
   const auto column = [&](int x) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures as video encoders want them.
+// Pictures in the form of video encoders.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace betwixt {
 
-// Planar 4:2:0, BT.709, limited range: luma, then Cb, then Cr, with chroma sited at the left as H.264 and VP9 take it
-// to be. Odd sizes are made even by repeating the last row or column. `alpha`: a fourth plane, and what is clear has no
-// say in chroma.
+// Converts to planar 4:2:0, BT.709, limited range: luma, then Cb, then Cr. Chroma is sited at the left, as H.264 and
+// VP9 assume. Odd sizes are made even by repeating the last row or column. `alpha`: adds a fourth plane, and
+// transparent pixels do not affect chroma.
 void to_yuv420(const Picture&, bool alpha, std::vector<std::uint8_t>& out);
 
 }  // namespace betwixt

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Balls without triangles: a sphere, however stretched, is drawn as the flat disc that its outline encloses, and the
-// point on the sphere is worked out where it is shaded. Outlines and highlights are exact at any size, and the work is
-// that of the pixels it covers.
+// Balls without triangles. A sphere, however it is scaled, is drawn as the flat disc that its outline encloses; the
+// point on the sphere is computed for each sample. Outlines and highlights are exact at any size, and the cost is that
+// of the covered pixels.
 //
-// Seen from e, the outline of the unit sphere is the circle of the points p with p·e = 1 and |p| = 1 (seen from far
-// away, along e: p·e = 0). A matrix that stretches the sphere stretches its outline with it.
+// Seen from e, the outline of the unit sphere is the circle of the points p with p·e = 1 and |p| = 1 (from far away,
+// along e: p·e = 0). A matrix that scales the sphere scales its outline too.
 #pragma once
 
 namespace betwixt {
 
-// For vertex stages that take an instance: outline(corner, eye, e) gives the outline's point, in mesh space, for a
-// corner on the unit circle. `eye` in eye space: a position and 1, or a direction and 0; `e` is the same in mesh space.
+// For vertex stages with instances: outline(corner, eye, e) returns the point of the outline, in mesh space, for a
+// corner on the unit circle. `eye` is in eye space: a position and 1, or a direction and 0; `e` is the same in mesh
+// space.
 inline const char* const ball_outline = R"(
 vec3 outline(vec2 corner, vec4 eye, out vec4 e) {
   vec3 column = vec3(row_x.x, row_y.x, row_z.x);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Things that are drawn by one call: the same mesh, texture and facing, one instance each.
+// Batches: objects that one call draws. They share mesh, texture and facing, with an instance each.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace betwixt {
 
 struct Batch {
   StoredMesh* mesh = nullptr;
-  const StoredTexture* texture = nullptr;  // the things' own
+  const StoredTexture* texture = nullptr;  // that of the objects, in place of the mesh's
   bool mirrored = false, closed = false, ball = false, line = false;
   std::size_t first = 0, count = 0;  // instances
   friend bool operator==(const Batch&, const Batch&) = default;
@@ -20,31 +20,31 @@ struct Batch {
 
 struct Batches {
   std::vector<Batch> batches;
-  std::vector<std::uint32_t> order;  // the thing of each instance
+  std::vector<std::uint32_t> order;  // the object of each instance
 };
 
-// Of the things of these numbers. The nearest first, so that what is hidden is seldom shaded; equally near ones in
-// their own order.
+// Returns the batches of these objects, the nearest first, so that hidden surfaces are rarely shaded; equally near ones
+// in their own order.
 Batches batches_of(const Things&, std::span<const std::uint32_t>);
-// Farthest first, each a batch of its own.
+// Returns one batch for each, the farthest first.
 Batches sorted_singles(const Things&, std::span<const std::uint32_t>);
 
-// Instances in graphics memory, in the order in which they are drawn. What stays where it was is not sent again.
+// Instances in graphics memory, in drawing order. Instances at unchanged positions are not sent again.
 class Instances {
  public:
   void set(const Things&, const std::vector<std::uint32_t>& order);
   void set(std::vector<Instance> all);
-  // Points the program's inputs at the first-th instance; the mesh's vertex array is bound.
+  // Binds the program's inputs to the instance `first`; the mesh's vertex array must be bound.
   void bind(std::size_t first) const;
 
  private:
   void send(std::size_t first, std::size_t end) const;
   gl::Buffer buffer_ = gl::new_buffer();
   std::vector<Instance> sent_;
-  std::vector<std::uint32_t> order_, place_;  // the thing of each instance, and the other way round
+  std::vector<std::uint32_t> order_, place_;  // the object of each instance, and the inverse
 };
 
-// What is drawn from begin() on changes each sample once, also where it crosses itself. Takes the stencil for itself.
+// After begin(), drawing changes each sample once, also where an object crosses itself. Uses the stencil.
 class Once {
  public:
   Once() = default;
@@ -56,15 +56,15 @@ class Once {
 
  private:
   static constexpr int most = 255;
-  int mark_ = most;  // of the samples that have changed
+  int mark_ = most;  // of the samples that have been changed
 };
 
-// Draws all triangles of a batch with the program that is set; `closed` ones from outside only.
+// Draws all triangles of a batch with the current program; of `closed` meshes the outside only.
 void draw_triangles(const Batch&, const Instances&, bool upside_down);
-// Which way round triangles are seen from outside; in pictures that are drawn upside down it is the other way.
+// Sets the winding of front faces; in pictures that are drawn upside down it is reversed.
 void set_facing(bool mirrored, bool upside_down);
 
-// What a vertex shader is given: a mesh's vertex and the instance it belongs to.
+// The inputs of a vertex shader: a vertex of the mesh, and the instance.
 inline constexpr const char* vertex_inputs = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

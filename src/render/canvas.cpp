@@ -133,7 +133,7 @@ void Canvas::begin(const std::optional<Vec3>& background, bool clear) const {
   if (can_write_encoded_) c = {encoded(c.x), encoded(c.y), encoded(c.z)};
   glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), deep_ && clear ? 0 : 1);
   glDepthMask(GL_TRUE);
-  // With the stencil, so that whole words are cleared: of depth alone software GL clears bits, sample by sample.
+  // Clear the stencil too, so that whole words are cleared: for depth alone, software GL clears bits, sample by sample.
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
@@ -198,7 +198,7 @@ Status Canvas::show() {
 void Canvas::bind_last() const { glBindFramebuffer(GL_FRAMEBUFFER, (side_ > 1 ? pixels_ : large_).framebuffer.id()); }
 
 void Canvas::read(Picture& out) const {
-  if (StageTimes::listened()) glFinish();  // else what was drawn is waited for, and counted, below
+  if (StageTimes::listened()) glFinish();  // otherwise its time would be counted below
   const InStage stage(Stage::read_back);
   out.width = width_, out.height = height_;
   out.rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);

@@ -14,7 +14,7 @@ bool same_light(const Light& a, const Light& b) {
          a.range == b.range && a.casting == b.casting;
 }
 
-// The number of what is the last of all, or becomes it.
+// Returns the number of the last element, after adding the value if it is a new one.
 template <class T>
 std::uint32_t number_of(std::vector<T>& all, const T& one) {
   if (one == nullptr) return Evaluation::Look::none;

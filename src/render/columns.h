@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a picture is of, as columns, one place a drawable: those of an evaluation, or a frame's items laid out alike.
+// The input of a picture as columns, one place for each drawable: those of an evaluation, or the items of a frame.
 #pragma once
 
 #include <functional>
@@ -14,26 +14,26 @@ namespace betwixt {
 struct Columns {
   std::span<const Mat4> worlds;
   std::span<const Evaluation::Look> looks;
-  std::function<const std::shared_ptr<const Shape>&(std::uint32_t)> shape;  // what numbers stand for
+  std::function<const std::shared_ptr<const Shape>&(std::uint32_t)> shape;  // the shape of a number
   std::function<const std::shared_ptr<const Picture>&(std::uint32_t)> texture;
-  // The places that differ from the picture before; none: nobody knows.
+  // The places that differ from the previous picture; nullopt: unknown.
   std::optional<std::span<const std::uint32_t>> changed;
   const std::vector<Light>& lights;
   const Camera& camera;
   std::optional<Vec3> background;
   Surroundings surroundings;
-  int part = 0, parts = 1;  // which one it is of how many that are added up
+  int part = 0, parts = 1;  // which of several pictures that are averaged
 };
 
 Columns columns_of(const Evaluation&);
 
-// What `find` has for a number; null for none.
+// Returns the result of `find` for a number, or null for `none`.
 template <class Find>
 auto found(std::uint32_t number, const Find& find) {
   return number == Evaluation::Look::none ? std::decay_t<decltype(find(number))>() : find(number);
 }
 
-// What a place of the columns holds, by itself: with what the numbers stand for in place of these.
+// The content of a place of the columns, with shape and texture in place of their numbers.
 struct Content {
   Mat4 world;
   Evaluation::Look look;
@@ -43,16 +43,16 @@ struct Content {
 };
 Content content_of(const Columns&, std::uint32_t);
 
-// What a picture has beside things, and the camera.
+// The content of a picture besides objects and camera.
 struct Scenery {
   std::vector<Light> lights;
   std::optional<Vec3> background;
   Surroundings surroundings;
   bool plain() const { return surroundings.clear || (background && !surroundings.below); }
-  bool take(const Columns&);  // false: nothing differs from the picture before
+  bool take(const Columns&);  // returns false if nothing differs from the previous picture
 };
 
-// Keeps what the columns point to.
+// Columns of a frame. Owns the data that the columns point to.
 class FrameColumns {
  public:
   explicit FrameColumns(const Frame&);

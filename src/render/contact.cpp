@@ -10,7 +10,7 @@
 namespace betwixt {
 namespace {
 
-// How far contact is seen: this part of the picture's height.
+// The radius of contact shading, as a part of the picture's height.
 constexpr double reach = 1.0 / 16;
 constexpr int seen_unit = 0, depth_unit = 1, closed_unit = 2;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contact shading: where things meet, and in corners, less of the light from everywhere arrives. It is worked out from
-// the depths of what is drawn, on half as many pixels along each side.
+// Contact shading (ambient occlusion): where objects meet, and in corners, less ambient light arrives. Computed from
+// the depths of the picture, at half the resolution along each side.
 #pragma once
 
 #include "render/canvas.h"
@@ -13,13 +13,13 @@ namespace betwixt {
 class ContactShading {
  public:
   static Result<ContactShading> create(const Canvas&);
-  // Darkens what is solid, as far as its alpha says that it receives such light; alpha is 1 from then on.
+  // Darkens opaque pixels by their share of ambient light, which is in their alpha; then alpha is 1.
   void draw(const Canvas&, const View&) const;
 
  private:
   void set(const gl::Program&, const Canvas&, const View&) const;
   gl::Target seen_, closed_,
-      smooth_;  // what was drawn; how closed in each place is, as measured and without the pattern
+      smooth_;  // the drawing; the occlusion of each place, as measured and without the pattern
   gl::Program measure_, even_, darken_;
 };
 

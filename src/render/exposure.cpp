@@ -13,16 +13,16 @@
 namespace betwixt {
 namespace {
 
-constexpr double clear_sight = 0.25;  // pixels: what is blurred by less is sharp
+constexpr double clear_sight = 0.25;  // pixels: less blur than this is sharp
 
-// No speed makes such a difference within a flick.
+// Returns whether two numbers differ by more than any speed explains within a flick.
 bool far_apart(double a, double b) { return std::abs(a - b) > 1e-6 * (1 + std::max(std::abs(a), std::abs(b))); }
 bool far_apart(const Mat4& a, const Mat4& b) {
   return !std::equal(a.m.begin(), a.m.end(), b.m.begin(), [](double x, double y) { return !far_apart(x, y); });
 }
 bool far_apart(Vec3 a, Vec3 b) { return far_apart(a.x, b.x) || far_apart(a.y, b.y) || far_apart(a.z, b.z); }
 
-// A mesh that joints deform is another one at every time; none of it goes far within a flick.
+// A mesh with joints is another one at every time; no part of it moves far within a flick.
 bool jumps(const Mesh& a, const Mesh& b) {
   if (!a.posed || !b.posed || a.positions.size() != b.positions.size()) return true;
   constexpr float near = 1e-4F;
@@ -67,7 +67,7 @@ bool alike(const std::vector<Light>& a, const std::vector<Light>& b) {
                     [](const Light& x, const Light& y) { return !jumps(x, y); });
 }
 
-// When the shutter closes for what jumps while it is open: just before. By place; the times in order.
+// The times at which the shutter closes for objects that jump: just before. By place, in order of time.
 struct Closing {
   std::vector<std::pair<Time, std::vector<std::uint32_t>>> places;
   std::optional<Time> camera, lights;
@@ -96,7 +96,7 @@ Closing closing(Evaluation& e, const std::vector<Time>& breaks) {
   return all;
 }
 
-// How things that jump are in one of the pictures that are added up: all of these lie before they do.
+// The state of objects that jump, for one of the pictures: all of its pictures are before the jump.
 struct Held {
   std::vector<std::pair<std::uint32_t, Content>> places;
   std::optional<Camera> camera;
@@ -117,7 +117,7 @@ Held held_at(Evaluation& e, Time opened, double part, const Closing& closing) {
   return all;
 }
 
-// Columns with what is held in its place.
+// Columns with the held objects in their places.
 class Mixed {
  public:
   Mixed(const Columns& now, const Held& held, const Camera& through)
@@ -157,7 +157,7 @@ class Mixed {
   }
 
  private:
-  static constexpr std::uint32_t first = 0x80000000;  // number of what is held
+  static constexpr std::uint32_t first = 0x80000000;  // numbers of held shapes and textures
   std::vector<Mat4> worlds_;
   std::vector<Evaluation::Look> looks_;
   const std::vector<Light> lights_;
@@ -166,12 +166,12 @@ class Mixed {
   const Held& held_;
 };
 
-// How many pixels something is blurred by at most: by going, and by standing elsewhere than what is sharp.
+// Estimates the largest blur in pixels, by motion and by distance from the focus.
 class Blur {
  public:
   Blur(int width, int height) : width_(width), height_(height) {}
   double most() const { return most_; }
-  // How far everything has gone since the time before.
+  // Adds the motion of everything since the last time.
   void look(const Columns& c) {
     bool good = false;
     const View view = make_view(c.camera, width_, height_, good);
@@ -187,7 +187,7 @@ class Blur {
       if (i < before_.size()) gone = std::max(gone, between(before_[i], now[i]));
       if (c.camera.aperture > 0) most_ = std::max(most_, unsharp(c.camera, view, p));
     }
-    // What is lit otherwise, and a floor or a sky of which there are no corners.
+    // A change of light, or of a floor or sky, which have no corners to follow.
     const bool setting = c.surroundings.ground || c.surroundings.sky;
     if (lights_ && (!alike(*lights_, c.lights) || (setting && jumps(*camera_, c.camera)))) gone = wholly;
     before_ = std::move(now), lights_ = c.lights, camera_ = c.camera;
@@ -196,7 +196,7 @@ class Blur {
   }
 
  private:
-  static constexpr double wholly = 1e9;  // what fades or grows is as good as far gone
+  static constexpr double wholly = 1e9;  // a change of opacity or shape counts as a long way
   struct Corners {
     std::array<Vec3, 8> at;  // in pixels
     std::shared_ptr<const Shape> shape;
@@ -226,7 +226,7 @@ class Blur {
     for (std::size_t k = 0; k < a.at.size(); ++k) most = std::max(most, length(a.at[k] - b.at[k]));
     return std::isfinite(most) ? most : wholly;
   }
-  // The circle that a point becomes, of the nearest and farthest of a thing.
+  // Returns the diameter of the circle of confusion, the larger of an object's nearest and farthest point.
   double unsharp(const Camera& c, const View& view, const Content& p) const {
     const Extent box = extent(*p.shape);
     const Vec3 seen = transform_point(p.world, box.middle()) - view.eye;
@@ -244,7 +244,7 @@ class Blur {
   double gone_ = 0, most_ = 0;
 };
 
-// Where on a disc of radius 1 the k-th of n points is: evenly spread, and no two neighbours follow each other.
+// Returns the k-th of n points on a disc of radius 1: evenly distributed, and no two neighbours in succession.
 Vec3 on_lens(int k, int n) {
   const int step = n > 2 ? static_cast<int>(n * 0.381966) | 1 : 1;
   const int own = std::gcd(step, n) == 1 ? static_cast<int>(std::int64_t{k} * step % n) : k;
@@ -259,7 +259,7 @@ Camera part_of(Camera c, int k, int n, int width, int height) {
   const Vec3 right = transform_vector(c.world, {1, 0, 0}), up = transform_vector(c.world, {0, 1, 0});
   const Vec3 eye = translation_of(c.world) + at.x * right + at.y * up;
   for (int i = 0; i < 3; ++i) c.world(i, 3) = eye[i];
-  // What is in focus stays where it is in the picture.
+  // The plane of focus stays in its place in the picture.
   const double scale = 1 / (c.focus * std::tan(c.fov / 2));
   c.shift_x += at.x * scale, c.shift_y += at.y * scale * width / height;
   return c;
@@ -270,21 +270,22 @@ void add(const DeepPicture& one, std::vector<double>& sum) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(one.rgba[i]);
 }
 
-// How many pictures it takes, at most as many as were said.
+// Returns how many pictures are needed, at most `most`.
 int needed(Evaluation& e, Time t, double shutter, int most, int width, int height) {
   if (most <= 1) return 1;
   const auto next = shutter > 0 ? e.program().next_change(t) : std::nullopt;
   const bool still = shutter <= 0 || !next || *next > t + from_seconds(shutter);
   if (still && !(e.camera().aperture > 0)) return 1;
   Blur blur(width, height);
-  for (const double part : {0.0, 0.19, 0.43, 0.71, 1.0}) {  // what turns round is not met as it was before
+  for (const double part :
+       {0.0, 0.19, 0.43, 0.71, 1.0}) {  // uneven, so that rotations do not come back to the same state
     if (still && part > 0) break;
     e.to(t + from_seconds(shutter * part));
     blur.look(columns_of(e));
   }
   if (blur.most() == 0 || (still && blur.most() < clear_sight)) return 1;
-  // So many pictures a pixel leave an edge as far from what it should be as all do where it goes farther: by half of
-  // one picture's share.
+  // With this many pictures a pixel, an edge is as exact as with all pictures for longer distances: off by half the
+  // share of one picture.
   constexpr double a_pixel = 64, at_least = 16;
   return std::min(most, 4 * static_cast<int>(std::ceil(std::clamp(a_pixel * blur.most(), at_least, 1e6) / 4)));
 }

@@ -11,7 +11,7 @@ constexpr std::uint64_t looked_through_every = 16;  // pictures
 
 }  // namespace
 
-// A blend of outlines or files is made anew for each question.
+// A blend of outlines or files is made for each request.
 bool has_details(const Shape& shape, const Shape* toward) {
   const KindRow& row = row_of(shape.kind);
   return toward == nullptr ? row.detailed || row.fill == Fill::file : row.detailed && row_of(toward->kind).detailed;

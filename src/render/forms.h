@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shapes as meshes: each is looked up once for each detail that is asked for.
+// Shapes as meshes: each is looked up once for each requested detail.
 #pragma once
 
 #include "exchange/geometry.h"
@@ -9,11 +9,10 @@
 
 namespace betwixt {
 
-// Whether the mesh of a shape, or of what it is on the way to another, has more triangles where it is larger on the
-// picture.
+// Returns whether the mesh of a shape, or of its blend, has more triangles where it is larger in the picture.
 bool has_details(const Shape&, const Shape* toward);
 
-// A shape, or what it is on the way to another.
+// A shape, or its blend with another.
 class Form {
  public:
   struct Realised {
@@ -24,7 +23,9 @@ class Form {
 
   Form(std::shared_ptr<const Shape> shape, std::shared_ptr<const Shape> toward, double blend);
   const Realised& at(const Detail&, Store&);
-  const Realised& plain(Store& store) { return at({24, true}, store); }  // for its box, and what goes for all
+  const Realised& plain(Store& store) {
+    return at({24, true}, store);
+  }  // for its box, and for everything that does not depend on detail
   const Shape& shape() const { return *shape_; }
   bool blends() const { return toward_ != nullptr; }
 
@@ -39,7 +40,7 @@ class Forms {
  public:
   std::shared_ptr<Form> find(const std::shared_ptr<const Shape>&, const std::shared_ptr<const Shape>& toward,
                              double blend);
-  // Forgets what was not used for some pictures.
+  // Drops details that were not used for some pictures.
   void next_picture();
 
  private:

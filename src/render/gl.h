@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// OpenGL ES 3.0 without a display: a context of our own, and owners for what lives in it.
+// OpenGL ES 3.0 without a display: a context of its own, and owners of its objects.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -22,7 +22,7 @@ class Context {
   Context(Context&& o) noexcept : display_(o.display_), context_(std::exchange(o.context_, nullptr)) {}
   Context& operator=(Context&&) = delete;
   ~Context();
-  bool shows() const;  // what is drawn to framebuffer 0 is seen
+  bool shows() const;  // whether framebuffer 0 is visible
 
  private:
   friend class Current;
@@ -30,7 +30,7 @@ class Context {
   void *display_, *context_;
 };
 
-// Makes a context current for as long as it lives, then puts back whatever the host program had.
+// Makes a context current during its lifetime, then restores that of the host program.
 class Current {
  public:
   explicit Current(const Context&);
@@ -43,7 +43,7 @@ class Current {
   unsigned api_;
 };
 
-// Owns one object of the graphics interface; freed while its context is current.
+// Owns an object of the graphics interface; frees it while its context is current.
 template <void (*free)(GLuint)>
 class Handle {
  public:
@@ -79,32 +79,32 @@ using Sampler = Handle<free_sampler>;
 
 Buffer new_buffer();
 VertexArray new_vertex_array();
-// A 2-D texture of one level without content, clamped at its edges.
+// Returns a 2-D texture with one level, without content, clamped at its edges.
 Texture new_texture(GLenum format, int width, int height, GLint filter);
 
-// A picture to draw into; either texture may be absent (format 0).
+// A picture as a target of drawing; either texture may be absent (format 0).
 struct Target {
   int width = 0, height = 0;
   Texture color, depth;
   Framebuffer framebuffer;
-  void bind() const;  // and set the viewport to all of it
+  void bind() const;  // sets the viewport too
 };
 Result<Target> new_target(GLenum color_format, GLenum depth_format, int width, int height);  // errors: machine
-// The same with several samples a pixel; what is drawn is copied to a Target to be read.
+// The same with several samples a pixel; copy it to a Target to read it.
 struct Multisampled {
   Renderbuffer color, depth;
   Framebuffer framebuffer;
 };
 Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, int samples, int width, int height);
-// Square depth maps as the layers of an array, to be compared with and blended; and what draws into one. Errors:
+// Square depth maps as the layers of an array, for filtered comparison; and a framebuffer that draws into one. Errors:
 // machine.
 Result<std::pair<Texture, Framebuffer>> new_depth_layers(int side, int count);
-// Reads depths of such maps as they are, whatever the texture says.
+// A sampler that reads depths of such maps without comparison.
 Sampler new_depth_sampler();
 
-// Compiles and links; `defines` go to the head of both stages. Errors: machine (with the compiler's words).
+// Compiles and links; `defines` are put at the head of both stages. Errors: machine (with the compiler's message).
 Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines = {});
-// The vertex stage of passes that fill the picture: three corners, no input; gives `vec2 at` in 0 to 1.
+// The vertex stage of passes over the whole picture: three corners, no input; outputs `vec2 at` in 0 to 1.
 extern const std::string_view fill_vertex;
 void fill();  // draws it
 

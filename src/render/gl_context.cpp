@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The context, on surfaceless EGL.
+// The context on surfaceless EGL.
 #include <epoxy/egl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ EGLDisplay surfaceless() {
   return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
-// That of the last device, which draws in software.
+// Returns the display of the last device, which is the software renderer.
 EGLDisplay software() {
   EGLDeviceEXT devices[16];
   EGLint count = 0;
@@ -33,9 +33,8 @@ EGLDisplay software() {
   return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[count - 1], nullptr);
 }
 
-// All contexts of the process share one display. It is never shut down: other threads, or the host program, may be
-// using it. A process that was forked has its parent's display without the threads that draw for it, so it opens the
-// other one.
+// All contexts of the process share one display. It is never terminated: other threads, or the host program, may use
+// it. After a fork the parent's display lacks its drawing threads, so a child opens the other one.
 EGLDisplay open_display() {
   static std::mutex mutex;
   static EGLDisplay display = EGL_NO_DISPLAY;

@@ -21,10 +21,10 @@ std::vector<Lighting::One> rig(const View& view) {
           sun(0.35, 0.6, -0.9, {0.3, 0.32, 0.36})};
 }
 
-// Suns that cast soft shadows are six degrees wide, lamps a twentieth of their range.
+// The radius of the disc of a sun with soft shadows (six degrees wide), and that of a lamp as a part of its range.
 constexpr double sun_size = 0.0524, lamp_size = 0.025;
 
-// With this share of a light and the sky's, a white surface that faces one lamp of intensity 1 is just white.
+// With this share of a light and the sky's, a white surface that faces a lamp of intensity 1 is exactly white.
 constexpr double gain = 0.8;
 
 double importance(const Lighting::One& l, Vec3 center) {
@@ -39,7 +39,7 @@ struct Candidate {
   Casting casting;
 };
 
-// Those that cast come first.
+// Those with shadows come first.
 void take(Lighting& r, std::vector<Candidate>& sorted) {
   if (sorted.size() > Lighting::most) sorted.resize(Lighting::most);
   for (std::size_t i = 0; i < sorted.size(); ++i)
@@ -50,7 +50,7 @@ void take(Lighting& r, std::vector<Candidate>& sorted) {
   r.casting = std::min(r.casting, Lighting::most_casting);
 }
 
-// The lights that count, or our own.
+// Returns the lights in use, or the default ones.
 Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center) {
   Lighting r;
   if (lights.empty()) {
@@ -74,7 +74,7 @@ Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center)
   return r;
 }
 
-// The light from everywhere, and how much of all there is.
+// Sets ambient light, and scales all light by the exposure.
 void surround(Lighting& r, const Surroundings& around) {
   r.sky = {0.2, 0.215, 0.24}, r.ground = {0.1, 0.09, 0.08};
   if (around.sky) r.sky = {0.2, 0.25, 0.33};

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which lights shine on a frame.
+// The lights of a frame.
 //
-// A light of colour c (intensity included) at distance d sends c·w² where w = 1 - (d / range)², and nothing beyond its
+// A light of colour c (intensity included) at distance d sends c·w², w = 1 - (d / range)², and nothing beyond its
 // range; a surface of colour a that faces it shows a·c·w². So intensity 1 lights well from close by up to about two
-// thirds of the range (w² = 0.31), wherever the range ends, and nothing is ever cut off. A sun sends 0.8·c. A fifth of
-// a white surface's brightness is left to the sky.
+// thirds of the range (w² = 0.31), whatever the range, and nothing is cut off. A sun sends 0.8·c. A fifth of a white
+// surface's brightness is left to the sky.
 #pragma once
 
 #include <array>
@@ -18,24 +18,24 @@ namespace betwixt {
 
 struct Lighting {
   static constexpr std::size_t most = 16, most_casting = 4;
-  // What is behind everything, at the top of the picture and at its bottom, where a film says nothing.
+  // The default background, at the top of the picture and at its bottom.
   static constexpr Vec3 above{0.26, 0.28, 0.31}, beneath{0.12, 0.125, 0.13};
   struct One {
     bool sun = false;
-    Vec3 place;  // eye space: where a lamp is, or the direction towards a sun
+    Vec3 place;  // eye space: the position of a lamp, or the direction towards a sun
     Vec3 color;
     double range = 1;
-    Vec3 world;  // a lamp's place in the world
-    // How large it is, for the shadow's edge: a lamp's radius, of a sun that of its disc a metre away; 0: a point.
+    Vec3 world;  // a lamp's position in the world
+    // Its size, for soft edges of shadows: a lamp's radius, or the radius of a sun's disc one metre away; 0: a point.
     double size = 0;
   };
-  std::vector<One> lights;      // `most` at most; first those that cast shadows, then the most important ones
-  std::size_t casting = 0;      // how many of them do, `most_casting` at most
+  std::vector<One> lights;      // at most `most`; first those that cast shadows, then the strongest
+  std::size_t casting = 0;      // how many of them cast shadows, at most `most_casting`
   Vec3 sky, ground;             // ambient light from above and below
-  Vec3 zenith, horizon, below;  // the sky, if it is seen
+  Vec3 zenith, horizon, below;  // the sky, if it is visible
 };
 
-// `center`: what the picture is about, in eye space.
+// `center`: the middle of the scene, in eye space.
 Lighting lighting_of(const std::vector<Light>&, const View&, Vec3 center, const Surroundings& = {});
 
 }  // namespace betwixt

@@ -11,15 +11,15 @@ namespace betwixt {
 class Lines {
  public:
   static Result<Lines> create();
-  void set(const View&, int side);  // `side`: pixels drawn for one of the picture, along a side
+  void set(const View&, int side);  // `side`: drawn pixels for one of the picture, along a side
   void draw(const Batch&, const Instances&) const;
-  // Things through which one sees, each of which covers what is behind it once.
+  // Draws transparent objects; each covers its background once.
   void draw_transparent(const Batches&, const Instances&, const View&, int side);
 
  private:
   static void set(const gl::Program&, const View&, int side);
   static void draw_edges(const Batch&, const Instances&);
-  gl::Program program_, layer_;  // the latter made when it is wanted
+  gl::Program program_, layer_;  // the latter is made on first use
 };
 
 }  // namespace betwixt

@@ -5,7 +5,7 @@
 namespace betwixt {
 
 void Module::draw(const Columns& columns) {
-  const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);  // both are told
+  const bool other_things = things_.take(columns), other_scenery = scenery_.take(columns);  // both must be updated
   if (other_things || other_scenery) draw_anew();
 }
 

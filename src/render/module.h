@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A style is a module: it draws columns in its own way with the context that is current. A new style is one more file
-// that offers a maker, and one more row in the table of renderer.cpp.
+// A style is a module: it draws columns in its own way with the current context. A new style is one more file with a
+// maker, and one more row in the table of renderer.cpp.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@
 
 namespace betwixt {
 
-// It keeps what it drew last: where nothing differs, that is the picture.
+// Keeps its last picture and reuses it if nothing differs.
 class Module {
  public:
   virtual ~Module() = default;
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
   Status draw(const Columns&, Picture& out);
-  struct Shown {};  // what the graphics themselves show
+  struct Shown {};  // the surface of the graphics system
   Status draw(const Columns&, Shown& out);
   Status draw(const Columns&, DeepPicture& out);  // errors: range (the canvas is not deep)
 
@@ -30,7 +30,7 @@ class Module {
       : canvas_(std::move(canvas)), things_(purpose, canvas_.width(), canvas_.height()) {}
   virtual void draw_anew() = 0;
   void draw(const Columns&);
-  // The background, as a gradient; `own`: the style's, where the film says nothing.
+  // Returns the background as a gradient; `own` is the style's, for films without one.
   Gradient behind(const Gradient& own) const;
 
   Canvas canvas_;

@@ -15,7 +15,7 @@ namespace {
 using Rectangle = Projection::Rectangle;
 using Spot = Projection::Spot;
 
-constexpr Detail plain{24, true};  // what the renderer holds of all it draws: no mesh is made for this
+constexpr Detail plain{24, true};  // one that the renderer has anyway: no mesh is made for this
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 bool seen(const Item& i) { return i.shape && i.transparency < 1 && finite(i.world); }
@@ -38,7 +38,8 @@ std::optional<Rectangle> around(const Places& places, const Projection& p) {
   return all ? r : Rectangle{-endless, -endless, endless, endless};
 }
 
-// Around a box that holds it, which is quickly found. Without end where none is known: what texts measure is a guess.
+// Returns the rectangle around an outer box, which is fast. Unbounded if there is none: measures of texts are
+// estimates.
 std::optional<Rectangle> roughly_around(const Item& i, const Projection& p) {
   const Extent e = extent(*i.shape);
   if (i.toward || i.shape->kind == Kind::text) return Rectangle{-endless, -endless, endless, endless};
@@ -54,7 +55,7 @@ bool near(const Rectangle& r, double x, double y, double slack, double aspect) {
   return x >= r.left - slack / aspect && x <= r.right + slack / aspect && y >= r.top - slack && y <= r.bottom + slack;
 }
 
-// How far along a ray a triangle is met, from either side.
+// Returns the distance along a ray to a triangle, from either side.
 std::optional<double> meet(const Ray& ray, Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 ab = b - a, ac = c - a, p = cross(ray.along, ac);
   const double det = dot(ab, p);
@@ -65,7 +66,7 @@ std::optional<double> meet(const Ray& ray, Vec3 a, Vec3 b, Vec3 c) {
   return t;
 }
 
-// A ball is round, whatever it is drawn with.
+// A ball is round, however it is drawn.
 std::optional<double> meet_ball(const Ray& ray, const Mat4& back, double radius) {
   const Vec3 from = transform_point(back, ray.from), along = transform_vector(back, ray.along);
   const double a = dot(along, along), b = dot(from, along), c = dot(from, from) - radius * radius, d = b * b - a * c;
@@ -87,7 +88,8 @@ std::optional<double> meet(const Ray& ray, const Item& i) {
   return nearest;
 }
 
-// How far a place of the picture is from an edge, in heights of the picture, and the place of the edge nearest to it.
+// Returns the distance of a place of the picture from an edge, in heights of the picture, and the nearest point of the
+// edge.
 std::optional<std::pair<double, Vec3>> beside(const Projection& p, double x, double y, Vec3 a, Vec3 b) {
   const auto from = p.spot(a), to = p.spot(b);
   if (!from || !to) return std::nullopt;
@@ -122,8 +124,7 @@ Projection::Projection(const Camera& c, double aspect) : aspect_(aspect > 0 && s
   bool good = true;
   const View v = make_view(c, 1, 1, good);
   eye_ = v.eye, right_ = v.right, up_ = v.up, backward_ = v.backward, orthographic_ = v.orthographic;
-  // Of a picture as wide as high; of a wider one as much less is seen from bottom to top, or of an orthographic one
-  // more from left to right.
+  // For a square picture; a wider one shows less from bottom to top, or, if orthographic, more from left to right.
   sx_ = orthographic_ ? v.sx / aspect_ : v.sx, sy_ = orthographic_ ? v.sy : v.sy * aspect_;
   shift_x_ = v.shift_x, shift_y_ = v.shift_y;
 }
@@ -169,7 +170,7 @@ std::optional<Hit> pick(const Frame& f, const Projection& p, double x, double y,
     const auto box = roughly_around(i, p);
     if (!box || !near(*box, x, y, 0, p.aspect())) continue;
     const auto far = meet(ray, i);
-    if (!far || *far > nearest) continue;  // of two at one place the later one is drawn
+    if (!far || *far > nearest) continue;  // of two at one place, the one that is drawn later
     nearest = *far;
     const Vec3 place = ray.from + *far * ray.along;
     hit = Hit{i.id, place, dot(place - p.eye(), p.forward())};

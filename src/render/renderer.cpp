@@ -71,7 +71,7 @@ class SurfacelessRenderer final : public Renderer {
   gl::Context context_;
   std::unique_ptr<Module> module_;
   const int width_, height_;
-  Evaluation::Revision seen_;  // of the picture before
+  Evaluation::Revision seen_;  // of the previous picture
 };
 
 template <MakeModule make_module>
@@ -105,7 +105,7 @@ constexpr Entry table[] = {
      [](const RenderOptions& options) { return make_traced(options); }},
 };
 
-// How many letters must be changed, added or dropped to get from `a` to `b`.
+// Returns the edit distance: letters to change, add or drop from `a` to `b`.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -154,7 +154,7 @@ RenderOptions options_for(const Document& document, RenderOptions made, std::opt
   for (const Entry& e : table)
     if (e.style.name == made.style) usual = e.style.usual;
   if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
-  // A script's samples are those of pictures that are drawn; of what is traced it takes more.
+  // A script's samples are for drawn styles; the path tracer needs more.
   const auto n = samples || usual > 1 ? samples : document.samples();
   made.samples = n ? *n : std::max(made.samples, usual);
   return made;

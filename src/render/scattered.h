@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Evenly scattered numbers for the samples of a pixel: the same ones for the same pixel, sample and question, whoever
-// asks and when.
+// Well-distributed random numbers for the samples of a pixel: the same ones for the same pixel, sample and decision,
+// for any caller and at any time.
 //
-// The samples of one question lie on the first two coordinates of Sobol's sequence: of 2^k of them each of 2^k equal
-// boxes, however they are cut by halves, has one. A pixel and question has its own digits flipped and its own order of
-// samples, so that questions know nothing of each other.
+// The samples of a decision are the first two coordinates of Sobol's sequence: of 2^k samples, each of 2^k equal boxes
+// has one, in whatever way the square is halved. Each pixel and decision has its own flipped digits and its own order
+// of samples, so that decisions are independent.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class Scattered {
   Scattered(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples)
       : bits_(std::bit_width(samples - 1)), pixel_(mixed(pixel)), sample_(sample) {}
 
-  // Two numbers from 0 to 1, 1 excluded, for the next question.
+  // Returns two numbers from 0 to 1, 1 excluded, for the next decision.
   std::array<double, 2> two() {
     const std::uint64_t own = mixed(pixel_ + question_++);
     const std::uint32_t i = shuffled(own);
@@ -31,7 +31,7 @@ class Scattered {
   double one() { return two()[0]; }
 
  private:
-  // Every bit of the outcome hangs on every bit that goes in (splitmix64).
+  // Every bit of the result depends on every bit of the input (splitmix64).
   static constexpr std::uint64_t mixed(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -49,7 +49,7 @@ class Scattered {
     for (std::uint32_t column = 1U << 31; i != 0; i >>= 1, column ^= column >> 1) r ^= (i & 1) != 0 ? column : 0;
     return r;
   }
-  // A place of its own among 2^bits for each sample: each step can be undone.
+  // A permutation of 2^bits samples: each step is invertible.
   std::uint32_t shuffled(std::uint64_t own) const {
     const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << bits_) - 1);
     std::uint32_t i = sample_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The style `shaded`: a shadow map, then solid surfaces, the background, glass, and the picture.
+// The style `shaded`: shadow maps, then opaque surfaces, the background, transparent surfaces, and the picture.
 #include "render/contact.h"
 #include "render/lines.h"
 #include "render/module.h"
@@ -35,7 +35,7 @@ class Shaded final : public Module {
     const Lighting lighting = lighting_of(scenery_.lights, view, {}, around);
     const auto shadows =
         shadows_.update(things_, std::span(lighting.lights).first(lighting.casting), around.ground.has_value());
-    const bool contact = need_contact();  // what is made binds what is drawn into
+    const bool contact = need_contact();  // making it binds other targets
     const Surfaces::Circumstances now{view,   lighting, shadows, shadows_.texture(),
                                       around, metal,    contact, canvas_.deep() && around.clear};
     const bool encoded = canvas_.can_write_encoded();
@@ -57,14 +57,14 @@ class Shaded final : public Module {
     }
     canvas_.finish();
   }
-  // Contact shading took its place: of the floor, and of what is empty. Things that are solid have all of it.
+  // Restores the alpha of the floor and of empty pixels after contact shading; opaque objects have 1.
   void put_opacity_back(Surfaces::Circumstances now) {
     now.contact = false;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
     surfaces_.draw_setting(now, {}, false);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
-  // Whether there is contact shading; where it cannot be had, a film is drawn without.
+  // Returns whether contact shading is in use; if it cannot be made, the film is drawn without.
   bool need_contact() {
     const Surroundings& around = scenery_.surroundings;
     if (!around.contact || around.flat) return false;
@@ -91,7 +91,7 @@ class Shaded final : public Module {
   Surfaces surfaces_;
   Shadows shadows_;
   Lines lines_;
-  std::optional<ContactShading> contact_;  // made when it is wanted
+  std::optional<ContactShading> contact_;  // made on first use
   Instances line_instances_, clear_instances_;
 };
 

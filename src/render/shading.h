@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stages that shade a point, in GLSL. Variants: TEXTURED; BALL (balls.h); GROUND: the endless floor, and what is
-// behind everything, with a triangle that fills the picture; RICH: several lights cast shadows, or soft ones, or metal
-// mirrors a floor or the sky.
+// The shader stages, in GLSL. Variants: TEXTURED; BALL (balls.h); GROUND: the infinite floor and the background, with a
+// triangle over the picture; RICH: several shadows, or soft ones, or metal that reflects a floor or the sky.
 #pragma once
 
 namespace betwixt {

@@ -70,14 +70,13 @@ Ball around_all(const Things& things, std::span<const std::uint32_t> casters, Ve
   return all;
 }
 
-constexpr double coarse = 6;    // pixels a texel, where it is seen best
-constexpr double minor = 0.2;   // of the largest in the picture: what is smaller does not say how fine a map must be
-constexpr double widest = 2.5;  // the tangent of half the angle that one map of a lamp takes in
-constexpr double side = 1.07;   // of one of six: they lap over
+constexpr double coarse = 6;    // pixels a texel, where it is most visible
+constexpr double minor = 0.2;   // of the largest in the picture: smaller objects do not count for the resolution
+constexpr double widest = 2.5;  // tangent of half the largest angle of one map of a lamp
+constexpr double side = 1.07;   // of one of six, which overlap
 constexpr std::size_t most_levels = 3;
 
-// A caster, how many pixels a metre has where it is seen best, and about how large it is in the picture, wherever in
-// it.
+// A caster, its pixels a metre where it is most visible, and its approximate size in the picture, wherever in it.
 struct Seen {
   std::uint32_t thing = 0;
   double pixels = 0, size = 0;
@@ -94,7 +93,7 @@ Seen seen(std::uint32_t i, const Things& things) {
           view.orthographic ? scale * r : scale * r / std::max(away, 0.5 * r)};
 }
 
-// How wide a texel of a light's map is, at worst, at what a ball encloses.
+// Returns the width of a texel of a light's map at its worst, within a ball.
 double texel_of(const Ball& ball, bool sun, Vec3 lamp) {
   if (sun) return 2 * ball.radius / Shadows::map_size;
   const double d = length(lamp - ball.center), r = ball.radius;
@@ -102,11 +101,11 @@ double texel_of(const Ball& ball, bool sun, Vec3 lamp) {
   return 2 * tangent / Shadows::map_size * (d + r);
 }
 
-// A box as a thing is turned in space.
+// A box with the orientation of an object.
 struct Turned {
   Vec3 center;
-  std::array<Vec3, 3> half;  // from there to the middles of three sides
-  // How far it reaches from its centre, along a direction.
+  std::array<Vec3, 3> half;  // from there to the centres of three sides
+  // Returns half its extent along a direction.
   double reach(Vec3 a) const {
     return std::abs(dot(a, half[0])) + std::abs(dot(a, half[1])) + std::abs(dot(a, half[2]));
   }
@@ -119,7 +118,7 @@ Turned turned(const Thing& t, Store& store) {
           {half.x * column(m, 0), half.y * column(m, 1), half.z * column(m, 2)}};
 }
 
-// Whether a thing is its box, or lies in one plane.
+// Returns whether an object fills its box, or is flat.
 bool is_plain(const Thing& t, const Turned& box) {
   if (t.shape->kind == Kind::box && !t.form->blends()) return true;
   double most = 0, least = INFINITY;
@@ -127,7 +126,7 @@ bool is_plain(const Thing& t, const Turned& box) {
   return least < 1e-6 * most;
 }
 
-// Whether the shadow of a ball may be in the picture: it goes along the light as far as there is anything to fall on.
+// Returns whether the shadow of a ball may be in the picture: it extends along the light as far as any object reaches.
 bool shadow_in_view(const View& view, const Ball& from, const Ball& to) {
   if (view.orthographic) return true;
   const auto outside = [&](Vec3 n) { return dot(n, from.center) < -from.radius && dot(n, to.center) < -to.radius; };
@@ -160,7 +159,7 @@ Result<Shadows> Shadows::create() {
   return s;
 }
 
-// As many as were ever wanted, in steps: all are as large as the first.
+// Makes as many as were ever needed, in steps. All have the size of the first.
 Status Shadows::make_layers(std::size_t count) {
   if (count <= count_) return Nothing{};
   std::size_t made = 1;
@@ -174,12 +173,12 @@ Status Shadows::make_layers(std::size_t count) {
   return Nothing{};
 }
 
-// A map's view. Positions are relative to the lamp, or for suns to a place by the middle of what is shown, which
-// jumps by steps, so that f32 is enough for what is small and far from the world's origin.
+// The view of a map. Positions are relative to the lamp, or for suns to a point near the centre of the shown objects,
+// which moves in steps, so that f32 is enough for small objects far from the world's origin.
 Shadows::Part Shadows::part_of_sun(const Things& things, const Made& light, const Numbers& shown) const {
   Part part;
   Ball ball = around_all(things, shown, light.anchor);
-  // Measured and placed in steps, so that edges do not swim while things move about.
+  // Its size and place change in steps, so that edges do not crawl while objects move.
   ball.radius = std::exp2(std::ceil(std::log2(ball.radius) * 4) / 4) * 1.02;
   part.map.texel = 2 * ball.radius / map_size;
   Vec3 step = 1 / ball.radius * ball.center;
@@ -206,13 +205,13 @@ Shadows::Part Shadows::part_of_sun(const Things& things, const Made& light, cons
 
 namespace {
 
-// What a lamp sees towards a direction: where, how wide, from which distance on.
+// The view of a lamp in a direction: axis, width, and the near distance.
 struct Cone {
   Vec3 backward;
   double tangent = 0, before = 0;
 };
 
-// One that takes in all of them, if one can.
+// Returns a cone that contains all of them, if there is one.
 std::optional<Cone> cone_of(const Things& things, std::span<const std::uint32_t> shown, Vec3 lamp, Vec3 anchor) {
   const Vec3 back = (lamp - anchor) - around_all(things, shown, anchor).center;
   Cone cone{normalize(back, {0, 1, 0}), 0, INFINITY};
@@ -224,12 +223,12 @@ std::optional<Cone> cone_of(const Things& things, std::span<const std::uint32_t>
     if (angle >= std::atan(widest)) return std::nullopt;
     cone.tangent = std::max(cone.tangent, std::tan(angle)), cone.before = std::min(cone.before, d - r);
   }
-  // In steps, so that edges do not swim while things move about.
+  // In steps, so that edges do not crawl while objects move.
   cone.tangent = std::min(std::exp2(std::ceil(std::log2(std::max(cone.tangent, 1e-9)) * 4) / 4) * 1.02, widest);
   return cone;
 }
 
-// Whether a ball, relative to what a map is drawn from, may be in it, or keep light from what is.
+// Returns whether a ball, relative to the map's origin, may be in the map or cast a shadow in it.
 bool reaches(const Mat4& clip, Vec3 center, double radius) {
   for (int row = 0; row < 2; ++row)
     for (const double sign : {-1.0, 1.0}) {
@@ -256,7 +255,7 @@ void Shadows::look(One& one, const Things& things) const {
     projection(0, 0) = projection(1, 1) = 1 / cone.tangent;
     projection(2, 2) = -(far + near) / (far - near), projection(2, 3) = -2 * far * near / (far - near);
     projection(3, 2) = -1, projection(3, 3) = 0;
-    // What is w away has the depth (1/near - 1/w) / (1/near - 1/far).
+    // A point at distance w has the depth (1/near - 1/w) / (1/near - 1/far).
     const double inverse = 1 / near - 1 / far;
     part.map.perspective = true, part.map.texel = 2 * cone.tangent / map_size;
     part.map.spread = light.size * inverse / (2 * cone.tangent);
@@ -267,7 +266,7 @@ void Shadows::look(One& one, const Things& things) const {
   };
   const Numbers& all = one.levels.back();
   const std::optional<Cone> around = cone_of(things, all, light.place, light.anchor);
-  for (const Numbers& shown : one.levels)  // if it is finer than what has all
+  for (const Numbers& shown : one.levels)  // if it is finer than the last one
     if (const auto cone = cone_of(things, shown, light.place, light.anchor);
         &shown != &all && cone && cone->tangent < 0.6 * (around ? around->tangent : side))
       put(*cone);
@@ -287,8 +286,8 @@ void Shadows::look(One& one, const Things& things) const {
   put({normalize(back, {0, 1, 0}), widest, 0});
 }
 
-// Whether what is plain keeps no light from anything: of a floor or a wall all there is lies on the side that is lit,
-// of a room all there is, and the lamp, are within. What is sunk into a floor up to its middle at most lies on it.
+// Returns whether a plain object casts no shadow on anything. For a floor or a wall, everything is on the lit side; for
+// a room, everything and the lamp are inside. An object that is sunk into a floor at most to its middle is on it.
 bool Shadows::casts_on_nothing(Things& things, std::uint32_t i, const Made& light) {
   const Turned box = turned(things[i], things.store());
   if (!is_plain(things[i], box)) return false;
@@ -305,7 +304,7 @@ bool Shadows::casts_on_nothing(Things& things, std::uint32_t i, const Made& ligh
       double r = std::abs(a.x) * b.half.x + std::abs(a.y) * b.half.y + std::abs(a.z) * b.half.z;
       if (b.radius() < 0.25 * things[i].bounds.radius())
         r = 0;
-      else if (at - r < reach && at + r > -reach)  // as it is turned, it may still lie on one side
+      else if (at - r < reach && at + r > -reach)  // with its orientation it may still be on one side
         r = std::min(r, turned(things[j], things.store()).reach(a));
       low = std::min(low, at - r), high = std::max(high, at + r);
     }
@@ -320,7 +319,7 @@ bool Shadows::casts_on_nothing(Things& things, std::uint32_t i, const Made& ligh
   return room;
 }
 
-// All that may cast on something: large floors, walls and rooms mostly do not, and would make maps coarse.
+// Returns all objects that may cast a shadow. Large floors, walls and rooms mostly do not, and would make maps coarse.
 Shadows::Numbers Shadows::without_backdrops(Things& things, const Made& light) const {
   constexpr std::size_t most = 8;
   Numbers left = casters_;
@@ -337,8 +336,8 @@ Shadows::Numbers Shadows::without_backdrops(Things& things, const Made& light) c
   return left.empty() ? casters_ : left;
 }
 
-// What each of a light's maps must show, the finest first; the last has all. What is minor in the picture says nothing
-// about how fine it must be, nor does what the eye is so near to, or within, that no map would be fine.
+// Returns the objects of each of a light's maps, the finest first; the last has all. Objects that are small in the
+// picture do not count for the resolution, nor do those so close to the eye that no map would be fine enough.
 std::vector<Shadows::Numbers> Shadows::levels(Things& things, const Made& light) const {
   const Vec3 lamp = light.place - light.anchor;
   const auto is_fine = [&](const Ball& ball, double pixels) {
@@ -394,8 +393,8 @@ std::vector<Shadows::Numbers> Shadows::levels(Things& things, const Made& light)
     }
     r.push_back(shown);
   }
-  // The last stays while the camera turns, where that costs little. A map that is hardly finer than the next is not
-  // worth it.
+  // The last one stays the same while the camera turns, if that costs little. A map that is hardly finer than the next
+  // is left out.
   const double everywhere = around_all(things, wanted, light.anchor).radius;
   if (everywhere <= 1.6 * around_all(things, all, light.anchor).radius) all = wanted;
   double next = around_all(things, all, light.anchor).radius;
@@ -422,7 +421,7 @@ void Shadows::find_casters(Things& things, Vec3 anchor) {
 std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Lighting::One> casting, bool floor) {
   if (casting.empty()) return {};
   const Vec3 eye = things.view().eye;
-  // A whole kilometre by the eye: steps are measured from there, and they stay while the eye moves about.
+  // Whole kilometres near the eye: steps are measured from there, and stay while the eye moves.
   Vec3 anchor;
   for (int i = 0; i < 3; ++i) anchor[i] = 1000 * std::round(eye[i] / 1000);
   find_casters(things, anchor);
@@ -431,7 +430,7 @@ std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Li
   for (std::size_t k = 0; k < casting.size(); ++k) {
     const Lighting::One& light = casting[k];
     One& one = all_[k];
-    const std::size_t room = most_maps - used - (casting.size() - 1 - k);  // one is left to each of the others
+    const std::size_t room = most_maps - used - (casting.size() - 1 - k);  // each of the others keeps one
     const Made now{things.casters(),
                    light.sun,
                    light.sun ? light.place : light.world,
@@ -449,7 +448,7 @@ std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Li
         const std::vector<Part> before = std::exchange(one.parts, {});
         const std::vector<Numbers> shown = std::exchange(one.levels, std::move(found));
         look(one, things);
-        // Of a sun each map follows from its own level.
+        // Each map of a sun follows from its own level.
         for (std::size_t i = 0; light.sun && !others && i < std::min(before.size(), one.parts.size()); ++i)
           if (shown[i] == one.levels[i]) one.parts[i].stale = before[i].stale;
       }
@@ -475,7 +474,7 @@ std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Li
   return std::span(maps_).first(used);
 }
 
-// Those that let some light through, or those that let none.
+// Draws the casters that let some light through, or those that let none.
 void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   struct Group {
     Batch batch;
@@ -484,7 +483,8 @@ void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   std::map<std::tuple<const StoredMesh*, bool, bool, bool>, Group> groups;
   for (const std::uint32_t i : casters_) {
     const Thing& t = things[i];
-    if (t.transparent != veils || t.look.transparency >= 0.5) continue;  // what lets half of it through casts none
+    if (t.transparent != veils || t.look.transparency >= 0.5)
+      continue;  // an object that lets half of the light through casts no shadow
     const Vec3 center = t.bounds.center - one.origin;
     if (!reaches(one.clip, center, t.bounds.radius())) continue;
     Mat4 world = t.world;
@@ -497,7 +497,7 @@ void Shadows::draw_some(const Part& one, Things& things, bool veils) {
     if (ball) {
       mesh = things.store().disc(texels).get();
     } else {
-      // Softened, a shadow's edge may be off by a good part of a texel.
+      // The edge of a soft shadow may be off by a good part of a texel.
       const Form::Realised& cast = t.form->at(Detail::for_pixels(0.4 * texels), things.store());
       mesh = cast.mesh.get(), local = cast.local;
     }
@@ -515,9 +515,9 @@ void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   instances_.set(std::move(all));
   for (const auto& [key, g] : groups) {
     glUseProgram(veils ? veils_.id() : g.batch.ball ? balls_.id() : meshes_.id());
-    // What is closed casts by its far side: what faces the light is never in its own shadow, however few triangles it
-    // has. No light may leak in where that stands on something, so it is not pushed away. Boxes, which are exact, cast
-    // by the near one: nothing leaks at all.
+    // Closed objects cast by their far side: then lit surfaces are never in their own shadow, however few triangles
+    // there are. The depth is not offset, so that no light leaks in where the object touches another. Boxes, which are
+    // exact, cast by their near side: nothing leaks at all.
     const bool far = std::get<3>(key);
     glCullFace(far ? GL_FRONT : GL_BACK);
     (far ? glDisable : glEnable)(GL_POLYGON_OFFSET_FILL);

@@ -55,8 +55,8 @@ std::vector<StoredPart> parts_of(const Mesh& mesh, Store& store) {
   return parts;
 }
 
-// Cut into a ring of triangles and what is left inside, again and again: they come out broad, which fills faster than a
-// fan.
+// Cut into a ring of triangles and the polygon inside, again and again: the triangles are broad, which fills faster
+// than a fan.
 Mesh regular_polygon(std::uint32_t corners) {
   Mesh m;
   for (std::uint32_t i = 0; i < corners; ++i) {
@@ -69,7 +69,7 @@ Mesh regular_polygon(std::uint32_t corners) {
   return m;
 }
 
-// Graphics memory takes pictures up to a size; larger ones lose every other row and column until they fit.
+// Graphics memory has a largest size; larger pictures lose every other row and column until they fit.
 Picture thinned(const Picture& from, int limit) {
   int step = 1;
   while ((from.width + step - 1) / step > limit || (from.height + step - 1) / step > limit) step *= 2;

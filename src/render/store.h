@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Meshes and textures that live in the graphics memory: sent once, when they are first drawn, and kept as long as
-// somebody holds them.
+// Meshes and textures in graphics memory. They are sent when they are first drawn, and kept as long as they are in use.
 #pragma once
 
 #include <array>
@@ -18,27 +17,27 @@ namespace betwixt {
 struct StoredTexture {
   std::shared_ptr<const Picture> picture;
   gl::Texture texture;
-  bool see_through = false;  // has a pixel that is not solid
+  bool see_through = false;  // whether a pixel is not opaque
 };
 
 struct StoredPart {
-  std::uint32_t first = 0, count = 0;  // as MeshPart's
+  std::uint32_t first = 0, count = 0;  // as in MeshPart
   std::array<float, 3> color{1, 1, 1};
   bool tinted = true;
-  std::shared_ptr<const StoredTexture> texture;  // may be null
+  std::shared_ptr<const StoredTexture> texture;  // null if it has none
 };
 
 struct StoredMesh {
   std::shared_ptr<const Mesh> mesh;
   Box box;
-  std::vector<StoredPart> parts;  // at least one where there are triangles; all within bounds
-  bool see_through = false;       // one has a texture that is
+  std::vector<StoredPart> parts;  // at least one if there are triangles; all within bounds
+  bool see_through = false;       // whether one of the textures is
   gl::VertexArray triangles, edges;
   gl::Buffer vertices, indices, edge_vertices, edge_indices;
   GLsizei edge_count = 0;
 };
 
-// Where a program finds its inputs: of a mesh's vertices, of an edge's corners, and the first one of an instance's.
+// The locations of a program's inputs: a mesh's vertices, an edge's corners, and the first one of an instance.
 enum Attribute : GLuint {
   at_position = 0,
   at_normal = 1,
@@ -53,15 +52,15 @@ class Store {
  public:
   std::shared_ptr<StoredMesh> mesh(const std::shared_ptr<const Mesh>&);
   std::shared_ptr<const StoredTexture> texture(const std::shared_ptr<const Picture>&);
-  // A regular polygon on the unit circle: what balls are drawn with (see balls.h), for those that reach so many pixels.
+  // Returns a regular polygon on the unit circle, for balls (see balls.h) of this radius in pixels.
   const std::shared_ptr<StoredMesh>& disc(double radius);
 
-  // Sends the triangles; what draws the edges as broad lines: four corners an edge, each knowing both ends.
+  // Sends the triangles. Wide lines have four corners for an edge, each with both ends.
   static void need_triangles(StoredMesh&);
   static void need_edges(StoredMesh&);
 
  private:
-  // What somebody holds, by what it was made from. The others are forgotten whenever it has doubled.
+  // Objects in use, by their sources. Unused ones are dropped whenever the map has doubled.
   template <class Source, class Stored>
   struct Kept {
     std::unordered_map<const Source*, std::weak_ptr<Stored>> all;

@@ -17,12 +17,12 @@ std::array<float, 4> four(Vec3 v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
 
-// Look-ups along a side, and how many texels lie between them: each blends four texels, so no step can be seen.
+// Lookups along a side, and the texels between them: each blends four texels, so no steps are visible.
 constexpr int shadow_taps = 2;
 constexpr float shadow_step = 2;
 constexpr int picture_unit = 0, shadow_unit = 1, depth_unit = 2;
 
-// Look-ups for a soft shadow: evenly spread over a disc, as the seeds of a sunflower are.
+// Lookups for a soft shadow, distributed over a disc like the seeds of a sunflower.
 constexpr int shadow_seeds = 40;
 std::array<float, 2 * shadow_seeds> sunflower() {
   std::array<float, 2 * shadow_seeds> r;
@@ -35,13 +35,13 @@ std::array<float, 2 * shadow_seeds> sunflower() {
   return r;
 }
 
-// Whether what the simple programs can is not enough.
+// Returns whether the simple programs are not enough.
 bool is_rich(const Surfaces::Circumstances& frame) {
   return (!frame.shadows.empty() && (frame.shadows.back().light > 0 || frame.shadows.front().spread > 0)) ||
          (frame.metal && (frame.around.sky || frame.around.ground));
 }
 
-// How far what is drawn after each of them reaches.
+// Returns the largest depth of everything that is drawn after each of them.
 std::vector<double> depths_later(const Things& things, const Batches& sorted) {
   std::vector<double> farthest(sorted.order.size(), -INFINITY);
   for (std::size_t i = farthest.size(); i-- > 1;) {
@@ -128,7 +128,7 @@ void Surfaces::set_program(const Look& look, const Circumstances& frame) {
 
 void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
-  // Without a shadow nothing is before the light.
+  // Without shadow maps, everything is lit.
   std::array<std::array<float, 16>, Shadows::most_maps> clips{};
   std::array<std::array<float, 4>, Shadows::most_maps> shapes{};
   std::array<GLint, Lighting::most_casting> ends{};
@@ -148,7 +148,7 @@ void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
   glUniform1f(at("shadow_step"), shadow_step / Shadows::map_size);
 }
 
-// What metals mirror beside the floor: the sky, or else the light from everywhere, as bright as makes a metal.
+// Sets what metals reflect besides the floor: the sky, or else ambient light, so bright that it looks like metal.
 void Surfaces::set_mirrored(const Look& look, const Circumstances& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   const auto& [view, lighting, shadows, layers, around, metal, contact, clear] = frame;
@@ -171,7 +171,7 @@ bool Surfaces::use(std::size_t variant) {
 void Surfaces::set(const Circumstances& frame) {
   const std::size_t received = frame.contact ? contact : 0;
   const std::size_t wanted = is_rich(frame) ? rich : frame.shadows.size() > 1 ? levels : 0;
-  if (!use(received | wanted) && !use(received)) use(0);  // of what they can
+  if (!use(received | wanted) && !use(received)) use(0);  // with as many features as possible
   for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
     set_program(*look, frame);
     if ((variant_ & rich) != 0) set_mirrored(*look, frame);
@@ -188,7 +188,7 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
   Look& ground = looks().ground;
   if (ground.program.id() == 0) {
     auto made = new_look(true, variant_, "#define GROUND");
-    if (!made) return;  // the same stages as those of all others
+    if (!made) return;  // it has the same stages as the others
     ground = *std::move(made);
   }
   set_program(ground, frame);
@@ -197,7 +197,7 @@ void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient
   const auto put = [&](const char* name, Vec3 value) {
     glUniform3fv(gl::uniform(ground.program, name), 1, four(value, 0).data());
   };
-  // Of an orthographic picture the sky is seen as if from somewhere.
+  // An orthographic picture shows the sky as if it were in perspective.
   const Vec3 aside = v.shift_x / v.sx * v.right + v.shift_y / v.sy * v.up;
   put("ray", v.orthographic ? -v.backward : -v.backward - aside);
   put("ray_x", v.orthographic ? Vec3{} : 1 / v.sx * v.right);
@@ -253,7 +253,7 @@ void Surfaces::receive_contact(bool receives) {
   }
 }
 
-// Of what is lit, only what is nearest is drawn then.
+// Draws the depth alone, so that afterwards only the nearest of the lit surfaces are drawn.
 void Surfaces::draw_depth(const Batch& b) {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDepthMask(GL_TRUE);
@@ -303,7 +303,7 @@ void Surfaces::draw_transparent(const Things& things, std::span<const std::uint3
     (b.closed ? glEnable : glDisable)(GL_CULL_FACE);
     if (b.line) {
       const Thing& line = things[batches.order[b.first]];
-      const bool hides = later[b.first] > line.depth - line.bounds.radius();  // what may be behind a part of it
+      const bool hides = later[b.first] > line.depth - line.bounds.radius();  // some part of it may be behind
       if (!flat_ && line.look.material != Material::glow && !hides) draw_depth(b);
       once.begin();
     } else if (b.closed) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lit surfaces: the program that shades a point, and how things go through it.
+// Lit surfaces: the shader program, and how objects are drawn with it.
 #pragma once
 
 #include "render/batches.h"
@@ -18,17 +18,17 @@ class Surfaces {
     const View& view;
     const Lighting& lighting;
     std::span<const Shadows::Map> shadows;  // of the first lights
-    GLuint shadow_layers;                   // where these are
+    GLuint shadow_layers;                   // their texture
     const Surroundings& around;
-    bool metal;    // some thing is of metal
-    bool contact;  // alpha says how much contact shading what is solid receives
-    bool clear;    // nothing is behind everything, and the canvas can say so
+    bool metal;    // whether any object is of metal
+    bool contact;  // whether alpha is the share of ambient light for contact shading
+    bool clear;    // whether the background is transparent, and the canvas has alpha
   };
   void set(const Circumstances&);  // for the calls below
-  void write_encoded(bool);        // see Canvas; linear light otherwise
+  void write_encoded(bool);        // see Canvas; otherwise linear light
   void draw_opaque(const Things&, std::span<const std::uint32_t>);
   void draw_transparent(const Things&, std::span<const std::uint32_t>);
-  // The endless floor, and in what is still empty the sky, or else the gradient.
+  // Draws the infinite floor, and on empty pixels the sky or the gradient.
   void draw_setting(const Circumstances&, const Gradient&, bool encoded);
 
  private:
@@ -36,13 +36,13 @@ class Surfaces {
     gl::Program program;
     GLint part_color = 0, encodes = 0, receives = 0;
   };
-  // Those with which a picture is drawn.
+  // The variants for one picture.
   struct Looks {
     Look plain, textured, balls;
-    Look ground;  // made when it is wanted
+    Look ground;  // made on first use
   };
   Looks& looks() { return *variants_[variant_]; }
-  // Makes them where that is needed; whether they are there.
+  // Makes them if necessary. Returns whether they exist.
   bool use(std::size_t variant);
   void draw_parts(const Batch&);
   void draw_depth(const Batch&);
@@ -52,13 +52,13 @@ class Surfaces {
   static void set_program(const Look&, const Circumstances&);
   static void set_shadows(const Look&, const Circumstances&);
   static void set_mirrored(const Look&, const Circumstances&);
-  // What a variant can, beside the simple ones; all made when wanted. `levels`: one light, hard, has several maps.
+  // The features of variants beyond the simple one; made on first use. `levels`: one light, hard, has several maps.
   static constexpr std::size_t rich = 1, contact = 2, levels = 4;
   std::array<std::optional<Looks>, 8> variants_;
-  std::size_t variant_ = 0;  // which of them is set
+  std::size_t variant_ = 0;  // the current one
   gl::Sampler depths_;
   Instances solid_, glass_;
-  bool flat_ = false;  // nothing is lit
+  bool flat_ = false;  // whether everything is unlit
   bool open_ = false;
 };
 

@@ -22,7 +22,7 @@ bool same_camera(const Camera& a, const Camera& b) {
          same_bits(a.height, b.height) && same_bits(a.shift_x, b.shift_x) && same_bits(a.shift_y, b.shift_y);
 }
 
-// But for what the numbers stand for.
+// Compares all but the shapes and textures of the numbers.
 bool same_look(Evaluation::Look a, const Evaluation::Look& b) {
   a.shape = b.shape, a.toward = b.toward, a.texture = b.texture;
   return a == b;
@@ -63,7 +63,7 @@ Instance instance_of(const Thing& t, const Mat4& m) {
     for (int k = 0; k < 4; ++k) r.rows[static_cast<std::size_t>(4 * i + k)] = static_cast<float>(m(i, k));
     c[static_cast<std::size_t>(i)] = {m(0, i), m(1, i), m(2, i)};
   }
-  // The inverse transpose but for its length: the cross products of the columns.
+  // The inverse transpose up to its length: the cross products of the columns.
   std::array<Vec3, 3> n = {cross(c[1], c[2]), cross(c[2], c[0]), cross(c[0], c[1])};
   for (const Vec3& v : n) scale = std::max(scale, length(v));
   scale = scale > 0 ? (t.mirrored ? -1 : 1) / scale : 0;

@@ -25,7 +25,7 @@ using traced::Scattered;
 using traced::Sight;
 using traced::World;
 
-// Numbers too small to count are 0 while rays are traced, which Embree is fast with, and for nobody else.
+// Flushes denormal numbers to 0 while rays are traced, since Embree is fast that way, and restores the mode.
 class TinyIsZero {
  public:
 #ifdef __SSE__
@@ -42,10 +42,10 @@ class TinyIsZero {
   [[maybe_unused]] unsigned before_ = 0;
 };
 
-// What was drawn last.
+// The last picture.
 class Drawn {
  public:
-  // Whether anything differs from it; that is what is drawn then.
+  // Returns whether anything differs from it, and takes over the new state.
   bool differs(const Columns& c) {
     std::vector<Content> now(c.looks.size());
     for (std::uint32_t i = 0; i < now.size(); ++i)
@@ -64,7 +64,7 @@ class Drawn {
   Scenery scenery_;
 };
 
-// Threads that take what is next. They are done when this ends, in the middle of their work where that is given up.
+// A pool of threads that take the next work item. It ends with its work, which it aborts if the work was cancelled.
 class Hands {
  public:
   ~Hands() {
@@ -75,7 +75,7 @@ class Hands {
   void lend(const Work& work) {
     try {
       threads_.emplace_back(work);
-    } catch (const std::system_error&) {  // fewer will do
+    } catch (const std::system_error&) {  // continue with fewer
     }
   }
   std::atomic<std::size_t> next = 0;
@@ -140,7 +140,7 @@ class Traced final : public Renderer {
   Status draw_anew(const Columns& columns) {
     bool good = false, always = true;
     View view = make_view(columns.camera, width_, height_, good);
-    if (!good) view = make_view({}, width_, height_, always);  // which sees nothing
+    if (!good) view = make_view({}, width_, height_, always);  // a view of nothing
     {
       const InStage gather(Stage::gather);
       const TinyIsZero now;
@@ -164,10 +164,10 @@ class Traced final : public Renderer {
     return Nothing{};
   }
 
-  // The highlights of each cell of a pixel roll off by themselves: so edges are smooth where they are bright, and what
-  // single samples are off by hardly counts.
+  // The highlights of each cell of a pixel roll off separately, so bright edges are smooth and the noise of single
+  // samples has little effect.
   void draw_pixel(const Paths& paths, std::size_t k, const Columns& columns) {
-    // Pictures that are added up share the samples of one; of fewer than these highlights would roll off too soon.
+    // Pictures that are averaged share the samples of one; with fewer than these, highlights would roll off too soon.
     constexpr std::uint32_t fewest = 4;
     const auto parts = static_cast<std::uint32_t>(columns.parts), part = static_cast<std::uint32_t>(columns.part);
     const std::uint32_t samples = std::max(samples_ / parts, std::min(samples_, fewest));
@@ -201,7 +201,7 @@ class Traced final : public Renderer {
   World world_;
   Drawn drawn_;
   DeepPicture light_;
-  bool whole_ = false;  // all of it is what was drawn last
+  bool whole_ = false;  // the last picture is complete
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace betwixt::traced {
 namespace {
 
-constexpr int most_layers = 64;  // that are seen through
+constexpr int most_layers = 64;  // of transparent surfaces
 constexpr int most_bounces = 24, sure_bounces = 3;
 
 Vec3 mix(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
@@ -14,7 +14,7 @@ double smoothstep(double from, double to, double x) {
   return s * s * (3 - 2 * s);
 }
 
-// A vector told along x, y and z about a direction, in the world.
+// Converts a vector from coordinates about a direction to the world.
 Vec3 about(Vec3 axis, Vec3 v) {
   const Vec3 x = unit(cross(std::abs(axis.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, axis));
   return v.x * x + v.y * cross(axis, x) + v.z * axis;
@@ -23,19 +23,19 @@ Vec3 round(double radius, double turn, double z) {
   const auto [sine, cosine] = sine_cosine(2 * pi * turn);
   return {radius * cosine, radius * sine, z};
 }
-// What would go into the thing goes off it.
+// Reflects directions that would enter the object.
 Vec3 off(Vec3 face, Vec3 along) {
   const double into = std::min(dot(along, face), 0.0);
   return along - 2 * into * face;
 }
 
-// As densely as light from everywhere falls in.
+// Samples a direction with the density of ambient light (cosine-weighted).
 Vec3 fallen(Vec3 normal, const std::array<double, 2>& dice) {
   return about(normal, round(std::sqrt(dice[0]), dice[1], std::sqrt(1 - dice[0])));
 }
 
-// Mirrored by one of the small facets that are seen of a rough surface (GGX): on the sphere that the surface is
-// stretched to, these are a cap about the direction of sight.
+// Samples a reflection by one of the visible microfacets of a rough surface (GGX): on the sphere to which the surface
+// is scaled, these are a cap about the direction of sight.
 Vec3 mirrored(Vec3 normal, Vec3 toward, double alpha, const std::array<double, 2>& dice) {
   const Vec3 x = about(normal, {1, 0, 0}), y = about(normal, {0, 1, 0});
   const Vec3 sight = unit({alpha * dot(toward, x), alpha * dot(toward, y), std::max(dot(toward, normal), 1e-4)});
@@ -45,7 +45,7 @@ Vec3 mirrored(Vec3 normal, Vec3 toward, double alpha, const std::array<double, 2
   return unit(2 * dot(toward, h) * h - toward);
 }
 
-// What is left of light where so much of it is mirrored by metal: in the wide primaries of BT.2020, as in `shaded`.
+// Returns the light after a reflection by metal: multiplied in the wide primaries of BT.2020, as in `shaded`.
 Vec3 tinted(Vec3 light, Vec3 share) {
   const auto times = [](const std::array<Vec3, 3>& rows, Vec3 v) {
     return Vec3{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
@@ -68,17 +68,17 @@ Vec3 rolled(Vec3 c) {
   return mix(shown / peak * c, {shown, shown, shown}, 1 - 1 / (0.15 * (peak - shown) + 1));
 }
 
-// A spot as it is seen from somewhere.
+// A surface point as seen from a direction.
 struct Paths::Surface {
   Spot spot;
-  Vec3 toward;  // where it is seen from
+  Vec3 toward;  // towards the viewer
   Way way = Way::look;
   bool glows = false, metal = false;
   double roughness = 0, facing = 0;
-  Vec3 body;          // what it gives back of light that enters it
-  Vec3 upright;       // and mirrors, seen from straight above
-  Vec3 mirrors;       // seen from here
-  double covers = 1;  // how much it hides of what is behind it
+  Vec3 body;          // diffuse reflectance
+  Vec3 upright;       // specular reflectance at normal incidence
+  Vec3 mirrors;       // specular reflectance in this direction
+  double covers = 1;  // opacity
 };
 
 Paths::Paths(const World& world, const View& view, const Scenery& scenery)
@@ -101,7 +101,7 @@ Vec3 Paths::sky(double up, double below) const {
   return mix(mix(lighting_.zenith, lighting_.horizon, over * over), lighting_.below, below);
 }
 
-// Behind everything. Of an orthographic picture the sky is seen as if from somewhere.
+// The background. An orthographic picture shows the sky as if it were in perspective.
 void Paths::see_behind(double down, Vec3 along, double left, Sight& sight) const {
   if (around_.clear) {
     sight.clear = left;
@@ -155,7 +155,7 @@ Paths::Surface Paths::surface(const Spot& spot, Vec3 toward, Way way) const {
   return s;
 }
 
-// Lamps are discs that face what they shine on.
+// Lamps are discs that face the surface.
 double Paths::unblocked(const Spot& spot, const Lighting::One& light, Scattered& dice) const {
   Vec3 to = light.sun ? light.place : light.place - spot.start;
   if (light.size > 0) {
@@ -167,7 +167,7 @@ double Paths::unblocked(const Spot& spot, const Lighting::One& light, Scattered&
 }
 
 Vec3 Paths::from_lights(const Surface& s, Scattered& dice) const {
-  // What lights up by a highlight is seen as one, but is no lamp for others: that would be a speck here and there.
+  // A highlight of a light source is visible, but is no lamp for other surfaces: that would make fireflies.
   const double roughness = s.way == Way::light ? std::max(s.roughness, 0.5) : s.roughness;
   const double a2 = roughness * roughness * roughness * roughness;
   Vec3 diffuse, specular;
@@ -189,13 +189,13 @@ Vec3 Paths::from_lights(const Surface& s, Scattered& dice) const {
   return s.body * diffuse + a2 / (1 + 2 * roughness) * (specular * s.upright);
 }
 
-// What comes from elsewhere than the lights, and is given back: either what is mirrored or what enters is looked at, as
-// often as it counts. Nothing more is given back than comes.
+// Returns the reflected light that does not come from lights. Samples either the reflection or the diffuse part, as
+// often as it contributes. A surface never returns more than it receives.
 Vec3 Paths::gathered(const Surface& s, int depth, Scattered& dice) const {
   const double mirrors = std::min(largest(s.mirrors), 1.0), enters = (1 - mirrors) * largest(s.body);
   const double weight = mirrors + enters;
   if (!(weight > 0) || depth >= most_bounces) return {};
-  // The longer the path and the less it carries, the rarer it goes on.
+  // Russian roulette: the longer the path and the less it carries, the rarer it continues.
   const double goes_on = depth < sure_bounces ? 1 : std::min(weight, 0.95);
   if (goes_on < 1 && dice.one() >= goes_on) return {};
   double share = mirrors / weight;
@@ -240,7 +240,7 @@ Sight Paths::seen(double across, double down, Scattered& dice) const {
       sight.plain = sight.plain + clear * s.covers * s.spot.color;
     } else {
       sight.lit = sight.lit + clear * lit(s, 0, dice);
-      sight.share = std::min(sight.share + cover * (1 - fogged), 1.0);  // highlights of glass count as those of walls
+      sight.share = std::min(sight.share + cover * (1 - fogged), 1.0);  // highlights on glass count like those on walls
     }
     if (fogged > 0) sight.plain = sight.plain + left * cover * fogged * s.covers * around_.fog->color;
     left *= 1 - cover * s.covers;
@@ -252,7 +252,7 @@ Sight Paths::seen(double across, double down, Scattered& dice) const {
     add(surface(world_.spot(r, *met), -r.along, Way::look), met->distance, 1);
   }
   if (!(left > 1e-3)) return sight;
-  // Where one looks along the floor, what is behind everything is seen in its place.
+  // Towards the horizon the floor fades into the background.
   if (floor < INFINITY) {
     const double drop = r.along.y * r.along.y;
     add(surface(floor_spot(r, floor), -r.along, Way::look), floor, drop / (drop + 1e-3));

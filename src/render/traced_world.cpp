@@ -10,7 +10,7 @@ namespace {
 constexpr double far_away = 1e15;      // metres; squares of f32 stay finite
 constexpr std::uint64_t kept_for = 2;  // pictures
 constexpr std::uint64_t hairlines_first = std::uint64_t{1} << 63;
-constexpr double hairline_reach = 0.7;  // pixels from its middle
+constexpr double hairline_reach = 0.7;  // half the width in pixels
 
 Vec3 wide(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -22,16 +22,16 @@ Bounds bounds_in(const Box& box, const Mat4& m) {
   return b;
 }
 
-// The inverse transpose but for its length: the cross products of the columns.
+// The inverse transpose up to its length: the cross products of the columns.
 std::array<Vec3, 3> crossed(const Mat4& m) {
   const Vec3 x = column(m, 0), y = column(m, 1), z = column(m, 2);
   return {cross(y, z), cross(z, x), cross(x, y)};
 }
 
-// Rays go through the inverse: what is pressed flat gets a thickness that nobody sees. None: it is a line.
+// Rays go through the inverse, so a flat object gets an invisible thickness. Returns nullopt for a line.
 std::optional<Mat4> with_inverse(const Mat4& m) {
   if (inverse(m)) return m;
-  // All cross products lie along the one direction that nothing has any more.
+  // All cross products are along the one direction in which it has no extent.
   const std::array<Vec3, 3> all = crossed(m);
   const Vec3 most = *std::max_element(all.begin(), all.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); });
   const double size = std::max({length(column(m, 0)), length(column(m, 1)), length(column(m, 2))});
@@ -60,7 +60,7 @@ struct Dye {
   double opacity = 1;
 };
 
-// Between the four nearest pixels; the picture goes on and on.
+// Interpolates between the four nearest pixels; the picture repeats.
 Dye dye_at(const Picture& p, double u, double v) {
   const auto area = static_cast<std::size_t>(std::max(p.width, 0)) * static_cast<std::size_t>(std::max(p.height, 0));
   if (area == 0 || p.rgba.size() < 4 * area || !std::isfinite(u) || !std::isfinite(v)) return {};
@@ -111,11 +111,11 @@ Meeting met(const RTCHit& hit, float distance) {
   return {instance ? hit.instID[0] : hit.geomID, hit.primID, distance, hit.u, hit.v, {hit.Ng_x, hit.Ng_y, hit.Ng_z}};
 }
 
-// Up to here what is met lies in one plane with what is met there.
+// Returns the distance up to which surfaces are in one plane with that one.
 float end_of(double plane) { return static_cast<float>(plane * (1 + one_plane)); }
 
-// Of all that is met in a stretch of a ray, what has the highest rank below a given one. Embree is told that nothing
-// was met, so that it goes on.
+// In a part of a ray, finds the surface with the highest rank below a given one. It reports no hit to Embree, so that
+// the search continues.
 struct Highest : RTCIntersectContext {
   const World* world = nullptr;
   std::uint64_t below = 0, rank = 0;
@@ -143,8 +143,8 @@ T* new_buffer(RTCGeometry g, RTCBufferType type, RTCFormat format, std::size_t c
 }  // namespace
 
 Result<World> World::create() {
-  // One thread builds, so that it comes out the same each time; and without the fused products of later processors than
-  // those of AVX it comes out the same on all of them, in no more time.
+  // With one building thread the result is the same each time. Without the fused products of processors beyond AVX it
+  // is the same on all of them, and takes no more time.
   DeviceHandle device(rtcNewDevice("threads=1,max_isa=avx,ignore_config_files=1"));
   if (!device) return fail(ErrorCode::machine, "rays cannot be traced here: Embree does not start");
   return World(std::move(device));
@@ -266,7 +266,7 @@ GeometryHandle World::instance(const Body& b) const {
   return g;
 }
 
-// Ribbons towards the eye, as wide everywhere as a line on the picture.
+// Ribbons that face the eye, as wide everywhere as a line in the picture.
 GeometryHandle World::hairlines(const Body& b, const View& view) const {
   const Mesh& mesh = *b.solid->mesh;
   if (mesh.edges.size() < 2 || !indices_fit(mesh.edges, mesh.positions.size())) return {};
@@ -275,7 +275,7 @@ GeometryHandle World::hairlines(const Body& b, const View& view) const {
   auto* vertices = new_buffer<std::array<float, 4>>(g.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, ends);
   auto* starts = new_buffer<std::uint32_t>(g.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, ends / 2);
   if (vertices == nullptr || starts == nullptr) return {};
-  const double pixel = 2 / (view.sx * view.width);  // at depth 1, or anywhere
+  const double pixel = 2 / (view.sx * view.width);  // at depth 1, or anywhere if orthographic
   for (std::size_t k = 0; k < ends; ++k) {
     const Vec3 p = transform_point(b.place, wide(mesh.positions[mesh.edges[k]]));
     const double reach = hairline_reach * pixel * (view.orthographic ? 1 : std::abs(view.depth(p)));
@@ -372,7 +372,7 @@ double World::unblocked(const Ray& r, double distance) const {
     rtcIntersect1(all_.get(), &context, &q);
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
     const Meeting m = met(q.hit, q.ray.tfar);
-    // What lets half of the light through casts no shadow any more, as it fades out.
+    // An object that fades out and lets half of the light through casts no shadow.
     const double solidity = std::clamp(2 * spot(r, m).opacity - 1, 0.0, 1.0);
     through *= 1 - solidity;
     from = m.distance * (1 + 2 * one_plane) + 1e-30;
@@ -380,8 +380,8 @@ double World::unblocked(const Ray& r, double distance) const {
   return through;
 }
 
-// On a triangle. Where it stands for something smooth, rays to the light begin on that, so that its facets do not
-// shade each other.
+// The surface on a triangle. If the triangle approximates a smooth surface, rays to lights start from that, so that
+// facets do not shade each other.
 Spot World::corner_spot(const Body& b, const Meeting& m, bool back) const {
   const Solid& solid = *b.solid;
   const Mesh& mesh = *solid.mesh;

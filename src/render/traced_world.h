@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What rays meet: the things of a picture in eye space, as Embree has them. A mesh is one scene, made once, and every
-// thing that looks like it is an instance of that.
+// The objects of a picture in eye space, for Embree. A mesh is one scene, made once; every object with it is an
+// instance.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -28,38 +28,38 @@ using DeviceHandle = std::unique_ptr<RTCDeviceTy, Release>;
 using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
 using GeometryHandle = std::unique_ptr<RTCGeometryTy, Release>;
 
-// Rays of what sort meet a thing, as bits.
+// Kinds of rays that meet an object, as bits.
 enum Sort : unsigned {
-  looks = 1,        // of the eye, and mirrored
-  gathers = 2,      // that look for light from everywhere
-  shadows = 4,      // towards a light, where no light comes through the thing
-  thin_shadows = 8  // the same, where some does
+  looks = 1,        // from the eye, and reflected
+  gathers = 2,      // for ambient light
+  shadows = 4,      // towards a light, if the object is opaque
+  thin_shadows = 8  // the same, if some light comes through
 };
 
 struct Ray {
   Vec3 from, along;  // unit length
 };
 
-// Where a ray meets a thing.
+// The intersection of a ray with an object.
 struct Meeting {
   unsigned body = 0, triangle = 0;
   double distance = 0, u = 0, v = 0;
-  Vec3 across;       // as Embree has it: in mesh space, of any length
-  double plane = 0;  // of layers: how far away the first one is that lies in one plane with it
+  Vec3 across;       // Embree's normal: in mesh space, of any length
+  double plane = 0;  // of layers: the distance of the first one in the same plane
 };
 
-// What is there.
+// The surface at an intersection.
 struct Spot {
   Vec3 at;
-  Vec3 start, beyond;  // where rays begin that leave it and that go through it: clear of the thing itself
-  Vec3 normal, face;   // of the smooth surface and of the triangle, both to the side the ray came from; unit length
+  Vec3 start, beyond;  // origins of rays that leave it and that pass through it, clear of the object itself
+  Vec3 normal, face;   // of the smooth surface and of the triangle, both towards the ray's origin; unit length
   Vec3 color;
   double opacity = 1, shine = 0;
   Material material = Material::plastic;
-  bool hairline = false;  // it shows its own colour, fog or not
+  bool hairline = false;  // shows its own colour, fog or not
 };
 
-// What lies so close behind each other, as a part of the distance, lies in one plane; and as much f32 is off.
+// Surfaces that are closer to each other than this part of the distance are in one plane; f32 is off by as much.
 inline constexpr double one_plane = 4e-6;
 
 inline Vec3 unit(Vec3 v) {
@@ -71,21 +71,22 @@ inline double largest(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), s
 class World {
  public:
   static Result<World> create();
-  // Takes over the first `count` things, which are all or none. Errors: machine.
+  // Takes over the first `count` objects: either all or none of them. Errors: machine.
   Status set(const Columns&, std::size_t count, const View&);
 
   std::optional<Meeting> nearest(const Ray&, unsigned sorts) const;
-  // What the eye sees behind `last`, or at first: of what lies in one plane that is drawn last comes first, as if each
-  // had been drawn upon the ones before.
+  // Returns what the eye sees behind `last`, or first. Of surfaces in one plane the one drawn last comes first, as if
+  // each were drawn over the earlier ones.
   std::optional<Meeting> next_layer(const Ray&, const std::optional<Meeting>& last) const;
-  // How much of the light comes through, over such a distance.
+  // Returns the share of light that comes through, over this distance.
   double unblocked(const Ray&, double distance) const;
   Spot spot(const Ray&, const Meeting&) const;
-  // Of what lies in one plane, the higher is drawn later. A line that crosses itself has one rank there.
+  // Of surfaces in one plane, the one with the higher rank is drawn later. A line that crosses itself has one rank
+  // there.
   std::uint64_t rank(const Meeting&) const;
 
  private:
-  // A mesh, or the unit ball where there is none.
+  // A mesh, or the unit ball if it has none.
   struct Solid {
     std::shared_ptr<const Mesh> mesh;
     Box box;
@@ -93,7 +94,7 @@ class World {
     std::vector<std::uint32_t> part_of;  // of a triangle
     std::vector<std::uint32_t> corners;  // three a triangle
     bool has_holes = false;
-    SceneHandle scene;  // made when it is wanted
+    SceneHandle scene;  // made on first use
     std::uint64_t used = 0;
   };
   struct Cloth {
@@ -102,14 +103,14 @@ class World {
     std::uint64_t used = 0;
   };
   struct Body {
-    std::shared_ptr<const Solid> solid;  // null: it is not there
+    std::shared_ptr<const Solid> solid;  // null if it is not there
     Mat4 place;                          // mesh space to eye space
     std::array<Vec3, 3> turn;            // the same for normals, column by column
     Vec3 color;
     double opacity = 1, shine = 0;
     Material material = Material::plastic;
     std::shared_ptr<const Picture> texture;
-    double blur = 0;  // how exactly f32 knows where it is, metres
+    double blur = 0;  // the uncertainty of its position in f32, metres
     bool line = false, hairline = false;
   };
 
@@ -128,7 +129,7 @@ class World {
   std::unordered_map<const Mesh*, std::shared_ptr<Solid>> solids_;
   std::unordered_map<const Picture*, Cloth> cloths_;
   std::vector<Body> bodies_;  // a place for each drawable
-  bool thin_ = false;         // some light comes through some of them
+  bool thin_ = false;         // whether some of them let light through
   std::uint64_t picture_ = 0;
 };
 

@@ -18,7 +18,7 @@ View make_view(const Camera& camera, int width, int height, bool& good) {
   v.orthographic = camera.orthographic;
   v.shift_x = camera.shift_x, v.shift_y = camera.shift_y;
   v.eye = translation_of(camera.world);
-  // A camera that hangs on something scaled is made rigid again.
+  // If the camera has a scaled parent, its matrix is made rigid.
   v.backward = normalize(transform_vector(camera.world, {0, 0, 1}), {0, 0, 1});
   v.right = normalize(cross(transform_vector(camera.world, {0, 1, 0}), v.backward), {1, 0, 0});
   v.up = cross(v.backward, v.right);
@@ -57,7 +57,7 @@ double View::pixels(const Bounds& b) const {
 
 void View::fit(double nearest, double farthest) {
   far = std::max(farthest, 1e-6) * 1.001;
-  // Four decades leave the depth buffer a millimetre at ten metres where the scene is forty deep.
+  // Four decades leave the depth buffer a millimetre at ten metres in a scene of depth forty.
   near = orthographic ? std::max(nearest * 0.999, 0.0) : std::max(nearest * 0.999, far * 1e-4);
   if (near >= far) near = far * 0.5;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the camera sees. All drawing happens in *eye space*: the axes of the world, the camera in the origin. Positions
-// are made relative in f64, so scenes far from the world's origin do not jitter in f32.
+// The camera's view. All drawing is in *eye space*: the axes of the world, with the camera at the origin. Positions are
+// made relative in f64, so scenes far from the world's origin do not jitter in f32.
 #pragma once
 
 #include <array>
@@ -25,19 +25,19 @@ struct View {
   double near = 0.1, far = 100;     // metres before the eye; chosen by fit()
   int width = 1, height = 1;        // pixels of the picture
   std::array<Vec3, 4> side;         // inward normals of the frustum's side planes; of unit length
-  double wide = 0, tall = 0;        // half the measures of an orthographic picture
-  double shift_x = 0, shift_y = 0;  // halves of the picture by which all is moved right and up
+  double wide = 0, tall = 0;        // half the size of an orthographic picture
+  double shift_x = 0, shift_y = 0;  // lens shift right and up, in halves of the picture
 
   double depth(Vec3 p) const { return -dot(p, backward); }
-  // How far a box reaches to either side of its centre, along the line of sight.
+  // Returns half the extent of a box along the line of sight.
   double reach(const Bounds&) const;
-  bool sees(const Bounds&) const;      // perhaps: never false for what is in the picture
-  double pixels(const Bounds&) const;  // across, on the picture; roughly
+  bool sees(const Bounds&) const;      // may be true for objects outside, but is never false for one in the picture
+  double pixels(const Bounds&) const;  // approximate width in the picture
   void fit(double nearest, double farthest);
   Mat4 clip() const;  // eye space to clip space, upside down (see Canvas)
 };
 
-// Whether the camera's numbers can be used goes to `good`.
+// Returns the view; sets `good` to whether the camera's numbers are valid.
 View make_view(const Camera&, int width, int height, bool& good);
 
 std::array<float, 16> to_float(const Mat4&);

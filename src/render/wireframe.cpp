@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The styles `wireframe` and `hidden-line`: edges as broad lines whose borders fade over a pixel.
+// The styles `wireframe` and `hidden-line`: edges as wide lines whose borders fade over a pixel.
 #include "render/lines.h"
 #include "render/module.h"
 
@@ -60,12 +60,13 @@ class Wireframe final : public Module {
   }
 
   Lines lines_;
-  gl::Program hide_;  // none: nothing is hidden
+  gl::Program hide_;  // absent if nothing is hidden
   Instances instances_;
 };
 
 Result<std::unique_ptr<Module>> make(RenderOptions options, bool hidden) {
-  // Lines fade at their borders by themselves: more samples would only be slower.
+  // Lines are antialiased by themselves: more samples would only be slower.
+
   if (options.samples == 4) options.samples = 1;
   auto canvas = Canvas::create(options);
   if (!canvas) return canvas.error();

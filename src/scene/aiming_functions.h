@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What things look at, draw and reach with; rows behind those of src/scene/functions.cpp, which alone reads this.
+// Functions for looking, tracing and reaching. Only src/scene/functions.cpp includes this; its rows come after its own.
 #pragma once
 
 #include "scene/document.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How long and through what opening a camera takes its pictures; rows behind those of src/scene/sound_functions.h,
-// which src/scene/functions.cpp alone reads.
+// Shutter and lens opening of cameras. Only src/scene/functions.cpp includes this; its rows come after those of
+// src/scene/sound_functions.h.
 #pragma once
 
 #include "scene/document.h"
@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-inline constexpr double sharp = 1e6;  // the f-stop at which all is
+inline constexpr double sharp = 1e6;  // the f-stop of a closed opening: everything is sharp
 
 inline const FunctionSpec camera_functions[] = {
     {.name = "shutter",

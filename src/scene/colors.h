@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Colours that have names.
+// Named colours.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace betwixt {
 
 Color from_bytes(std::uint32_t rgb);                              // 0xrrggbb
 std::optional<std::uint32_t> named_color(std::string_view name);  // 0xrrggbb
-std::string_view name_of_color(std::uint32_t rgb);                // empty: it has none
+std::string_view name_of_color(std::uint32_t rgb);                // "" if it has none
 std::vector<std::string_view> color_names();
 
 }  // namespace betwixt

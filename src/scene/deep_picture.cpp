@@ -12,10 +12,10 @@ namespace {
 double encoded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
 double decoded(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
-// 0 to 1; what is no number is 0.
+// Clamps to 0 to 1; NaN becomes 0.
 float share(float x) { return x > 0 ? std::min(x, 1.0F) : 0.0F; }
 
-// The curve at evenly spaced places: within a fortieth of a byte where it is steepest.
+// The sRGB curve at evenly spaced places: within a fortieth of a byte where it is steepest.
 constexpr std::size_t steps = 1 << 16;
 const std::array<std::uint8_t, steps + 1>& bytes_of_light() {
   static const auto table = [] {
@@ -27,7 +27,7 @@ const std::array<std::uint8_t, steps + 1>& bytes_of_light() {
   return table;
 }
 
-// The curve in steps of 16 bits at the same places: straight in between it is a hundredth of a step off.
+// Returns the curve in steps of 16 bits, interpolated from the same places: off by a hundredth of a step.
 float steps_of(float light) {
   static const auto table = [] {
     std::array<float, steps + 2> t;
@@ -40,7 +40,8 @@ float steps_of(float light) {
   return table[below] + (place - static_cast<float>(below)) * (table[below + 1] - table[below]);
 }
 
-// Each pixel without its opacity: light, and that; it is at least so much that straight light can be as bright.
+// Calls f for each pixel with its straight light and its opacity, which is raised so far that straight light reaches
+// it.
 template <class F>
 void each_pixel(const DeepPicture& picture, F&& f) {
   for (std::size_t i = 0; i + 4 <= picture.rgba.size(); i += 4) {

@@ -29,7 +29,7 @@ void each_call(const DisplayList& list, F&& f) {
     if (list.commands[i].what == Drawing::call) f(name_in(list.commands[i]));
 }
 
-// All that has been said of lists, and from when on.
+// Calls f for all versions of the lists, with the time of each.
 template <class F>
 void each_version(const Scene& s, F&& f) {
   for (const auto& [name, list] : *s.lists) f(from_the_beginning, name, *list);
@@ -37,10 +37,10 @@ void each_version(const Scene& s, F&& f) {
     for (const auto& [name, list] : changed) f(from, name, *list);
 }
 
-// The way from one list to another through the calls that `calls_of` says a list has.
+// Returns the path from one list to another; `calls_of` returns the calls of a list.
 template <class F>
 std::vector<std::string> way(const std::string& from, const std::string& to, F&& calls_of) {
-  std::vector<std::pair<std::string_view, std::size_t>> steps{{from, 0}};  // and the step that led there
+  std::vector<std::pair<std::string_view, std::size_t>> steps{{from, 0}};  // and the step before
   std::unordered_set<std::string_view> seen{from};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i].first == to) {
@@ -56,7 +56,7 @@ std::vector<std::string> way(const std::string& from, const std::string& to, F&&
   return {};
 }
 
-// Another name in all commands of a kind; none: false.
+// Replaces a name in all commands of a kind; returns false if there is none.
 bool respell(Scene& s, Drawing what, const std::string& old, const std::string& name) {
   struct Spoken {
     Time from;
@@ -123,7 +123,7 @@ void delete_list(Scene& s, const std::string& name, Time from) {
     DisplayList gone;
     gone.there = false;
     later[from][name] = Cow(std::move(gone));
-    bool there = s.lists->contains(name);  // what is not there is not taken away again
+    bool there = s.lists->contains(name);  // a list that does not exist is not deleted again
     for (auto& [time, changed] : later)
       if (const auto at = changed.find(name); at != changed.end()) {
         const bool stays = at->second->there;
@@ -159,7 +159,7 @@ std::vector<std::string> calls(const Scene& s, const std::string& from, const st
   if (s.later_lists->empty() && looking) return {};
   DisplayLists now = *s.lists;
   LaterLists later = *s.later_lists;
-  for (const Time t : versions_of_to)  // one that is only about to be made changes nothing so far
+  for (const Time t : versions_of_to)  // a list that is only about to be made changes nothing yet
     if (t != from_the_beginning) later[t];
   for (const auto& [time, changed] : later) {
     change(now, changed);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists: commands that draw, stored under a name as a subroutine is, and what becomes of them. The main list
-// with all that it calls is *expanded* into plain objects of the document: groups for instances and environments,
-// polygons, lines, points and letters. They are like all others, but only their lists say what they are.
+// Display lists: drawing commands under a name, like a subroutine, and the objects that they become. The main list with
+// all lists that it calls is *expanded* to plain objects of the document: groups for instances and environments,
+// polygons, lines, points and letters. They are like any other objects, but only their lists can change them.
 //
-// Column vectors: a command puts its matrix to the right of the one on top of the stack, so that what is nearer to a
-// primitive is applied first. (The source, with row vectors, writes TOS <- m TOS.)
+// Column vectors: a command multiplies its matrix from the right to the one on top of the stack, so the one nearest to
+// a primitive is applied first. (The source has row vectors and writes TOS <- m TOS.)
 //
 // Source: Animation Imaging Model 2.1, 2.2.1, 2.2.6, 3.3.
 #pragma once
@@ -34,15 +34,15 @@ enum class Drawing : std::uint8_t {
   color,         // Color
   texture,       // Text: the file
   font,          // Text
-  push,          // the matrix on top of the stack, once more
-  pop,           // as it was at the push
+  push,          // saves the matrix on top of the stack
+  pop,           // restores it
   multiply,      // Matrix
   call,          // Text: an instance of that list
-  begin,         // Text: the environment that moves all until its end
-  end,           // of the environment begun last; the stack is as it was at its begin
+  begin,         // Text: the environment of all commands until its end
+  end,           // ends the last environment; the stack is as at its begin
   view,          // Points: from, to
   perspective,   // double: the horizontal angle
-  orthographic,  // double: the height that is seen
+  orthographic,  // double: the height of the view
 };
 inline constexpr std::array<std::string_view, 16> drawing_names{
     "point", "vector",   "polygon", "text",  "color", "texture", "font",        "push",
@@ -51,18 +51,17 @@ inline constexpr std::array<std::string_view, 16> drawing_names{
 struct DisplayCommand {
   Drawing what = Drawing::push;
   Value value;
-  // Of a begin that a live host said: the tick, which decides what generation of the environment it means. None: the
-  // first one.
+  // Of a begin by a live host: its tick, which determines the generation of the environment. nullopt: the first one.
   std::optional<std::int64_t> since;
   friend bool operator==(const DisplayCommand&, const DisplayCommand&) = default;
 };
 
-// Commands in shared chunks: a host adds row after row while older documents live on.
+// Commands in shared chunks: a host appends row after row while older documents remain.
 class DisplayCommands {
  public:
   std::size_t size() const { return size_; }
   const DisplayCommand& operator[](std::size_t i) const { return (*chunks_[i / chunk])[i % chunk]; }
-  void put(std::size_t i, DisplayCommand);  // at the end, or in place of what stands there
+  void put(std::size_t i, DisplayCommand);  // at the end, or in place of an existing one
   friend bool operator==(const DisplayCommands&, const DisplayCommands&) = default;
 
  private:
@@ -73,48 +72,48 @@ class DisplayCommands {
 
 struct DisplayList {
   DisplayCommands commands;
-  std::map<std::string, std::size_t, std::less<>> tags;  // the command that each labels; may be the next to come
-  bool there = true;                                     // else it has been deleted
+  std::map<std::string, std::size_t, std::less<>> tags;  // the command that each names; may be the next one
+  bool there = true;                                     // false if it has been deleted
   friend bool operator==(const DisplayList&, const DisplayList&) = default;
 };
 using DisplayLists = std::map<std::string, Cow<DisplayList>, std::less<>>;
-// What lists are from a time on; each until a later time says more of it.
+// The versions of the lists that edits at a time make, each valid until the next.
 using LaterLists = std::map<Time, DisplayLists>;
 
-// A list as it is at a time; none where it is not there.
+// Returns a list at a time, or null if it does not exist then.
 const DisplayList* list_at(const Scene&, std::string_view name, Time);
-// What it is from this very time on; begins as what it was before.
+// Returns the version of a list from this time on; it starts as a copy of the one before.
 DisplayList& edit_list(Scene&, const std::string& name, Time from);
-// The times from which on a list is there as somebody has made or edited it; none: there never is such a list.
+// Returns the times at which a version of a list begins, or an empty list if it never exists.
 std::vector<Time> versions(const Scene&, std::string_view name);
 std::vector<std::string_view> list_names(const Scene&);
-void delete_list(Scene&, const std::string& name, Time from);  // from the beginning: for all times
+void delete_list(Scene&, const std::string& name, Time from);  // `from` the beginning: for all times
 void change(DisplayLists&, const DisplayLists& later);
 
-// The calls that lead from one list to another at a time, both included; empty: none do.
+// Returns the chain of calls from one list to another at a time, both included, or an empty list if there is none.
 std::vector<std::string> calls(const DisplayLists&, const std::string& from, const std::string& to);
-// … in what is made of a list from one of these times on. Lists change at other times too: all are looked at.
+// The same for the versions from one of these times on. Lists change at other times too, so all are checked.
 std::vector<std::string> calls(const Scene&, const std::string& from, const std::string& to,
                                const std::vector<Time>& versions_of_to);
 bool ever_calls(const Scene&, const std::string& from, const std::string& to);
 
-// A command of the list that closes what is not open, or opens what is never closed.
+// Returns the first command that closes what is not open or opens what is never closed, or nullopt.
 std::optional<std::size_t> unbalanced(const DisplayList&);
 
 inline constexpr std::size_t most_derived = 100'000;  // objects of an expansion
-inline constexpr std::size_t most_scanned = 300'000;  // and of all its versions, each counted by itself
-inline constexpr int deepest_derived = 200;           // instances and environments in one another
+inline constexpr std::size_t most_scanned = 300'000;  // objects of all its versions, each counted by itself
+inline constexpr int deepest_derived = 200;           // depth of nested instances and environments
 
-// The begins of an environment that gets another name.
+// Renames an environment in all begins.
 void rename_environment(Scene&, const std::string& old, const std::string& name);
-// A list that gets another name, and all calls of it.
+// Renames a list and all calls of it.
 void rename_list(Scene&, const std::string& old, const std::string& name);
 
-// Makes the objects of the main list what its commands say, at all times: what is equal before and after an edit is one
-// object, all else is shown while it holds and hidden at other times. Objects that are still there keep their numbers,
-// and nothing is touched that has not changed. Where it would be too many of them, nothing is done.
+// Updates the objects of the main list to its commands, at all times. An object that is equal before and after an edit
+// is one object; any other is visible while it is valid and hidden at other times. Objects that stay keep their
+// numbers, and unchanged ones are not touched. If they would be too many, nothing is changed.
 Status expand(Scene&);
-// … where only names have changed: its objects are the same as before, and keep what hangs on them.
+// The same if only names have changed: the objects are the same as before, and keep their children.
 void expand_renamed(Scene&);
 
 }  // namespace betwixt

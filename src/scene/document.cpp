@@ -12,7 +12,7 @@
 namespace betwixt {
 namespace {
 
-auto key(const Slot& s) { return std::pair(s.function, s.layer.index + 1); }  // no layer: 0, before all others
+auto key(const Slot& s) { return std::pair(s.function, s.layer.index + 1); }  // without a layer 0, before all others
 auto key(FunctionId f, ObjectId layer) { return std::pair(f, layer.index + 1); }
 
 }  // namespace
@@ -71,7 +71,7 @@ std::vector<std::string_view> function_names(const Scene& s, Kind kind) {
 
 namespace {
 
-// Of what each_object tells of, what matches a word without braces, in the order of names.
+// Returns the objects of `each_object` that match a word without braces, in order of names.
 template <class Each>
 void add_matching(const Scene& s, std::string_view word, const Each& each_object, std::vector<ObjectId>& out) {
   const auto first = static_cast<std::ptrdiff_t>(out.size());
@@ -82,7 +82,7 @@ void add_matching(const Scene& s, std::string_view word, const Each& each_object
             [&](ObjectId a, ObjectId b) { return natural_less(s.objects[a.index].name, s.objects[b.index].name); });
 }
 
-// What a word that is no alias names.
+// Returns the objects of a word that is not an alias.
 void select_plain(const Scene& s, std::string_view word, std::vector<ObjectId>& out) {
   const auto words = expand_braces(word);
   if (!words) return;
@@ -96,7 +96,7 @@ void select_plain(const Scene& s, std::string_view word, std::vector<ObjectId>& 
       out.push_back(id);
 }
 
-// Named twice, meant once.
+// Removes repetitions.
 std::vector<ObjectId> once_each(const Scene& s, const std::vector<ObjectId>& all) {
   if (all.size() < 2) return all;
   std::vector<ObjectId> once;
@@ -110,8 +110,9 @@ std::vector<ObjectId> once_each(const Scene& s, const std::vector<ObjectId>& all
 
 std::vector<ObjectId> select(const Scene& s, std::string_view word) {
   std::vector<ObjectId> out;
-  // An alias beats an object of the same name and is expanded once, which ends cycles (R-T12): inside itself its name
-  // is the object's. A list, not recursion: aliases of aliases may go as deep as the author likes.
+  // An alias takes precedence over an object of the same name and is expanded once, which ends cycles: inside itself
+  // its name is the object's. A list in place of recursion: aliases of aliases may be nested as deep as the author
+  // likes.
   struct Step {
     std::string_view word;
     bool end = false;  // of the alias
@@ -166,15 +167,15 @@ std::vector<AttachmentSpan> attachments(const Object& o) {
 
 std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Time from, Time until) {
   if (child == parent) return {child};
-  if (!s.objects[child.index].leads) return {};  // nothing hangs on it: the usual case, and cheap
-  // Up from the parent, through every hand that holds what during the time asked for.
+  if (!s.objects[child.index].leads) return {};  // it has no children: the usual case, and cheap
+  // Upwards from the parent, through every attachment in this time.
   struct Step {
     ObjectId at;
     Time from, until;
-    std::size_t below;  // the step we came from
+    std::size_t below;  // the previous step
   };
   std::vector<Step> steps{{parent, from, until, 0}};
-  const std::size_t enough = 4 * s.objects.size() + 10'000;  // a circle made by moving events must not hold us up
+  const std::size_t enough = 4 * s.objects.size() + 10'000;  // a circle made by moving events must not stop us
   for (std::size_t i = 0; i < steps.size() && steps.size() < enough; ++i) {
     for (const AttachmentSpan& a : attachments(s.objects[steps[i].at.index])) {
       const Time begin = std::max(a.from, steps[i].from), end = std::min(a.until, steps[i].until);

@@ -20,7 +20,7 @@ struct Environment::Tail {
 
 namespace {
 
-// Beyond it nothing is told apart; differences of two ticks within it fit in 64 bits.
+// The limit of ticks; differences of two ticks within it fit in 64 bits.
 constexpr std::int64_t horizon = 2 * Environment::furthest;
 
 std::int64_t within(std::int64_t tick) { return std::clamp(tick, -horizon, horizon); }
@@ -64,7 +64,7 @@ Status check_motion(const Animate& a) {
   return check_times(a);
 }
 
-// With what is left of an older interval there may be a row too many: then without it.
+// The remainder of an older interval may need one row too many; then leave it out.
 Pace pace_of(const Timing& t, std::optional<std::int64_t> first) {
   if (Result<Pace> pace = Pace::make(t, first)) return *pace;
   return *Pace::make(t);
@@ -72,7 +72,7 @@ Pace pace_of(const Timing& t, std::optional<std::int64_t> first) {
 
 }  // namespace
 
-// ---- Making
+// ---- Construction
 
 Environment Environment::compile(std::vector<EnvironmentEvent> events) {
   const auto key = [](const EnvironmentEvent& e) { return Key{e.tick, e.number}; };
@@ -82,7 +82,7 @@ Environment Environment::compile(std::vector<EnvironmentEvent> events) {
   return e;
 }
 
-// Keeps an event that means nothing, too: another one before it may give it a meaning.
+// Keeps even an event without a meaning, since a later event before it may give it one.
 void Environment::take(const EnvironmentEvent& event, const Environment* like) {
   if (const Status good = check(event))
     apply(event, like);
@@ -164,7 +164,7 @@ void Environment::animate(Key key, const Animate& a, const Environment* like, Ou
   if (a.until) schedule({{key.tick + *a.until, key.number}, nullptr});
 }
 
-// Created but not started: the name is known, A is still the identity.
+// Created but not started: the name exists, A is still the identity.
 void Environment::wait(Now& now, Key key, const Scheduled& what, Output& out) const {
   now.span.tick = key.tick;
   now.span.motion = what.motion;
@@ -229,7 +229,7 @@ void Environment::halt(Now& now, Key key, Output& out) {
   out.spans.push_back(std::move(next));
 }
 
-// ---- Asking
+// ---- Queries
 
 const Environment::Output& Environment::tail() const {
   static const Output none;
@@ -247,7 +247,7 @@ const Environment::Span& Environment::span_number(std::size_t i) const {
   return i < spans_.size() ? spans_[i] : tail().spans[i - spans_.size()];
 }
 
-// The first of the spans [first, end) that begins after `tick`.
+// Returns the first of the spans [first, end) that begins after `tick`.
 std::size_t Environment::spans_until(std::size_t first, std::size_t end, std::int64_t tick) const {
   while (first < end) {
     const std::size_t middle = first + (end - first) / 2;

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An environment: a matrix A that is multiplied by M again and again. Here it is a track of stamped events like any
-// other track; A at any tick comes out in closed form, without stepping, and live history can be sought like a film.
+// An environment: a matrix A that is multiplied by M again and again (an accumulating transform). It is a track of
+// events with times, like any other; A at any tick is in closed form, without stepping, so live history can be sought.
 //
-// Times are whole ticks. Column vectors: an update is A <- A M, and with n updates since the event k that is in force
-// A = A_k M^n: each motion acts in the axes of the object as it has been moved so far. (The source, with row vectors,
+// Times are whole ticks. Column vectors: an update is A <- A M. With n updates since event k, A = A_k M^n: each motion
+// acts along the axes of the object as it has been moved until then. (The source has row vectors and
 // writes A <- M A.) A is the identity before the first Animate, M from that tick on, M^2 an interval later.
 //
 // In one tick updates come first, then events in the order of their numbers: a Halt keeps the update due at its tick,
 // an Animate gives its first update one interval later.
 //
-// A name that is killed and animated again is a new *generation*: those who used the old one keep its last A.
+// A name that is killed and animated again is a new *generation*; objects of the old one keep its last A.
 //
 // Source: Animation Imaging Model 2.2.4, 2.2.5, 2.2.7, 3.3.4; acceleration and future events 5.1, 5.2.
 #pragma once
@@ -36,9 +36,8 @@ struct EnvironmentEvent {
   struct Animate {
     Mat4 motion;
     Timing timing;
-    bool keep_phase = false;  // the first update is when the old motion's next one was due
-    // In ticks after the event: it starts then, not now; it halts then. Neither is undone by later events other than
-    // Cancel and Kill.
+    bool keep_phase = false;  // the first update comes when the old motion's next one was due
+    // In ticks after the event: the delays until it starts and until it halts. Only Cancel and Kill undo these.
     std::optional<std::int64_t> from, until;
     friend bool operator==(const Animate&, const Animate&) = default;
   };
@@ -53,22 +52,22 @@ struct EnvironmentEvent {
     friend bool operator==(Cancel, Cancel) = default;
   };
   std::int64_t tick = 0;
-  std::uint64_t number = 0;  // the order of events in one tick; its starts and stops have it, too
+  std::uint64_t number = 0;  // the order of events in one tick, also of its starts and stops
   std::variant<Halt, Kill, Cancel, Animate> what;
   friend bool operator==(const EnvironmentEvent&, const EnvironmentEvent&) = default;
 };
 
 class Environment {
  public:
-  // Events and their starts and stops are at most so far from tick 0, in time and from their event.
+  // The largest distance of events from tick 0, and of their starts and stops from their event.
   static constexpr std::int64_t furthest = std::int64_t{1} << 60;
 
   Environment() = default;
-  // Of events in any order. One that means nothing is ignored and told in problems().
+  // Compiles events in any order. An event without a meaning is ignored and reported by problems().
   static Environment compile(std::vector<EnvironmentEvent> events);
-  // Adds an event; at the end that costs no more for a long track than for a short one, before it all is compiled
-  // again. One that means nothing is refused, and changes nothing. `like`: one to which the same has just been said,
-  // with which it shares what was prepared.
+  // Adds an event. At the end this costs no more for a long track than for a short one; before the end everything is
+  // compiled again. An event without a meaning is refused and changes nothing. `like`: an environment that has just got
+  // the same event, whose preparation is shared.
   Status add(const EnvironmentEvent& event, const Environment* like = nullptr);
 
   struct Problem {
@@ -76,8 +75,8 @@ class Environment {
     Severity severity = Severity::error;
     Error what;
   };
-  // Events that mean nothing (errors); once, an Animate that came before the first update of the one before it, as
-  // such never lead to any (warning).
+  // Returns the events without a meaning (errors), and, once, an Animate that came before the first update of the one
+  // before it, since repeated ones never lead to any (warning).
   std::vector<Problem> problems() const;
 
   std::size_t size() const { return events_.size(); }
@@ -85,48 +84,48 @@ class Environment {
 
   // Generations count from 0, in the order of their creation.
   int generations() const { return static_cast<int>(births_.size()); }
-  // The one alive after the events of `tick`.
+  // Returns the one that exists after the events of `tick`.
   std::optional<int> generation_at(std::int64_t tick) const;
-  // The one that a site issued at `tick`, after the event `number` and before the next, belongs to for good: the one
-  // alive then, else the next one to be created, else none.
+  // Returns the generation of a site that is made at `tick`, after the event `number` and before the next: the one
+  // that exists then, else the next one, else nullopt.
   std::optional<int> bind(std::int64_t tick, std::uint64_t number = std::numeric_limits<std::uint64_t>::max()) const;
 
-  // A. The identity where there is no such generation, or not yet; after its Kill what it was then.
+  // Returns A: the identity if the generation does not exist, or not yet; after its Kill the last one.
   Mat4 at(int generation, std::int64_t tick) const;
-  // A with a motion that goes on between updates, where M has real powers; else as above.
+  // The same with motion between updates, if M has real powers.
   Mat4 smooth(int generation, double tick) const;
-  // Updates in (beginning of the generation, tick].
+  // Returns the number of updates in (beginning of the generation, tick].
   std::int64_t count(int generation, std::int64_t tick) const;
-  // An A that is held at Power::bound.
+  // Returns whether A is limited by Power::bound.
   bool clamped(int generation, std::int64_t tick) const;
 
-  // The first tick after `tick` at which any A changes: an update, or a first Animate. Nothing: never again.
+  // Returns the first tick after `tick` at which any A changes: an update, or a first Animate. nullopt: never again.
   std::optional<std::int64_t> next_due(std::int64_t tick) const;
 
-  // M and the interval in force, of the generation alive then: the last ones where it is halted, those to come where
-  // it has not started yet.
+  // Return M and the current interval of the generation that exists then: the last ones if it is halted, the future
+  // ones if it has not started yet.
   std::optional<Mat4> matrix(std::int64_t tick) const;
   std::optional<std::int64_t> interval(std::int64_t tick) const;
 
-  // What an Animate asks for, prepared.
+  // The prepared motion of an Animate.
   struct Motion {
     Mat4 matrix;
     Timing timing;
     bool keep_phase = false;
     Power power;
   };
-  // From its tick on, until that of the next span of its generation: A = a * M^n, n by its pace while running, else 0.
+  // From its tick until the next span of its generation: A = a * M^n, n by its pace while it runs, otherwise 0.
   struct Span {
     std::int64_t tick = 0;
     Mat4 a;
     std::shared_ptr<const Motion> motion;
     Pace pace;
-    std::int64_t before = 0;    // updates of this generation until here
-    std::int64_t interval = 1;  // where it does not run
+    std::int64_t before = 0;    // updates of this generation before it
+    std::int64_t interval = 1;  // while it does not run
     bool running = false;
     bool first = false;  // A jumps from the identity to M here
   };
-  // What A follows from; null before the generation.
+  // Returns the span that determines A, or null before the generation.
   const Span* span(int generation, std::int64_t tick) const;
 
   friend bool operator==(const Environment& a, const Environment& b);
@@ -146,18 +145,18 @@ class Environment {
     Key key;
     std::shared_ptr<const Motion> motion;
   };
-  // What came of events: spans, and what there is to say.
+  // The result of events: spans and problems.
   struct Output {
     std::vector<Span> spans;
     std::vector<Problem> problems;
   };
-  // Where the track stands after the events so far.
+  // The state of the track after the events until now.
   struct Now {
     Span span;
     bool started = false;  // the generation has had its first Animate
     bool warned = false;
   };
-  // What will come of the scheduled starts and stops if no other event comes; made when first asked for.
+  // The effects of the scheduled starts and stops if no other event comes; made on first use.
   struct Tail;
 
   static void start(Now&, const Scheduled&, Output&);

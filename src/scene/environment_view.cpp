@@ -50,7 +50,7 @@ std::vector<EnvironmentsFrom> environments_of(const Scene& s, const Object& o, F
     EnvironmentsFrom now{from, {}};
     const std::int64_t tick = from == from_the_beginning ? -Environment::furthest : s.ticks.whole(from);
     for (const std::string& name : *std::get<Names>(v))
-      for (const ObjectId id : select(s, name))  // an alias is many
+      for (const ObjectId id : select(s, name))  // an alias names many
         if (const auto& track = s.objects[id.index].environment)
           if (const auto generation = track->bind(tick)) now.all.push_back({id, *generation});
     out.push_back(std::move(now));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists become plain objects.
+// Turns display lists into plain objects.
 #include "scene/expansion.h"
 
 #include <algorithm>
@@ -15,26 +15,26 @@
 namespace betwixt {
 namespace {
 
-// Of derived objects: a value each, but for environments that have begun at a tick.
+// Compares the slots of derived objects: one value each, and the events of those whose environments begin at a tick.
 bool same_slots(const std::vector<Slot>& a, const std::vector<Slot>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Slot& x, const Slot& y) {
     return x.function == y.function && x.set == y.set && x.track->events == y.track->events;
   });
 }
 
-// The expansions of all versions in one: what is the same before and after an edit is one part.
+// The expansions of all versions together: a part that is equal before and after an edit is one part.
 struct Versions {
   struct Shown {
     ExpandedPart part;
-    std::vector<Time> turns;  // when it comes, when it goes, in turn
-    std::size_t last = 0;     // the version that had it last, counted from 1
+    std::vector<Time> turns;  // when it comes and goes, alternating
+    std::size_t last = 0;     // the last version that has it, counted from 1
   };
   std::vector<Shown> all;
-  std::map<std::tuple<std::int32_t, std::int32_t, std::string>, std::vector<std::int32_t>> alike;  // by place and word
+  std::map<std::tuple<std::int32_t, std::int32_t, std::string>, std::vector<std::int32_t>> alike;  // by parent and word
   std::vector<std::pair<Time, std::int32_t>> eyes;  // cameras by time; -1: none
   std::vector<std::int32_t> now;
   std::size_t version = 0;
-  bool one = false;  // there will be no other: nothing needs to be found again
+  bool one = false;  // there is one version only: no part needs to be found again
 
   void add(Time from, std::vector<ExpandedPart> parts) {
     ++version;
@@ -55,7 +55,7 @@ struct Versions {
     eyes.emplace_back(from, sees ? now.back() : -1);
   }
 
-  // The part that is the same, or a new one.
+  // Returns the existing equal part, or adds a new one.
   std::int32_t found(Time from, ExpandedPart part) {
     const auto index = static_cast<std::int32_t>(all.size());
     if (!one) {
@@ -71,7 +71,7 @@ struct Versions {
     return index;
   }
 
-  // Where another part has the name at another time, the time is said behind it.
+  // Appends the time if another part has the name at another time.
   std::string name(Time from, const ExpandedPart& part) {
     const std::string above = part.within < 0 ? "" : all[static_cast<std::size_t>(part.within)].part.object.name + "/";
     const std::string plain = above + part.word;
@@ -83,7 +83,7 @@ struct Versions {
   }
   std::unordered_set<std::string> names;
 
-  // Those that draw are hidden while they are not there; what only holds others need not be.
+  // Parts that draw are hidden while they do not exist; mere groups need not be.
   std::vector<ExpandedPart> parts() {
     std::vector<ExpandedPart> out;
     for (Shown& shown : all) {
@@ -105,7 +105,7 @@ struct Versions {
   }
 };
 
-// Objects that are no more: nothing speaks of them, so that their numbers can be given out again.
+// Removes objects so that nothing refers to them and their numbers can be reused.
 void take_out(Scene& s, const std::vector<ObjectId>& gone) {
   remove_objects(s, gone, all_of(s.objects));
   const auto is_gone = [&](const Value& v) {

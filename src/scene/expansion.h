@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists scanned: what objects they become at one time.
+// Scans display lists: the objects that they become at one time.
 #pragma once
 
 #include <set>
@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-// How many objects a list becomes, and how deep they stand in one another.
+// How many objects a list becomes, and how deep they are nested.
 struct ExpansionSize {
   std::size_t objects = 0;
   int depth = 0;
@@ -21,12 +21,12 @@ ExpansionSize expansion_size(const DisplayLists&, const std::string& main);
 struct ExpandedPart {
   Object object;  // without a name
   std::int32_t parent = -1;
-  std::int32_t within = -1;  // whose name stands before its own: the parent's, or that of what holds the parent
+  std::int32_t within = -1;  // whose name is the beginning of its own: the parent's, or that of the parent's parent
   std::string word;          // star-2
 };
 struct Expanded {
-  std::vector<ExpandedPart> parts;            // what holds others before them; the camera, if any, last
-  std::set<std::string, std::less<>> called;  // lists, whether they are there or not
+  std::vector<ExpandedPart> parts;            // parents before children; the camera, if any, last
+  std::set<std::string, std::less<>> called;  // lists, whether they exist or not
 };
 Expanded expanded(const Scene&, const DisplayLists&, const std::string& main);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists as the interpreter of the source scans them; where that would draw, an object is written down.
+// Scans display lists like the interpreter of the source, and records an object where that one would draw.
 #include <algorithm>
 
 #include "scene/expansion.h"
@@ -40,15 +40,15 @@ struct ExpansionMeasure {
   }
 };
 
-// Scans lists as the interpreter of the source does; where that would draw, it writes down an object.
+// Scans lists like the interpreter of the source, and records an object where that one would draw.
 struct Expansion {
   const Scene& s;
   const DisplayLists& lists;
   std::vector<ExpandedPart> parts;
   std::map<std::pair<std::int32_t, std::string>, int> counted;
-  std::set<std::string, std::less<>> called;  // whether they are there or not
+  std::set<std::string, std::less<>> called;  // whether they exist or not
 
-  // What holds the things that are drawn now: a group, and the matrix since.
+  // The parent of the next objects: a group, and the matrix since.
   struct Level {
     Mat4 m;
     std::int32_t group = -1;
@@ -57,7 +57,7 @@ struct Expansion {
     std::optional<Value> color, texture, font;
   };
 
-  // A word that the group does not have yet.
+  // Returns a numbered word that the group does not have yet.
   std::string numbered(std::int32_t group, std::string_view word) {
     std::string plain(word);
     std::replace(plain.begin(), plain.end(), '/', '-');
@@ -83,7 +83,7 @@ struct Expansion {
     return {{}, static_cast<std::int32_t>(parts.size()) - 1};
   }
 
-  // An environment moves what is in it behind the matrix so far: a group of its own carries that one.
+  // An environment acts after the matrix of its begin, so a separate group has that matrix.
   Level environment(const DisplayCommand& c, Level at) {
     const std::string word = numbered(at.group, name_of_call(c));
     const std::int32_t above = at.group;
@@ -112,7 +112,7 @@ struct Expansion {
     if (look.font && kind == Kind::text) o.slot(fn::font).set = look.font;
   }
 
-  // The document's camera, which only the main list makes.
+  // The document's camera; only the main list makes it.
   struct Eye {
     bool any = false;
     Level at;
@@ -126,7 +126,7 @@ struct Expansion {
     };
     std::vector<Saved> stack;
     const auto restore = [&](Drawing by) {
-      if (stack.empty() || stack.back().by != by) return;  // said to be wrong where the list is closed
+      if (stack.empty() || stack.back().by != by) return;  // the error is reported where the list is closed
       at = stack.back().level;
       stack.pop_back();
     };

@@ -8,7 +8,7 @@ namespace betwixt {
 
 using Extent = Box;
 
-// A box in object space that holds the shape. Texts are estimated from their number of letters.
+// Returns a box in object space that contains the shape. Texts are estimated from their number of letters.
 Extent extent(const Shape&);
 
 }  // namespace betwixt

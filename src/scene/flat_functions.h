@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What flat shapes are said by; rows behind those of src/scene/functions.cpp, which alone reads this.
+// Functions of flat shapes. Only src/scene/functions.cpp includes this; its rows come after its own.
 #pragma once
 
 #include "scene/document.h"
@@ -9,9 +9,9 @@
 
 namespace betwixt {
 
-inline constexpr double most_metres = 1e12;  // measures: a metre to the power of twelve is past Pluto
+inline constexpr double most_metres = 1e12;  // the limit of measures: a billion kilometres
 
-// What a shape takes from a number.
+// Puts a number into a shape.
 template <double Shape::*measure>
 void put_measure(Shape& s, const Value& v, const Scene&) {
   s.*measure = std::get<double>(v);
@@ -22,7 +22,7 @@ constexpr std::uint32_t bits_of(std::initializer_list<Kind> kinds) {
   for (const Kind k : kinds) all |= bit(k);
   return all;
 }
-// Those that can have a depth, besides letters.
+// The kinds that can have a depth, besides texts.
 inline constexpr std::uint32_t flat_kinds = bits_of({Kind::disc, Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc,
                                                      Kind::regular, Kind::star, Kind::gear, Kind::arrow});
 inline constexpr std::uint32_t drawn_kinds = flat_kinds | bit(Kind::text);

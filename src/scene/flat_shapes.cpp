@@ -12,14 +12,14 @@
 namespace betwixt {
 namespace {
 
-constexpr int round_turn = 128;  // corners of a whole turn
+constexpr int round_turn = 128;  // corners of a full circle
 constexpr double most_corners = 10'000;
 
 Vec3 on_circle(double radius, double angle, Vec3 about = {0, 0, 0}) {
   return about + Vec3{radius * std::cos(angle), radius * std::sin(angle), 0};
 }
 
-// Along a circle, both ends included.
+// Adds points along a circle, both ends included.
 void go_round(std::vector<Vec3>& out, Vec3 about, double radius, double from, double to) {
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / (2 * pi) * round_turn)));
   for (int i = 0; i <= steps; ++i) out.push_back(on_circle(radius, from + (to - from) * i / steps, about));
@@ -34,13 +34,13 @@ std::vector<Vec3> backwards(std::vector<Vec3> contour) {
   return contour;
 }
 
-// Corners of a shape that has so many; 0: it has none.
+// Returns the number of corners, or 0 if it makes no shape.
 int corners(double n, double least) {
   const double whole = std::floor(n + 0.5);
   return whole >= least && whole <= most_corners ? static_cast<int>(whole) : 0;
 }
 
-// Between two circles, from one angle to a larger one.
+// Returns the area between two circles, from one angle to a larger one.
 std::vector<Vec3> band(double outer, double inner, double from, double to) {
   std::vector<Vec3> out;
   go_round(out, {0, 0, 0}, outer, from, to);
@@ -146,12 +146,12 @@ Contours gear_contours(const Shape& s) {
   const double pitch = n * s.module / 2, base = pitch * std::cos(pressure), tip = pitch + s.module;
   const double root = std::max(0.1 * pitch, pitch - 1.25 * s.module);
   const auto involute = [](double angle) { return std::tan(angle) - angle; };
-  // Half the angle that a tooth takes at a radius.
+  // Returns half the angle of a tooth at a radius.
   const auto half = [&](double r) {
     return pi / (2 * n) + involute(pressure) - involute(std::acos(std::min(1.0, base / r)));
   };
   const double begins = std::max(base, root);
-  const double ends = half(tip) > 0 ? tip : pitch + 0.5 * s.module;  // few teeth come to a point before
+  const double ends = half(tip) > 0 ? tip : pitch + 0.5 * s.module;  // with few teeth they end in a point earlier
   std::vector<Vec3> out;
   for (int tooth = 0; tooth < n; ++tooth) {
     const double middle = pi / 2 + 2 * pi * tooth / n;

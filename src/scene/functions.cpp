@@ -31,9 +31,9 @@ bool has_word(std::string_view words, std::string_view word) {
   return false;
 }
 
-constexpr std::uint32_t shared = 0;  // by the kinds whose rows name it
+constexpr std::uint32_t shared = 0;  // of all kinds whose rows name it
 
-// In the order of `fn`; new ones come last, and need no name there unless the program asks for them by name.
+// In the order of `fn`. Append new ones; they need a name there only if the program asks for them by name.
 const FunctionSpec function_rows[] = {
     {.name = "position",
      .type = Type::vector,

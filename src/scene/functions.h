@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display functions: what can vary about an object. The kinds' parameters are display functions like all others.
+// Display functions: the properties of objects that can be animated. Parameters of kinds are display functions too.
 #pragma once
 
 #include <optional>
@@ -20,35 +20,34 @@ constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
 
 constexpr std::uint32_t all_kinds = 0xffffffff;
 
-// Of a function that need not have a color: `none`.
+// The value `none` of an optional colour.
 inline constexpr Color no_color{-1, -1, -1};
 
 struct FunctionSpec {
   std::string name = {};
   Type type = Type::scalar;
-  Value rest = {};                  // the value where nobody says otherwise
-  std::uint32_t kinds = all_kinds;  // bit per Kind; of a built-in one, all: those that are placed
+  Value rest = {};                  // the default
+  std::uint32_t kinds = all_kinds;  // a bit per Kind; all: those that have a place
   Unit unit = Unit::none;
-  std::string words = {};             // for texts that are one of a few words: "point|sun"
-  double low = -1e300, high = 1e300;  // numbers outside mean nothing
-  // Puts its value at a time into a shape: numbers come as they are held, a double or a Vec3. None: it is no part of
-  // one.
+  std::string words = {};             // the valid words of a text: "point|sun"
+  double low = -1e300, high = 1e300;  // the range of valid numbers
+  // Puts a value into a shape: numbers as they are held, a double or a Vec3. Null if it is not part of a shape.
   void (*shape)(Shape&, const Value&, const Scene&) = nullptr;
-  bool place = false;  // whether it says where things are, or what of them is seen
-  std::string_view sentence = {}, written = {}, example = {};  // for help; one row speaks for all of its name
-  // Whether what touches what can depend on it.
+  bool place = false;                                          // whether it affects the place or visibility of objects
+  std::string_view sentence = {}, written = {}, example = {};  // for help; one row has it for all of its name
+  // Returns whether contacts can depend on it.
   bool matters_to_contacts() const { return place || shape != nullptr; }
   friend bool operator==(const FunctionSpec&, const FunctionSpec&) = default;
 };
 
-// The words of a text that is one of a few.
+// Returns the valid words of a text.
 std::vector<std::string_view> choices(const FunctionSpec&);
 
-// The built-in ones, in the order of their ids; those of `fn` first.
+// The built-in ones, in the order of their ids, those of `fn` first.
 std::span<const FunctionSpec> built_in_functions();
 std::optional<FunctionId> find_built_in(Kind kind, std::string_view name);
 
-// Ids of those that the program needs by name.
+// Ids of functions that the program needs by name.
 namespace fn {
 enum : FunctionId {
   position,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where shapes end, in their own space; for the rows of src/scene/kinds.cpp, which alone reads this.
+// Extents of shapes in object space. Only src/scene/kinds.cpp includes this, for its rows.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline Extent of_round(const Shape& s) {
   return centred_on_origin({s.radius, s.height / 2, s.radius});
 }  // cylinder, cone
 inline Extent of_ring(const Shape& s) { return centred_on_origin({s.radius + s.tube, s.tube, s.radius + s.tube}); }
-// Lines, trimmed and in dashes; closed ones end where they begin.
+// Returns the lines as drawn, with trim and dashes; closed ones end where they begin.
 inline std::vector<std::vector<Vec3>> drawn_lines(const Shape& s) {
   std::vector<std::vector<Vec3>> all;
   const Line line = line_of(s);
@@ -53,7 +53,7 @@ inline Extent whole_line(const Shape& s) { return around_points(line_of(s).point
 inline Extent of_points(const Shape& s) { return around_points(*s.points, s.width / 2); }
 inline Extent of_mesh(const Shape& s) { return s.mesh && !s.mesh->positions.empty() ? s.mesh->box() : Extent{}; }
 
-// Width and lines of a text, letters taken as 0.6 em wide.
+// Returns width and height of a text, with letters 0.6 em wide.
 inline Extent of_text(const Shape& s) {
   if (s.formula) return drawn_extent(set_formula(s).contours, s);
   double widest = 0, letters = 0, lines = 1;

@@ -14,14 +14,14 @@
 namespace betwixt {
 namespace {
 
-// ---- How they become triangles
+// ---- Triangles
 
 Vec3 even_measures(const Shape& s) { return {s.radius, s.radius, s.radius}; }
 Vec3 box_measures(const Shape& s) { return s.size; }
 Vec3 plane_measures(const Shape& s) { return {s.size.x, s.size.y, std::max(s.size.x, s.size.y)}; }
 Vec3 round_measures(const Shape& s) { return {s.radius, s.height, s.radius}; }
 
-// A radius beside the largest measure from the middle.
+// Returns a radius relative to the largest measure from the centre.
 double share_of(double radius, const Extent& all) {
   const Vec3 half = all.half();
   return radius / std::max({half.x, half.y, half.z, radius, 1e-300});
@@ -42,7 +42,7 @@ Mesh stroke_mesh(const Shape& s, const Detail& d) {
 }
 Mesh cloud_mesh(const Shape& s, const Detail& d) {
   if (!sane(*s.points) || !sane(s.width) || !(s.width > 0)) return {};
-  // Fewer triangles for each where there are many: together they may be millions.
+  // Fewer triangles for each if there are many: together they may be millions.
   if (s.points->size() > 20000) return balls_mesh(*s.points, s.width, sphere_mesh(4, 2));
   const int around = d.even ? d.around / 3 : d.around_thin(share_of(s.width / 2, of_points(s)));
   return balls_mesh(*s.points, s.width, sphere_mesh(around, around / 2));
@@ -312,7 +312,7 @@ constexpr KindRow kind_rows[] = {
 
 Detail Detail::for_pixels(double radius) {
   constexpr int steps[] = {8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
-  // A circle of radius r is off its polygon of n sides by r (1 - cos(pi / n)): by 0.2 where n is 5 sqrt(r).
+  // A circle of radius r is off its polygon of n sides by r (1 - cos(pi / n)): by 0.2 for n = 5 sqrt(r).
   const double wanted = 5 * std::sqrt(radius);
   const auto* enough = std::find_if(std::begin(steps), std::end(steps) - 1, [&](int n) { return n >= wanted; });
   return {*enough, false};
@@ -334,7 +334,7 @@ const KindRow& row_of(Kind kind) {
 }
 
 std::optional<Kind> find_kind(std::string_view name) {
-  if (name == "disc") return Kind::disc;  // by its other name
+  if (name == "disc") return Kind::disc;  // its other name
   for (const KindRow& row : kind_rows)
     if (row.name == name) return row.kind;
   return std::nullopt;

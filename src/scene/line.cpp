@@ -65,7 +65,7 @@ std::vector<Vec3> through(const std::vector<Vec3>& points, bool closed) {
   const std::size_t n = points.size();
   if (n < 3) return points;
   const std::size_t pieces = std::clamp<std::size_t>(most_pieces / n, 1, 32);
-  const auto at = [&](std::ptrdiff_t i) {  // beyond the ends of an open line it goes on as it came
+  const auto at = [&](std::ptrdiff_t i) {  // beyond the ends an open line continues straight
     const auto count = static_cast<std::ptrdiff_t>(n);
     if (closed) return points[static_cast<std::size_t>((i + count) % count)];
     if (i < 0) return 2.0 * points[0] - points[1];
@@ -100,7 +100,7 @@ MeasuredLine::Place MeasuredLine::at(double share) const {
   if (!(all > 0)) return {points_.front(), ahead};
   if (closed_ && (share < 0 || share > 1)) share -= std::floor(share);
   const double way = share * all;
-  // The first point that is not reached yet; pieces without a length are passed over.
+  // The first point not reached yet; pieces without a length are skipped.
   auto next = std::upper_bound(reached_.begin(), reached_.end(), way);
   if (next == reached_.end()) next = std::lower_bound(reached_.begin(), reached_.end(), all);
   if (next == reached_.begin()) next = std::upper_bound(reached_.begin(), reached_.end(), 0.0);

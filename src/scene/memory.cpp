@@ -18,7 +18,7 @@ class Weighing {
  public:
   SceneSize sum;
 
-  // The object alone, with those of its tracks that the other has not.
+  // Counts the object, with those of its tracks that the other does not share.
   void apart(const Object& o, const Object* other) {
     sum.bytes += shared_bytes<Object> + letters(o.name) + bytes_held(o.slots);
     for (const Slot& s : o.slots) {
@@ -74,7 +74,7 @@ class Weighing {
       sum.bytes += shared_bytes<Mat4>;
     if (const auto* moves = std::get_if<Moves>(&v); moves && first(moves->at.get())) sum.bytes += shared_bytes<Motion>;
   }
-  // What many share is counted once.
+  // Counts shared parts once.
   bool first(const void* thing) { return seen_.insert(thing).second; }
 
   std::unordered_set<const void*> seen_;

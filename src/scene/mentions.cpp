@@ -11,7 +11,7 @@
 namespace betwixt {
 namespace {
 
-// f(text) for each text in quotes, until the dot in it, where it has one: what code asks for by name.
+// Calls f for each quoted text, up to a dot in it if it has one: the names that code reads.
 template <class F>
 void each_quoted(const std::string& source, const F& f) {
   for (std::size_t i = 0; i < source.size();) {
@@ -28,7 +28,7 @@ void each_quoted(const std::string& source, const F& f) {
 
 }  // namespace
 
-// To all that the name is below.
+// Adds the number to all names above the name.
 void Mentions::add_above(ByName& to, std::string_view name, std::uint32_t number) {
   for (auto slash = name.rfind('/'); slash != std::string_view::npos; slash = name.rfind('/')) {
     name = name.substr(0, slash);

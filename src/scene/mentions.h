@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which objects speak of which, so that who changes one thing after the other need not look at all of them each time.
-// It is found out once, and then again of objects that have changed. What it says may be more than there is: a value
-// that was taken out is still known here. So each that it names is to be looked at, and no others are.
+// Which objects refer to which, so that a sequence of changes need not search all objects each time. It is computed
+// once, and again only for objects that have changed. It may have too many entries, since it remembers removed values:
+// check each object that it names; no others need to be checked.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ namespace betwixt {
 
 class Mentions {
  public:
-  void follow(const Scene&);  // the same scene as before, which may have changed
-  // Those whose attachments, layers or ways along lines are of one of these, or that speak of one or of what is below
-  // it by its name, in texts of code too; in the order of creation.
+  void follow(const Scene&);  // updates it to the same scene, which may have changed
+  // Returns, in order of creation, the objects whose attachments, layers or paths refer to one of these, or that refer
+  // to one, or to a name below it, in texts of code.
   std::vector<std::uint32_t> of(const Scene&, const std::vector<ObjectId>&) const;
-  // Those that are named below it.
+  // Returns the objects named below it.
   std::vector<std::uint32_t> below(std::string_view name) const;
 
  private:
@@ -44,7 +44,7 @@ class Mentions {
   ByName by_name_, below_;
 };
 
-// The numbers of all there are: those that a few questions are asked about.
+// Returns the numbers of all existing objects.
 std::vector<std::uint32_t> all_of(const Objects&);
 
 }  // namespace betwixt

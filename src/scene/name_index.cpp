@@ -14,7 +14,7 @@ std::uint32_t NameIndex::hash_of(std::string_view name) {
   return static_cast<std::uint32_t>(h ^ h >> 32);
 }
 
-// Where a node has the name; as many as it has where it does not.
+// Returns the index of the name in a node, or the number of its names if it is not there.
 std::size_t NameIndex::place(const Node& node, std::uint32_t hash, std::string_view name) {
   std::size_t i = 0;
   while (i < node.hashes.size() && !(node.hashes[i] == hash && node.entries[i].name == name)) ++i;
@@ -67,7 +67,7 @@ void NameIndex::put(const std::string& name, ObjectId id) {
   for (auto slash = above.rfind('/'); slash != std::string::npos; slash = above.rfind('/')) {
     above.resize(slash);
     if (ever_above(above)) return;
-    keep(above + '/', {});  // a name with a slash behind it, which is none, stands for what was ever named below it
+    keep(above + '/', {});  // a name with a trailing slash, which is not valid, marks that something was named below it
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names to objects, in a tree that copies share: naming one object copies the way to it, however many names there are.
+// A map from names to objects, in a tree that copies share: naming one copies the path to it, however many there are.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ class NameIndex {
   ObjectId find(std::string_view name) const;
   void put(const std::string& name, ObjectId id);
   void erase(std::string_view name);
-  bool ever_above(std::string_view name) const;           // whether anything was ever named below it, as man/arm is
-  std::size_t bytes() const { return bytes_apart({}); }   // of what it holds
-  std::size_t bytes_apart(const NameIndex& other) const;  // … and the other does not
+  bool ever_above(std::string_view name) const;           // whether any object was ever named below it, as man/arm is
+  std::size_t bytes() const { return bytes_apart({}); }   // of its own memory
+  std::size_t bytes_apart(const NameIndex& other) const;  // of its own memory that the other does not share
   bool same(const NameIndex& other) const { return root_.same(other.root_); }
 
  private:
@@ -29,7 +29,7 @@ class NameIndex {
     std::string name;
     ObjectId id;
   };
-  // It has names, the hash of each beside it; or where these were too many, branches, by the next bits of the hash.
+  // Has names, with their hashes; or, if these were too many, branches, by the next bits of the hash.
   struct Node {
     std::vector<std::uint32_t> hashes;
     std::vector<Entry> entries;

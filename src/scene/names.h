@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What things are called: objects, targets, times. Of a scene as it stands: nobody needs a document for a message.
+// Names of objects, targets and times, from a scene, since messages need no document.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace betwixt {
 
-std::string object_name(const Scene&, ObjectId);       // "none" where there is no such object
+std::string object_name(const Scene&, ObjectId);       // "none" if there is no such object
 std::string target_name(const Scene&, const Target&);  // "ball.position.x", "ball.position.velocity", "ball.world"
 std::string format_time(Time, Rate);                   // "24f" where it is on a frame, else seconds: "1.2345s"
 
-// "world", of environments "by", "every" and "count", of what is drawn "touching" and "in-view".
+// Returns "world"; for environments "by", "every" and "count"; for drawn objects "touching" and "in-view".
 std::string_view name_of(Query);
 std::optional<Query> find_query(Kind, std::string_view name);
 

@@ -7,7 +7,7 @@
 namespace betwixt {
 
 Outline set_formula(const Shape& s) {
-  Extent all;  // of the whole: what is not typed yet keeps its place
+  Extent all;  // of the whole, so that letters keep their places while it is typed
   for (const Contour& contour : s.formula->contours)
     for (const Vec3 p : contour) all.add(p);
   Outline out = *s.formula;

@@ -11,19 +11,19 @@
 
 namespace betwixt {
 
-// One closed line in the plane; filled by the non-zero rule together with the others of its outline.
+// A closed line in the plane, filled by the non-zero rule together with the others of its outline.
 using Contour = std::vector<Vec3>;
-// What belongs together: a character with its accents, a ligature, a glyph or a bar of a formula.
+// The contours of one unit: a character with its accents, a ligature, or a glyph or bar of a formula.
 struct Letter {
-  std::size_t first = 0;  // of its contours; they end where the next letter's begin
-  std::string text;       // as written (UTF-8); of a formula's: what tells one glyph from others
+  std::size_t first = 0;  // its first contour; they end where the next letter's begin
+  std::string text;       // as written (UTF-8); for formulas, an identification of the glyph
 };
 struct Outline {
   std::vector<Contour> contours;
-  std::vector<Letter> letters;  // from left to right, line by line; blanks are left out
+  std::vector<Letter> letters;  // from left to right, line by line, without blanks
 };
 
-// The formula of a text in its size, aligned, so far as it is typed. There is one: `formula` of the shape.
+// Returns the formula of a text in its size, aligned, as far as it is typed. The shape must have a `formula`.
 Outline set_formula(const Shape&);
 
 }  // namespace betwixt

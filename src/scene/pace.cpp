@@ -27,7 +27,7 @@ Status check(const Timing& t) {
 
 std::int64_t up(std::int64_t a, std::int64_t b) { return (a + b - 1) / b; }
 
-// D(u). The number of changes is compared before it is multiplied, so nothing overflows.
+// Evaluates D(u). The number of changes is compared before it is multiplied, so nothing overflows.
 Pace::Row running(const Timing& t, std::int64_t update, std::int64_t count) {
   const std::int64_t changes = update / t.period;
   if (t.change > 0) {
@@ -65,7 +65,7 @@ Result<Pace> Pace::make(const Timing& t, std::optional<std::int64_t> first) {
                   "let it change by more ticks each time");
     rows.push_back(row);
     if (row.ended || t.change == 0 || (t.change < 0 && row.interval == 1)) break;
-    // Updates until the next change: those that begin before it, and the one that finds it.
+    // The updates until the next change: those that begin before it, and the one at it or after it.
     const std::int64_t change = (row.begin / t.period + 1) * t.period, steps = up(change - row.begin, row.interval);
     row = running(t, row.begin + steps * row.interval, row.count + steps);
   }

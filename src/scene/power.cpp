@@ -10,13 +10,12 @@
 namespace betwixt {
 namespace {
 
-// M is looked at in long double, so that what we find is as good as the rounding of M allows; what is evaluated later
-// is all f64.
+// M is analysed in long double, so that the result is as exact as the rounding of M allows; later evaluation is in f64.
 using Real = long double;
 using Block = std::array<std::array<Real, 3>, 3>;
 
-constexpr Real exact = 1e-14L;     // what a few factors in f64 are off by, and more
-constexpr Real product = 1e-12L;   // what many are
+constexpr Real exact = 1e-14L;     // more than the rounding of a few products in f64
+constexpr Real product = 1e-12L;   // and of many
 constexpr Real in_floats = 1e-7L;  // an element: f32 rounds by 6e-8
 const double log_bound = std::log(Power::bound);
 
@@ -39,7 +38,7 @@ Block times_its_transpose(const Block& b) {
   return r;
 }
 
-// The largest element of |B B' - k I|.
+// Returns the largest element of |B B' - k I|.
 Real off_square(const Block& b, Real k) {
   const Block g = times_its_transpose(b);
   Real most = 0;
@@ -48,7 +47,7 @@ Real off_square(const Block& b, Real k) {
   return most;
 }
 
-// How much it scales, where it does so evenly.
+// Returns the scale, if it is uniform.
 Real size_of(const Block& b) {
   const Block square = times_its_transpose(b);
   return std::sqrt((square[0][0] + square[1][1] + square[2][2]) / 3);
@@ -61,7 +60,7 @@ Block scaled(Block b, Real k) {
   return b;
 }
 
-// The rotation next to one that is off by little: Newton's steps to the orthogonal polar factor.
+// Returns the nearest rotation to a matrix that is almost one: Newton's steps to the orthogonal polar factor.
 Block straightened(Block b) {
   for (int step = 0; step < 3; ++step) {
     const Block g = times_its_transpose(b), old = b;
@@ -77,7 +76,7 @@ struct Turning {
   Real turns;  // 0..0.5
 };
 
-// As from_matrix() does it: the largest of the four squares is divided by.
+// Like from_matrix(): divides by the largest of the four squares.
 Turning turning(const Block& b) {
   const Real t[] = {b[0][0] + b[1][1] + b[2][2], b[0][0], b[1][1], b[2][2]};
   const int k = static_cast<int>(std::max_element(t, t + 4) - t);
@@ -105,8 +104,8 @@ std::uint64_t fraction(std::uint64_t p, std::uint64_t q) {
   return (high << 32) + ((rest << 32) + q / 2) / q;
 }
 
-// x (0..0.5) in 2^-64: as the fraction that it must have meant, where there is one that rounding cannot tell from it.
-// Down to thousandths of a degree the fractions lie so thin that hardly any other angle has one next to it.
+// Returns x (0..0.5) in 2^-64. If rounding cannot distinguish x from a simple fraction, returns that fraction. Down to
+// thousandths of a degree the fractions are sparse, so hardly any other angle is next to one.
 std::uint64_t in_turns(Real x) {
   constexpr std::uint64_t largest_part = 360'000;
   constexpr Real rounding = 2e-16L;
@@ -118,7 +117,7 @@ std::uint64_t in_turns(Real x) {
     const std::uint64_t p1 = a * p + p0, q1 = a * q + q0;
     if (q1 > largest_part) break;
     p0 = p, q0 = q, p = p1, q = q1;
-    // A small angle is known better than a large one.
+    // A small angle has a smaller rounding error.
     if (p > 0 && std::abs(x - static_cast<Real>(p) / static_cast<Real>(q)) <= rounding * std::min<Real>(1, 8 * x))
       return fraction(p, q);
     if (rest == whole) break;
@@ -127,7 +126,7 @@ std::uint64_t in_turns(Real x) {
   return static_cast<std::uint64_t>(std::round(std::ldexp(x, 64)));
 }
 
-// 1 - cosine, exact for small angles, where 1 - cos(angle) is not.
+// Sine, cosine and 1 - cosine, which is exact for small angles.
 struct Circle {
   double sine, cosine, versine;
 };
@@ -145,7 +144,7 @@ Circle circle(std::uint64_t turns) {
 
 bool is_affine(const Mat4& m) { return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1; }
 
-// The point c across the axis with c = s e^(i turn) c + slide, i standing for the quarter turn about the axis.
+// Finds the point c across the axis with c = s e^(i turn) c + slide, i standing for the quarter turn about the axis.
 void find_centre(Power::Similarity& f) {
   const Circle at = circle(f.turns);
   const double re = f.scale * at.versine - std::expm1(f.log_scale), im = -f.scale * at.sine;
@@ -156,8 +155,8 @@ void find_centre(Power::Similarity& f) {
   f.side = cross(f.axis, f.centre);
 }
 
-// A turn about an axis elsewhere, made of products, hardly ever comes out with an advance of just 0: what cannot be
-// told from rounding would become a drift.
+// A rotation about an axis elsewhere, computed by products, rarely has an advance of exactly 0. An advance that
+// rounding explains is dropped, since it would become a drift.
 void drop_rounding(Power::Similarity& f, double shift) {
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   const bool still = f.turns == 0 && f.scale == 1 && !f.mirrored;
@@ -207,7 +206,7 @@ std::optional<Unrounded> unrounded(const Mat4& m) {
   return out;
 }
 
-// False for what is general.
+// Returns false for a general matrix.
 bool Power::classify(const Mat4& m) {
   Block b = linear_part(m);
   const Real size = size_of(b);
@@ -218,7 +217,7 @@ bool Power::classify(const Mat4& m) {
   f.scale = static_cast<double>(scale);
   f.log_scale = static_cast<double>(std::log(scale));
   f.mirrored = determinant(b) < 0;
-  // A mirror is minus a rotation, and minus the identity is half a turn across the axis and a reflection along it.
+  // A reflection is minus a rotation; minus the identity is half a turn across the axis and a reflection along it.
   b = straightened(scaled(b, (f.mirrored ? -1 : 1) / size));
   const auto [axis, turns] = turning(b);
   f.axis = axis;
@@ -248,11 +247,11 @@ Mat4 Power::closed(double n, std::uint64_t turns, bool odd) const {
     for (int j = 0; j < 3; ++j) r(i, j) = scale * (along * a[i] * a[j] + (i == j ? at.cosine : 0));
   const Vec3 s = (scale * at.sine) * a;
   r(0, 1) -= s.z, r(0, 2) += s.y, r(1, 0) += s.z, r(1, 2) -= s.x, r(2, 0) -= s.y, r(2, 1) += s.x;
-  // Across the axis: (1 - scale e^(i angle)) centre, a sum without cancellation however far away the centre is.
+  // Across the axis: (1 - scale e^(i angle)) centre, a sum that does not cancel however far away the centre is.
   const Vec3 across = f.centred ? (scale * at.versine - growth) * f.centre - (scale * at.sine) * f.side : n * f.slide;
-  // Along it: the sum of the first n powers of what one step does there.
+  // Along it: the sum of the first n powers of the step there.
   const double steps = f.mirrored     ? (flip ? 2 + growth : -growth) / (1 + f.scale)
-                       : f.scale != 1 ? growth / std::expm1(f.log_scale)  // scale - 1 has lost digits when near 0
+                       : f.scale != 1 ? growth / std::expm1(f.log_scale)  // scale - 1 has lost digits near 0
                                       : n;
   const Vec3 shift = across + (f.advance * steps) * a;
   r(0, 3) = shift.x, r(1, 3) = shift.y, r(2, 3) = shift.z;

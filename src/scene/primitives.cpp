@@ -64,7 +64,7 @@ Mesh sphere_mesh(int around, int up) {
     for (int i = 0; i <= around; ++i) {
       const Vec3 d = around_y(i, around);
       const Vec3 p{r * d.x, std::cos(angle), r * d.z};
-      const bool pole = j == 0 || j == up;  // one vertex a face, in the middle of it
+      const bool pole = j == 0 || j == up;  // one vertex for each face, in its middle
       add(mesh, p, p, std::min(1.0, (i + (pole ? 0.5 : 0)) / around), static_cast<double>(j) / up);
     }
   }
@@ -170,7 +170,7 @@ Mesh torus_mesh(double radius, double tube, int around, int across) {
 
 namespace {
 
-// Rings of a tube. `side` is kept perpendicular to the way the tube goes, so that the tube does not twist.
+// The rings of a tube. `side` stays perpendicular to the direction of the tube, so that it does not twist.
 struct Sweep {
   Mesh mesh;
   int around;
@@ -185,7 +185,7 @@ struct Sweep {
     }
   }
 
-  // One turn about `centre`, leaning forward (or, where negative, back) by an angle: a circle of a ball.
+  // Adds a ring about `centre`, leaning forward by an angle (back if negative): a circle of a ball.
   void ring(Vec3 centre, double lean = 0) {
     const Vec3 other = cross(along, side);
     const double outwards = std::cos(lean), forward = std::sin(lean);
@@ -201,7 +201,7 @@ struct Sweep {
       quad(mesh, now - n + i, now - n + j, now + j, now + i);
     }
   }
-  // From facing `along` to facing `to` in small steps; the rings together are a ball's outside.
+  // Turns from facing `along` to facing `to` in small steps; the rings together are the outside of a ball.
   void turn(Vec3 centre, Vec3 to) {
     const double angle = std::atan2(length(cross(along, to)), dot(along, to));
     if (angle < 1e-6) {
@@ -220,7 +220,7 @@ struct Sweep {
     side = normalize(side - dot(side, to) * to);
   }
 
-  // Fans close its ends; their middles are the mesh's first and last point.
+  // Closes the ends with fans, whose centres are the mesh's first and last point.
   void close() {
     const Index n = static_cast<Index>(around), end = static_cast<Index>(mesh.positions.size()) - 1;
     for (Index i = 0; i < n; ++i) {
@@ -229,8 +229,8 @@ struct Sweep {
       triangle(mesh, end, end - n + i, end - n + j);
     }
   }
-  // Its creases: a line that is drawn has too many triangles to look for their neighbours in each picture, and here it
-  // is known where they are. Each ring adds two triangles a step, the fans stand behind them in turns.
+  // Sets its crease edges. A line has too many triangles to search for neighbours in each picture, and here their
+  // positions are known: each ring adds two triangles a step, and the fans come after them, alternating.
   // Where two rings share a corner, the triangle between them has no area, and its sides count as creases.
   void find_edges() {
     const std::vector<Vec3> normals = face_normals(mesh);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What formulas work with, and what names stand for in them.
+// The values of formulas, and of the names in them.
 #pragma once
 
 #include <array>
@@ -16,27 +16,27 @@
 
 namespace betwixt {
 
-// A number and what it is of. Angles stay in degrees and times in frames, as people say them, so that 2*45deg is 90deg
-// to the last bit whatever the rate is.
+// A number with its kind. Angles are in degrees and times in frames, as people write them, so that 2*45deg is 90deg to
+// the last bit, whatever the rate.
 struct Quantity {
   enum class Of : std::uint8_t { number, angle, length, time };
   Of of = Of::number;
   double value = 0;            // degrees, metres, seconds
   double frames = 0;           // of a time, besides its seconds
-  bool counts_frames = false;  // frames were said: as a point in time it counts from frame 1
+  bool counts_frames = false;  // written in frames: as a point in time it counts from frame 1
   friend bool operator==(const Quantity&, const Quantity&) = default;
 };
 
-// One value, as an element of a list is.
+// A value, or an element of a list.
 using LetItem = std::variant<Quantity, Vec3, Color, Text>;
 using LetList = std::vector<LetItem>;
 using Let = std::variant<Quantity, Vec3, Color, Text, LetList>;
 using Lets = std::map<std::string, Let, std::less<>>;
 
-// The place among what a pattern named: what i, n, i1, i2 … are.
+// The place among the names of a pattern: the values of i, n, i1, i2 …
 struct PatternPlace {
   std::size_t i = 1, n = 1;
-  std::array<std::size_t, 4> ranges{};  // 0: there is none
+  std::array<std::size_t, 4> ranges{};  // 0 if there is none
 };
 
 }  // namespace betwixt

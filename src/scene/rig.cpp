@@ -14,7 +14,7 @@ void add(Rig::Vectors& to, const Rig::Vectors& what, double weight) {
     for (std::size_t k = 0; k < 3; ++k) to[i][k] += w * what[i][k];
 }
 
-// The upper three rows; what moves one vertex is the weighted sum of its joints'.
+// The first three rows; a vertex is moved by the weighted sum of its joints' matrices.
 using Rows = std::array<double, 12>;
 
 Rows rows_of(const Mat4& m) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the vertices of a mesh follow; a row behind those of src/scene/camera_functions.h, which src/scene/functions.cpp
-// alone reads.
+// The joints of meshes. Only src/scene/functions.cpp includes this; its row comes after those of
+// src/scene/camera_functions.h.
 #pragma once
 
 #include "scene/document.h"

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// All or nothing: a scene is put back as it was, on whatever way out, unless whoever changes it says that all went
-// well.
+// All or nothing: restores a scene at the end of a scope, unless `keep` has been called.
 #pragma once
 
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether two documents have the same content.
+// Compares the content of two documents.
 #include <algorithm>
 
 #include "scene/document.h"
@@ -9,8 +9,8 @@
 namespace betwixt {
 namespace {
 
-// Two documents number their objects differently when some were removed: ids are compared by rank among the living.
-// Objects of display lists come behind all others, in the order of the expansion; they are no content of their own.
+// Two documents number their objects differently if some were removed, so ids are compared by rank among those that
+// exist. Objects of display lists come after all others, in the order of the expansion; they are not content.
 struct Ranks {
   std::vector<std::uint32_t> rank;
   std::vector<const Object*> living;
@@ -29,7 +29,7 @@ struct Ranks {
 struct Compare {
   const Scene &a, &b;
   Ranks ra{a}, rb{b};
-  bool same_numbers = ra.rank == rb.rank;  // then an object that both share is the same
+  bool same_numbers = ra.rank == rb.rank;  // then an object that both share is equal
 
   bool values(const Value& x, const Value& y) const {
     const auto *p = std::get_if<ObjectId>(&x), *q = std::get_if<ObjectId>(&y);
@@ -64,7 +64,7 @@ struct Compare {
   }
   bool strands(const Strand& s, const Strand& t) const {
     if (!tracks(*s.track, *t.track)) return false;
-    for (std::size_t i = 0; i < std::max(s.components.size(), t.components.size()); ++i) {  // none is as good as empty
+    for (std::size_t i = 0; i < std::max(s.components.size(), t.components.size()); ++i) {  // null equals empty
       static const Track empty;
       const Track &u = s.components.empty() ? empty : *s.components[i],
                   &v = t.components.empty() ? empty : *t.components[i];
@@ -72,7 +72,7 @@ struct Compare {
     }
     return true;
   }
-  // Their numbers are how they came to be; what they say is the same in the same order.
+  // Their numbers depend on their history; only the order counts.
   static bool environments(const std::shared_ptr<const Environment>& x, const std::shared_ptr<const Environment>& y) {
     if (!x || !y || x == y) return x == y;
     if (x->size() != y->size()) return false;

@@ -32,7 +32,7 @@ Mesh sum_of(std::span<const MeshShare> shares) {
   bool uvs = true, parts = true;
   for (const MeshShare& s : shares) {
     uvs = uvs && s.mesh->uvs.size() == mesh.uvs.size(), parts = parts && s.mesh->parts.size() == mesh.parts.size();
-    mesh.closed = mesh.closed && s.mesh->closed && s.weight >= 0;  // beyond its ends it may be turned inside out
+    mesh.closed = mesh.closed && s.mesh->closed && s.weight >= 0;  // an extrapolation may turn it inside out
   }
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     mesh.positions[i] = narrow(over([&](const MeshShare& s) { return s.stretch * widen(s.mesh->positions[i]); }));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shapes that are blended point by point.
+// Blends shapes point by point.
 #pragma once
 
 #include <span>
@@ -10,19 +10,20 @@
 
 namespace betwixt {
 
-// Of one topology: of one kind with as many points, or meshes with the same triangles between as many vertices. Never
-// texts: their letters come from a font.
+// Returns whether two shapes have one topology: the same kind with as many points, or meshes with the same triangles
+// between as many vertices. Never true for texts, whose letters come from a font.
 bool one_topology(const Shape&, const Shape&);
 
-// A shape, and what it counts.
+// A shape and its weight.
 struct ShapeShare {
   const Shape* shape = nullptr;
   double weight = 0;
 };
-// The sum of shapes of one topology, whose weights have the sum 1. Of what is no number the first one's counts.
+// Returns the weighted sum of shapes of one topology; the weights add up to 1. Fields that are not numbers are those of
+// the first shape.
 Shape sum_of(std::span<const ShapeShare>);
 
-// The same of meshes that are stretched first.
+// The same for meshes that are scaled first.
 struct MeshShare {
   const Mesh* mesh = nullptr;
   double weight = 0;

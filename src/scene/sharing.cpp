@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene that was read anew takes over what is exactly the same in another one: as an edit of that one would have.
+// Makes a newly read scene share the parts that are exactly equal in another one, as if it were an edit of that one.
 #include "scene/document.h"
 
 namespace betwixt {
@@ -20,7 +20,7 @@ bool exactly(const Slot& a, const Slot& b) {
          exactly(static_cast<const Strand&>(a), b) && exactly(a.velocity, b.velocity) && a.filters == b.filters;
 }
 
-// What was said to it may be the same, and when it was said not: that is asked for where it counts.
+// Environments are never shared: their events may be equal and yet have come at other moments (their numbers differ).
 bool exactly(const Object& a, const Object& b) {
   if (a.name != b.name || a.kind != b.kind || a.removed != b.removed || a.leads != b.leads || a.derived != b.derived ||
       a.environment || b.environment || a.slots.size() != b.slots.size())

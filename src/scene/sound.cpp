@@ -8,9 +8,9 @@
 namespace betwixt {
 namespace {
 
-constexpr double window = 0.05;  // seconds: two periods of what is just heard as a tone
+constexpr double window = 0.05;  // seconds: two periods of the lowest audible tone
 
-// Straight between milliseconds, so that loudness has no steps.
+// Interpolates linearly between milliseconds, so that loudness has no steps.
 double energy_until(const std::vector<double>& energy, double seconds) {
   if (energy.empty()) return 0;
   const double at = std::clamp(1000 * seconds, 0.0, static_cast<double>(energy.size() - 1));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What can be said of sounds; rows behind those of src/scene/aiming_functions.h, which src/scene/functions.cpp alone
-// reads.
+// Functions of sounds. Only src/scene/functions.cpp includes this; its rows come after those of
+// src/scene/aiming_functions.h.
 #pragma once
 
 #include "scene/functions.h"

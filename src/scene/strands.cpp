@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tracks that a target stands for: one of the whole, or one for each component.
+// The tracks of a target: one of the whole, or one for each component.
 #include "scene/document.h"
 
 namespace betwixt {
 namespace {
 
-// An event of one component of a value.
+// Returns the event of one component of a value.
 Event part_of(const Event& e, int component) {
   Event part = e;
   if (!e.keep && !e.release) part.value = component_of(e.value, component);

@@ -12,9 +12,9 @@ namespace betwixt {
 namespace {
 
 constexpr double longest_point = 4;  // of a corner, in widths
-constexpr double gentle = 0.9;       // the cosine of turns that need no corner
+constexpr double gentle = 0.9;       // the cosine of turns without a corner
 
-// How far along a line each of its points is; of a closed one, its first point's second place too.
+// Returns the length along a line at each of its points; for a closed one, the total length at the end.
 std::vector<double> places_along(const std::vector<Vec3>& line, bool closed) {
   std::vector<double> at{0};
   for (std::size_t i = 1; i < line.size() + (closed ? 1 : 0); ++i)
@@ -38,7 +38,7 @@ DrawnPart stretch_between(const std::vector<Vec3>& line, const std::vector<doubl
   return out;
 }
 
-// A line of some width in a plane. Sides of no length are left out.
+// A line with a width in a plane. Sides without length are left out.
 class FlatStroke {
  public:
   FlatStroke(const DrawnPart& line, double width, bool round, Vec3 up)
@@ -54,12 +54,12 @@ class FlatStroke {
       points_.push_back(p);
     }
     if (left_.size() < 2) closed_ = false;
-    if (closed_) points_.pop_back();  // the first one again
+    if (closed_) points_.pop_back();  // the repeated first one
   }
 
   void areas(Contours& out) const {
     const std::size_t sides = left_.size();
-    std::size_t first = 0;  // a point that a run of sides begins at
+    std::size_t first = 0;  // where a run of sides begins
     if (closed_) {
       while (first < sides && turns_gently(first)) ++first;
       if (first == sides) return go_round(out);
@@ -81,13 +81,13 @@ class FlatStroke {
   Vec3 left(std::size_t side) const { return left_[side % left_.size()]; }  // of the side that begins at a point
   Vec3 left_before(std::size_t i) const { return left(i + left_.size() - 1); }
 
-  // Whether the borders of the two sides at a point just meet: the inner ones before they end, too.
+  // Returns whether the borders of the two sides at a point simply meet, the inner ones before their ends.
   bool turns_gently(std::size_t i) const {
     const double turn = dot(left_before(i), left(i));
     const double shorter = std::min(long_[i % left_.size()], long_[(i + left_.size() - 1) % left_.size()]);
     return turn >= gentle && half_ * std::sqrt(std::max(0.0, 1 - turn) / (1 + turn)) <= shorter;
   }
-  // From a point to where the left borders of its two sides meet.
+  // Returns the vector from a point to where the left borders of its two sides meet.
   Vec3 meeting(std::size_t i) const {
     const Vec3 a = left_before(i), b = left(i);
     return half_ / (1 + dot(a, b)) * (a + b);
@@ -109,11 +109,11 @@ class FlatStroke {
     std::reverse(left.begin(), left.end());
     out.push_back(std::move(right)), out.push_back(std::move(left));
   }
-  // What lies between two sides on the outside of their turn.
+  // Adds the area between two sides on the outside of their turn.
   void add_corner(std::size_t i, Contours& out) const {
     if (round_) return add_disc(point(i), out);
     const Vec3 a = left_before(i), b = left(i), p = point(i);
-    const double outside = dot(cross(a, b), up_) > 0 ? -half_ : half_;  // on the left is the inside of a left turn
+    const double outside = dot(cross(a, b), up_) > 0 ? -half_ : half_;  // in a left turn the left side is the inner one
     std::vector<Vec3> area{p, p + outside * a};
     if ((1 + dot(a, b)) / 2 >= 1 / (longest_point * longest_point)) area.push_back(p + outside / half_ * meeting(i));
     area.push_back(p + outside * b);
@@ -207,7 +207,7 @@ Vec3 facing(const Contours& contours) {
       if (length(contour[i] - first) > length(far)) far = contour[i] - first;
     }
   if (level) return {0, 0, 1};
-  // A figure of eight turns nowhere: any two directions in it will do.
+  // The area vector of a figure of eight is 0; any two directions in it will do.
   for (const auto& contour : contours)
     for (const Vec3 p : contour)
       if (const Vec3 s = cross(far, p - first); length(s) > length(side)) side = s;

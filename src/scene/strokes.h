@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lines, and strokes along contours: what of them is drawn, by its length, and which areas a stroke covers.
+// Lines, and strokes along contours: the parts that are drawn, by length, and the areas that a stroke covers.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@ namespace betwixt {
 
 inline constexpr double most_dashes = 10'000;  // of a contour; more are drawn as one line
 
-// What is drawn of a line, by its length.
+// The parts of a line that are drawn.
 struct Dashes {
-  double dash = 0, gap = 0;  // metres; both 0: no gaps
-  double from = 0, to = 1;   // parts of the whole
+  double dash = 0, gap = 0;  // metres; no dashes if both are 0
+  double from = 0, to = 1;   // shares of the whole
   bool whole() const { return !(gap > 0) && from <= 0 && to >= 1 - 1e-12; }
 };
 Dashes dashes_of(const Shape&);
-// Of a line so long: from where to where. They begin where the line does, whatever is trimmed.
+// Returns the intervals of a line of this length. Dashes start where the line starts, whatever the trim.
 std::vector<std::pair<double, double>> drawn_parts(double length, const Dashes&);
 
 struct DrawnPart {
@@ -30,27 +30,27 @@ struct DrawnPart {
 };
 std::vector<DrawnPart> stretches(const std::vector<Vec3>& line, bool closed, const Dashes&);
 
-// What a shape is drawn with.
+// The stroke of a shape.
 struct Pen {
   bool fills = true;
-  double width = 0;           // of the stroke; 0: there is none
-  std::optional<Vec3> color;  // its own, linear light; none: that of the object
+  double width = 0;           // 0 if there is none
+  std::optional<Vec3> color;  // its own, linear light; nullopt: the object's
   Dashes dashes;
-  bool round = false;  // its corners and ends
+  bool round = false;  // corners and ends
 };
 Pen pen_of(const Shape&);
-// Of shapes on their way; a stroke that only one has grows or wanes.
+// Interpolates the strokes of two shapes; a stroke that only one has grows or shrinks.
 Pen between(const Pen& a, const Pen& b, double s);
-// Whether a shape is drawn by its contours: a disc only where it has a depth or a stroke, or is not filled.
+// Returns whether a shape is drawn by its contours; a disc only if it has a depth or a stroke, or is not filled.
 bool by_contours(const Shape&);
 
-// Where a (nearly) flat outline faces: +z if it lies in a plane of one z, else by the turn of its contours.
+// Returns the direction that a (nearly) flat outline faces: +z if it is at one z, otherwise by the area vector.
 Vec3 facing(const Contours&);
-// Contours round what the stroke along closed contours covers, anticlockwise seen from `up`; together, by the non-zero
-// rule, all of it. Ends are cut off straight; corners come to a point if that is no longer than four times the width.
-// Or both are round.
+// Returns contours around the area of the stroke along closed contours, anticlockwise as seen from `up`; together, by
+// the non-zero rule, they are all of it. Ends are straight; corners are pointed if the point is at most four widths
+// long. Or both are round.
 Contours stroke_areas(const Contours&, const Pen&, Vec3 up);
-// Of what is drawn along and between contours.
+// Returns the extent of everything drawn along and between contours.
 Extent drawn_extent(const Contours&, const Shape&);
 
 }  // namespace betwixt

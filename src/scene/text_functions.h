@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What letters are said by, beside their text, font and size; rows behind those of flat shapes.
+// Functions of letters, besides text, font and size; the rows come after those of flat shapes.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 3> align_names{"left", "centre", "
 inline constexpr std::array<std::string_view, 9> weight_names{
     "thin", "extralight", "light", "regular", "medium", "semibold", "bold", "extrabold", "black"};
 
-// Which of the words a text is; `otherwise` where code has made it none of them.
+// Returns the index of a text among the words, or `otherwise` if code has made it none of them.
 template <class Word, std::size_t n>
 Word word_in(const std::array<std::string_view, n>& words, const Value& v, Word otherwise) {
   const auto* text = std::get_if<Text>(&v);
@@ -61,7 +61,7 @@ inline const FunctionSpec text_functions[] = {
      .high = most_letters,
      .shape =
          [](Shape& s, const Value& v, const Scene&) {
-           // What comes to a whole number but for rounding is one.
+           // A number that is whole except for rounding counts as whole.
            const double all = static_cast<double>(most_letters);
            s.letters.typed = static_cast<std::uint32_t>(std::floor(std::clamp(std::get<double>(v), 0.0, all) + 1e-6));
          },

@@ -19,7 +19,7 @@ struct PositionHash {
   }
 };
 
-// One side of a triangle, between welded vertices.
+// A side of a triangle, between welded vertices.
 struct Side {
   std::uint32_t low, high, triangle;
   bool forward;  // from low to high
@@ -52,7 +52,7 @@ void each_edge(const std::vector<Side>& sides, F use) {
 
 Vec3 corner(const Mesh& mesh, std::size_t i) { return widen(mesh.positions[mesh.triangles[i]]); }
 
-// Twice the area, along the normal.
+// Returns twice the area, along the normal.
 Vec3 area_vector(const Mesh& mesh, std::size_t triangle) {
   const Vec3 a = corner(mesh, 3 * triangle);
   return cross(corner(mesh, 3 * triangle + 1) - a, corner(mesh, 3 * triangle + 2) - a);
@@ -128,7 +128,7 @@ bool is_closed(const Mesh& mesh) {
     for (std::size_t k = 1; k < 3; ++k)
       parent[root(parent, welded[mesh.triangles[i + k]])] = root(parent, welded[mesh.triangles[i]]);
   std::unordered_map<std::uint32_t, double> volumes;
-  const Vec3 origin = corner(mesh, 0);  // near the mesh, so that little cancels
+  const Vec3 origin = corner(mesh, 0);  // near the mesh, against cancellation
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
     volumes[root(parent, welded[mesh.triangles[i]])] +=
         dot(corner(mesh, i) - origin, cross(corner(mesh, i + 1) - origin, corner(mesh, i + 2) - origin));
@@ -149,7 +149,7 @@ void make_normals(Mesh& mesh, double crease, std::vector<std::uint32_t>* from) {
   std::vector<Vec3> face(corners / 3);
   for (std::size_t t = 0; t < face.size(); ++t) face[t] = area_vector(mesh, t);
 
-  // The corners that meet at each position, one run after the other.
+  // The corners at each position, one run after the other.
   std::vector<std::uint32_t> begin(mesh.positions.size() + 1, 0), around(corners);
   for (const auto v : mesh.triangles) ++begin[welded[v] + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -158,11 +158,11 @@ void make_normals(Mesh& mesh, double crease, std::vector<std::uint32_t>* from) {
 
   const double limit = std::cos(crease);
   constexpr std::uint32_t crowd =
-      256;  // the hub of so many triangles stays flat: comparing all with all would take too long
+      256;  // a vertex with more triangles stays flat: comparing all pairs would take too long
   Mesh out;
   out.parts = std::move(mesh.parts);
   out.triangles.resize(corners);
-  std::vector<std::vector<std::uint32_t>> copies(mesh.positions.size());  // of a vertex, one for each normal it has
+  std::vector<std::vector<std::uint32_t>> copies(mesh.positions.size());  // of a vertex, one for each of its normals
   for (std::uint32_t c = 0; c < corners; ++c) {
     const std::uint32_t v = mesh.triangles[c], w = welded[v];
     const Vec3 own = normalize(face[c / 3]);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What can be told of a mesh from which corners its triangles share. Corners at the same position count as one.
+// The topology of a mesh: the corners that its triangles share. Corners at the same position count as one.
 #pragma once
 
 #include <cstdint>
@@ -17,23 +17,25 @@ inline std::array<float, 3> narrow(Vec3 p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-// For each vertex the first one at the same position.
+// Returns, for each vertex, the first one at the same position.
 std::vector<std::uint32_t> weld(const std::vector<std::array<float, 3>>& positions);
 
-// The edges worth drawing as wireframe: borders, and those where the surface bends (by more than half a degree).
+// Returns the edges for wireframe: borders, and those where the surface bends by more than half a degree.
 std::vector<std::uint32_t> crease_edges(const Mesh&);
-// Which these are, for who knows the neighbours of each triangle already.
+// Return the normal of each triangle, and whether the edge between two is such an edge: for callers who know which
+// triangles are neighbours.
 std::vector<Vec3> face_normals(const Mesh&);
 bool creased(Vec3 normal, Vec3 other);
 
-// Every edge is used once each way, and every connected part encloses a positive volume.
+// Returns whether every edge is used once in each direction, and every connected part encloses a positive volume.
 bool is_closed(const Mesh&);
 
-// Volume enclosed by the triangles; negative when they face inward.
+// Returns the volume inside the triangles; negative if they face inward.
 double signed_volume(const Mesh&);
 
-// Sets normals, splitting vertices where the surface bends by more than `crease` radians. Triangles without area are
-// dropped together with what they had in `parts`. `from`: which vertex each has been.
+// Sets normals, and splits vertices where the surface bends by more than `crease` radians. Removes triangles without
+// area, from `parts` too. `from`: the original index of each vertex.
+
 void make_normals(Mesh&, double crease, std::vector<std::uint32_t>* from = nullptr);
 
 }  // namespace betwixt

@@ -7,7 +7,7 @@
 namespace betwixt {
 namespace {
 
-// What is known of a target's function: its own or on a layer; null: nothing.
+// Returns the slot of a target's function, its own or on a layer, or null if it has none.
 const Slot* slot_of(const Document& d, const Target& t) {
   const Object* o = find_object(d.scene(), t.object);
   return o ? o->find(t.function, t.layer) : nullptr;
@@ -38,7 +38,7 @@ bool all_values(const Track& track) {
   return all;
 }
 
-// What numbers do, whatever they are the numbers of, and what only becomes known from the values.
+// Returns the default twerper of a track; for rotations and aims it depends on the values.
 Twerper unsaid(const Target& t, Type type, const Track& track) {
   if (t.velocity) return Twerper::smooth;
   if (t.component >= 0) return row_of(component_track_type(type)).twerper;
@@ -83,7 +83,8 @@ EventView view_of(const Scene& s, const Event& e) {
   return view;
 }
 
-// All tracks of one slot that say something.
+// Adds all tracks of one slot that have any content.
+
 void add_tracks(const Scene& s, ObjectId object, const Slot& slot, std::vector<TrackView>& out) {
   Target t(object, slot.function);
   t.layer = slot.layer;

@@ -8,12 +8,12 @@
 
 namespace betwixt {
 
-// A time in which a value goes on changing; an instant where it jumps. Outside all of its activities it stays as it is.
+// An interval in which a value changes, or an instant at which it jumps. Outside all its activities it is constant.
 struct Activity {
   std::int64_t from = 0, until = 0;
   bool has(std::int64_t t) const { return from <= t && t < until; }
 };
-// Adds one behind the others; those that meet become one. `first`: where those of the same value begin.
+// Appends an activity; joins it with the last one if they meet. `first`: the first activity of the same value.
 void add_activity(std::vector<Activity>&, std::size_t first, Activity);
 
 }  // namespace betwixt

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A place on a line that some object is, as a value: of a position the place, of a rotation the direction there. Two
-// such events of one line are joined along it: their shares of its length blend.
+// A place on the line of some object, as a value: for a position the place, for a rotation the direction there. Between
+// two such events on one line the share of its length is interpolated.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,15 +14,15 @@ namespace betwixt {
 class Along : public Routine {
  public:
   ObjectId road;
-  double share = 0;  // of its length
+  double share = 0;  // of the line's length
 
   Along(ObjectId line, double at) : road(line), share(at) {
     language = "along";
-    source = fmt::format("{} {}", road.index, share);  // equal ones are equal
+    source = fmt::format("{} {}", road.index, share);  // equal values have equal texts
   }
 };
 
-// Null: the value is something else.
+// Returns null if the value is another one.
 inline const Along* along(const Value& v) {
   const auto* p = std::get_if<Procedure>(&v);
   return p ? dynamic_cast<const Along*>(p->code.get()) : nullptr;

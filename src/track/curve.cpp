@@ -24,7 +24,7 @@ bool all_angles(const Track& track) {
   return all;
 }
 
-// The numbers of a value as a curve holds them.
+// Returns the numbers of a value in the form of a curve.
 Numbers compiled(const Value& v, const Curve& c, Type type) {
   Numbers n{};
   if (c.orientation) {
@@ -39,8 +39,8 @@ Numbers compiled(const Value& v, const Curve& c, Type type) {
   return n;
 }
 
-// A track that goes round and comes to where it began: its last event but one stands before the first one too, and its
-// second one behind the last.
+// For a track that repeats with equal ends: copies its last event but one before the first, and the second behind
+// the last.
 void join_ends(CurveColumns& all, Curve& c) {
   const std::size_t n = c.channels;
   all.values.resize(all.values.size() + n);
@@ -51,7 +51,7 @@ void join_ends(CurveColumns& all, Curve& c) {
   };
   if (c.count < 3 || cut(c.first) || cut(c.first + c.count - 1)) return;
   const bool opposite = c.orientation && dot(quat(first), quat(last)) < 0;
-  for (std::size_t i = 0; i < n; ++i)  // a whole turn is not quite none, in doubles
+  for (std::size_t i = 0; i < n; ++i)  // a whole turn is not exactly zero in doubles
     if (std::abs(last[i] - (opposite ? -first[i] : first[i])) > (c.orientation ? 1e-12 : 0)) return;
   for (std::size_t i = 0; i < n; ++i) {
     (first - n)[i] = opposite ? -(last - n)[i] : (last - n)[i];
@@ -115,7 +115,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   c.before = track.before, c.after = track.after;
   const auto first_detail = all.details.size();
   const bool cyclic = c.before == Extrapolation::cycle || c.after == Extrapolation::cycle;
-  if (cyclic) {  // room for what comes before the first event across the seam
+  if (cyclic) {  // reserve a place for the event before the first one, across the seam
     all.values.resize(all.values.size() + c.channels);
     c.values += c.channels;
   }
@@ -136,8 +136,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     d.arguments = track.global != Twerper::unset ? track.arguments : e.detail->arguments;
     if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
     const auto tangent = [&](const std::optional<Value>& said, bool& has, Numbers& rate) {
-      if (!said || (c.orientation && !std::holds_alternative<Quat>(*said)))
-        return;  // that of an angle among orientations
+      if (!said || (c.orientation && !std::holds_alternative<Quat>(*said))) return;  // skip angles among orientations
       has = true, rate = compiled(*said, c, type);
     };
     tangent(e.detail->tangent_in, d.has_in, d.tangent_in);
@@ -150,7 +149,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   bool any_kept = false;
   track.events.each([&](const Event& e) { any_kept = any_kept || e.keep; });
   if (any_kept) {
-    // The curve through the events that have values says what the others keep.
+    // The curve through the events with values gives the value of those with `keep`.
     Track valued = track;
     std::vector<Time> without;
     track.events.each([&](const Event& e) {
@@ -159,7 +158,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     for (Time t : without) valued.events.erase(t, t);
     CurveSet set;
     Curve through = valued.events.empty() ? Curve{} : set.add(valued, type, component);
-    through.srgb = false;  // columns hold the numbers as written
+    through.srgb = false;  // columns have sRGB numbers
     track.events.each([&](const Event& e) {
       if (!e.keep) return push(e, compiled(e.value, c, type));
       if (through.count == 0) return;
@@ -171,7 +170,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     track.events.each([&](const Event& e) { push(e, compiled(e.value, c, type)); });
   }
   c.count = static_cast<std::uint32_t>(all.times.size()) - c.first;
-  if (c.orientation) {  // q and -q are one orientation: each key takes the sign nearer to the one before it
+  if (c.orientation) {  // q and -q are one orientation: each key gets the sign nearer to the one before
     auto d = all.details.begin() + static_cast<std::ptrdiff_t>(first_detail);
     Quat last;
     for (std::uint32_t k = 0; k < c.count; ++k) {
@@ -182,7 +181,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
       };
       CurveDetail none;
       CurveDetail& here = d != all.details.end() && d->event == c.first + k ? *d++ : none;
-      // What it comes to, and what it goes on from.
+      // The values before and after the cut.
       if (here.cut) take_sign(here.before.data(), here.tangent_in.data());
       const Quat said = quat(v);
       take_sign(v, here.tangent_out.data());
@@ -193,7 +192,7 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   return c;
 }
 
-// A twerper of the author's gets the time with eases in it, like all others. One that errs is as good as linear.
+// A twerper of the author's gets the eased time, like all others. If it fails, it counts as linear.
 double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
   if (!is_own(t)) {
     static const TwerperArguments unsaid;
@@ -221,7 +220,7 @@ const CurveDetail* CurveSet::detail(const Curve& c, std::uint32_t k) {
   return at != details.end() && at->event == c.first + k ? &*at : nullptr;
 }
 
-// What there is to blend between event k and event k + 1 (R-T4); s is not yet said.
+// Returns the blend between events k and k + 1, without s.
 Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
   const std::uint32_t n = c.channels;
   const std::int64_t* time = &c.columns->times[c.first];
@@ -232,13 +231,13 @@ Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
   g.from = &c.columns->values[c.values + n * k];
   g.to = next && next->cut ? next->before.data() : g.from + n;
   g.length = g.length_before = g.length_after = static_cast<double>(time[k + 1] - time[k]);
-  // Neighbours; across a cut, a hold or the track's end there are none.
+  // There are no neighbours across a cut, a hold or the track's end.
   const std::uint32_t last = c.count - 1;
   if (k > 0 && !(here && here->cut) && twerper_of(k - 1) != Twerper::hold) {
     g.before = g.from - n;
     g.length_before = static_cast<double>(time[k] - time[k - 1]);
   } else if (k == 0 && c.seamless && twerper_of(last - 1) != Twerper::hold) {
-    g.before = g.from - n;  // the columns have it there
+    g.before = g.from - n;  // the columns have the copy there
     g.length_before = static_cast<double>(time[last] - time[last - 1]);
   }
   if (k + 2 < c.count && !(next && next->cut) && twerper_of(k + 1) != Twerper::hold) {
@@ -257,7 +256,7 @@ Blend CurveSet::blend(const Curve& c, std::uint32_t k) const {
   return g;
 }
 
-// `since` flicks after event k.
+// Evaluates `since` flicks after event k.
 void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* out) const {
   const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   Blend g = blend(c, k);
@@ -276,12 +275,12 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
     return;
   }
   if (row && !c.orientation && row->numbers) return row->numbers(g, out);
-  const double s = factor(twerper, g.s, here);  // its ends and a factor
+  const double s = factor(twerper, g.s, here);  // the ends and a factor are enough
   if (c.orientation) return store(slerp(quat(g.from), quat(g.to), s), out);
   for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = g.from[i] + s * (g.to[i] - g.from[i]);
 }
 
-// The numbers as the columns hold them.
+// Evaluates in the form of the columns.
 void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
   const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
   if (t < *first || t > *last || (t == *last && c.after == Extrapolation::cycle && c.count > 1)) {
@@ -290,7 +289,7 @@ void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
     if (how == Extrapolation::cycle || how == Extrapolation::bounce) {
       t = fold(t, *first, *last, how == Extrapolation::bounce);
     } else {
-      // A cut at an end leaves one value outside it, and no slope.
+      // With a cut at an end, the value outside is constant.
       const CurveDetail* end = detail(c, (after ? c.count - 1 : 0));
       const bool cut = end && end->cut;
       if (how == Extrapolation::linear && c.count > 1 && !cut)
@@ -320,7 +319,7 @@ void add_activity(std::vector<Activity>& out, std::size_t first, Activity run) {
     out.push_back(run);
 }
 
-// Whether a segment has the same numbers from its first moment to its last but one.
+// Returns whether a segment is constant from its first moment to just before its last.
 bool CurveSet::still(const Curve& c, std::uint32_t k) const {
   const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   if (twerper == Twerper::hold) return true;

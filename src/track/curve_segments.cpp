@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which segment of a curve a time is in, and its cubics.
+// Finds the segment of a curve at a time, and its cubics.
 #include <algorithm>
 
 #include "track/curve.h"
@@ -9,8 +9,8 @@
 namespace betwixt {
 namespace {
 
-// About where the last event before t is, which is neither before the first one nor at the last: most tracks' events
-// are about evenly spread.
+// Estimates the last event before t, which is between the first and the last: in most tracks the events are about
+// evenly spaced.
 std::uint32_t guess(std::int64_t first, std::int64_t last, std::uint32_t count, std::int64_t t) {
   const double all = static_cast<double>(last) - static_cast<double>(first);
   const double part = (static_cast<double>(t) - static_cast<double>(first)) / all;
@@ -31,7 +31,7 @@ void put_cubics(const TwerperRow& row, const Blend& g, CubicSegment& out) {
 
 }  // namespace
 
-// Next to where it was, a step or two from the guess, or found by halving.
+// Tries the events next to `here`, then those next to the estimate, then bisects.
 std::uint32_t CurveEvents::before(const std::int64_t* time, std::uint32_t count, std::int64_t t, std::uint32_t here) {
   if (here + 2 < count && t >= time[here + 1] && t < time[here + 2]) return here + 1;
   std::uint32_t k = guess(time[0], time[count - 1], count, t);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What follows from how a curve goes: beyond its ends, its rate of change.
+// The extrapolation and the derivative of curves.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,12 +14,13 @@ namespace {
 
 using Numbers = std::array<double, 4>;
 
-// Whether a segment of numbers is a polynomial of its eased time: a straight line or what a row works out itself.
+// Returns whether a segment of numbers is a polynomial of its eased time: linear, or with a formula of its row.
 bool straight(Twerper t, const CurveDetail* from) {
   return !is_own(t) && !row_of(t).factor && !row_of(t).cubics && !row_of(t).turn && !(from && from->arguments.stops);
 }
 
-// Of an F-curve, the whole segment taken as 1: towards the handle, or the other event's where it is the event itself.
+// Returns the slope of an F-curve over a segment of length 1: towards the handle, or, if the handle is at the event,
+// towards the other event's handle.
 std::optional<double> handle_slope(const Blend& g, std::uint32_t i, bool after) {
   const double own = after ? g.handle_in_length : g.handle_out_length;
   const double* way = after ? g.handle_in : g.handle_out;
@@ -28,19 +29,19 @@ std::optional<double> handle_slope(const Blend& g, std::uint32_t i, bool after) 
   return std::nullopt;
 }
 
-// How steep a bezier's factor is where it ends or begins; none where it stands upright.
+// Returns the slope of a bezier's factor at its end or beginning, or nullopt if it is vertical.
 std::optional<double> bezier_slope(const std::array<double, 4>& b, bool after) {
   const double x1 = after ? 1 - b[2] : b[0], y1 = after ? 1 - b[3] : b[1];
   const double x2 = after ? 1 - b[0] : b[2], y2 = after ? 1 - b[1] : b[3];
   if (x1 > 0) return y1 / x1;
   if (y1 != 0) return std::nullopt;
-  return x2 > 0 ? std::optional(y2 / x2) : std::nullopt;  // the near point is the end itself: the other one says
+  return x2 > 0 ? std::optional(y2 / x2) : std::nullopt;  // the near point is the end itself, so use the other one
 }
 
 }  // namespace
 
-// Beyond the first or last event, `past` flicks from it: the speed that the end segment has there goes on. An
-// orientation keeps turning.
+// Extrapolates `past` flicks beyond the first or last event at the speed of the end segment. An orientation keeps
+// turning.
 void CurveSet::beyond(const Curve& c, bool after, double past, double* out) const {
   const std::uint32_t end = after ? c.count - 1 : 0, k = after ? end - 1 : 0, n = c.channels;
   const double* value = &c.columns->values[c.values + end * n];
@@ -52,7 +53,7 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
   if (straight(twerper, from) && !(from && from->ease_out > 0) && !(to && to->ease_in > 0))
     return segment(c, k, after ? h + past : past, out);  // exact
 
-  // An ease ends at rest; an upright tangent has no slope to go on with.
+  // An ease ends at rest; a vertical tangent has no slope to continue with.
   double out_part = from ? from->ease_out / h : 0, in_part = to ? to->ease_in / h : 0;
   if ((after ? in_part : out_part) > 0) return;
   const double shrink = std::max(1.0, out_part + in_part), eased_slope = 1 / (1 - (out_part + in_part) / shrink / 2);
@@ -91,7 +92,7 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
 }
 
 void CurveSet::derivative(const Curve& c, Time time, double* out, bool coming) const {
-  // Five values about the time, all in its own segment: the difference that is exact for quartics.
+  // Five values around the time, all in its own segment: a difference quotient that is exact for quartics.
   const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
   const std::int64_t t = time.flicks;
   const double second = static_cast<double>(flicks_per_second);
@@ -99,7 +100,7 @@ void CurveSet::derivative(const Curve& c, Time time, double* out, bool coming) c
   if (c.count < 2) return;
   const bool early = coming ? t <= *first : t < *first, outside = early || (coming ? t > *last : t >= *last);
   std::array<Numbers, 5> v{};
-  double h = 0, offset = 0;  // a step, and where the time is among the five, in steps
+  double h = 0, offset = 0;  // the step, and the offset of the time among the five, in steps
   if (outside) {
     const Extrapolation how = early ? c.before : c.after;
     if (how == Extrapolation::hold) return;
@@ -135,12 +136,12 @@ void CurveSet::derivative(const Curve& c, Time time, double* out, bool coming) c
     }
     w[static_cast<std::size_t>(i)] = sum / below / (h / second);
   }
-  if (!c.orientation) {  // by differences: what stays where it is has no speed at all
+  if (!c.orientation) {  // from differences, so that a constant has no speed at all
     for (std::size_t i = 1; i < 5; ++i)
       for (std::size_t n = 0; n < c.channels; ++n) out[n] += w[i] * (v[i][n] - v[0][n]);
     return;
   }
-  // Turns away from the middle one, in the axes outside.
+  // Rotations relative to the middle one, in the parent's axes.
   const Quat middle = quat(v[2].data());
   for (std::size_t i = 0; i < 5; ++i) {
     Quat q = quat(v[i].data());

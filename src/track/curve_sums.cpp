@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The integral of a curve over time: exact where it is made of polynomials, else as fine as its values want it.
+// The integral of a curve over time: exact for polynomials, otherwise adaptive.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,7 +13,7 @@ namespace {
 
 using Sums = std::array<double, 4>;
 
-// The eases of a segment, as parts of it, and the time at which they have come to s.
+// The eases of a segment, as parts of it, and the inverse of the eased time.
 struct Eases {
   double out = 0, in = 0;
   double time_of(double s) const {
@@ -30,7 +30,7 @@ Eases eases_of(const CurveDetail* from, const CurveDetail* to, double h) {
   return {e.out / shrink, e.in / shrink};
 }
 
-// Where in s one polynomial goes over into the next: at stops and steps.
+// Returns the values of s at which one polynomial ends and the next begins: stops and steps.
 std::vector<double> joints(Twerper t, const CurveDetail* from) {
   std::vector<double> out;
   if (from && from->arguments.stops)
@@ -42,7 +42,7 @@ std::vector<double> joints(Twerper t, const CurveDetail* from) {
 
 bool polynomials(Twerper t) { return !is_own(t) && (row_of(t).cubics || row_of(t).steps || !row_of(t).factor); }
 
-// Gauss and Legendre's five points are exact to the ninth degree: a cubic of an ease has the sixth.
+// Gauss-Legendre with five points is exact to the ninth degree; a cubic of an ease has the sixth.
 template <class F>
 Sums by_five(const F& value, double from, double to) {
   static constexpr double at[] = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
@@ -57,7 +57,7 @@ Sums by_five(const F& value, double from, double to) {
   return sum;
 }
 
-// A stretch of time, its sum by Kronrod's fifteen points, and how far the seven of Gauss among them are off.
+// An interval of time, its integral by Kronrod's fifteen points, and the error estimate by the seven of Gauss.
 struct Stretch15 {
   double from = 0, to = 0, error = 0;
   Sums sum{};
@@ -93,12 +93,12 @@ Stretch15 by_fifteen(const F& value, double from, double to) {
   return out;
 }
 
-// What is no polynomial: whatever stretch is furthest off is halved, until all of them are off by next to nothing.
-// Corners, jumps and upright slopes need some thirty halvings each.
+// Integrates functions that are not polynomials: bisects the interval with the largest error until the total is
+// negligible. Corners, jumps and vertical slopes need some thirty bisections each.
 template <class F>
 Sums by_halving(const F& value, const std::vector<double>& seams) {
   constexpr std::size_t most = 256;
-  double size = 0;  // of the largest value seen
+  double size = 0;  // the largest absolute value
   const auto seen = [&](double u) {
     const Sums n = value(u);
     for (const double x : n) size = std::max(size, std::abs(x));

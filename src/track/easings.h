@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twerpers by name: Penner's families of easings (easings.net has the same numbers) and those of CSS. A family is said
-// by how it begins slowly; its others are that one turned about the middle.
+// Twerpers by name: Penner's families of easings (easings.net has the same numbers) and those of CSS. A family is
+// defined by its slow beginning; its other forms are that one turned about the middle.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ inline double quart(double s) { return s * s * s * s; }
 inline double quint(double s) { return s * s * s * s * s; }
 inline double expo(double s) { return s <= 0 ? 0 : std::exp2(10 * s - 10); }
 inline double circ(double s) { return 1 - std::sqrt(std::max(0.0, 1 - s * s)); }
-// A tenth too far; twice the way wants more of it.
+// Overshoots by a tenth; `-in-out` needs a larger constant for it.
 inline double goes_back(double s, double c) { return s * s * ((c + 1) * s - c); }
 inline double back(double s) { return goes_back(s, 1.70158); }
 inline double back_twice(double s) { return goes_back(s, 1.70158 * 1.525); }
@@ -54,7 +54,7 @@ double in_out(double s, const Arguments&) {
   return s < 0.5 ? of(2 * s) / 2 : 1 - of(2 - 2 * s) / 2;
 }
 
-// As in CSS: where it jumps is 0 at the end of each step, 1 at its start, 2 at neither end, 3 at both.
+// As in CSS. The jumps are 0 at the end of each step, 1 at its start, 2 at neither end, 3 at both.
 inline double steps(double s, const Arguments& a) {
   if (s >= 1) return 1;
   const double n = a[0], jumps = a[1], all = jumps == 2 ? n - 1 : jumps == 3 ? n + 1 : n;

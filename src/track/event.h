@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An event: a value at a time, and how to go on from there. (twixt notes, 3.2 and 4.6)
+// An event (keyframe): a value at a time, and how the track continues from there. (twixt notes, 3.2 and 4.6)
 #pragma once
 
 #include <algorithm>
@@ -15,19 +15,19 @@
 
 namespace betwixt {
 
-// Interpolators; their rows are in twerpers.h. `unset` leaves the choice to the type: numbers smooth, colours linear,
-// orientations slerp, all else hold.
+// Interpolators; twerpers.h has their rows. `unset` is the default of the type: smooth for numbers, linear for colours,
+// slerp for orientations, hold for all others.
 enum class Twerper : std::uint8_t { unset, hold, linear, smooth, bspline, hermite, bezier, slerp, squad };
 
-// Above the built-in ones: the document's own, by their place among its procedures.
+// Numbers from here on are the document's own twerpers, by their place among its procedures.
 inline constexpr std::uint8_t first_own_twerper = 56;
 constexpr bool is_own(Twerper t) { return static_cast<std::uint8_t>(t) >= first_own_twerper; }
 
-// Of linear(…): how far in time a stop is, in hundredths, and how far between the two values; in the order of time.
+// A stop of linear(…): the time in percent, and the share of the way between the two values. In order of time.
 using Stop = std::array<double, 2>;
 using Stops = std::vector<Stop>;
 
-// What stands in brackets behind a twerper: of bezier x1 y1 x2 y2.
+// The arguments in brackets after a twerper; of bezier x1 y1 x2 y2.
 struct TwerperArguments : std::array<double, 4> {
   TwerperArguments() : TwerperArguments(0.25, 0.1, 0.25, 1) {}
   TwerperArguments(const std::array<double, 4>& numbers) : array(numbers) {}
@@ -39,17 +39,17 @@ struct TwerperArguments : std::array<double, 4> {
   }
 };
 
-// What few events have.
+// The fields that few events have.
 struct EventDetail {
   Time ease_in, ease_out;
-  std::optional<Value> before;  // a cut: what the track comes to; the event's value is what it goes on from
+  std::optional<Value> before;  // a cut: the value just before it; the event's value is the one after
   TwerperArguments arguments;
-  std::optional<Value> tangent_in, tangent_out;  // hermite: per second; with a handle the way there in value
-  std::optional<Time> handle_in, handle_out;     // fcurve: how far in time from the event its handles are
+  std::optional<Value> tangent_in, tangent_out;  // hermite: per second; with a handle, its height in value
+  std::optional<Time> handle_in, handle_out;     // fcurve: the length of its handles in time
   friend bool operator==(const EventDetail&, const EventDetail&) = default;
 };
 
-// A detail or none, in one word; copies are deep.
+// A detail or none, in one word. Copies are deep.
 class DetailBox {
  public:
   DetailBox() = default;
@@ -83,8 +83,8 @@ struct Event {
   Value value;
   DetailBox detail;
   Twerper twerper = Twerper::unset;
-  bool release = false;  // on a velocity track: the end of its reign (R-T5); no value
-  bool keep = false;     // changes the twerper only: the value is what the track would have here without this event
+  bool release = false;  // on a velocity track: the end of its reign; no value
+  bool keep = false;     // changes the twerper only; the value is that of the track without this event
   friend bool operator==(const Event&, const Event&) = default;
 };
 static_assert(sizeof(Event) <= 64, "an event has grown; a document of a million of them notices");

@@ -14,7 +14,7 @@ std::size_t Events::chunk_of(Time t) const {
 
 bool Events::put(Event event) {
   std::size_t c = chunks_.empty() || chunks_.back()->back().time < event.time ? chunks_.size() : chunk_of(event.time);
-  if (c == chunks_.size()) {  // after everything: the usual case when a file is read
+  if (c == chunks_.size()) {  // at the end: the usual case when a file is read
     if (chunks_.empty() || chunks_.back()->size() >= most) {
       chunks_.emplace_back();
       if (chunks_.size() > 1) chunks_.back().edit().reserve(most);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `smooth` and `spring` look at the track on a grid of their own that starts at time 0, not at offsets from the time
-// asked for. So the outcome is smooth in time whatever the track does: where it jumps, samples that move along with the
-// time would pass the jump one by one, and each would make a small jump again.
+// `smooth` and `spring` sample the track on a fixed grid that starts at time 0, not at offsets from the evaluated time.
+// So the result is smooth in time whatever the track does. If the samples moved with the time, they would pass a jump
+// one by one, and each would make a small jump again.
 #include "track/filter.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace betwixt {
 
-// What a filter was told, or else what it does when nothing is said.
+// A filter with its arguments or their defaults.
 struct FilterCall {
   const Filter& filter;
   const FilterSpec& spec;
@@ -33,18 +33,18 @@ struct FilterCall {
     return v;
   }
   double number(std::string_view name) const { return triple(name).x; }
-  // Which component of the whole the i-th one of the value is.
+  // Returns the component of the whole value for the i-th one of this value.
   int component(int i) const { return std::clamp(filter.component < 0 ? i : filter.component, 0, 2); }
 };
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double far = 1e12;  // no number of a film is larger
+constexpr double far = 1e12;  // larger than any number of a film
 
 Value look(Input& input, double seconds) { return input.at(std::clamp(seconds, -longest_seconds, longest_seconds)); }
 
-// A value as numbers that can be added up; none for what has none.
+// A value as numbers that can be added; empty if it has none.
 struct Sample {
   double n[4] = {};
   int count = 0;
@@ -54,14 +54,14 @@ Sample numbers(const Value& v) {
   if (!std::holds_alternative<bool>(v)) s.count = to_numbers(v, s.n);
   return s;
 }
-// The same to take means of: of colours the light that they stand for.
+// The same for means: colours as linear light.
 Sample mixable(const Value& v) {
   Sample s = numbers(v);
   if (std::holds_alternative<Color>(v))
     for (double& x : s.n) x = to_linear(x);
   return s;
 }
-// The value of the same kind as `like` that has these numbers. There is no darker than black.
+// Returns the value of the same kind as `like` with these numbers. Colours are not below black.
 Value value_of(const Value& like, const double* n) {
   if (numbers(like).count == 0) return like;
   Value v = with_numbers(like, n);
@@ -76,8 +76,8 @@ Value mixed(const Value& like, Sample s) {
   return value_of(like, s.n);
 }
 
-// The same of a value among others of the kind of `like`: where these are orientations angles become one, and of the
-// two quaternions that an orientation has it is the nearer to `beside`.
+// The same for a value of the kind of `like`: among orientations, angles are converted, and of the two quaternions of
+// an orientation the nearer to `beside` is taken.
 Sample sample_near(const Value& v, const Value& like, const Sample& beside) {
   const bool turns = std::holds_alternative<Quat>(like);
   const auto* angles = turns ? std::get_if<Angles>(&v) : nullptr;
@@ -91,8 +91,8 @@ Sample sample_near(const Value& v, const Value& like, const Sample& beside) {
 
 // The track at the points first, first + 1, … of a grid.
 struct Samples {
-  Value like;              // the kind that they all have
-  std::vector<Sample> at;  // empty: not numbers, or of several kinds
+  Value like;              // the common kind
+  std::vector<Sample> at;  // empty if they are not numbers, or of several kinds
 };
 Samples samples(Input& input, double first, int count, double cell) {
   std::vector<Value> values;
@@ -110,7 +110,7 @@ Samples samples(Input& input, double first, int count, double cell) {
   return s;
 }
 
-// The cubic B-spline over four knots -2 to 2. Its integral is 1; and how much of that lies behind x.
+// The cubic B-spline over the knots -2 to 2, whose integral is 1; and the part of the integral beyond x.
 double spline(double x) {
   const double a = std::abs(x);
   if (a >= 2) return 0;
@@ -122,13 +122,12 @@ double spline_behind(double x) {
   return x < 0 ? 1 - behind : behind;
 }
 
-// A jump within a cell of a grid: where, in seconds, and by how much.
+// A jump within a cell of a grid: its time in seconds, and its size.
 struct Jump {
   double at = 0, by[4] = {};
 };
-// It is the place that as large a change as that of the whole cell shrinks to when the cell is halved again and again;
-// where there is a slope the change shrinks too. Only the cell itself is looked at, so that whoever comes by finds the
-// same.
+// Finds a jump by repeated bisection of the cell: at a jump the change stays as large as that of the whole cell; on a
+// slope it shrinks too. Only the cell itself is read, so the result is the same for every caller.
 std::optional<Jump> jump_in(Input& input, const Value& like, Sample before, Sample after, double from, double to) {
   constexpr int halvings = 24;  // of a cell of the usual window: to less than a flick
   const auto change = [&](const Sample& a, const Sample& b) {
@@ -150,18 +149,18 @@ std::optional<Jump> jump_in(Input& input, const Value& like, Sample before, Samp
   return whole > 0 ? std::optional(jump) : std::nullopt;
 }
 
-// A mean weighted by a cubic B-spline. Because a whole number of cells lies between two knots of the spline, the
-// weights add up to 1 wherever the grid lies below it, their centre is the time asked for, and the mean has two
-// continuous derivatives. A jump that lies between two points of the grid counts from where it is.
+// A mean weighted by a cubic B-spline. There is a whole number of cells between two knots of the spline. Therefore the
+// weights add up to 1 wherever the grid is relative to the spline, their centre is the evaluated time, and the mean has
+// two continuous derivatives. A jump between two points of the grid counts from its own time on.
 constexpr int cells_between_knots = 8;
 Value smooth(const FilterCall& told, Input& input, double seconds) {
   constexpr int reach = 2 * cells_between_knots;
-  constexpr int count = 2 * reach + 2;  // all cells that the spline touches
+  constexpr int count = 2 * reach + 2;  // all cells under the spline
   const double cell = told.number("width") / (2 * reach);
   const double first = std::floor(seconds / cell) - reach;
   const Samples s = samples(input, first, count, cell);
   if (s.at.empty()) return look(input, seconds);
-  const Sample& base = s.at[reach];  // means of differences from it: a constant stays what it is to the last bit
+  const Sample& base = s.at[reach];  // average differences from it, so that a constant stays the same to the last bit
   const auto place = [&](double k) { return (first + k - seconds / cell) / cells_between_knots; };
   Sample mean = base;
   double behind = 1;  // the weights of the points from k on
@@ -179,12 +178,12 @@ Value smooth(const FilterCall& told, Input& input, double seconds) {
 }
 
 // A mass on a damped spring whose other end follows the track: x'' = w² (u - x) - 2 d w x'. Between two points of the
-// grid the track counts as a straight piece, on which the motion has a closed form. A straight line is followed 2 d / w
-// late. The mass starts at rest so long ago that what it did before has decayed to less than 1e-4.
+// grid the track is taken as linear; for that the motion has a closed form. A straight line is followed 2 d / w late.
+// The mass starts at rest early enough that its earlier motion has decayed to less than 1e-4.
 struct Oscillator {
   double w, damping;
   struct Step {
-    double time, xx, xv, vx, vv;  // how the deviation from the steady motion goes on
+    double time, xx, xv, vx, vv;  // the factors of the deviation from the steady motion
   };
   Step step(double time) const {
     const double d = 1 - damping * damping, rate = w * std::sqrt(std::abs(d));
@@ -193,24 +192,23 @@ struct Oscillator {
     const double s = decay * (turn < 1e-6 ? time : (d > 0 ? std::sin(turn) : std::sinh(turn)) / rate);
     return {time, c + damping * w * s, s, -w * w * s, c - damping * w * s};
   }
-  // From `from` the end moves with a steady velocity.
+  // The end moves from `from` with a constant velocity.
   void advance(double& x, double& v, const Step& step, double from, double velocity) const {
     const double lag = 2 * damping / w * velocity;
     const double dx = x - (from - lag), dv = v - velocity;
     x = step.xx * dx + step.xv * dv + from + velocity * step.time - lag;
     v = step.vx * dx + step.vv * dv + velocity;
   }
-  // The slowest part dies away like exp(-t / this).
+  // The slowest part decays like exp(-t / this).
   double time_constant() const {
     return 1 / (w * (damping > 1 ? damping - std::sqrt(damping * damping - 1) : damping));
   }
 };
 
-// A jump within a cell of the grid, found by halving: from straight pieces alone the weight would see it half a cell
-// off.
+// A jump within a cell of the grid, found by bisection. Otherwise the mass would see it half a cell off.
 struct Bend {
   std::size_t cell = 0;
-  double at = 0;  // seconds from the cell's beginning, within it
+  double at = 0;  // seconds since the beginning of the cell
   Sample before, after;
 };
 std::vector<Bend> bends_of(Input& input, const Samples& s, double first, double cell) {
@@ -234,7 +232,7 @@ std::vector<Bend> bends_of(Input& input, const Samples& s, double first, double 
       const auto middle = looked(begin + (from + to) / 2);
       if (middle.empty() || middle[0].count != bend.before.count) break;
       const bool early = apart(bend.before, middle[0], 0.025), late = apart(middle[0], bend.after, 0.025);
-      if (early == late) break;  // no jump, or more than one: a slope
+      if (early == late) break;  // no jump, or more than one: treat it as a slope
       (early ? to : from) = (from + to) / 2;
       (early ? bend.after : bend.before) = middle[0];
     }
@@ -257,7 +255,7 @@ Value spring(const FilterCall& told, Input& input, double seconds) {
   const std::vector<Bend> bends = bends_of(input, s, first, cell);
   for (int i = 0; i < out.count; ++i) {
     const double start = out.n[i];
-    double x = 0, v = 0;  // from the start: a constant stays what it is to the last bit
+    double x = 0, v = 0;  // relative to the start, so that a constant stays the same to the last bit
     auto bend = bends.begin();
     for (std::size_t k = 0; k + 1 < s.at.size(); ++k) {
       const double from = s.at[k].n[i] - start, to = s.at[k + 1].n[i] - start;
@@ -266,7 +264,7 @@ Value spring(const FilterCall& told, Input& input, double seconds) {
         mass.advance(x, v, all ? whole : rest, from, (to - from) / cell);
         continue;
       }
-      // Before the jump, the jump, behind it; as far as the time asked for.
+      // Before the jump, the jump, after it; up to the evaluated time.
       const double ends = all ? cell : seconds - last * cell, before = bend->before.n[i] - start,
                    after = bend->after.n[i] - start;
       mass.advance(x, v, mass.step(std::min(ends, bend->at)), from, (before - from) / bend->at);
@@ -278,7 +276,7 @@ Value spring(const FilterCall& told, Input& input, double seconds) {
   return mixed(s.like, out);
 }
 
-// A number from -1 to 1 for each point of a lattice.
+// Returns a number from -1 to 1 for each point of a lattice.
 double slope_at(double point, double seed, int component) {
   std::uint64_t h = static_cast<std::uint64_t>(component) * 0x9e3779b97f4a7c15;
   for (const double part : {seed + 0.0, point + 0.0}) {  // + 0.0: -0 is 0
@@ -289,8 +287,8 @@ double slope_at(double point, double seed, int component) {
   }
   return static_cast<double>(h >> 11) * 0x1p-52 - 1;
 }
-// Gradient noise from -1 to 1: 0 at the points of the lattice, with a slope there by chance; two continuous
-// derivatives. Each component has its lattice elsewhere, so that they are not 0 together.
+// Gradient noise from -1 to 1: 0 at the points of the lattice, with a random slope there; two continuous derivatives.
+// Each component has a shifted lattice, so that they are not 0 at the same time.
 double noise_at(double x, double seed, int component) {
   x += component / 3.0;
   const double point = std::floor(x), u = x - point;
@@ -299,7 +297,7 @@ double noise_at(double x, double seed, int component) {
   return 2 * (a + fade * (b - a));
 }
 
-// Adds to each component; an orientation is turned by as much about its own axes.
+// Adds to each component; rotates an orientation by that angle about its own axes.
 template <class F>
 Value add(const Value& v, F&& to_component) {
   if (const auto* q = std::get_if<Quat>(&v))
@@ -338,7 +336,7 @@ Value quantise(const FilterCall& told, Input& input, double seconds) {
   const double by = told.number("by");
   return each(look(input, seconds), [&](double x) {
     const double steps = std::round(x / by);
-    return std::abs(steps) < 0x1p53 ? steps * by : x;  // beyond, doubles are coarser than the steps
+    return std::abs(steps) < 0x1p53 ? steps * by : x;  // beyond that, doubles are coarser than the steps
   });
 }
 
@@ -419,7 +417,7 @@ const FilterSpec* find_filter(std::string_view name) {
 bool suits(const FilterSpec& spec, Type type) {
   if (type == Type::orientation) return spec.orientations;
   if (has_velocity(type)) return true;
-  return spec.any_type && type != Type::attachment;  // who holds an object is no value through time
+  return spec.any_type && type != Type::attachment;  // a parent is not a value over time
 }
 
 Result<Value> apply(const Filter& filter, Input& input, double seconds) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Filters: pure functions through time on a track. (twixt notes, G105; R-T16)
+// Filters: pure functions of time over a track. (twixt notes, G105)
 #pragma once
 
 #include <optional>
@@ -13,37 +13,37 @@ namespace betwixt {
 
 struct Filter {
   std::string name;
-  std::shared_ptr<const Routine> code;           // null: a built-in one
-  Parameters parameters;                         // as the author gave them; what is left out has its default
-  int component = -1;                            // of the function's value; -1: the whole
-  std::optional<std::pair<Time, Time>> segment;  // both ends included; none: always
+  std::shared_ptr<const Routine> code;           // null for a built-in filter
+  Parameters parameters;                         // as the author gave them; the others have their defaults
+  int component = -1;                            // of the function's value; -1: all
+  std::optional<std::pair<Time, Time>> segment;  // both ends included; nullopt: always
   friend bool operator==(const Filter&, const Filter&);
 };
 
-// A built-in filter and what can be said to it.
+// A parameter of a built-in filter.
 struct FilterParameter {
   std::string_view name;
-  Type type;           // scalar; vector: one for each component, or a scalar for all of them
-  double rest;         // what it is when nothing is said
-  double low, high;    // what is beyond counts as the nearest that is not
+  Type type;           // scalar; or vector: one number for each component, or a scalar for all of them
+  double rest;         // the default
+  double low, high;    // bounds; values beyond are clamped
   bool time = false;   // a length of time, in seconds
-  bool value = false;  // of what the filter stands on: of angles an angle
+  bool value = false;  // in the unit of the filtered value: an angle for angles
 };
-struct FilterCall;  // a filter and what it was told
+struct FilterCall;  // a filter with its arguments
 struct FilterSpec {
   std::string_view name;
   std::string_view sentence = {}, example = {};  // for help
   std::vector<FilterParameter> parameters;
   Value (*value)(const FilterCall&, Input&, double seconds) = nullptr;
-  bool any_type = false;     // works on values that are not numbers too
-  bool orientations = true;  // means something for orientations
+  bool any_type = false;     // takes values that are not numbers too
+  bool orientations = true;  // takes orientations
 };
 const std::vector<FilterSpec>& built_in_filters();
 const FilterSpec* find_filter(std::string_view name);
-// Whether the filter means something for values of the type. Where it does not, it passes them through.
+// Returns whether the filter has a meaning for values of the type. If not, it passes them through.
 bool suits(const FilterSpec&, Type);
 
-// The filtered value at a time. Errors come from procedures only.
+// Returns the filtered value at a time. Only procedures can fail.
 Result<Value> apply(const Filter&, Input&, double seconds);
 
 }  // namespace betwixt

@@ -22,7 +22,7 @@ std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
   return with_numbers(a, x);
 }
 
-// A tangent, k times as steep; an orientation's is four numbers.
+// Returns a tangent times k; that of an orientation has four numbers.
 std::optional<Value> steeper(const Value& v, double k) {
   if (const auto* q = std::get_if<Quat>(&v)) return Quat{k * q->w, k * q->x, k * q->y, k * q->z};
   return combine(v, Value(k), [](double x, double y) { return x * y; });
@@ -33,7 +33,7 @@ bool finite(const Value& v) {
   return betwixt::finite(std::span<const double>(n, static_cast<std::size_t>(to_numbers(v, n))));
 }
 
-// Changes every value (and, if asked, tangent) of a segment by f, or nothing at all.
+// Changes every value (and, if requested, tangent) of a segment by f; if one fails, none.
 template <class F>
 Result<Changed> change_values(Track& track, Segment s, bool tangents, const char* what, F&& f) {
   Track changed = track;
@@ -60,7 +60,7 @@ Result<Changed> change_values(Track& track, Segment s, bool tangents, const char
   return done;
 }
 
-// Takes the segment's events off, and puts the changed ones back where nobody else is left standing.
+// Removes the segment's events and inserts the changed ones, which may replace others.
 Result<Changed> put_back(Track& track, Segment s, std::vector<Event> events) {
   Changed done{events.size(), 0};
   track.events.erase(s.from, s.to);
@@ -70,7 +70,7 @@ Result<Changed> put_back(Track& track, Segment s, std::vector<Event> events) {
   return done;
 }
 
-// Tangents; handles are differences of value, which time does not change.
+// Multiplies tangents. Handles are differences of value, which do not depend on time.
 bool steepen(EventDetail& d, double by) {
   bool all = true;
   const auto change = [&](std::optional<Value>& tangent, const std::optional<Time>& handle) {
@@ -159,7 +159,7 @@ bool computed(const Track& track) {
   return any;
 }
 
-// From now on each event says its twerper, for those to come say otherwise.
+// Stores the twerper in each event, since the later ones will have others.
 void say_each(Track& track) {
   if (track.global == Twerper::unset) return;
   track.events.edit_between(Time{INT64_MIN}, Time{INT64_MAX}, [&](Event& e) {
@@ -169,7 +169,7 @@ void say_each(Track& track) {
   track.global = Twerper::unset;
 }
 
-// Without eases, which say when the way is gone and not where it goes.
+// Returns the track without eases, which affect the timing and not the path.
 Track without_eases(Track track) {
   track.events.edit_between(Time{INT64_MIN}, Time{INT64_MAX}, [](Event& e) {
     if (e.detail) e.detail.edit().ease_in = e.detail.edit().ease_out = {};
@@ -177,13 +177,13 @@ Track without_eases(Track track) {
   return track;
 }
 
-// Whether an in-between looks at the events beside it.
+// Returns whether an in-between depends on the neighbours of its events.
 bool looks_beside(Twerper t, bool orientation) {
   if (is_own(t)) return false;
   return orientation ? t == Twerper::squad || t == Twerper::bspline : row_of(t).cubics && t != Twerper::hermite;
 }
 
-// What the in-between of two events is becomes their tangents; false where it has none that could say it.
+// Converts the in-between of two events to tangents; returns false if no tangents can express it.
 bool as_tangents(const CurveSet& set, const Curve& curve, Event& from, Event& to) {
   CubicSegment g;
   if (!set.cubic(curve, from.time.flicks, g)) return false;
@@ -220,7 +220,7 @@ std::vector<Segment> own_tangents(Track& track, Segment s, Type type, bool compo
     else if (bent.empty() || bent.back().from != from.time)
       bent.push_back({from.time, to.time});
   };
-  // Nobody looks across a cut or a hold.
+  // Neighbours across a cut or a hold do not count.
   const auto holds = [&](const Event& e) { return resolve(all, e, type, curve.orientation) == Twerper::hold; };
   const Event* const before = all.events.last_before(s.from);
   const bool after = all.events.back().time > s.to;
@@ -236,7 +236,7 @@ namespace {
 
 constexpr Time ever_before{INT64_MIN}, ever_after{INT64_MAX};
 
-// Where a segment is between two events, as tangents: that of `from`, and that at the part u of the way.
+// Converts a segment to tangents: that of `from`, and that at the part u of the segment.
 void as_hermite(const CubicSegment& g, double u, Event& from, std::optional<Value>& arrival, std::size_t channels) {
   const double rate = static_cast<double>(flicks_per_second) / g.length;
   double out[4] = {}, in[4] = {};
@@ -261,10 +261,10 @@ EventDetail end_alone(Track& track, Time t, Type type, bool component) {
   const Curve curve = set.add(track, type, component);
   std::vector<Event> before = track.events.between(ever_before, t - Time{1});
   const auto twerper = [&](std::size_t i) { return resolve(track, before[i], type, curve.orientation); };
-  const auto looks_about = [&](std::size_t i) {  // at its neighbours
+  const auto looks_about = [&](std::size_t i) {  // whether it depends on its neighbours
     return !is_own(twerper(i)) && row_of(twerper(i)).cubics && twerper(i) != Twerper::hermite;
   };
-  if (track.events.back().time < t) {  // it goes on as it is extended
+  if (track.events.back().time < t) {  // the extrapolation
     Event& last = before.back();
     if (track.after == Extrapolation::hold) last.twerper = Twerper::hold;
     if (track.after == Extrapolation::linear) {
@@ -276,7 +276,7 @@ EventDetail end_alone(Track& track, Time t, Type type, bool component) {
     track.events.put(last);
     return arrival;
   }
-  // What looks at its neighbours looks no further than to the second event from t; but a B-spline passes its events by.
+  // Twerpers that use neighbours reach at most the second event from t, but a B-spline does not go through its events.
   std::size_t first = before.size() - 1;
   if (!there && first > 0 && looks_about(first - 1)) --first;
   while (twerper(first) == Twerper::bspline && first > 0 && twerper(first - 1) == Twerper::bspline) --first;
@@ -286,7 +286,7 @@ EventDetail end_alone(Track& track, Time t, Type type, bool component) {
     const bool last = i + 1 == before.size(), spline = how == Twerper::bspline;
     if (!looks_about(i) && !(how == Twerper::hermite && last)) continue;
     if (!set.cubic(curve, before[i].time.flicks, g)) continue;
-    if (spline) {  // where the curve is, instead of what it is drawn to
+    if (spline) {  // the value of the curve, not that of its control point
       double at[4] = {};
       for (std::size_t k = 0; k < curve.channels; ++k) at[k] = g.c[0][k];
       const Value seen = with_numbers(before[i].value, at);
@@ -315,7 +315,7 @@ void fill_in_kept(Track& track, Type type, bool component) {
   const Value& like = valued.events.front().value;
   for (Event& e : kept) {
     e.keep = false;
-    if (!numbers) {  // what was said last
+    if (!numbers) {  // the last value
       e.value = like;
       valued.events.each_between(ever_before, e.time, [&](const Event& said) { e.value = said.value; });
     } else {
@@ -331,7 +331,7 @@ void fill_in_kept(Track& track, Type type, bool component) {
 
 namespace {
 
-// How a segment is come to and left is of the in-betweens beside it, which stay as they are.
+// Keeps the eases and tangents outside a segment: they belong to the in-betweens beside it, which stay as they are.
 void keep_outside(const Event& first, const Event& last, Event& now_first, Event& now_last) {
   if (now_first.detail || first.detail) {
     EventDetail& d = now_first.detail.edit();
@@ -357,15 +357,16 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
   for (std::size_t i = events.size(); i-- > 0;) {
     Event e = events[i];
     e.time = s.from + (s.to - e.time);
-    // The in-between that led to this event now leads away from it.
+    // The in-between that led to this event now starts from it.
     const Event& leader = events[i > 0 ? i - 1 : events.size() - 1];
     e.twerper = leader.twerper;
     std::optional<Value> before;
-    if (!e.keep) {  // what the track came from it now goes on to; a value that was held up to here is held from here on
+    if (!e.keep) {  // the values before and after a cut change places; a value that was held before is held after
       const bool held = i > 0 && holds(leader) && !leader.keep;
       Value after = held ? leader.value : e.detail->before.value_or(e.value);
       const bool seen = i + 1 == events.size() || !holds(events[i]);
-      const bool corner = e.detail->before && *e.detail->before == e.value;  // neighbours do not look across it
+      const bool corner =
+          e.detail->before && *e.detail->before == e.value;  // a corner: neighbours do not count across it
       if (seen && (after != e.value || corner)) before = e.value;
       e.value = std::move(after);
     }
@@ -386,13 +387,13 @@ Result<Changed> reverse_segment(Track& track, Segment s) {
 }
 
 std::size_t erase_before(Track& track, Time t, Changes changes) {
-  constexpr int neighbours = 2;  // before an in-between that reach into it, at most: of smooth, bspline and squad
+  constexpr int neighbours = 2;  // events before an in-between that it depends on, at most: smooth, bspline and squad
   std::vector<std::pair<Time, bool>> until;
   track.events.each_between(ever_before, t, [&](const Event& e) { until.emplace_back(e.time, e.keep); });
-  std::size_t first = until.size();  // that is kept
+  std::size_t first = until.size();  // the first event that is kept
   for (int n = changes == Changes::in_steps ? 0 : neighbours; n >= 0 && first > 0; --n) {
     --first;
-    while (first > 0 && until[first].second) --first;  // it has its value of those before
+    while (first > 0 && until[first].second) --first;  // its value depends on those before
   }
   return first == 0 ? 0 : track.events.erase(ever_before, until[first - 1].first);
 }

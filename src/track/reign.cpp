@@ -18,7 +18,8 @@ Quat turn_by(Vec3 angle) {
   return {std::cos(a / 2), k * angle.x, k * angle.y, k * angle.z};
 }
 
-// The turn over one step of a velocity that wanders: the fourth order of Magnus' series, from two points of Gauss.
+// Returns the rotation over one step of a varying angular velocity: Magnus' series of fourth order, from two Gauss
+// points.
 Quat magnus(const CurveSet& set, const Curve& v, std::int64_t from, std::int64_t length_in_flicks, double sign) {
   const double whole = static_cast<double>(length_in_flicks), h = whole / second;
   double a[4], b[4];
@@ -36,12 +37,12 @@ const CurveDetail* detail_of(const Curve& c, std::uint32_t k) {
   return at != all.end() && at->event == c.first + k ? &*at : nullptr;
 }
 
-// The pieces in which a velocity changes evenly, from event k to `end`: behind each jump and each corner of its twerper
-// one begins. f(from, to), in order; f says whether to go on.
+// Calls f(from, to), in order, for the intervals in which a velocity is smooth, from event k to `end`: they are
+// separated by the jumps and corners of its twerper. f returns whether to continue.
 template <class F>
 void each_piece(const CurveSet& set, const Curve& c, std::uint32_t k, std::int64_t end, F&& f) {
   const std::int64_t begin = set.event_time(c, k);
-  std::vector<double> parts;  // how far in eased time
+  std::vector<double> parts;  // in eased time
   const auto twerper = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
   const CurveDetail *here = detail_of(c, k), *next = k + 1 < c.count ? detail_of(c, k + 1) : nullptr;
   if (here && k + 1 < c.count && !is_own(twerper)) {
@@ -53,7 +54,7 @@ void each_piece(const CurveSet& set, const Curve& c, std::uint32_t k, std::int64
   std::int64_t from = begin;
   const double length = static_cast<double>(end - begin);
   for (const double part : parts) {
-    std::int64_t low = from, high = end;  // the first flick at which that much has gone by
+    std::int64_t low = from, high = end;  // bisect for the first flick at which this part has passed
     while (high - low > 1) {
       const std::int64_t t = low + (high - low) / 2;
       (eased(static_cast<double>(t - begin) / length, here, next, length) < part ? low : high) = t;
@@ -77,11 +78,11 @@ Reign::Reign(CurveSet& set, const Curve& velocity, bool orientation)
       prefix_[k * v_.channels + i] = prefix_[(k - 1) * v_.channels + i] + part[i];
   }
   if (!orientation_) return;
-  // One axis all the while (whatever the twerper: sums of parallel vectors are parallel), or a wandering one?
+  // Is the axis constant (whatever the twerper, since sums of parallel vectors are parallel), or does it vary?
   Vec3 axis;
   for (std::uint32_t k = 0; k < v_.count; ++k) {
     double n[4] = {};
-    // The middle of each segment shows cuts and tangents too.
+    // The middle of each segment reveals cuts and tangents too.
     for (const std::int64_t t :
          {set.event_time(v_, k), set.event_time(v_, k) - 1,
           k > 0 ? (set.event_time(v_, k) + set.event_time(v_, k - 1)) / 2 : set.event_time(v_, k)}) {
@@ -121,7 +122,7 @@ void Reign::numbers(const CurveSet& set, Time time, double* out) const {
   const auto copy_prefix = [&](std::uint32_t k) { std::copy_n(&prefix_[k * n], n, out); };
   const auto [first, last] = set.span(v_);
   std::int64_t t = time.flicks;
-  double whole = 0, sign = 1;  // periods gone by, and the way the present one is run through
+  double whole = 0, sign = 1;  // whole periods, and the direction of the current one
   if (t > last.flicks) {
     const double past = static_cast<double>(t - last.flicks) / second;
     const std::int64_t period = last.flicks - first.flicks;
@@ -156,7 +157,7 @@ void Reign::numbers(const CurveSet& set, Time time, double* out) const {
   for (std::uint32_t i = 0; i < n; ++i) out[i] = sign * (out[i] + part[i]) + whole * prefix_[(v_.count - 1) * n + i];
 }
 
-// The turn from the reign's beginning to t, between the first and the last event.
+// Returns the rotation from the reign's beginning to t, between the first and the last event.
 Quat Reign::stepped(const CurveSet& set, const Steps& all, double sign, std::int64_t t) const {
   std::uint32_t low = 0, high = v_.count;
   while (high - low > 1) {
@@ -184,7 +185,7 @@ Quat Reign::wandered(const CurveSet& set, Time time) const {
     return stepped(set, there_, 1, first + gone % period) * power(q, static_cast<double>(gone / period));
   }
   if (v_.after == Extrapolation::bounce) {
-    // Back again the same velocities come in the other order: the inverse of going there against them.
+    // On the way back the velocities come in reverse order: the inverse of the rotation with the reversed velocity.
     const std::int64_t gone = (time.flicks - first) / (2 * period), rest = (time.flicks - first) % (2 * period);
     const Quat home = conjugate(stepped(set, against_, -1, last));
     const Quat all = power(home * q, static_cast<double>(gone));
@@ -192,7 +193,8 @@ Quat Reign::wandered(const CurveSet& set, Time time) const {
     return stepped(set, against_, -1, last - (rest - period)) * home * q * all;
   }
   std::int64_t at = last;
-  constexpr int most_steps = 100'000;  // what changes for ever has no checkpoints; later it stays as it is
+  constexpr int most_steps =
+      100'000;  // checkpoints; a velocity that varies without end has no more, and is constant later
   if (v_.after == Extrapolation::linear)
     for (int i = 0; at < time.flicks && i < most_steps; ++i) {
       const std::int64_t step = std::min(step_, time.flicks - at);

@@ -25,7 +25,7 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
   std::int64_t t = time.flicks;
   const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
   const Extrapolation how = t < first ? before_ : after_;
-  const bool seam = t == last && how == Extrapolation::cycle && keys_.size() > 1;  // there the first value holds
+  const bool seam = t == last && how == Extrapolation::cycle && keys_.size() > 1;  // at the seam the first value holds
   if ((t < first || t > last || seam) && how >= Extrapolation::cycle)
     t = fold(t, first, last, how == Extrapolation::bounce);
   const auto next =
@@ -45,7 +45,7 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
   return between;
 }
 
-// The weights are what the cubics make of numbers that are 1 at one of the four and 0 at the others.
+// The weights are the values of the cubics for numbers that are 1 at one of the four and 0 at the others.
 Weights StepTrack::weigh(const Between& w, const std::function<bool(const Value&, const Value&)>& alike) const {
   const auto as_here = [&](std::size_t value) { return alike(values_[w.a], values_[value]); };
   constexpr auto hold = static_cast<std::uint8_t>(Twerper::hold);
@@ -68,7 +68,7 @@ Weights StepTrack::weigh(const Between& w, const std::function<bool(const Value&
 }
 
 std::optional<Time> StepTrack::next_change(Time t) const {
-  if (values_.size() < 2) return std::nullopt;  // one value, always
+  if (values_.size() < 2) return std::nullopt;  // a single value is constant
   if (keys_.size() > 1 && (t < keys_.front().time ? before_ : after_) != Extrapolation::hold) return t;
   const auto next = std::upper_bound(keys_.begin(), keys_.end(), t, [](Time at, const Key& k) { return at < k.time; });
   if (next == keys_.end()) return std::nullopt;

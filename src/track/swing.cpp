@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::int64_t most_looks = 64;  // between two events
 
-// Whether any two neighbours have a number in common, of a track of nothing but numbers: only then it is worth making
-// a curve.
+// Returns whether any two neighbours have a number in common; only for such a track of numbers a curve is worth making.
 bool rests_anywhere(const Track& track) {
   std::array<double, 4> last{}, now{};
   int count = 0;
@@ -40,14 +39,14 @@ struct Look {
                                      [](const CurveDetail& d, std::uint32_t event) { return d.event < event; });
     return at != all.end() && at->event == curve.first + k && at->cut;
   }
-  // The range of the numbers at both ends of a segment and beside it.
+  // Returns the range of the numbers at both ends of a segment and beside it.
   double range(std::uint32_t k, int i) const {
     double low = number(k, i), high = low;
     for (std::uint32_t j = k > 0 ? k - 1 : 0; j < std::min(k + 3, curve.count); ++j)
       low = std::min(low, number(j, i)), high = std::max(high, number(j, i));
     return high - low;
   }
-  // The whole frame in the segment that is farthest away; how far as a share of the range.
+  // Finds the whole frame in the segment with the largest distance, as a share of the range.
   void look(std::uint32_t k, int i, double& widest, std::optional<Swing>& out) const {
     const double rest = number(k, i), range = this->range(k, i);
     if (!(range > 0) || number(k + 1, i) != rest) return;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where a smooth curve swings far away from two events that are alike: nobody who wrote them meant that.
+// Finds where a smooth curve overshoots two equal events by far, which authors do not intend.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@
 namespace betwixt {
 
 struct Swing {
-  Time from, to;     // the two events; both have `rest`
-  Time at;           // the whole frame between them at which it is farthest away
-  int number = 0;    // which number of the value
-  double rest = 0;   // what both events say
-  double value = 0;  // what the curve has at that frame
+  Time from, to;     // the two events, whose value is `rest`
+  Time at;           // the whole frame between them with the largest distance
+  int number = 0;    // the index of the number in the value
+  double rest = 0;   // the number of both events
+  double value = 0;  // the curve's number at that frame
 };
 
-// How far it may go beyond them, as a share of the range of these two events and the ones beside them. Follow-through
-// that an author wants is less.
+// The largest overshoot that is no finding, as a share of the range of these two events and their neighbours. Intended
+// follow-through is smaller.
 inline constexpr double widest_follow_through = 0.15;
 
-// The widest one of a track, whose numbers are as the author writes them; none where it stays nearer. Colours and
-// orientations have none. `component`: the track is one of the type's component.
+// Returns the widest overshoot of a track in the author's numbers, or nullopt if all are smaller. Colours and
+// orientations have none. `component`: the track is that of a component of the type.
 std::optional<Swing> widest_swing(const Track&, Type, bool component, Rate);
 
 }  // namespace betwixt

@@ -14,8 +14,7 @@ double to_linear(double s) {
 double to_srgb(double l) {
   const double a = std::abs(l);
   const double s = a <= 0.0031308 ? a * 12.92 : 1.055 * std::pow(a, 1 / 2.4) - 0.055;
-  // What was written as eight bits or in up to twelve decimals comes back as it was written; the rest is off by a
-  // rounding or two.
+  // Numbers written as eight bits or with up to twelve decimals come back exactly; the others are off by rounding.
   for (const double grid : {255.0, 1e12}) {
     const double near = std::round(s * grid) / grid;
     if (std::abs(near - s) < 1e-14 * std::max(1.0, s)) return std::copysign(near, l);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A track: the sorted events of one display function, and what it does outside them. (twixt notes, 3.2, 4.4)
+// A track: the sorted events of one display function, and its extrapolation. (twixt notes, 3.2, 4.4)
 #pragma once
 
 #include "track/events.h"
@@ -14,15 +14,14 @@ inline constexpr std::array<std::string_view, 4> extrapolation_names{"hold", "li
 
 struct Track {
   Events events;
-  Twerper global = Twerper::unset;  // set: the one interpolator of the whole track, whatever the events say (G102)
+  Twerper global = Twerper::unset;  // if set, the twerper of the whole track, whatever the events say (G102)
   TwerperArguments arguments;       // of the global twerper
   Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
-  bool srgb = false;  // colours: blend the numbers as written, not the light
+  bool srgb = false;  // colours: blend the sRGB numbers and not the light
   friend bool operator==(const Track&, const Track&) = default;
 };
 
-// sRGB (as written) to linear light and back, per channel, mirrored at 0. Going there and back gives the number
-// written.
+// Convert a channel from sRGB to linear light and back, mirrored at 0. A round trip returns the same number.
 double to_linear(double srgb);
 double to_srgb(double linear);
 Vec3 to_linear(Color c);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Orientations as four numbers, and what can be done with their turns.
+// Orientations as four numbers, and arithmetic on rotations.
 #pragma once
 
 #include "betwixt/math.h"
@@ -11,7 +11,7 @@ namespace betwixt {
 inline Quat quat(const double* v) { return {v[0], v[1], v[2], v[3]}; }
 inline void store(Quat q, double* out) { out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z; }
 
-inline Quat log(Quat q) {  // of a unit quaternion; a pure one comes back
+inline Quat log(Quat q) {  // of a unit quaternion; the result is pure
   const double l = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
   const double k = l > 1e-12 ? std::atan2(l, q.w) / l : 1;
   return {0, k * q.x, k * q.y, k * q.z};

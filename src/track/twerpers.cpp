@@ -12,19 +12,19 @@
 namespace betwixt {
 namespace {
 
-// Where on a Bezier curve from 0 to 1 with these two handles, each from 0 to 1, its x is u.
+// Returns the parameter of a Bezier curve from 0 to 1 with these two handles, each from 0 to 1, whose x is u.
 double bezier_parameter(double u, double x1, double x2);
 
 double smoothstep(double s, const std::array<double, 4>&) { return s * s * (3 - 2 * s); }
 
 // ---- Numbers
 
-// From b to e with these tangents, over the segment.
+// Returns the cubic from b to e with these tangents, over the segment.
 Cubic hermite(double b, double e, double m1, double m2) {
   return {{b, m1, 3 * (e - b) - 2 * m1 - m2, m1 + m2 - 2 * (e - b)}};
 }
 
-// The tangents are those of the parabolas through three neighbours, in their real times.
+// The tangents are those of the parabolas through three neighbours, at their real times.
 void smooth_cubics(const Blend& g, Cubic* out) {
   const double h = g.length, h0 = g.length_before, h2 = g.length_after;
   const double before = h / h0 * h, after = h / h2 * h, w1 = 1 / (h0 + h), w2 = 1 / (h + h2);
@@ -34,8 +34,8 @@ void smooth_cubics(const Blend& g, Cubic* out) {
   }
 }
 
-// The harmonic mean of the slopes on both sides, weighted by their times; 0 where they differ in sign: it rises and
-// falls with the events (Fritsch and Butland 1984).
+// The tangent is the harmonic mean of the slopes on both sides, weighted by their times, or 0 if they differ in sign.
+// So the curve rises and falls with the events (Fritsch and Butland 1984).
 void auto_cubics(const Blend& g, Cubic* out) {
   const double h = g.length;
   const auto tangent = [h](double a, double ha, double b, double hb) {
@@ -76,14 +76,14 @@ Four four(const Blend& g) {
           g.after ? quat(g.after) : q2 * conjugate(q1) * q2};
 }
 
-Quat bspline_turn(const Blend& g) {  // cumulative form: every step's turn, weighted
+Quat bspline_turn(const Blend& g) {  // cumulative form: the rotation of every step, weighted
   const auto [q0, q1, q2, q3] = four(g);
   const double s = g.s, s2 = s * s, s3 = s2 * s;
   const double b1 = (5 + 3 * s - 3 * s2 + s3) / 6, b2 = (1 + 3 * s + 3 * s2 - 2 * s3) / 6, b3 = s3 / 6;
   return normalize(q0 * power(conjugate(q0) * q1, b1) * power(conjugate(q1) * q2, b2) * power(conjugate(q2) * q3, b3));
 }
 
-// The cubic of the four numbers, as glTF has it; where nobody says a tangent, it is at rest at both ends.
+// The cubic of the four numbers, as in glTF; a missing tangent means rest.
 Quat hermite_turn(const Blend& g) {
   if (!g.tangent_out && !g.tangent_in) return slerp(quat(g.from), quat(g.to), smoothstep(g.s, {}));
   Cubic cubics[4];
@@ -92,9 +92,10 @@ Quat hermite_turn(const Blend& g) {
   return dot(q, q) > 1e-24 ? normalize(q) : quat(g.from);
 }
 
-// How far it turns in a time h with the speed that it has at a key, between two turns a and b in their times: the speed
-// of the parabola through all three keys; at most three times that of either turn, beyond which it would go past a key
-// and come back (Fritsch and Carlson 1980), and half a turn in the time of either, beyond which the way round is lost.
+// Returns the rotation in a time h at the angular velocity of a key, between two rotations a and b with their times. It
+// is the velocity of the parabola through all three keys, limited twice: to three times that of either rotation, beyond
+// which it would pass a key and come back (Fritsch and Carlson 1980), and to half a turn in the time of either, beyond
+// which the direction is lost.
 Vec3 through_key(double h, Vec3 a, double ha, Vec3 b, double hb) {
   const Vec3 turn = h / (ha + hb) * (hb / ha * a + ha / hb * b);
   const auto most = [h](Vec3 of, double in) { return std::min(3 * length(of), pi / 2) * (h / in); };
@@ -115,14 +116,14 @@ Quat squad_turn(const Blend& g) {
              end = 0.5 * (here - through_key(g.length, here, g.length, after, g.length_after));
   const Quat near = q1 * exp(start), far = q2 * exp(end);
   const double s = g.s, off = 2 * s * (1 - s);
-  // Between control points nearly opposite there is no shortest way; what they are off goes along with the turn then.
-  // About one axis both come to the same.
+  // Between nearly opposite control points there is no shortest way; their differences then follow the rotation.
+  // About one axis the result is the same.
   if (dot(near, far) < -0.9) return normalize(slerp(q1, q2, s) * exp(off * ((1 - s) * start + s * end)));
   return normalize(slerp(slerp(q1, q2, s), slerp(near, far, s), off));
 }
 
-// A Bezier curve in time and value through both handles, each at most as long as the segment: then time never runs
-// back. A handle that nobody says is at rest, a third of the way off.
+// A Bezier curve in time and value through both handles. Each is at most as long as the segment, so time never runs
+// back. A missing handle is a third of the segment, at rest.
 void fcurve_numbers(const Blend& g, double* out) {
   const auto fit = [&](const double* way, double length) {
     return std::pair(way ? std::min(1.0, length / g.length) : 1.0 / 3,
@@ -138,7 +139,7 @@ void fcurve_numbers(const Blend& g, double* out) {
   }
 }
 
-// Numbers of the named ones are their places; new ones come last.
+// The index of a named row is its number; append new ones.
 constexpr TwerperArgument of_bezier[] = {
     {"x1", 0, 1, false}, {"y1", -1e6, 1e6, false}, {"x2", 0, 1, false}, {"y2", -1e6, 1e6, false}};
 constexpr TwerperRow first_rows[] = {
@@ -284,7 +285,7 @@ void reverse(Twerper& t, TwerperArguments& a) {
   if (const auto other = row.reversed.empty() ? std::nullopt : find_twerper(row.reversed)) t = *other;
   if (t == Twerper::bezier) as_bezier(a);
   if (row.name == "ease") as_bezier({0.25, 0.1, 0.25, 1});
-  if (row.name == "steps" && a[1] < 2) a[1] = 1 - a[1];  // what jumped at its end jumps at its start
+  if (row.name == "steps" && a[1] < 2) a[1] = 1 - a[1];  // a jump at the end becomes a jump at the start
 }
 
 namespace {
@@ -293,7 +294,7 @@ double bezier_at(double p, double q, double s) {
   return ((1 - 3 * q + 3 * p) * s + (3 * q - 6 * p)) * s * s + 3 * p * s;
 }
 
-// x rises over [0, 1] because x1 and x2 are kept there: halving always ends.
+// x rises over [0, 1] because x1 and x2 are within it, so bisection always ends.
 double bezier_parameter(double u, double x1, double x2) {
   double low = 0, high = 1, s = u;
   for (int i = 0; i < 60; ++i) {
@@ -318,7 +319,7 @@ Quat slerp(Quat a, Quat b, double s) {
   if (d > 1 - 1e-12)
     return normalize({a.w + s * (b.w - a.w), a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z)});
   const double angle = std::acos(std::max(-1.0, d)), sine = std::sin(angle);
-  if (sine < 1e-12) return a;  // opposite signs of one orientation: nothing to turn
+  if (sine < 1e-12) return a;  // the same orientation with opposite signs: nothing to rotate
   const double p = std::sin((1 - s) * angle) / sine, q = std::sin(s * angle) / sine;
   return {p * a.w + q * b.w, p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twerpers: how a track goes from one event to the next. Each is a row with its blend function; reading, help, fitting
-// and evaluating follow from the rows. (twixt notes, 4.6; R-T4, R-T7, R-T8)
+// Twerpers: how a track moves from one event to the next. Each is a row with its blend function; reading, help, fitting
+// and evaluation follow from the rows. (twixt notes, 4.6)
 #pragma once
 
 #include <array>
@@ -17,56 +17,56 @@
 
 namespace betwixt {
 
-// What a blend function sees of a track: a segment, how far in it, and what is beside it.
+// The input of a blend function: a segment of a track, the fraction, and the neighbours.
 struct Blend {
-  const double *from = nullptr, *to = nullptr;       // the numbers at its two ends
-  const double *before = nullptr, *after = nullptr;  // and at the events beside it; null behind a cut, a hold or an end
-  std::uint32_t channels = 1;                        // numbers in each
-  double s = 0;                                      // 0 to 1, eases in it
+  const double *from = nullptr, *to = nullptr;  // the numbers at its two ends
+  const double *before = nullptr,
+               *after = nullptr;  // and at the events beside it; null after a cut or a hold, and at an end
+  std::uint32_t channels = 1;     // numbers in each
+  double s = 0;                   // 0 to 1, with eases
   double length = 1, length_before = 1, length_after = 1;      // flicks
-  const double *tangent_out = nullptr, *tangent_in = nullptr;  // per second; null where nobody says
-  const double *handle_out = nullptr, *handle_in = nullptr;    // as differences; null where nobody says
+  const double *tangent_out = nullptr, *tangent_in = nullptr;  // per second; null if not given
+  const double *handle_out = nullptr, *handle_in = nullptr;    // as differences; null if not given
   double handle_out_length = 0, handle_in_length = 0;          // flicks
-  double left(std::uint32_t i) const { return before ? before[i] : 2 * from[i] - to[i]; }  // else it is reflected
+  double left(std::uint32_t i) const { return before ? before[i] : 2 * from[i] - to[i]; }  // reflected if missing
   double right(std::uint32_t i) const { return after ? after[i] : 2 * to[i] - from[i]; }
 };
 
-// What stands in brackets behind a twerper.
+// An argument in brackets after a twerper.
 struct TwerperArgument {
   std::string_view name;  // as in "NAME is from 1 to 9"
   double low = 0, high = 0;
   bool whole = false;
 };
 
-// A twerper's place among the rows is its number: the first are named in `Twerper`, any others by their rows only.
+// A row of a twerper; its index is the number. The first have names in `Twerper`, the others are known by their rows.
 struct TwerperRow {
   std::string_view name = {};
   std::string_view sentence = {}, written = {},
-                   example = {};  // for help; `written`: where there is more to write than the name
-  // How far the blend between two values is at s; null: s itself.
+                   example = {};  // for help; `written`: usage, if it is more than the name
+  // Returns the blending factor at s; null: s itself.
   double (*factor)(double s, const std::array<double, 4>& arguments) = nullptr;
-  // Of a segment of numbers the cubic of s of each channel, and of one of orientations, where the two ends and a factor
-  // are not all that counts.
+  // Sets the cubic of s for each channel, or returns an orientation, if a factor between the two ends is not enough.
   void (*cubics)(const Blend&, Cubic* out) = nullptr;
-  void (*numbers)(const Blend&, double* out) = nullptr;  // at g.s, where it is no cubic of s
+  void (*numbers)(const Blend&, double* out) = nullptr;  // at g.s, if it is not a cubic of s
   Quat (*turn)(const Blend&) = nullptr;
-  // The one that stands for it where orientations are blended, or numbers (then it turns orientations only); unset:
-  // itself.
-  // All of its arguments are said, and one of the words may be; its place is the next argument.
+  // All arguments must be given. One of the words may follow; its index is the next argument.
   std::span<const TwerperArgument> arguments = {};
   std::span<const std::string_view> words = {};
-  bool steps = false;              // it is the same all along each of as many equal parts of s as the first one says
-  bool stops = false;              // or in their place stops, any number of them
-  std::string_view reversed = {};  // the one that goes the same way back; empty: see reverse()
+  bool steps = false;              // constant in equal parts of s, as many as the first argument says
+  bool stops = false;              // takes stops in place of arguments, any number of them
+  std::string_view reversed = {};  // the twerper that runs the same way back; "": see reverse()
+  // The twerpers that replace this one for orientations, or for numbers (then this one is for orientations only);
+  // unset: none.
   Twerper for_orientations = Twerper::unset, for_numbers = Twerper::unset;
 };
 
 std::span<const TwerperRow> twerpers();                      // by their numbers; the first is `unset`
-const TwerperRow& row_of(Twerper);                           // of a built-in one
-std::optional<Twerper> find_twerper(std::string_view name);  // not `unset`
-std::string_view name_of(Twerper);                           // of a built-in one
+const TwerperRow& row_of(Twerper);                           // for built-in ones
+std::optional<Twerper> find_twerper(std::string_view name);  // never returns `unset`
+std::string_view name_of(Twerper);                           // for built-in ones
 
-// By their numbers.
+// The names, by number.
 inline const std::vector<std::string_view> twerper_names = [] {
   std::vector<std::string_view> names;
   for (const TwerperRow& row : twerpers()) names.push_back(row.name);
@@ -74,19 +74,19 @@ inline const std::vector<std::string_view> twerper_names = [] {
 }();
 
 inline bool takes_arguments(Twerper t) { return !is_own(t) && !row_of(t).arguments.empty(); }
-// The twerper that goes the same way back.
+// Replaces a twerper by the one that runs the same way back.
 void reverse(Twerper&, TwerperArguments&);
 
-// Stops as they are said, some without their places in time: these lie evenly between their neighbours' (CSS Easing 2).
+// A stop as written. Stops without a time are evenly spaced between their neighbours (CSS Easing 2).
 struct SaidStop {
   double value = 0;
   std::optional<double> place;
 };
 Stops placed(const std::vector<SaidStop>&);
-std::vector<SaidStop> as_said(const Stops&);  // the other way round: as few places as say the same
-double through(const Stops&, double s);       // where between two values straight lines through them are
+std::vector<SaidStop> as_said(const Stops&);  // the inverse: omits the times that are evenly spaced
+double through(const Stops&, double s);       // the value at s of the straight lines through the stops
 
 double bezier_factor(double u, const std::array<double, 4>& xy);
-Quat slerp(Quat a, Quat b, double s);  // no sign is changed: the caller has chosen
+Quat slerp(Quat a, Quat b, double s);  // keeps the signs, which the caller has chosen
 
 }  // namespace betwixt

@@ -143,7 +143,8 @@ consteval bool in_order() {
 }
 static_assert(in_order());
 
-// f for each number of a value of either constness, in order; how many there are.
+// Calls f for each number of a value, const or not, in order. Returns how many there are.
+
 template <class V, class F>
 int each_number(V& value, F&& f) {
   const auto all = [&f](auto&... numbers) { return (f(numbers), ...), static_cast<int>(sizeof...(numbers)); };
