@@ -112,7 +112,7 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
                  .required = true,
                  .offer = Offer::scripts},
                 output_parameter(call.out, "PAGE.html", "the page", "html"),
-                option("--title", "TEXT", "the title; by default the film's name", &call.title),
+                option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
                 size_parameter(call.size, "the size of the pictures; by default as wide as there is room"),
                 flag("--no-edit", "shows the films without their scripts", call.no_edit),
                 flag("--link", "puts the player (betwixt-player.js, betwixt-page.css) beside the page, for many pages",

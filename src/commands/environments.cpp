@@ -153,9 +153,9 @@ bool to_environments(Command& k) {
 
 constexpr Verb environments_rows[] = {
     {"animate", "animate ENV every L by TRANSFORM [slower|faster L per L] [limit L] [from L] [until L] [keep-phase]",
-     "Makes an environment: a transform that is applied again and again to everything in it.",
+     "An environment: all that is in it is moved by a transform again and again.",
      "animate spin every 1t by rotate(6deg, z)\nset ball.environments (spin)", Verb::timed | Verb::stamped, animate},
-    {"halt", "at TIME halt ENV", "Stops an environment where it is; animate continues from there.",
+    {"halt", "at TIME halt ENV", "Stops an environment where it is; animate goes on from there.",
      "animate spin every 1t by rotate(6deg, z)\nat 60t halt spin", Verb::timed | Verb::stamped,
      to_environments<EnvironmentEvent::Halt>},
     {"kill", "at TIME kill ENV", "Ends an environment: the things in it stay where they are, and the name is free.",

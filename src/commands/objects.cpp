@@ -269,7 +269,7 @@ constexpr Verb objects_rows[] = {
      "[start=TIME]",
      "Makes an object of a kind, or one like another, with all below that, or all that a file of a scene holds.",
      "create moon sphere radius=0.5 color=silver", 0, create},
-    {"remove", "remove OBJECTS", "Removes objects from the film, with all below them.", "remove wheel*", 0, remove},
+    {"remove", "remove OBJECTS", "Takes objects out of the film, with all below them.", "remove wheel*", 0, remove},
     {"rename", "rename OLD NEW, an object or a display list",
      "Renames an object with all below it, or a display list; all references follow.", "rename ball planet", 0, rename},
 };

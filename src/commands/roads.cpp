@@ -12,21 +12,27 @@ constexpr std::string_view to_reckon =
 constexpr std::string_view to_repeat =
     "extend ball.position cycle repeats a track, copy ball.position 1f..24f to 24f times 3 a part of it";
 constexpr std::string_view to_ease =
-    "behind a value stands how it goes on: at 12f ball.radius 2 ease-in-out, or sine-in, back-out, bounce-out; "
-    "ease-in=4f and ease-out=4f say how long it takes to arrive and to leave";
+    "write a twerper after a value: at 12f ball.radius 2 ease-in-out, or sine-in, back-out, bounce-out; "
+    "ease-in=4f and ease-out=4f are the times to arrive and to leave";
 constexpr std::string_view to_fade = "transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5";
 constexpr std::string_view to_blend =
-    "a twerper says how a track goes on from an event to the next: at 12f ball.radius 2 linear";
-constexpr std::string_view to_event = "an event is a value at a time: at 12f ball.radius 2, or a row of a sheet";
+    "a twerper is how values go from an event to the next: at 12f ball.radius 2 linear";
+constexpr std::string_view to_event =
+    "an event is a keyframe, a value at a time: at 12f ball.radius 2, or a row of a sheet";
 constexpr std::string_view to_sheet =
     "a line that is only a target, as in ball.position, opens a sheet; rows go below it: TIME VALUE [TWERPER]";
+constexpr std::string_view to_track =
+    "a track is the events of a target, as a channel or an F-curve is elsewhere; a line with only the target opens its "
+    "sheet";
+constexpr std::string_view to_function =
+    "a display function is an animatable property: ball.position, ball.color; define adds one of your own";
 constexpr std::string_view to_time =
     "times are 24f (frame 24; frame 1 is the beginning), 2.5s, 500ms, 90t (ticks) or 00:01:02.5; 1f..24f is a segment";
 constexpr std::string_view to_color = "colours are gold, #ffcc00, #fc0, rgb(1 0.8 0) or hsv(48deg 1 1)";
 constexpr std::string_view to_target =
     "a target is an object and a function, as in ball.position, or a component of it, ball.position.x";
 constexpr std::string_view to_hold =
-    "couple, attach and hang join an object to another, letgo and detach end that: at 20f attach ball to hand";
+    "couple, attach and hang give an object a parent, letgo and detach end that: at 20f attach ball to hand";
 constexpr std::string_view to_make = "create makes an object, create b like a makes a copy of one";
 constexpr std::string_view to_compute = "a value can be computed, in Lua: set ball.radius = \"1 + 0.1 * math.sin(t)\"";
 constexpr std::string_view to_show = "hide ball and show ball, from a time on with at 24f hide ball";
@@ -35,7 +41,7 @@ constexpr std::string_view to_turn = "rotation turns: set ball.rotation euler(0 
 constexpr std::string_view to_angle = "angles have a unit: 90deg, 1.57rad or 0.25turn";
 constexpr std::string_view to_many = "a pattern names many: wheel*.position, wheel{1..4}; alias gives them one name";
 constexpr std::string_view to_place =
-    "position is where a thing is; ball.world, which can be asked for, with all it hangs on";
+    "position is where a thing is, measured from its parent; eval ball.world is its matrix in the world";
 
 constexpr std::string_view to_blur =
     "a camera's shutter blurs what moves: set eye.shutter 180deg; its f-stop what is out of focus: set eye.f-stop 0.2, "
@@ -65,6 +71,18 @@ constexpr std::string_view to_shine =
     "glow shines by itself, without a halo: set lamp.material glow; exposure brightens";
 constexpr std::string_view to_wait =
     "times are absolute, so nothing waits: at 48f says when, range 1f 96f how long the film is";
+constexpr std::string_view to_reach =
+    "reach turns joints so that a thing arrives: reach arm/fore/palm to ball from 12f until 36f";
+constexpr std::string_view to_morph =
+    "geometry turns a shape into another: at 1f title.geometry shape(a) linear, at 24f title.geometry shape(b)";
+constexpr std::string_view to_instance =
+    "a pattern makes many of one: create p{1..1000} sphere; call draws a display list again";
+constexpr std::string_view to_beyond = "extend says what a track does outside its events: extend ball.position linear";
+constexpr std::string_view to_trail = "a trace is the line that a thing has drawn: create t trace of=ball";
+constexpr std::string_view to_join = "the joints of a mesh are objects below each other, which move its vertices";
+constexpr std::string_view to_filter = "a filter changes a track and leaves its events: filter ball.position noise";
+constexpr std::string_view to_note = "a note is a text at a time: at 24f note \"first bounce ends\"";
+constexpr std::string_view to_occlude = "contact on darkens corners, and places where things meet";
 constexpr std::string_view to_hear = "a sound is heard: create music sound file=\"music.mp3\" at=24f gain=0.8";
 
 constexpr Road all_roads[] = {
@@ -88,11 +106,14 @@ constexpr Road all_roads[] = {
     {"transition", to_change, "transparency look"},
     {"crossfade", to_change, "transparency look"},
     {"bloom", to_shine, "material exposure"},
+    {"emissive", to_shine, "material exposure"},
+    {"ambient-occlusion", to_occlude, "contact"},
     {"wait", to_wait, "at range"},
     {"sleep", to_wait, "at range"},
     {"blur", to_blur, "shutter f-stop focus"},
     {"motion-blur", to_blur, "shutter subframes"},
     {"dof", to_blur, "f-stop focus"},
+    {"depth-of-field", to_blur, "f-stop focus"},
     {"bokeh", to_blur, "f-stop focus"},
     {"aperture", to_blur, "f-stop focus"},
     {"focus-distance", to_blur, "focus f-stop"},
@@ -103,6 +124,8 @@ constexpr Road all_roads[] = {
     {"loop", to_repeat, "extend copy"},
     {"repeat", to_repeat, "extend copy"},
     {"cycle", to_repeat, "extend copy"},
+    {"yoyo", to_repeat, "extend copy"},
+    {"extrapolation", to_beyond, "extend"},
     {"bounce", "extend ball.position bounce plays a track back and forth; at 12f fall ball lets it fall and bounce",
      "extend fall"},
     {"easing", to_ease, "ease-in ease-out sine-in-out"},
@@ -131,6 +154,7 @@ constexpr Road all_roads[] = {
     {"invisible", to_show, "show hide display"},
     {"interpolate", to_blend, "twerper linear smooth"},
     {"interpolation", to_blend, "twerper linear smooth"},
+    {"interpolator", to_blend, "twerper linear smooth"},
     {"tween", to_blend, "twerper linear smooth"},
     {"event", to_event, "at"},
     {"keyframe", to_event, "at"},
@@ -141,7 +165,13 @@ constexpr Road all_roads[] = {
     {"key", to_event, "at"},
     {"sheet", to_sheet, "at"},
     {"row", to_sheet, "at"},
-    {"track", to_sheet, "at twerper extend"},
+    {"dope-sheet", to_sheet, "at"},
+    {"exposure-sheet", to_sheet, "at"},
+    {"track", to_track, "at twerper extend"},
+    {"channel", to_track, "at twerper extend"},
+    {"f-curve", to_track, "fcurve twerper extend"},
+    {"property", to_function, "set define"},
+    {"attribute", to_function, "set define"},
     {"target", to_target, "set at"},
     {"component", to_target, "set at"},
     {"object", to_make, "create"},
@@ -163,6 +193,16 @@ constexpr Road all_roads[] = {
     {"hsv", to_color, "color"},
     {"parent", to_hold, "couple attach hang letgo"},
     {"child", to_hold, "couple attach hang letgo"},
+    {"unparent", to_hold, "detach letgo"},
+    {"ik", to_reach, "reach"},
+    {"inverse-kinematics", to_reach, "reach"},
+    {"skin", to_join, "joints"},
+    {"skeleton", to_join, "joints"},
+    {"rig", to_join, "joints reach"},
+    {"morph", to_morph, "geometry"},
+    {"instance", to_instance, "create call"},
+    {"trail", to_trail, "trace"},
+    {"modifier", to_filter, "filter noise spring"},
     {"mirror", "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)", "scale"},
     {"ball", "sphere is a ball: create ball sphere", "sphere"},
     {"cube", "box is one: create b box", "box"},
@@ -178,9 +218,11 @@ constexpr Road all_roads[] = {
      "stretch at"},
     {"offset", "move shifts a part of a track in time, translate its values", "move translate"},
     {"paste", "copy copies a part of a track to another time: copy ball.position 1f..24f to 24f", "copy"},
-    {"marker", "a note is a remark at a time: at 24f note \"first bounce ends\"", "note"},
+    {"marker", to_note, "note"},
+    {"cue", to_note, "note"},
     {"comment", "a comment begins with # and a blank; a note shows while the film plays", "note"},
     {"expression", to_compute, "procedure"},
+    {"driver", to_compute, "procedure"},
     {"zoom", "a camera's lens zooms: at 24f eye.lens 80mm", "lens fov"},
     {"squash", "scale squashes: at 12f ball.scale (1.2 0.7 1.2)", "scale"},
     {"gravity", "fall lets a thing fall: at 12f fall ball ground=0.5", "fall"},

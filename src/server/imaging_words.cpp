@@ -58,7 +58,7 @@ std::span<const Imaging::Word> Imaging::words() {
       {"stats", "stats", "How the server is doing: frames, lateness, hosts.", 0, &Imaging::stats},
       {"history", "history", "The document as a script: every command that was accepted.", 0, &Imaging::history_word},
       {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", 0, &Imaging::undo},
-      {"redo", "redo", "Repeats the command that was taken back.", 0, &Imaging::redo},
+      {"redo", "redo", "Does again what was taken back.", 0, &Imaging::redo},
       {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.", any_number,
        &Imaging::subscribe,
        "  changes   what was carried out, and which host said it\n"

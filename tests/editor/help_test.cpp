@@ -66,7 +66,8 @@ TEST(Help, RoadsLeadToWords) {
     EXPECT_GT(words, 0) << r.word;
     EXPECT_TRUE(help_text(r.word, Scene()).starts_with(fmt::format("{}: {}", r.word, r.leads)));
   }
-  for (const char* word : {"loop", "easing", "path", "opacity", "alpha", "sheet", "time", "rgb"})
+  for (const char* word : {"loop", "easing", "path", "opacity", "alpha", "sheet", "time", "rgb", "channel", "f-curve",
+                           "property", "ik", "morph", "depth-of-field", "dope-sheet", "keyframe", "interpolation"})
     EXPECT_FALSE(road(word).empty()) << word;
   EXPECT_EQ(help_text("opacity", Scene()),
             "opacity: transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5\n"
