@@ -93,7 +93,7 @@ CASES = {
     "mesh": ([], ['create m{} mesh file="mesh.obj"', "remove m{}"] * 2, 2),
     "bundle of 100000": ([], lines_of_a_bundle([f"create o{i} sphere" for i in range(100_000)]), 1),
     "bundle of 100000 sets": (many(1000), lines_of_a_bundle([f"set o{1 + i % 1000}.radius {i}" for i in range(100_000)]), 1),
-    "points": (["create o{1..100000} line"], ["set o*.points (" + "(i 0) " * 20_000 + ")",
+    "points": (["create o{1..100000} polygon"], ["set o*.points (" + "(i 0) " * 20_000 + ")",
                                               "set o*.points (" + "(1 0) " * 20_000 + ")"], 1),
     "history": (many(1000) + ["set o*.radius 2"] * 1, ["history"] * 3, 1),
     "notes": ([f'at {i}f note "{"x" * 900_000}"' for i in range(1, 9)], ["notes"] * 5, 1),
@@ -157,16 +157,19 @@ class Hostile:
             sent = self.socket.send(self.out[:1 << 18])
         except BlockingIOError:
             return
-        self.out = self.out[sent:]
+        self.out = self.out[sent:] if sent < len(self.out) else b""
 
     def hear(self, now):
-        self.buffer += self.socket.recv(1 << 20)
-        while b"\n" in self.buffer:
-            line, _, self.buffer = self.buffer.partition(b"\n")
-            if line.startswith(b'{"event"'):
-                continue
-            self.wanted = 0
-            self.told.append((now - self.begun, line[:160].decode(errors="replace")))
+        parts = self.socket.recv(1 << 18).split(b"\n")  # of an answer only the beginning is kept
+        for i, part in enumerate(parts):
+            if len(self.buffer) < 160:
+                self.buffer += part[:160]
+            if i == len(parts) - 1:
+                break
+            if not self.buffer.startswith(b'{"event"'):
+                self.wanted = 0
+                self.told.append((now - self.begun, self.buffer.decode(errors="replace")))
+            self.buffer = b""
 
     @property
     def done(self):
@@ -186,10 +189,9 @@ def run(sockets, seconds, until=None):
             else:
                 s.next(now)
                 chosen.modify(s.socket, selectors.EVENT_READ | (selectors.EVENT_WRITE if s.out else 0), s)
+        asked = time.monotonic()
         ready = chosen.select(0.002)
-        after = time.monotonic()
-        if not ready:
-            late = max(late, after - now - 0.002)
+        late = max(late, time.monotonic() - asked - 0.002, asked - now)
         for key, events in ready:
             if events & selectors.EVENT_WRITE:
                 key.data.write()
@@ -197,6 +199,13 @@ def run(sockets, seconds, until=None):
                 key.data.hear(time.monotonic())
     chosen.close()
     return late
+
+
+def listens(path, lines):
+    try:
+        return Hostile(path, lines)
+    except OSError:
+        return None
 
 
 def memory(pid):
@@ -207,7 +216,7 @@ def memory(pid):
     return 0
 
 
-def case(name, program, seconds, verbose):
+def case(name, call):
     prepare, lines, connections = CASES[name]
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "s")
@@ -215,14 +224,14 @@ def case(name, program, seconds, verbose):
         mesh(os.path.join(folder, "mesh.obj"))
         with open(os.path.join(folder, "film.bx"), "w") as f:
             f.write(SCRIPT)
-        server = subprocess.Popen([program, "serve", os.path.join(folder, "film.bx"), "--socket", path, "--save",
-                                   os.path.join(folder, "kept.bx")], stderr=subprocess.DEVNULL)
+        kept = ["--save", os.path.join(folder, "kept.bx")] if call.save else []
+        server = subprocess.Popen([call.program, "serve", os.path.join(folder, "film.bx"), "--socket", path, *kept],
+                                  stderr=subprocess.DEVNULL)
         try:
-            while not os.path.exists(path):
+            while not (first := listens(path, prepare)):
                 time.sleep(0.01)
                 if server.poll() is not None:
                     sys.exit(f"the server has ended with {server.returncode}")
-            first = Hostile(path, prepare)
             run([first], 120, lambda: first.done)
             for took, told in first.told:
                 if '"ok":true' not in told:
@@ -231,12 +240,12 @@ def case(name, program, seconds, verbose):
             run(polite, 1)
             for p in polite:
                 p.take(time.monotonic())
-            late_before = run(polite, min(seconds, 3))
+            late_before = run(polite, min(call.seconds, 3))
             before = [p.take(time.monotonic()) for p in polite]
             hostile = [Hostile(path, [line.replace("{}", str(i)) if name == "mesh" else line for line in lines])
                        for i in range(connections)]
             begun = time.monotonic()
-            late = run(polite + hostile, seconds, lambda: all(h.done for h in hostile))
+            late = run(polite + hostile, call.seconds, lambda: all(h.done for h in hostile))
             took = time.monotonic() - begun
             after = [p.take(time.monotonic()) for p in polite]
             again = [Hostile(path, h.lines) for h in hostile]
@@ -256,7 +265,7 @@ def case(name, program, seconds, verbose):
             for p in polite:
                 if p.wrong:
                     print(f"   {p.kind}: {p.wrong} of {p.n} refused")
-            for h in hostile if verbose else ():
+            for h in hostile if call.verbose else ():
                 for took, told in h.told[:8]:
                     print(f"   {took:6.2f} s {told}")
         finally:
@@ -271,12 +280,13 @@ def main():
     options.add_argument("--program", default=os.path.join(root, "build/release/bin/betwixt"))
     options.add_argument("--seconds", type=float, default=20)
     options.add_argument("--verbose", action="store_true", help="print the first answers to the hostile lines")
+    options.add_argument("--save", action="store_true", help="keep the history; the disk adds its own delays")
     options.add_argument("cases", nargs="*")
     call = options.parse_args()
     print(f"{'slowest answers in ms':26} {' '.join(POLITE)}")
     for name in CASES:
         if not call.cases or any(word in name for word in call.cases):
-            case(name, call.program, call.seconds, call.verbose)
+            case(name, call)
 
 
 if __name__ == "__main__":

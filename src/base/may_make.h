@@ -18,7 +18,8 @@ struct TooMuch {};
 class MayMake {
  public:
   // `all`: the bytes that everybody makes who shares the limit.
-  MayMake(std::atomic<std::size_t>& all, std::size_t most) : all_(all), most_(most), before_(std::exchange(current, this)) {}
+  MayMake(std::atomic<std::size_t>& all, std::size_t most)
+      : all_(all), most_(most), before_(std::exchange(current, this)) {}
   ~MayMake() {
     all_ -= made_;
     current = before_;

@@ -118,8 +118,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   }
   if (word.find('.') == std::string_view::npos) {  // meant as an object, but there is none
     if (is_pattern(word) || scene.aliases->contains(std::string(word))) return out;
-    return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
-                near_object(scene, word));
+    return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)), near_object(scene, word));
   }
   if (!targets(asking, word, found, Meant::asked)) return c.error.value_or(fail(ErrorCode::name, "this names nothing"));
   const auto turns = [&](const Target& t) {
@@ -130,8 +129,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   if (std::none_of(found.targets.begin(), found.targets.end(), turns)) return found.targets;
   const Program program = Program::compile(d);
   for (const Target& t : found.targets)
-    if (turns(t) &&
-        program.compiled().find(t.object.index, t.function).orientation &&
+    if (turns(t) && program.compiled().find(t.object.index, t.function).orientation &&
         program.compiled().find(t.object.index, t.function).live < 0)
       return fail(ErrorCode::type,
                   fmt::format("'{}' holds orientations, which have no separate angles",

@@ -42,15 +42,17 @@ std::unordered_map<std::uint32_t, std::size_t> events_of_layers(const Scene& s) 
 }
 
 Error no_object(const Document& d, const std::string& word) {
-  return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)), near_object(d.scene(), word));
+  return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
+              near_object(d.scene(), word));
 }
 
 constexpr std::size_t longest_description = 32 << 20;  // bytes
 
 Error too_long(const std::string& word) {
-  return fail(ErrorCode::range,
-              fmt::format("what '{}' names takes more than {} bytes to describe", word.substr(0, 60), longest_description),
-              "describe fewer at a time");
+  return fail(
+      ErrorCode::range,
+      fmt::format("what '{}' names takes more than {} bytes to describe", word.substr(0, 60), longest_description),
+      "describe fewer at a time");
 }
 
 // From when on it hangs on what, and when that ends.
@@ -263,9 +265,7 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
   return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said;
 }
 
-Result<std::string> describe(const Document& d, const std::string& word) {
-  return describe(Program::compile(d), word);
-}
+Result<std::string> describe(const Document& d, const std::string& word) { return describe(Program::compile(d), word); }
 
 Result<std::string> describe(const Program& program, const std::string& word) {
   const Document& d = program.document();

@@ -71,7 +71,7 @@ class Editor {
   void allow(const LoadOptions& options) { options_ = options; }
 
   const Point& now() const { return now_; }
-  void count(const Counts& counts) { now_.counts = counts; }  // of the document that there is
+  void count(const Counts& counts) { now_.counts = counts; }                  // of the document that there is
   const std::string& base() const { return base_; }                           // the author's text
   std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // that stand …
   std::span<const Step> undone() const {

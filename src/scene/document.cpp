@@ -80,11 +80,10 @@ void add_matching(const Scene& s, std::string_view word, const Each& each_object
   each_object([&](ObjectId id) {
     if (StillWanted::ask(); !s.objects[id.index].removed && matches(word, s.objects[id.index].name)) out.push_back(id);
   });
-  std::sort(out.begin() + first, out.end(),
-            [&](ObjectId a, ObjectId b) {
-              StillWanted::ask();
-              return natural_less(s.objects[a.index].name, s.objects[b.index].name);
-            });
+  std::sort(out.begin() + first, out.end(), [&](ObjectId a, ObjectId b) {
+    StillWanted::ask();
+    return natural_less(s.objects[a.index].name, s.objects[b.index].name);
+  });
 }
 
 // What a word that is no alias names.

@@ -12,10 +12,10 @@ namespace betwixt {
 
 std::string object_name(const Scene&, ObjectId);       // "none" where there is no such object
 std::string target_name(const Scene&, const Target&);  // "ball.position.x", "ball.position.velocity", "ball.world"
-// "did you mean 'ball'?" where an object or an alias is a near miss of the word, else nothing. Where there are very many
-// objects only the first of them are looked at.
+// "did you mean 'ball'?" where an object or an alias is a near miss of the word, else nothing. Where there are very
+// many objects only the first of them are looked at.
 std::string near_object(const Scene&, std::string_view word);
-std::string format_time(Time, Rate);                   // "24f" where it is on a frame, else seconds: "1.2345s"
+std::string format_time(Time, Rate);  // "24f" where it is on a frame, else seconds: "1.2345s"
 
 // "world", of environments "by", "every" and "count", of what is drawn "touching" and "in-view".
 std::string_view name_of(Query);

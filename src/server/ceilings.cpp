@@ -51,7 +51,8 @@ class Held {
   }
   void value(const Value& v) {
     if (const auto* text = std::get_if<Text>(&v); text && first(text->at.get())) bytes += (*text)->size();
-    if (const auto* points = std::get_if<Points>(&v); points && first(points->at.get())) bytes += (*points)->size() * sizeof(Vec3);
+    if (const auto* points = std::get_if<Points>(&v); points && first(points->at.get()))
+      bytes += (*points)->size() * sizeof(Vec3);
     if (const auto* names = std::get_if<Names>(&v); names && first(names->at.get()))
       for (const std::string& name : **names) bytes += sizeof name + name.size();
     if (const auto* code = std::get_if<Procedure>(&v); code && code->code && first(code->code.get()))

@@ -29,7 +29,7 @@ struct Guest {
   bool in_hand = false;           // a thread works on what it said; nobody else touches it
   std::atomic<bool> gone{false};  // meanwhile: it takes back what it asked
   bool kept = false;              // its next line waits until another host's is done
-  Nanos parting = 0;  // when it closed its end while it was in hand, or was last asked whether it is still there
+  Nanos parting = 0;       // when it closed its end while it was in hand, or was last asked whether it is still there
   std::uint64_t lost = 0;  // events that it was not told of
   std::uint32_t watched = 0;
 
@@ -50,7 +50,7 @@ struct Guest {
 
  private:
   std::deque<std::shared_ptr<const std::string>> out_;
-  std::shared_ptr<std::string> open_;     // the last of these, while short texts join it
+  std::shared_ptr<std::string> open_;   // the last of these, while short texts join it
   std::size_t sent_ = 0, waiting_ = 0;  // bytes of the first that have been sent; of all that have not
 };
 

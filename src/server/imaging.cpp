@@ -3,6 +3,7 @@
 #include "server/imaging.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
@@ -26,6 +27,28 @@ constexpr int most_attempts = 3;           // while others change the document, 
 constexpr Nanos most_waited = 50'000'000;  // … for what takes no more of a processor than this
 constexpr int most_in_vain = 12;           // attempts at what takes longer
 constexpr auto most_at_once = std::chrono::milliseconds(5);
+
+// What this thread takes: of a processor, and of time while it waits for another process or for a file. The time in
+// which it only waits for a processor does not count.
+class Effort {
+ public:
+  Nanos taken() const {
+    constexpr long few = 3;  // a lock
+    const auto busy = StillWanted::used() - used_;
+    const auto all = std::chrono::steady_clock::now() - begun_;
+    return std::chrono::nanoseconds(waits() - waits_ > few ? all : busy).count();
+  }
+
+ private:
+  static long waits() {
+    rusage u{};
+    ::getrusage(RUSAGE_THREAD, &u);
+    return u.ru_nvcsw;
+  }
+  const std::chrono::nanoseconds used_ = StillWanted::used();
+  const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  const long waits_ = waits();
+};
 
 // Does what is nearly always short; false: this time it is not, and nothing is done.
 bool at_once(const std::function<void()>& work) {
@@ -133,8 +156,9 @@ bool Imaging::speaks_of_many(std::string_view text) const {
   const auto& aliases = *document().scene().aliases;
   if (aliases.empty()) return false;
   const auto words = line_words(text);
-  return std::any_of(words.begin(), words.end(),
-                     [&](const std::string& w) { return aliases.contains(std::string_view(w).substr(0, w.find('.'))); });
+  return std::any_of(words.begin(), words.end(), [&](const std::string& w) {
+    return aliases.contains(std::string_view(w).substr(0, w.find('.')));
+  });
 }
 
 // Whether a line may do more than change a few things: it speaks of many, reads files, runs code or draws lists.
@@ -142,7 +166,8 @@ bool Imaging::takes_long(const Visitor& h, const SaidLine& line) const {
   static constexpr std::string_view quick[] = {"set",  "at",     "create", "note",    "attach",
                                                "hang", "couple", "detach", "letgo",   "show",
                                                "hide", "halt",   "kill",   "animate", "look"};
-  if (line.text.size() > 2000 || line.text.find('"') != std::string_view::npos || speaks_of_many(line.text)) return true;
+  if (line.text.size() > 2000 || line.text.find('"') != std::string_view::npos || speaks_of_many(line.text))
+    return true;
   if (line.indented && h.sheet) return speaks_of_many(h.sheet->pattern);
   return line.verb.find('.') == std::string_view::npos &&
          std::find(std::begin(quick), std::end(quick), line.verb) == std::end(quick);
@@ -153,9 +178,9 @@ Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
   Alone alone(*this);
   bool changes = true;
   const auto timed = [&](const Point& from, std::size_t events) {
-    const auto before = StillWanted::used();
+    const Effort effort;
     changes = work(from, events);
-    h.took = (StillWanted::used() - before).count();
+    h.took = effort.taken();
   };
   for (;; ++h.attempts) {
     if (h.attempts >= most_in_vain && h.took > most_waited) return h.attempts = 0, Worked::in_vain;
@@ -381,7 +406,8 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
   deed.after.counts = {c->events, c->values};
   h.sheet = deed.after.script.left;
   if (!c->kept) return yes(h, now, said(c->said));
-  if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}, c->bytes); !s) return no(h, now, s.error());
+  if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}, c->bytes); !s)
+    return no(h, now, s.error());
   ++commands_;
   event_count_ = c->events, values_ = c->values;
   if (starts_show(line.verb)) start_clock(now);

@@ -114,8 +114,8 @@ class Imaging {
   bool frames_wanted() const;             // a host has subscribed to something that frames tell
 
   const Document& document() const { return editor_.now().document; }
-  Program program();         // of this document; others may change it meanwhile
-  bool large() const;        // so much that compiling and freeing it takes long
+  Program program();   // of this document; others may change it meanwhile
+  bool large() const;  // so much that compiling and freeing it takes long
   const Transport& transport() const { return transport_; }
   std::uint64_t version() const { return version_; }  // another one: the document or the transport is another
   std::string history() const { return as_script(editor_.base(), editor_.steps()); }
@@ -156,7 +156,7 @@ class Imaging {
   };
   struct Word {
     std::string_view word, usage, sentence;
-    std::size_t most;  // words behind it
+    std::size_t most;                                                                       // words behind it
     Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null: it steps
     std::string_view more = {};  // lines that its help ends with
     Did step = Did::command;     // back, or on again
@@ -242,10 +242,10 @@ class Imaging {
   std::size_t checkpoint_at_ = 0;         // bytes of log
   std::set<std::int64_t> names_given_;    // thousands of numbers that the script has names of
   std::int64_t next_names_ = 1;
-  std::size_t event_count_ = 0;  // of the document
+  std::size_t event_count_ = 0;         // of the document
   std::atomic<std::size_t> values_{0};  // bytes of them, at most
   std::atomic<std::size_t> making_{0};  // by commands that are being worked out
-  struct Overview {              // what `help` says, as long as nobody adds words
+  struct Overview {                     // what `help` says, as long as nobody adds words
     decltype(Scene::defined) defined;
     decltype(Scene::procedures) procedures;
     std::string text;

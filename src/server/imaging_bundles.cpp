@@ -23,7 +23,7 @@ struct Imaging::Together {
   Point point;
   std::size_t events = 0, values = 0;  // in the document after it
   std::size_t bytes = 0;               // that undo keeps for it
-  std::vector<std::string> lines;     // as they stand in a history
+  std::vector<std::string> lines;      // as they stand in a history
   std::string warnings, errors, told;
   std::optional<Error> first;
   bool stamped = false, starts = false;

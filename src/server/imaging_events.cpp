@@ -14,8 +14,7 @@ namespace betwixt {
 void Imaging::changed(Host by, const std::string& commands, Nanos now) {
   ++version_;
   const auto told = [&] {
-    return fmt::format("{{\"event\":\"change\",\"tick\":{},\"host\":{},\"commands\":{}}}\n", tick(now), by,
-                       commands);
+    return fmt::format("{{\"event\":\"change\",\"tick\":{},\"host\":{},\"commands\":{}}}\n", tick(now), by, commands);
   };
   tell_all(changes, told);
 }

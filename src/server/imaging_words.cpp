@@ -97,7 +97,8 @@ class Values {
  public:
   Values(const Document& document, Time t)
       : document_(document), out_(fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()))) {}
-  void add(std::span<const Target> targets, const std::vector<Value>& values, const std::vector<std::string>& problems) {
+  void add(std::span<const Target> targets, const std::vector<Value>& values,
+           const std::vector<std::string>& problems) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
       StillWanted::ask();
       if (too_long()) return;
@@ -128,7 +129,8 @@ Result<std::string> values_of(const Program& film, const Question& q) {
   Values out(film.document(), q.time);
   for (std::size_t from = 0; from < q.targets.size() && !out.too_long(); from += at_a_time) {
     const auto begin = q.targets.begin() + static_cast<std::ptrdiff_t>(from);
-    const std::vector<Target> some(begin, begin + static_cast<std::ptrdiff_t>(std::min(at_a_time, q.targets.size() - from)));
+    const std::vector<Target> some(begin,
+                                   begin + static_cast<std::ptrdiff_t>(std::min(at_a_time, q.targets.size() - from)));
     std::vector<std::string> problems;
     const std::vector<Value> values = film.read(some, q.time, &problems);
     out.add(some, values, problems);

@@ -79,7 +79,8 @@ void Lanes::enter(std::unique_lock<std::mutex>& lock, std::size_t lane, Job& job
       continue;
     }
     job.changed.wait_for(lock, look_again);  // the first of those who wait looks for all
-    if (!over() && job.state == Job::State::waits) look_for_late(lane), staffed(lane), lanes_[lane].changed.notify_one();
+    if (!over() && job.state == Job::State::waits)
+      look_for_late(lane), staffed(lane), lanes_[lane].changed.notify_one();
   }
   if (job.state == Job::State::waits) leave(lane, std::find(waiting.begin(), waiting.end(), &job));
 }

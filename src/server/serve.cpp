@@ -11,12 +11,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <set>
+#include <thread>
 #include <unordered_map>
 
+#include "base/still_wanted.h"
 #include "base/tell_user.h"
 #include "server/answers.h"
 #include "server/discarded.h"
@@ -34,6 +37,7 @@ constexpr Nanos turn_time = 4'000'000;       // … unless they take longer than
 constexpr Nanos all_turns = 20'000'000;      // … or all turns of a round than this
 constexpr Nanos patience = 10'000'000'000;   // for a token, and for whoever reads nothing of much
 constexpr Nanos parting_time = 200'000'000;  // from one question whether somebody is still there to the next
+constexpr std::chrono::nanoseconds longest_rest = std::chrono::milliseconds(100);  // of who compiles for the clock
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
 constexpr std::size_t most_strangers = 64;  // who have not said it yet
@@ -396,17 +400,21 @@ class Server {
     Program film = imaging_.program();  // others may go on meanwhile
     return {std::move(film), imaging_.transport(), looked_};
   }
-  // One thread at a time. Where it takes long another one leads meanwhile.
+  // One thread at a time. Where it takes long another one leads meanwhile, and this one rests as long as it has worked:
+  // a host that changes a large document all the time does not take a whole processor.
   void publish() {
     if (publishing_) return;
     publishing_ = true;
     while (!leaders_.stopped() && (published_ != imaging_.version() || looked_ != imaging_.frames_wanted())) {
+      const auto begun = StillWanted::used();
       FrameClock::Edition next = edition();
-      const auto put = [&] { clock_.publish(std::move(next)); };  // frees what the clock has done with
       if (imaging_.large())
-        leaders_.beside(put);
+        leaders_.beside([&] {
+          clock_.publish(std::move(next));  // frees what the clock has done with
+          std::this_thread::sleep_for(std::min(StillWanted::used() - begun, longest_rest));
+        });
       else
-        put();
+        clock_.publish(std::move(next));
     }
     publishing_ = false;
   }

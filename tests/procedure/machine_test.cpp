@@ -82,8 +82,10 @@ TEST(Lua, CallsOfWhoHoldsMuchStayCheap) {
   q.procedures["one"] = made(Role::value, "1");
   const auto cost_of = [&](const std::string& calls) {
     std::uint64_t cost = 0;
-    const auto code = made(Role::value, "local held = {} for i = 1, 2000 do held[i] = ('x'):rep(1000) .. i end "
-                                        "local s = 0 for i = 1, " + calls + " do s = s + one() end return s");
+    const auto code = made(Role::value,
+                           "local held = {} for i = 1, 2000 do held[i] = ('x'):rep(1000) .. i end "
+                           "local s = 0 for i = 1, " +
+                               calls + " do s = s + one() end return s");
     EXPECT_TRUE(code->value(q, {}, cost));
     return cost;
   };

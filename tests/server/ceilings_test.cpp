@@ -94,7 +94,7 @@ TEST(Imaging, HasACeilingOfBytes) {
     for (std::size_t i = 0; i < n; ++i) all += fmt::format("({} {})", x, i);
     return all + ")";
   };
-  s.done(host, "create l{1..40} line");
+  s.done(host, "create l{1..40} polygon");
   const char* const why = "texts, points, lists of names and code would have more than 10000 bytes";
   changes_nothing(s, host, "set l*.points " + points(20, "i"), why);  // 40 times 480 bytes
   s.done(host, "set l*.points " + points(300, "1"));                  // 7,200
@@ -118,7 +118,7 @@ TEST(Imaging, TextsAndCodeCountToo) {
   const auto host = s.imaging.arrive();
   s.done(host, "create t{1..4} text");
   changes_nothing(s, host, "set t1.text \"" + std::string(10'001, 'x') + "\"", "more than 10000 bytes");
-  changes_nothing(s, host, "set t1.position.x \"1 + " + std::string(10'000, ' ') + "t\"", "more than 10000 bytes");
+  changes_nothing(s, host, "set t1.position.x = \"1 + " + std::string(10'000, ' ') + "t\"", "more than 10000 bytes");
   s.done(host, "set t1.text \"" + std::string(6'000, 'x') + "\"");
   changes_nothing(s, host, "set t2.text \"" + std::string(6'000, 'y') + "\"", "more than 10000 bytes");
   s.done(host, "set t1.text \"short\"");

@@ -140,8 +140,7 @@ TEST(Imaging, QuestionsAboutManyLetOthersGoOn) {
   int works = 0;
   s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) {
     if (++works == 1) {
-      for (const char* line : {"set b1.size (7 7 7)", "create b4 box", "at 1f note later"})
-        s.say(changes, line);
+      for (const char* line : {"set b1.size (7 7 7)", "create b4 box", "at 1f note later"}) s.say(changes, line);
     }
     work();
     return true;
