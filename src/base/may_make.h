@@ -17,7 +17,7 @@ struct TooMuch {};
 // What this thread makes while it lives.
 class MayMake {
  public:
-  // `all`: the bytes that everybody makes who shares the limit.
+  // `all`: the bytes that all threads make under this limit.
   MayMake(std::atomic<std::size_t>& all, std::size_t most)
       : all_(all), most_(most), before_(std::exchange(current, this)) {}
   ~MayMake() {

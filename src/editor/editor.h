@@ -21,7 +21,7 @@
 
 namespace betwixt {
 
-// How much a document holds, for whoever counts.
+// How much a document holds.
 struct Counts {
   std::size_t events = 0, values = 0;  // bytes of these
 };
@@ -65,7 +65,7 @@ class Editor {
   // names too are as they were when they were read.
   Point read(std::string_view text, Diagnostics&) const;
   void keep(Sink sink) { sink_ = std::move(sink); }
-  // Is given the points that nobody can go to any more, and frees them. None: they are freed at once.
+  // Frees the points that undo and redo cannot reach any more. Without it, they are freed at once.
   void free_with(std::function<void(Point)> free) { free_ = std::move(free); }
   void rename(const std::string& name) { home_ = Home(name); }
   void allow(const LoadOptions& options) { options_ = options; }
@@ -88,7 +88,7 @@ class Editor {
   // any more, and why; it and those behind it are left out.
   std::optional<std::pair<std::size_t, Diagnostics>> restore(const std::vector<Step>& steps, std::size_t standing);
 
-  // Bytes that undo keeps for a step between the two. It may take long, so whoever has time may ask before.
+  // Bytes that undo keeps for a step between the two. This may take long, so it can be called before take().
   static std::size_t bytes_kept(const Point& before, const Point& after);
   // The sink's errors. `bytes`: those that undo keeps for it, where they are known.
   Status take(Point after, Step step, std::optional<std::size_t> bytes = {});

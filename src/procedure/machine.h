@@ -76,7 +76,7 @@ class Machine {
   // else. Where not much has come since the last time nothing is done: a collection goes through all that is held.
   void settle();
   std::size_t held() const;      // bytes beyond `most_garbage` …
-  std::size_t made() const;      // … of which this call may have made so many
+  std::size_t made() const;      // … at most those that this call allocated
   void set(const char* global);  // pops its value
 
  private:

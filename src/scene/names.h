@@ -12,8 +12,8 @@ namespace betwixt {
 
 std::string object_name(const Scene&, ObjectId);       // "none" where there is no such object
 std::string target_name(const Scene&, const Target&);  // "ball.position.x", "ball.position.velocity", "ball.world"
-// "did you mean 'ball'?" where an object or an alias is a near miss of the word, else nothing. Where there are very
-// many objects only the first of them are looked at.
+// "did you mean 'ball'?" if an object or an alias has a similar name, else an empty text. In large films it reads only
+// the first 10,000 objects.
 std::string near_object(const Scene&, std::string_view word);
 std::string format_time(Time, Rate);  // "24f" where it is on a frame, else seconds: "1.2345s"
 

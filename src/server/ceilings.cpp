@@ -41,7 +41,7 @@ bool too_many_environments(std::size_t most, const Scene& before, const Scene& a
   return n > most && n > environments(before);
 }
 
-// Of values, what they hold elsewhere.
+// Adds up the bytes of values, shared ones once.
 class Held {
  public:
   std::size_t bytes = 0;

@@ -19,7 +19,7 @@ struct Ceilings {
 // How many events there are, where `before` has so many; only what differs is looked at.
 std::size_t count_events(const Scene& before, std::size_t events, const Scene& after);
 
-// Bytes of texts, points, lists of names and code; what many share is counted once. All objects are looked at.
+// Bytes of texts, points, lists of names and code; shared values count once. Reads all objects.
 std::size_t bytes_of_values(const Scene&);
 Error too_many_bytes(const Ceilings&);
 

@@ -12,7 +12,7 @@ namespace betwixt {
 class Discarded {
  public:
   Discarded();
-  ~Discarded();  // does not wait for what has been taken
+  ~Discarded();  // does not wait until all is free
   Discarded(const Discarded&) = delete;
   Discarded& operator=(const Discarded&) = delete;
 

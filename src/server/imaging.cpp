@@ -142,7 +142,7 @@ Program Imaging::program() {
   return made;
 }
 
-// Unless somebody was faster.
+// Does nothing if a newer program is there already.
 void Imaging::keep_program(Program made, std::uint64_t version) {
   if (version <= compiled_) return;
   Program before = std::exchange(program_, std::move(made));
@@ -212,7 +212,7 @@ Imaging::Reply Imaging::not_worked(const Visitor& h, Worked how, Nanos now) {
 
 // ---- answers
 
-// What is long is not copied again.
+// Does not copy the members again: they may be long.
 Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, std::string members, std::optional<std::int64_t> at) {
   members.insert(0, fmt::format("{{\"line\":{},\"ok\":true,\"tick\":{}", h.line, at.value_or(tick(now))));
   members += "}\n";
@@ -231,7 +231,7 @@ Result<std::string> Imaging::asked(const std::function<Result<std::string>(Film&
   if (!options_.beside)
     work();
   else if (!options_.beside(work, Claim::fair))
-    out = std::string();  // nobody hears it
+    out = std::string();  // the host has left
   if (film.compiled()) keep_program(film.program(), version);
   return out;
 }
@@ -358,7 +358,7 @@ Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t event
   return c;
 }
 
-// What was made is added up, and nothing taken off for what is gone: where that sum is too large it is found out.
+// The sum counts all values that were made, also those that are gone. If it is too large, the document is measured.
 Result<std::size_t> Imaging::values_in(const Scene& after, std::size_t made) const {
   const std::size_t before = values_, most = options_.ceilings.values;
   if (made == 0 || before + made <= most) return before + made;

@@ -67,7 +67,7 @@ class Imaging {
     // Does work that may take long, and lets other lines be entered meanwhile; it may be begun several times over,
     // unless it is done first, before all that waits. False: who asked for it has gone. None: all is done at once.
     std::function<bool(const std::function<void()>&, Claim)> beside;
-    // Frees what takes long to free, where nobody waits for it. None: it is freed at once.
+    // Frees large things on another thread. Without it, they are freed at once.
     std::function<void(std::shared_ptr<const void>)> discard;
     std::function<void(const std::string&)> warn;  // whoever runs the server
   };
@@ -104,7 +104,7 @@ class Imaging {
     options_.beside = std::move(how), options_.discard = std::move(discard);
   }
 
-  // What hosts that subscribed are told; taken away by asking. Hosts share one text.
+  // An event for a host that subscribed. Hosts share one text.
   struct Event {
     Host to = 0;
     std::shared_ptr<const std::string> line;
@@ -114,7 +114,7 @@ class Imaging {
   bool frames_wanted() const;             // a host has subscribed to something that frames tell
 
   const Document& document() const { return editor_.now().document; }
-  Program program();   // of this document; others may change it meanwhile
+  Program program();   // of this document; it can change during the call
   bool large() const;  // so much that compiling and freeing it takes long
   const Transport& transport() const { return transport_; }
   std::uint64_t version() const { return version_; }  // another one: the document or the transport is another
@@ -157,7 +157,7 @@ class Imaging {
   struct Word {
     std::string_view word, usage, sentence;
     std::size_t most;                                                                       // words behind it
-    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null: it steps
+    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null: undo, redo
     std::string_view more = {};  // lines that its help ends with
     Did step = Did::command;     // back, or on again
   };
@@ -181,7 +181,7 @@ class Imaging {
   Reply not_worked(const Visitor&, Worked, Nanos now);
   // What is refused, or only asks, has changed nothing, and is right of the document that it was worked out from:
   // `work` says whether there is anything to lose.
-  // Bytes of values in a document that was made of the one that there is, and of so many new ones. Errors: range.
+  // Bytes of values in `after`, which adds `made` bytes to the document. Errors: range.
   Result<std::size_t> values_in(const Scene& after, std::size_t made) const;
   Worked work_out(Visitor&, bool takes_long, const std::function<bool(const Point&, std::size_t events)>& work);
   class Alone;
@@ -196,13 +196,13 @@ class Imaging {
   void take_checkpoint();
   Reply end_bundle(Visitor&, Nanos now);
   std::optional<Error> carry_out(const Bundled&, Together&, std::int64_t stamp) const;
-  // The answer to a question, from a film that does not change meanwhile: others go on.
+  // Answers a question from one version of the film. Other hosts can change the document in the meantime.
   class Film;
   Result<std::string> asked(const std::function<Result<std::string>(Film&)>& answer);
   std::optional<Result<std::string>> known_at_once(const std::vector<std::string>& words, Time now);
   Reply yes(const Visitor&, Nanos now, std::string members, std::optional<std::int64_t> tick = {});
   Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
-  void tell_all(Topic, const std::function<std::string()>& what);  // made once, where anybody wants to know
+  void tell_all(Topic, const std::function<std::string()>& what);  // calls `what` once, if a host subscribed
   void tell(const Shown&);
   void tell_contacts(const Shown&);
   void recount(const Document& before);
@@ -272,7 +272,7 @@ class Imaging {
   std::uint64_t lines_ = 0, commands_ = 0, refused_ = 0, bytes_ = 0;
 };
 
-// What questions are answered from: a document, and its program, which is compiled when somebody needs it.
+// One version of the document, and its program, which is compiled at the first use.
 class Imaging::Film {
  public:
   Film(Document document, Program before, bool newest)

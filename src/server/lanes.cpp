@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto look_again = 10ms;  // whoever waits, for threads that are late
+constexpr auto look_again = 10ms;  // for threads that are late
 
 }  // namespace
 
@@ -91,7 +91,7 @@ void Lanes::leave(std::size_t at, std::deque<Job*>::iterator job) {
   if (!lane.waiting.empty()) lane.waiting.front()->changed.notify_one();
 }
 
-// Who has been at one thing for too long keeps nobody waiting.
+// Marks the threads whose work takes too long: others take their places.
 void Lanes::look_for_late(std::size_t at) {
   const auto now = Clock::now();
   for (Worker& w : lanes_[at].workers) {

@@ -130,7 +130,7 @@ class Server {
     }
     if (!imaging_.waits()) let_on();
     if (!busy_.empty() && !leaders_.leads()) wake();
-    publish();  // last: nobody waits for an answer while a large film is compiled
+    publish();  // last, so that the answers are sent before a large film is compiled
   }
 
   void watch(int file, std::uint32_t events, int how) {
@@ -394,14 +394,14 @@ class Server {
       tell_user(fmt::format("betwixt: warning: frames go nowhere any more: {}\n", trouble->message));
   }
 
-  // What there is now, for the clock.
+  // The newest document for the clock.
   FrameClock::Edition edition() {
     published_ = imaging_.version(), looked_ = imaging_.frames_wanted();
-    Program film = imaging_.program();  // others may go on meanwhile
+    Program film = imaging_.program();  // other threads can lead during this call
     return {std::move(film), imaging_.transport(), looked_};
   }
-  // One thread at a time. Where it takes long another one leads meanwhile, and this one rests as long as it has worked:
-  // a host that changes a large document all the time does not take a whole processor.
+  // One thread at a time. For a large film another thread leads in the meantime. After that the thread rests as long as
+  // it worked: a host that changes a large document all the time does not take a whole processor.
   void publish() {
     if (publishing_) return;
     publishing_ = true;

@@ -85,7 +85,7 @@ TEST(Imaging, HasACeilingOfItsHistory) {
   EXPECT_EQ(folder.get("live.bx"), "create a sphere\nset a.radius 2\nset a.radius 4\n");
 }
 
-// Points that are made for each place anew count as often; what many share counts once, and what is gone not at all.
+// Each object's own points count. Shared points count once. Points that are replaced do not count.
 TEST(Imaging, HasACeilingOfBytes) {
   Stage s(at_most(&Ceilings::values, 10'000));
   const auto host = s.imaging.arrive();
@@ -125,7 +125,7 @@ TEST(Imaging, TextsAndCodeCountToo) {
   s.done(host, "set t2.text \"" + std::string(6'000, 'y') + "\"");
 }
 
-// What is taken back is counted as it was.
+// After undo and redo, the counts are right.
 TEST(Imaging, CountsAreThoseOfTheDocumentThatIsGoneBackTo) {
   Stage s;
   const auto host = s.imaging.arrive();

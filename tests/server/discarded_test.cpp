@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is discarded is freed by another thread, whoever waits for what.
+// Another thread frees what is discarded.
 #include "server/discarded.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Discarded, FreesOnAThreadOfItsOwn) {
   const std::thread::id there = first.get_future().get();
   EXPECT_NE(there, std::this_thread::get_id());
   all->take(std::make_shared<Thing>(second));
-  all.reset();  // what was taken is freed nevertheless
+  all.reset();  // the thread still frees the second thing
   EXPECT_EQ(second.get_future().get(), there);
 }
 

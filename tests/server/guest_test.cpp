@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-class Line {  // between a guest and whoever reads
+class Line {  // a guest, and the other end of its socket
  public:
   Line() {
     std::array<int, 2> ends{};
@@ -62,7 +62,7 @@ TEST(Guest, HearsAllInItsOrder) {
   EXPECT_EQ(heard.size(), said.size());
   EXPECT_TRUE(heard == said);
   EXPECT_EQ(line.guest.waiting(), 0u);
-  EXPECT_EQ(shared.use_count(), 1);  // nobody has it any more
+  EXPECT_EQ(shared.use_count(), 1);  // the guest holds no copy
 }
 
 TEST(Guest, ATextThatManyHearIsNotCopied) {

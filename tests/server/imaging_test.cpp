@@ -131,7 +131,7 @@ TEST(Imaging, NobodyWaitsForWhatTakesLong) {
   s.expect_history();
 }
 
-// Questions that look at many are answered beside, from the document as it was when they were asked.
+// The server answers questions about many objects from one version of the document, beside other lines.
 TEST(Imaging, QuestionsAboutManyLetOthersGoOn) {
   Stage s;
   const auto asks = s.imaging.arrive(), changes = s.imaging.arrive();

@@ -89,7 +89,7 @@ TEST(Lanes, FewWorkAtATime) {
   EXPECT_LE(most, 8);
 }
 
-// Work that never looks whether it shall give way, as a compiler's: it keeps its thread, but nobody's place.
+// Work that never asks StillWanted, such as compiling: other work does not wait for it.
 TEST(Lanes, WhatCannotBeInterruptedKeepsNobodyWaiting) {
   Lanes lanes(Lanes::Patience{0ms, 0ms, 0ms, 0ms});
   std::promise<void> ends;
