@@ -238,6 +238,7 @@ std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
   return {ceiling("--ceiling", "environments", most.environments),
           ceiling("--objects", "environments and removed ones included", most.objects),
           ceiling("--events", "on tracks", most.events),
+          ceiling("--values", "bytes of texts, points, lists of names and code", most.values),
           ceiling("--history", "bytes of accepted commands", most.history),
           ceiling("--undo", "commands that can be taken back", options.undo.steps),
           ceiling("--checkpoint", "bytes of log after which the script is written anew", options.checkpoint)};

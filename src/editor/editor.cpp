@@ -72,29 +72,38 @@ Deed Editor::carry_out(const Step& step) const {
   return deed;
 }
 
-void Editor::push(Point after, Step step) {
-  const std::size_t bytes = bytes_of(step) + bytes_apart(now_.document.scene(), after.document.scene());
+std::size_t Editor::bytes_kept(const Point& before, const Point& after) {
+  return bytes_apart(before.document.scene(), after.document.scene());
+}
+
+void Editor::push(Point after, Step step, std::optional<std::size_t> known) {
+  const std::size_t bytes = bytes_of(step) + (known ? *known : bytes_kept(now_, after));
   steps_.resize(standing_);
   steps_.push_back(std::move(step));
   ++standing_;
-  for (const Past& p : undone_) bytes_ -= p.bytes;
+  for (Past& p : undone_) forget(p);
   undone_.clear();
   before_.push_back({std::exchange(now_, std::move(after)), bytes});
   bytes_ += bytes;
+}
+
+void Editor::forget(Past& past) {
+  bytes_ -= past.bytes;
+  if (free_) free_(std::exchange(past.point, {}));
 }
 
 // What is older than may be kept is not gone back to any more.
 void Editor::shorten() {
   while (before_.size() > 1 && (before_.size() > depth_.steps || bytes_ > depth_.bytes)) {
     heavy_ = before_.size() <= depth_.steps;
-    bytes_ -= before_.front().bytes;
+    forget(before_.front());
     before_.pop_front();
   }
 }
 
-Status Editor::take(Point after, Step step) {
+Status Editor::take(Point after, Step step, std::optional<std::size_t> bytes) {
   if (Status s = tell(Did::command, step); !s) return s;
-  push(std::move(after), std::move(step));
+  push(std::move(after), std::move(step), bytes);
   shorten();
   return Nothing{};
 }

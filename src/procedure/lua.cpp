@@ -10,6 +10,7 @@
 #include <deque>
 #include <utility>
 
+#include "base/may_make.h"
 #include "base/names.h"
 #include "base/utf8.h"
 #include "procedure/machine.h"
@@ -265,6 +266,7 @@ Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
   }
   lua_close(l);
   if (!compiled) return compiled.error();
+  MayMake::ask(source.size() + compiled->size());
   static std::atomic<std::uint64_t> serials{0};
   auto lua = std::make_shared<Lua>();
   lua->language = "lua";

@@ -72,9 +72,11 @@ class Machine {
   void begin(Call&, std::size_t longest_in_code);
   void end();
   double steps_each() const;  // what an instruction may cost now
-  // Before another call: collects garbage, so that only what this call holds is counted against the other one.
+  // Before another call: collects garbage, so that what this call holds is counted against the other one, and little
+  // else. Where not much has come since the last time nothing is done: a collection goes through all that is held.
   void settle();
-  std::size_t held() const;      // bytes beyond `most_garbage`
+  std::size_t held() const;      // bytes beyond `most_garbage` …
+  std::size_t made() const;      // … at most those that this call allocated
   void set(const char* global);  // pops its value
 
  private:
@@ -84,6 +86,7 @@ class Machine {
     std::size_t longest;
   };
   std::unordered_map<std::uint64_t, Chunk> chunks_;  // compiled here already, by serial
+  std::size_t settled_ = 0;                          // bytes behind the last collection of this call
   Machine* below_ = nullptr;                         // whose call waits for this one
 };
 

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "language/json.h"
 #include "server/answers.h"
 #include "server/imaging.h"
 
@@ -103,6 +104,8 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   }
   find_names(history(), names_given_);
   event_count_ = count_events({}, 0, document().scene());
+  values_ = bytes_of_values(document().scene());
+  editor_.count({event_count_, values_});
   if (!save.empty() && kept->goes_on) history_.go_on(editor_.steps(), editor_.undone(), kept->script);
   if (!save.empty() && !kept->goes_on)
     if (Status s = history_.keep(kept->base); !s) return s.error();
@@ -180,14 +183,19 @@ Status Imaging::finish(Nanos now) {
 
 // ---- words
 
-Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) { return said(history()); }
+Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) {
+  return asked([text = history()](const Film&) { return said(text); });
+}
 
-Result<std::string> Imaging::stepped(Status (Editor::*step)(), const char* word, Nanos now) {
-  const Document before = document();
-  if (Status s = (editor_.*step)(); !s) return s.error();
-  recount(before);
-  changed(0, word, now);
-  return std::string();
+Imaging::Reply Imaging::step(Visitor& h, Did what, Nanos now) {
+  const Point before = editor_.now();
+  if (Status s = what == Did::undo ? editor_.undo() : editor_.redo(); !s) return no(h, now, s.error());
+  if (const auto& counts = editor_.now().counts)
+    event_count_ = counts->events, values_ = counts->values;
+  else
+    recount(before.document);
+  changed(0, json_text(what == Did::undo ? "undo" : "redo"), now);
+  return yes(h, now, "");
 }
 
 // How many events there are after steps were taken back or done again.
@@ -197,14 +205,7 @@ void Imaging::recount(const Document& before) {
     event_count_ = count_events(was, event_count_, is);
   else
     event_count_ -= count_events(is, 0, was);  // what is not there any more
-}
-
-Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>&, Nanos now) {
-  return stepped(&Editor::undo, "undo", now);
-}
-
-Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>&, Nanos now) {
-  return stepped(&Editor::redo, "redo", now);
+  values_ = bytes_of_values(is);
 }
 
 Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {

@@ -58,7 +58,9 @@ TEST(Lua, WhatIsDoneInsideOneInstructionCounts) {
         std::string("local s = ('x'):rep(900000) while true do s:byte(1, 200000) end"),
         std::string("local t = {} for i = 1, 20 do t[('x'):rep(700000) .. i] = i end while true do pairs(t) end"),
         many + "for i = 1, 10000 do t[i] = nil end while true do pairs(t) end",
-        std::string("local t = {} for i = 1, 200000 do t[i] = vec(i, 0, 0) end while true do many(t) end")}) {
+        std::string("local t = {} for i = 1, 200000 do t[i] = vec(i, 0, 0) end while true do many(t) end"),
+        std::string("local f = ('%99.99f'):rep(20000) local t = {} for i = 1, 20000 do t[i] = 1e308 end "
+                    "while true do f:format(table.unpack(t)) end")}) {
     FakeQuestions q;
     q.procedures["many"] = made(Role::value, "1");
     const std::string why = error(source, q);
@@ -71,6 +73,23 @@ TEST(Lua, WhatIsDoneInsideOneInstructionCounts) {
   EXPECT_EQ(number("max(2, 5, 3) + math.min(2, -1)"), 4);
   EXPECT_EQ(error("max()"), "bad argument #1 to 'max' (number expected, got no value)");
   EXPECT_EQ(error("max(1, 'x')"), "bad argument #2 to 'max' (number expected, got string)");
+}
+
+// A collection goes through all that a call holds: many calls do not bring many of them.
+// shows: G54
+TEST(Lua, CallsOfWhoHoldsMuchStayCheap) {
+  FakeQuestions q;
+  q.procedures["one"] = made(Role::value, "1");
+  const auto cost_of = [&](const std::string& calls) {
+    std::uint64_t cost = 0;
+    const auto code = made(Role::value,
+                           "local held = {} for i = 1, 2000 do held[i] = ('x'):rep(1000) .. i end "
+                           "local s = 0 for i = 1, " +
+                               calls + " do s = s + one() end return s");
+    EXPECT_TRUE(code->value(q, {}, cost));
+    return cost;
+  };
+  EXPECT_LT(cost_of("2000") - cost_of("1000"), 1000 * 300U);
 }
 
 // A call and those that it waits for share one ceiling.
