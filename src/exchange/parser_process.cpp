@@ -95,7 +95,7 @@ class Waiting {
     pid_t ended = 0;
     while ((ended = ::waitpid(pid, &status, 0)) < 0 && errno == EINTR) {
     }
-    missing_ = ended == pid && WIFEXITED(status) && WEXITSTATUS(status) == 3;
+    missing_ = ended == pid && WIFEXITED(status) && WEXITSTATUS(status) == parser_of_another_version;
     if (missing_) return ENOENT;
     if (ended == pid && status != 0) return EAGAIN;
     control_ = std::exchange(line.ends[0], -1);

@@ -35,7 +35,7 @@ Status decode(const Program& program, const HeardSound& h, Time from, std::span<
                 samples.subspan(2 * static_cast<std::size_t>(left_out), 2 * static_cast<std::size_t>(count)), from,
                 stereo);
     return next < h.last;
-  });
+  }, h.sound->seconds);
 }
 
 }  // namespace

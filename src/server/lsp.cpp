@@ -37,7 +37,7 @@ Json diagnostic(const Diagnostic& d, const TextLines& lines) {
   return {{"range", range_of(lines, place_of(d, lines))},
           {"severity", severity_of(d.severity)},
           {"source", "betwixt"},
-          {"message", d.what.hint.empty() ? d.what.message : d.what.message + "\n" + d.what.hint}};
+          {"message", visible_lines(d.what.hint.empty() ? d.what.message : d.what.message + "\n" + d.what.hint)}};
 }
 
 }  // namespace
