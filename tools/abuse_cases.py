@@ -77,7 +77,7 @@ def wavpack():
     silence = bytes.fromhex("02015756030240403f00040400ff00ff00ff00ff05060000000000000000000000000902000800008a030000"
                             "ffff07000000")
     return b"".join(struct.pack("<4sIHBBIIIII", b"wvpk", 74, 1040, 0, 0, 0 if i else 0xffffffff, i << 17 & 0xffffffff,
-                                1 << 17, 0x1130, 2319974399) + silence for i in range(1490))
+                                1 << 17, 0x1920, 2319974399) + silence for i in range(1490))
 
 
 def bombs():

@@ -18,7 +18,7 @@ import time
 from abuse_cases import DOORS, LINES, SCRIPT, lay_out
 from betwixt_client import Gone, Refused, Server
 
-ALONE = 0.5  # seconds, to compare with
+ALONE = 1.0  # seconds, to compare with
 AFTER = 1.0  # seconds that are looked at once all is answered
 LONGEST = 6.0  # seconds that the hostile host waits for its answers
 MOST_WAIT = 0.05  # seconds for an answer to the other host …
@@ -169,7 +169,8 @@ def one(program, folder, said):
         after = good.host.stats()
         row["missed"] = after["frames_missed"] - middle["frames_missed"]
         row["due"] = after["frames_due"] - middle["frames_due"]
-        row["noise"] = middle["frames_missed"] - before["frames_missed"]
+        begun = {name: middle[name] - before[name] for name in ("frames_due", "frames_missed")}
+        row["noise"] = math.ceil(row["due"] * begun["frames_missed"] / max(1, begun["frames_due"]))
         row["worst"], row["quiet"], row["memory"] = good.worst, quiet, server.most_memory()
         wrong += good.wrong[:1]
         film = shown(good.host)

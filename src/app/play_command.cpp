@@ -17,6 +17,7 @@
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "base/files.h"
+#include "base/tell_user.h"
 #include "base/utf8.h"
 #include "betwixt/program.h"
 #include "editor/controls.h"

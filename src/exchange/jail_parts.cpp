@@ -19,11 +19,11 @@ namespace betwixt {
 namespace {
 
 #if defined(__x86_64__)
-constexpr std::uint32_t machine = AUDIT_ARCH_X86_64;
+constexpr std::uint32_t this_machine = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
-constexpr std::uint32_t machine = AUDIT_ARCH_AARCH64;
+constexpr std::uint32_t this_machine = AUDIT_ARCH_AARCH64;
 #else
-constexpr std::uint32_t machine = 0;
+constexpr std::uint32_t this_machine = 0;
 #endif
 constexpr std::uint32_t other_numbering = 0x40000000;  // calls of x32 on x86-64
 
@@ -73,7 +73,7 @@ void Folders::close_others() const {}
 
 CallFilter::CallFilter() {
   add(head, offsetof(seccomp_data, arch));
-  add(compare, machine, 1, 0);
+  add(compare, this_machine, 1, 0);
   add(answer, SECCOMP_RET_KILL_PROCESS);
   add(head, offsetof(seccomp_data, nr));
   add(BPF_JMP | BPF_JGE | BPF_K, other_numbering, 0, 1);
@@ -112,7 +112,7 @@ void CallFilter::refuse_without_bit(int call, std::uint32_t bit) {
   add(answer, SECCOMP_RET_ALLOW);
 }
 void CallFilter::begin(bool others_allowed) {
-  if (machine == 0) return;
+  if (this_machine == 0) return;
   add(answer, others_allowed ? SECCOMP_RET_ALLOW : SECCOMP_RET_ERRNO | EPERM);
   const sock_fprog all{static_cast<unsigned short>(program_.size()), program_.data()};
   ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &all);

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/still_wanted.h"
+#include "base/utf8.h"
 #include "commands/reader.h"
 #include "server/lsp_state.h"
 
