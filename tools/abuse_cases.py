@@ -44,6 +44,7 @@ heavy.position.x
   100000f 2000 linear
 create asked sphere radius=1 display=off
 create words text display=off
+create line polyline points=((0 0) (1 0) (2 1)) display=off
 create heap group position=(0 500 0)
 create heap/s{1..2000} sphere display=off
 procedure spinning command lua "for i = 1, 1e9 do end"
