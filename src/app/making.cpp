@@ -90,9 +90,9 @@ void say_not_clear(const std::string& path) {
 
 int say_made(const Result<FilmStats>& made, const FilmOptions& options) {
   if (!made && stop_requested()) {
-    tell_user(fmt::format(
-        "betwixt: stopped; {}\n",
-        options.missing ? "what is made so far is there, and the same call goes on" : options.path + " was not made"));
+    tell_user(fmt::format("betwixt: stopped; {}\n", options.missing
+                                                        ? "what is made so far is there, and the same call goes on"
+                                                        : options.path + " was not made"));
     if (const auto place = read_output(options.path); place && !place->format && !options.missing)
       fmt::print(stderr, "  with --missing each picture is there as soon as it is made\n");
     return interrupted;

@@ -222,10 +222,8 @@ std::string web_page(const std::vector<PageFilm>& films, const PageOptions& opti
   }
   PagePolicy policy;
   const bool beside = options.player.empty();
-  const std::string player =
-      beside ? policy.script_beside("betwixt-player.js") : policy.script("\n" + options.player);
-  std::string look =
-      beside ? policy.style_beside("betwixt-page.css") : policy.style("\n" + std::string(page_css));
+  const std::string player = beside ? policy.script_beside("betwixt-player.js") : policy.script("\n" + options.player);
+  std::string look = beside ? policy.style_beside("betwixt-page.css") : policy.style("\n" + std::string(page_css));
   // Where a server's policy forbids styles in a page, it is as wide, and as high as its film has it.
   if (options.size)
     look += "\n" + policy.style(fmt::format(".fixed {{ width: {}px; height: {}px; }}", options.size->first,

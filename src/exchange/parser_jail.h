@@ -15,9 +15,9 @@ namespace betwixt {
 // killed, or gets no more.
 void give_up_all_but_reading(const ParserCeilings&);
 
-// For a program of another author that this process becomes afterwards: it may read `file`, and the programs and libraries
-// of the machine. It writes to what is open already and to no file, starts threads and no processes, and has no network.
-// `most.wall` is for whoever waits for it.
+// For a program of another author that this process becomes afterwards: it may read `file`, and the programs and
+// libraries of the machine. It writes to what is open already and to no file, starts threads and no processes, and has
+// no network. `most.wall` is for whoever waits for it.
 void give_up_all_but_one_file(const std::string& file, const std::string& program, const ParserCeilings& most);
 
 }  // namespace betwixt

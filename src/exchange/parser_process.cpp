@@ -181,8 +181,8 @@ std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, cons
   if (!file) return file.error();
   struct stat about {};
   if (::fstat(file->fd(), &about) != 0) return machine_error(path, errno);
-  const ParserRequest request{task, any_size,
-                              most.value_or(parser_ceilings(path, static_cast<std::uint64_t>(about.st_size), any_size))};
+  const ParserRequest request{
+      task, any_size, most.value_or(parser_ceilings(path, static_cast<std::uint64_t>(about.st_size), any_size))};
   const OpenFile memory(::memfd_create("betwixt-parsed", MFD_CLOEXEC));
   if (!memory) return machine_error(path, errno);
   Line line;

@@ -233,15 +233,18 @@ Result<std::shared_ptr<const Sound>> read_sound(const std::string& path, bool an
   double sum = 0;
   sound->energy.push_back(0);
   bool too_long = false;
-  const Status decoded = decode_sound(path, [&](std::span<const float> stereo) {
-    for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
-      const double left = stereo[i], right = stereo[i + 1], square = (left * left + right * right) / 2;
-      if (std::isfinite(square)) sum += square;
-      if (++count % a_millisecond == 0) sound->energy.push_back(sum / sound_rate);
-    }
-    too_long = static_cast<double>(count) > longest * sound_rate;
-    return !too_long;
-  }, longest);
+  const Status decoded = decode_sound(
+      path,
+      [&](std::span<const float> stereo) {
+        for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
+          const double left = stereo[i], right = stereo[i + 1], square = (left * left + right * right) / 2;
+          if (std::isfinite(square)) sum += square;
+          if (++count % a_millisecond == 0) sound->energy.push_back(sum / sound_rate);
+        }
+        too_long = static_cast<double>(count) > longest * sound_rate;
+        return !too_long;
+      },
+      longest);
   if (!decoded) return decoded.error();
   if (too_long && longest < longest_sound)
     return fail(ErrorCode::range,

@@ -104,9 +104,7 @@ int main(int argc, char** argv) {
                    {"load", "a plug-in", "PLUGIN"}});
   line.addHelpOption();
   line.process(arguments);
-  const auto refuse = [](const std::string& why) {
-    return betwixt::tell_user("betwixt: error: " + why + "\n"), 2;
-  };
+  const auto refuse = [](const std::string& why) { return betwixt::tell_user("betwixt: error: " + why + "\n"), 2; };
   for (const QString& plugin : line.values("load"))
     if (const Status s = use_plugin(plugin.toStdString()); !s) return refuse(s.error().message);
   LoadOptions options;

@@ -63,12 +63,15 @@ std::string left_over(const std::string& folder, const std::string& file, const 
 TEST_F(Files, AreAllThatAParserHas) {
   const std::string file = put("x", "x");
   EXPECT_EQ(left_over(folder_.path().string(), file,
-                      [] { give_up_all_but_reading({std::uint64_t{1} << 40, 20, 20}); }),
+                      [] {
+                        give_up_all_but_reading({std::uint64_t{1} << 40, 20, 20});
+                      }),
             "r");
   EXPECT_EQ(::access(file.c_str(), F_OK), 0);
 }
 
-// A program of another author may start, and be looked for; it opens the file that it is given, and nothing else of ours.
+// A program of another author may start, and be looked for; it opens the file that it is given, and nothing else of
+// ours.
 TEST_F(Files, AreReadByOtherProgramsOneByOne) {
   const std::string file = put("x", "x"), other = put("y", "x");
   const auto give_up = [](const std::string& only) {
