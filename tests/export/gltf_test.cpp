@@ -181,12 +181,16 @@ TEST(Gltf, AFileReadBySpecificationIsWhereTheFilmIs) {
 }
 
 // As Blender's importer and assimp read it: the values alone, straight from one to the next, whatever a sampler says;
-// of a node's channels the last one counts, and one without a node is the first node's translation.
+// of a node's channels the last one counts, and one without a node is the translation of the node that is read first,
+// children before their parents.
 Mat4 by_values(const Glb& file, std::size_t node, double t) {
   Glb straight = file;
+  Json first = file.json["scenes"][0]["nodes"][0];
+  while (file.json["nodes"][first.get<std::size_t>()].contains("children"))
+    first = file.json["nodes"][first.get<std::size_t>()]["children"][0];
   Json kept = Json::array();
   for (Json channel : file.json["animations"][0]["channels"]) {
-    if (!channel["target"].contains("node")) channel["target"] = {{"node", 0}, {"path", "translation"}};
+    if (!channel["target"].contains("node")) channel["target"] = {{"node", first}, {"path", "translation"}};
     std::erase_if(kept.get_ref<Json::array_t&>(), [&](const Json& k) { return k["target"] == channel["target"]; });
     kept.push_back(channel);
   }
@@ -203,7 +207,8 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
   const std::string text = std::string(film) +
                            "create sign box color=red\nsign.color\n  1f red\n  73f blue\nsign.position\n"
                            "  1f (0 0 0) hold\n  24f (3 0 0) hold\n  47f (0 1 0)\n";
-  const Loaded loaded = load_text("create post box position=(7 0 0)\n" + text, "test.bx");
+  const Loaded loaded = load_text(
+      "create post group position=(7 0 0)\ncreate post/lamp box position=(1 2 3)\n" + text, "test.bx");
   ASSERT_FALSE(has_errors(loaded.diagnostics)) << to_string(loaded.diagnostics.front());
   const Program program = Program::compile(loaded.document);
   ExportOptions options;
@@ -213,7 +218,7 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
   EXPECT_EQ(options.keys.style, KeyStyle::linear);
   ASSERT_TRUE(export_film(program, options));
   const Glb file(options.path);
-  for (const char* name : {"post", "ball", "arm", "arm/tip", "still", "sign"}) {
+  for (const char* name : {"post", "post/lamp", "ball", "arm", "arm/tip", "still", "sign"}) {
     std::size_t node = 0;
     while (file.json["nodes"][node]["name"] != name) ++node;
     const auto found = find_targets(std::string(name) + ".world", loaded.document);
