@@ -3,6 +3,7 @@
 //
 // A .glb, read back as the specification of glTF 2.0 says, is where the film is. What three.js, Blender and the
 // validator make of such files is asked in tests/peers.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -230,6 +231,26 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
                  due = *std::get<Matrix>(program.read(found->front(), loaded.document.rate().frame(1 + frame)));
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 4; ++c) EXPECT_NEAR(is(r, c), due(r, c), 1e-3) << name << " at frame " << 1 + frame;
+    }
+  }
+}
+
+// Steps of code, of which no track knows: each has its own pair of keys, wherever others end.
+TEST(Gltf, StepsThatOnlyCodeKnowsAreAllThere) {
+  const Folder folder;
+  for (const double rate : {23.1, 31.7, 36.57, 47.3, 61.1}) {
+    const Loaded loaded = load_text(
+        fmt::format("range 1f 97f\ncreate b box\nset b.position.x = \"floor(t * {})\"\n", rate), "test.bx");
+    ExportOptions options;
+    options.path = folder / "x.glb";
+    std::tie(options.from, options.until) = loaded.document.range();
+    options.keys = usual_keys(options.path);
+    ASSERT_TRUE(export_film(Program::compile(loaded.document), options));
+    const Glb file(options.path);
+    for (double frame = 0; frame <= 96; frame += 0.37) {
+      const double t = frame / 24, steps = t * rate;
+      if (std::ceil(steps) - steps < 0.02 * rate / 24) continue;  // it is on its way
+      EXPECT_NEAR(by_values(file, 0, t)(0, 3), std::floor(steps), 1e-3) << rate << " at frame " << 1 + frame;
     }
   }
 }
