@@ -27,7 +27,7 @@ int check(const CheckCall& call) {
   const Loaded loaded = load_script(file);
   std::size_t errors = 0, warnings = 0;
   for (const Diagnostic& d : loaded.diagnostics) {
-    tell_user(to_string(d));
+    tell_user(d);
     errors += d.severity == Severity::error;
     warnings += d.severity == Severity::warning;
   }
@@ -35,7 +35,7 @@ int check(const CheckCall& call) {
     const auto [first, last] = loaded.document.range();
     const Findings found =
         look_through(Program::compile(loaded.document), file, first, last, loaded.document.frame_count());
-    for (const Diagnostic& d : found.errors) tell_user(to_string(d));
+    for (const Diagnostic& d : found.errors) tell_user(d);
     for (const std::string& p : found.warnings) tell_user(fmt::format("{}: warning: {}\n", name, p));
     errors += found.errors.size(), warnings += found.warnings.size();
   }

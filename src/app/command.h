@@ -21,6 +21,9 @@ enum Exit { all_done = 0, wrong_input = 1, wrong_call = 2, machine_failed = 3, i
 // Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
 int complain(const Error&, int otherwise);
 
+// Says a remark on a script on standard error. One without a place begins with the program's name.
+void tell_user(const Diagnostic&);
+
 // What --read-anywhere and --tex say.
 LoadOptions& load_options();
 

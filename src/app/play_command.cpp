@@ -13,6 +13,7 @@
 #include "app/hearing.h"
 #include "app/live_input.h"
 #include "app/playhead.h"
+#include "app/streams.h"
 #include "app/studio.h"
 #include "app/subcommand.h"
 #include "app/terminal.h"
@@ -299,7 +300,7 @@ Result<std::string> record_place(const Document& document, const PlayCall& call)
 // was edited meanwhile), the film alone.
 Status write_recording(const Take& take, const std::string& script, const std::string& place, bool overwrite) {
   std::string text;
-  if (const auto read = read_whole(script)) text = take.text(*read);
+  if (const auto read = script_text(script)) text = take.text(*read);
   if (!(load_text(text, script, load_options()).document == take.document())) {
     fmt::print(stderr, "the script has changed meanwhile: comments are not in the recording\n");
     text = write(take.document());
@@ -338,7 +339,7 @@ Status play(const Document& document, PlayCall& call) {
 
 // In a window, where there is a display and what it takes: nothing is asked for then that only a terminal does.
 bool in_a_window(const PlayCall& call) {
-  return !call.terminal && call.listen.empty() && call.frames.empty() && has_display() && has_studio();
+  return !call.terminal && !is_stream(call.file) && call.listen.empty() && call.frames.empty() && has_display() && has_studio();
 }
 
 int play(PlayCall& call) {

@@ -175,7 +175,7 @@ int serve(ServeCall& call) {
   const auto begun = imaging.begin(call.file, call.save, call.overwrite, monotonic_now());
   if (!begun) return complain(begun.error(), wrong_input);
   for (const Diagnostic& d : *begun)
-    if (d.severity != Severity::notice) tell_user(to_string(d));
+    if (d.severity != Severity::notice) tell_user(d);
   if (has_errors(*begun)) return wrong_input;
   if (goes_on) tell_user(fmt::format("goes on with '{}', as it was left\n", call.save));
 

@@ -23,6 +23,7 @@
 #include <sstream>
 
 #include "app/command.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/utf8.h"
 #include "betwixt/session.h"
@@ -297,6 +298,10 @@ std::optional<std::string> read_line(LineSource& in, const std::string& prompt) 
 }
 
 int shell(const ShellCall& call) {
+  if (is_stream(call.file))
+    return complain(fail(ErrorCode::range, "a film is made in a file, which standard input is not",
+                         "its lines are commands: betwixt shell film.bx < lines.txt"),
+                    wrong_call);
   std::unique_ptr<LineSource> in;
   Session::Doors doors;
   doors.ask = [&in](const std::string& question) { return in->answer(question); };

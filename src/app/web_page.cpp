@@ -15,6 +15,7 @@
 #include "app/markup.h"
 #include "app/page_policy.h"
 #include "app/player_file.h"
+#include "app/streams.h"
 #include "app/web_page_text.h"
 #include "base/base64.h"
 #include "base/files.h"
@@ -197,10 +198,10 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   if (!document) return std::nullopt;
   if (!document->scene().formulas->empty())
     return fail(ErrorCode::type, fmt::format("{} has formulas of TeX, which no page can set", script));
-  const auto text = read_whole(script);
+  const auto text = script_text(script);
   if (!text) return text.error();
   PageFilm film;
-  film.name = fs::path(script).filename().string();
+  film.name = is_stream(script) ? "film.bx" : fs::path(script).filename().string();
   film.text = *text + (text->ends_with('\n') ? "" : "\n");
   film.about = first_comment(*text);
   film.size = document->size().value_or(film.size);

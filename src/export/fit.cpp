@@ -120,6 +120,15 @@ class Follower {
     pieces_.push_back(p);
   }
 
+  // What has ended just before a jump ends where that begins: its keys would be too near to each other.
+  void shorten(Time until) {
+    if (pieces_.empty() || until <= pieces_.back().from) return;
+    KeyPiece& last = pieces_.back();
+    if (last.shape != KeyPiece::straight && last.shape != KeyPiece::held) return;
+    const double share = (until - last.from).seconds() / (last.until - last.from).seconds();
+    last.end = piece_at(last, share, f_.turn), last.until = until;
+  }
+
   bool keep(const KeyPiece& p) {
     pieces_.push_back(p);
     return pieces_.size() <= most_;
@@ -131,7 +140,8 @@ class Follower {
       if (const auto jump = find_jump(a, b)) {
         const auto [before, after] = kept_around(*jump);
         if (before > a && !split(a, before, just_before(before, *jump), depth + 1)) return false;
-        if (before > a) leap(before, after);
+        if (before <= a) shorten(before);
+        if (after > a && !pieces_.empty()) leap(pieces_.back().until, after);
         return after >= b || split(after, b, end, depth + 1);
       }
     const Time middle = kept({(a.flicks + b.flicks) / 2});

@@ -124,6 +124,14 @@ much.bx: the page hears no live input: a dial (/fader/1)'
 is 'a shutter that opens once' "$(printf 'create eye camera position=(0 0 9)\neye.shutter\n  1f off\n  20f 180deg\n' >once.bx; lost once.bx)" \
   'once.bx: the page has no motion blur: its pictures are sharp (shutter)'
 
+# Standard input and output.
+has 'a page of standard input' "$("$program" web - -o stream.html <ball.bx 2>&1)" '1 film, 0 files'
+is 'its text can be read, too' "$(ask stream.html text film.bx)" "$(cat ball.bx)"
+"$program" web - <ball.bx >stream2.html 2>said
+is 'a page to standard output' "$(cmp stream.html stream2.html && echo same)" same
+has 'and what it is' "$(cat said)" 'standard output'
+check 'beside which nothing lies' 2 'without --link' web - --link
+
 # What is refused.
 check 'no page' 2 'a page is a .html, not "ball.mp4"' web ball.bx -o ball.mp4
 check 'a page of the usual name' 0 'ball.html' web ball.bx
