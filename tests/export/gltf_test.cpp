@@ -255,6 +255,23 @@ TEST(Gltf, StepsThatOnlyCodeKnowsAreAllThere) {
   }
 }
 
+// What jumps just behind a frame has not begun to do so in that frame.
+TEST(Gltf, WholeFramesAreThereHoweverSoonAJumpFollows) {
+  const Folder folder;
+  for (const double late : {0.0004, 0.003, 0.006, 0.0104, 0.02, 0.5}) {
+    const Loaded loaded = load_text(
+        fmt::format("range 1f 49f\ncreate b box\nset b.position.x = \"floor(t * 24 - {})\"\n", late), "test.bx");
+    ExportOptions options;
+    options.path = folder / "x.glb";
+    std::tie(options.from, options.until) = loaded.document.range();
+    options.keys = usual_keys(options.path);
+    ASSERT_TRUE(export_film(Program::compile(loaded.document), options));
+    const Glb file(options.path);
+    for (int frame = 0; frame <= 48; ++frame)
+      EXPECT_NEAR(by_values(file, 0, frame / 24.0)(0, 3), frame - 1, 1e-3) << late << " behind frame " << 1 + frame;
+  }
+}
+
 TEST(Gltf, EachFormatHasItsUsualKeys) {
   EXPECT_EQ(usual_keys("a.gltf").metres, 1e-3);
   EXPECT_EQ(usual_keys("a.glb", KeyStyle::cubic).metres, 1e-4);
