@@ -54,9 +54,14 @@ void Imaging::tell(const Shown& f) {
       remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(time.seconds()),
                              json_text(words));
   told_ = f.time;
+  std::string turns;
+  for (const SlowTurn& s : f.turns)
+    turns += fmt::format("{{\"event\":\"slow\",\"target\":{},\"slow\":{},\"late\":{:.1f}}}\n", json_text(s.target),
+                         s.slow, s.late);
   tell_contacts(f);
   for (const auto& [host, visitor] : hosts_) {
     if ((visitor.topics & notes) && !remarks.empty()) events_.push_back({host, remarks});
+    if ((visitor.topics & slow) && !turns.empty()) events_.push_back({host, turns});
     if (!(visitor.topics & frames)) continue;
     if (frame.empty())
       frame = fmt::format("{{\"event\":\"frame\",\"frame\":{},\"seconds\":{},\"late\":{:.1f}}}\n", f.number,
