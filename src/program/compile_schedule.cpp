@@ -141,6 +141,8 @@ struct ScheduleCompiler {
   // Whether its shape, which varies or not, takes long to make.
   bool may_take_long(std::uint32_t object, const Drawable& d) const {
     constexpr std::size_t many = 5'000, long_text = 500;
+    const Binding& seen = compiled.find(object, fn::display);
+    if (!seen.varies() && compiled.rest[seen.offset] == 0) return false;  // a road that others go along
     if (scene.objects[object].kind == Kind::trace) return true;
     if (d.shape < compiled.shapes.size()) {
       const Shape& s = *compiled.shapes[d.shape];

@@ -25,10 +25,10 @@ namespace {
 
 constexpr std::size_t most_workers = 8;  // with those that were left behind
 constexpr std::size_t slow_workers = 2;  // how many stay
-constexpr int slow_nice = 10;            // hosts' lines come first
-constexpr int quick_again = 3;           // answers in a row
-constexpr Nanos longest = 4;             // in shares, by the clock
-constexpr std::size_t most_named = 20;   // in the statistics
+constexpr int slow_nice = 0;    // ordinary: one that hardly runs would hold the process's memory locked for long
+constexpr int quick_again = 3;  // answers in a row
+constexpr Nanos longest = 4;    // in shares, by the clock
+constexpr std::size_t most_named = 20;  // in the statistics
 
 Nanos processor_time(std::thread& thread) {
   clockid_t clock{};
