@@ -55,7 +55,7 @@ FrameClock::FrameClock(Options options)
     : options_(std::move(options)),
       period_(static_cast<Nanos>(static_cast<double>(second) / options_.rate.per_second())),
       told_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
-      quarantine_({period_ / 8, monotonic_now, [this] {
+      quarantine_({period_ / 8, options_.priority != Priority::ordinary ? maker_nice : 0, monotonic_now, [this] {
                      news_ = true;
                      maker_.ring();
                    }}) {}

@@ -23,12 +23,11 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_workers = 8;  // with those that were left behind
-constexpr std::size_t slow_workers = 2;  // how many stay
-constexpr int slow_nice = 0;    // ordinary: one that hardly runs would hold the process's memory locked for long
-constexpr int quick_again = 3;  // answers in a row
-constexpr Nanos longest = 4;    // in shares, by the clock
-constexpr std::size_t most_named = 20;  // in the statistics
+constexpr std::size_t all_workers = 10;
+constexpr std::size_t slow_workers = 2;  // how many of them answer slow questions anew
+constexpr std::size_t kept_free = 3;     // … and how many begin with no question that may turn out to be slow
+constexpr int quick_again = 3;           // answers in a row
+constexpr Nanos longest = 32;            // in shares, by the clock: four frames
 
 Nanos processor_time(std::thread& thread) {
   clockid_t clock{};
@@ -36,8 +35,6 @@ Nanos processor_time(std::thread& thread) {
   if (::pthread_getcpuclockid(thread.native_handle(), &clock) != 0 || ::clock_gettime(clock, &t) != 0) return 0;
   return static_cast<Nanos>(t.tv_sec) * 1'000'000'000 + t.tv_nsec;
 }
-
-void step_back(int thread) { ::setpriority(PRIO_PROCESS, static_cast<id_t>(thread), slow_nice); }
 
 }  // namespace
 
@@ -60,7 +57,6 @@ bool Quarantine::ask(const Program& program, Time t) {
   const bool came = gather(), answered = ask_quick();
   ask_slow();
   count_late();
-  dismiss();
   return came || answered;
 }
 
@@ -99,6 +95,7 @@ void Quarantine::adopt(const Program& program) {
   for (Source& s : sources_)
     if (s.pending) s.pending->items[s.item].unwanted = true, s.pending->items[s.item].source = nobody;
   sources_ = std::move(now);
+  engage();
   lives_ = c.lives.size(), shapes_ = c.slow_shapes.size();
   ++edition_;
   release(std::exchange(program_, program));
@@ -115,9 +112,9 @@ void Quarantine::forget() {
 
 // A worker does it: the last one to let go of a program frees it, which may take long.
 void Quarantine::release(Program program) {
-  if (workers_.empty()) return;
-  Worker* const w = slow_worker();
+  Worker* const w = idle_worker();
   if (!w) return;
+  w->slow = true;
   const auto batch = std::make_shared<Batch>(std::move(program), Time{}, 0);
   give(*w, batch);
   batch->leave();
@@ -154,7 +151,8 @@ bool Quarantine::take(Source& s, Item& item, const Batch& batch) {
   s.known = true, s.at = batch.time, s.asked = turn_;
   s.current = item.edition == edition_;
   s.streak = item.took <= options_.share ? s.streak + 1 : 0;
-  if (s.pace == Pace::unknown || (s.pace == Pace::slow && s.streak >= quick_again)) set_pace(s, Pace::quick);
+  const bool quick = s.pace == Pace::unknown ? item.took <= 2 * options_.share : s.streak >= quick_again;
+  if (s.pace == Pace::unknown || quick) set_pace(s, quick ? Pace::quick : Pace::slow);
   return true;
 }
 
@@ -170,7 +168,7 @@ std::shared_ptr<Quarantine::Batch> Quarantine::batch_of(const std::vector<std::s
 // Questions that were never answered come last: they may be slow. Before them, the one with the oldest answer is first.
 std::vector<std::size_t> Quarantine::quick_ones() {
   std::vector<std::size_t> quick, unknown;
-  const bool room = busy_slow() + 2 < most_workers;
+  const bool room = busy_slow() + kept_free < workers_.size();
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Source& s = sources_[i];
     if (s.pending || s.pace == Pace::slow || answered(s)) continue;
@@ -197,23 +195,25 @@ bool Quarantine::ask_quick() {
   return close(batch);
 }
 
-// If a worker is left behind, the next one goes on with the batch.
+// Each worker that is left behind leaves the rest of the batch to the next one.
 void Quarantine::await(const std::shared_ptr<Batch>& batch) {
+  for (const auto& w : workers_)
+    if (!w->slow && overstays(*w)) leave_behind(*w);
   while (batch->next < batch->items.size()) {
-    if (!quick_) quick_ = engage(false);
-    if (!quick_) return;
-    Worker& w = *quick_;
-    give(w, batch);
-    while (quick_ && !w.rests()) {
+    Worker* const w = idle_worker();
+    if (!w) return;
+    w->slow = false;
+    give(*w, batch);
+    while (!w->slow && !w->rests()) {
       const Nanos now = options_.now();
-      if (overstays(w))
-        leave_behind(w);
+      if (overstays(*w))
+        leave_behind(*w);
       else if (now >= until_)
         return;
       else
         done_.wait(monotonic_now() + std::clamp<Nanos>(until_ - now, 50'000, options_.share / 2));
     }
-    if (quick_ || busy_slow() + 2 >= most_workers) return;
+    if (!w->slow || busy_slow() + kept_free >= workers_.size()) return;
   }
 }
 
@@ -230,8 +230,7 @@ bool Quarantine::overstays(Worker& w) {
 
 void Quarantine::leave_behind(Worker& w) {
   w.slow = true;
-  step_back(w.id);
-  quick_ = nullptr;
+  step(w);
   const std::lock_guard lock(w.mutex);
   if (w.given) w.given->leave(), w.given.reset(), w.idle = !w.at;
   if (!w.at || w.item >= w.at->items.size()) return;
@@ -258,13 +257,15 @@ bool Quarantine::close(const std::shared_ptr<Batch>& batch) {
 void Quarantine::ask_slow() {
   std::vector<std::size_t> waiting;
   for (std::size_t i = 0; i < sources_.size(); ++i)
-    if (late(sources_[i]) && !sources_[i].pending) waiting.push_back(i);
+    if (const Source& s = sources_[i]; !s.pending && (late(s) || (s.pace == Pace::unknown && !answered(s))))
+      waiting.push_back(i);
   if (waiting.empty()) return;
   std::stable_sort(waiting.begin(), waiting.end(),
                    [&](std::size_t a, std::size_t b) { return sources_[a].asked < sources_[b].asked; });
   for (const std::size_t i : waiting) {
-    Worker* const w = busy_slow() < slow_workers ? slow_worker() : nullptr;
+    Worker* const w = busy_slow() < slow_workers ? idle_worker() : nullptr;
     if (!w) return;
+    w->slow = true;
     Source& s = sources_[i];
     s.asked = turn_, s.item = 0, s.pending = batch_of({i});
     give(*w, s.pending);
@@ -323,36 +324,31 @@ std::size_t Quarantine::busy_slow() {
       std::count_if(workers_.begin(), workers_.end(), [](const auto& w) { return w->slow && !w->rests(); }));
 }
 
-// Returns an idle one, or null if there are too many.
-Quarantine::Worker* Quarantine::slow_worker() {
+// Null: all have something to do.
+Quarantine::Worker* Quarantine::idle_worker() {
   for (const auto& w : workers_)
-    if (w->slow && !w->dismissed && w->rests()) return w.get();
-  return engage(true);
+    if (w->rests()) return w.get();
+  return nullptr;
 }
 
-Quarantine::Worker* Quarantine::engage(bool slow) {
-  if (workers_.size() >= most_workers + (slow ? 0 : slow_workers + 1)) return nullptr;
-  auto made = std::make_unique<Worker>();
-  made->slow = slow;
-  try {
-    made->thread = std::thread([this, w = made.get()] { work(*w); });
-  } catch (const std::system_error&) {
-    return nullptr;
+// Starts all of them at once: a new thread may have to wait for the process's memory, and no frame waits for that.
+void Quarantine::engage() {
+  if (!workers_.empty()) return;
+  for (std::size_t i = 0; i < all_workers; ++i) {
+    auto made = std::make_unique<Worker>();
+    try {
+      made->thread = std::thread([this, w = made.get()] { work(*w); });
+    } catch (const std::system_error&) {
+      return;
+    }
+    workers_.push_back(std::move(made));
   }
-  workers_.push_back(std::move(made));
-  return workers_.back().get();
 }
 
-// Ends the idle ones beyond slow_workers.
-void Quarantine::dismiss() {
-  std::size_t slow = 0;
-  for (const auto& w : workers_)
-    if (w->slow && !w->dismissed && ++slow > slow_workers && w->rests()) w->dismissed = true, w->bell.ring();
-  std::erase_if(workers_, [](const auto& w) {
-    if (!w->ended) return false;
-    w->thread.join();
-    return true;
-  });
+// A slow one has an ordinary priority. It is no lower: a worker that hardly runs would keep the process's memory
+// locked.
+void Quarantine::step(const Worker& w) const {
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), w.slow ? 0 : options_.nice);
 }
 
 void Quarantine::give(Worker& w, std::shared_ptr<Batch> batch) {
@@ -367,8 +363,7 @@ void Quarantine::give(Worker& w, std::shared_ptr<Batch> batch) {
 
 void Quarantine::work(Worker& w) {
   w.id = static_cast<int>(::syscall(SYS_gettid));
-  if (w.slow) step_back(w.id);
-  while (!over_ && !w.dismissed) {
+  while (!over_) {
     w.bell.wait();
     std::shared_ptr<Batch> batch;
     {
@@ -377,6 +372,7 @@ void Quarantine::work(Worker& w) {
       w.given.reset();
     }
     if (!batch) continue;
+    step(w);
     serve(w, *batch);
     batch->leave();
     const bool late = w.slow && !batch->items.empty();
@@ -387,7 +383,6 @@ void Quarantine::work(Worker& w) {
     done_.ring();
     if (late && options_.heard) options_.heard();
   }
-  w.ended = true;
 }
 
 void Quarantine::serve(Worker& w, Batch& batch) {

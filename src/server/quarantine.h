@@ -30,6 +30,7 @@ class Quarantine final : public Beside {
  public:
   struct Options {
     Nanos share = 2'000'000;      // processor time for one answer
+    int nice = 0;                 // a worker's priority while the maker waits
     std::function<Nanos()> now;   // the monotonic clock
     std::function<void()> heard;  // a worker calls it when a late answer has come
   };
@@ -81,7 +82,7 @@ class Quarantine final : public Beside {
     std::shared_ptr<Batch> given, at;  // the next one; the one in hand
     bool idle = true;                  // it has no batch
     Bell bell;
-    std::atomic<bool> slow{false}, dismissed{false}, ended{false};
+    std::atomic<bool> slow{false};     // the maker does not wait for its answer
     std::atomic<Nanos> begun{0};       // when it began its question; 0: it has no question
     std::atomic<std::size_t> item{0};  // that question's
     std::atomic<int> id{0};            // the thread's
@@ -127,9 +128,9 @@ class Quarantine final : public Beside {
   bool late(const Source& s) const { return s.pace == Pace::slow && !answered(s); }
   bool named(const Source& s) const { return s.pace == Pace::slow && s.question.what != Question::camera; }
   std::size_t busy_slow();
-  Worker* slow_worker();
-  Worker* engage(bool slow);
-  void dismiss();
+  Worker* idle_worker();
+  void engage();
+  void step(const Worker&) const;
   static void give(Worker&, std::shared_ptr<Batch>);
   void work(Worker&);
   void serve(Worker&, Batch&);
@@ -147,7 +148,6 @@ class Quarantine final : public Beside {
   bool left_out_ = false;  // the last frame came before all its questions were begun
   std::vector<SlowTurn> turns_;
   std::vector<std::unique_ptr<Worker>> workers_;
-  Worker* quick_ = nullptr;
   Bell done_;
   std::atomic<bool> over_{false};
   const std::atomic<int> nobody_{0};
