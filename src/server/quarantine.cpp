@@ -24,10 +24,11 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t all_workers = 10;
-constexpr std::size_t slow_workers = 2;  // how many of them answer slow questions anew
-constexpr std::size_t kept_free = 3;     // … and how many begin with no question that may turn out to be slow
+constexpr std::size_t slow_workers = 2;  // how many work out slow values anew
+constexpr std::size_t kept_free = 3;     // for values that are known to be quick
 constexpr int quick_again = 3;           // answers in a row
 constexpr Nanos longest = 32;            // in shares, by the clock: four frames
+constexpr std::size_t most_named = 20;   // in the statistics
 
 Nanos processor_time(std::thread& thread) {
   clockid_t clock{};
@@ -54,6 +55,8 @@ bool Quarantine::ask(const Program& program, Time t) {
   if (c.lives.empty() && c.slow_shapes.empty()) return forget(), false;
   if (sources_.empty() || &program_.compiled() != &c) adopt(program);
   time_ = t, ++turn_;
+  for (const auto& w : workers_)  // one may still be at a question of the frame before
+    if (!w->slow && overstays(*w)) leave_behind(*w);
   const bool came = gather(), answered = ask_quick();
   ask_slow();
   count_late();
@@ -195,10 +198,8 @@ bool Quarantine::ask_quick() {
   return close(batch);
 }
 
-// Each worker that is left behind leaves the rest of the batch to the next one.
+// The next worker continues the batch of one that is left behind.
 void Quarantine::await(const std::shared_ptr<Batch>& batch) {
-  for (const auto& w : workers_)
-    if (!w->slow && overstays(*w)) leave_behind(*w);
   while (batch->next < batch->items.size()) {
     Worker* const w = idle_worker();
     if (!w) return;
@@ -240,6 +241,7 @@ void Quarantine::leave_behind(Worker& w) {
 
 // Stops the batch, and takes its answers. Questions that have begun stay open.
 bool Quarantine::close(const std::shared_ptr<Batch>& batch) {
+  batch->closed = true;
   const std::size_t size = batch->items.size(), begun = std::min(batch->next.exchange(size), size);
   bool any = false;
   left_out_ = begun < size;
@@ -324,14 +326,14 @@ std::size_t Quarantine::busy_slow() {
       std::count_if(workers_.begin(), workers_.end(), [](const auto& w) { return w->slow && !w->rests(); }));
 }
 
-// Null: all have something to do.
+// Returns null if all are at work.
 Quarantine::Worker* Quarantine::idle_worker() {
   for (const auto& w : workers_)
     if (w->rests()) return w.get();
   return nullptr;
 }
 
-// Starts all of them at once: a new thread may have to wait for the process's memory, and no frame waits for that.
+// Starts all of them at once. A new thread may have to wait for the process's memory; later frames do not.
 void Quarantine::engage() {
   if (!workers_.empty()) return;
   for (std::size_t i = 0; i < all_workers; ++i) {
@@ -375,7 +377,7 @@ void Quarantine::work(Worker& w) {
     step(w);
     serve(w, *batch);
     batch->leave();
-    const bool late = w.slow && !batch->items.empty();
+    const bool late = (w.slow || batch->closed) && !batch->items.empty();
     {
       const std::lock_guard lock(w.mutex);
       w.at.reset(), w.idle = !w.given;
@@ -395,7 +397,7 @@ void Quarantine::serve(Worker& w, Batch& batch) {
     item.took = (size == 1 ? StillWanted::used().count() : options_.now()) - before;
     w.begun = 0;
     item.done = true;
-    if (w.slow) return;  // another worker goes on
+    if (w.slow) return;  // the rest is for the next worker
   }
 }
 

@@ -72,7 +72,8 @@ class Quarantine final : public Beside {
     const Time time;
     std::vector<Item> items;
     std::atomic<std::size_t> next{0};
-    std::atomic<int> users{1};  // the maker is one
+    std::atomic<bool> closed{false};  // the maker waits no longer
+    std::atomic<int> users{1};        // the maker is one
     void leave() {
       if (--users == 0) program = {};
     }

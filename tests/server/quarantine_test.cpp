@@ -111,10 +111,10 @@ TEST(Quarantine, ASlowOneHoldsItsValueAndTheOthersGoOn) {
   Gate gate{.clock = &m.now};
   const Document d = waiting(film(moving + "create slow sphere radius=7\n"), "slow.radius", gate);
   m.show(d);
-  for (int i = 0; i < 10; ++i) {  // nobody asks it twice while it is asked
+  for (int i = 0; i < 10; ++i) {  // one open question is enough
     const double t = 0.125 * i;
     const Frame f = m.at(t);
-    EXPECT_EQ(radius(f, d, "slow"), 1) << "nothing is known of it: what it is where nobody says anything";
+    EXPECT_EQ(radius(f, d, "slow"), 1) << "the radius of a sphere without code";
     EXPECT_EQ(item(f, d, "post").shape->height, 1 + t * t) << t;
     EXPECT_EQ(gate.begun, 1);
   }
@@ -133,15 +133,14 @@ TEST(Quarantine, ASlowOneHoldsItsValueAndTheOthersGoOn) {
   m.await(3);
   m.at(4);
   m.await(4);
-  f = m.at(5);  // after three quick answers it is asked as the others are
+  f = m.at(5);  // three quick answers have come
   EXPECT_EQ(radius(f, d, "slow"), 6);
   ASSERT_EQ(m.turns.size(), 2u);
   EXPECT_FALSE(m.turns[1].slow);
   EXPECT_TRUE(same(f, Program::compile(d).frame(from_seconds(5))));
 }
 
-// What is told of it survives an edit of something else, and so does the question; one whose object is gone is called
-// off.
+// An edit of another object leaves the open question alone. If its own object goes, the question is called off.
 TEST(Quarantine, EditsKeepWhatIsKnownAndCallOffWhatIsGone) {
   Maker m;
   Gate gate{.clock = &m.now};
@@ -161,7 +160,7 @@ TEST(Quarantine, EditsKeepWhatIsKnownAndCallOffWhatIsGone) {
   EXPECT_EQ(m.quarantine.stats(), "\"quarantine\":0,\"quarantined\":[]");
 }
 
-// Where a time stands, the answer is shown when it has come, and is not asked for again.
+// If the time stands still, the answer is shown when it comes, and the code runs once.
 TEST(Quarantine, ATimeThatStandsGetsItsAnswer) {
   Maker m;
   Gate gate{.clock = &m.now};
@@ -175,7 +174,7 @@ TEST(Quarantine, ATimeThatStandsGetsItsAnswer) {
   EXPECT_EQ(gate.begun, 1);
 }
 
-// However many there are, threads are few, and what is quick is answered.
+// Few threads serve many slow values, and quick values stay exact.
 TEST(Quarantine, ManySlowOnesLeaveRoomForTheOthers) {
   Maker m;
   Gate gate{.clock = &m.now};
@@ -198,7 +197,7 @@ TEST(Quarantine, ManySlowOnesLeaveRoomForTheOthers) {
   EXPECT_TRUE(all_back);
 }
 
-// What is called off leaves nothing half done behind: others ask the same program.
+// A question that is called off leaves the program whole for the next one.
 TEST(Quarantine, WhatIsCalledOffSpoilsNothing) {
   const std::string script =
       "create ball sphere\nset ball.position = \"vec(sin(3*t), cos(5*t), t)\"\ncreate trail trace of=ball\n";
@@ -234,7 +233,7 @@ class Witness final : public Screen {
   std::atomic<int>& frames_;
 };
 
-// The clock goes on, and ends.
+// The clock shows frames, and can end.
 TEST(Quarantine, FramesComeWhileCodeWaits) {
   std::atomic<int> frames{0};
   Gate gate;
