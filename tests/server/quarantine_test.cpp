@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What takes longer than a frame has is asked beside. The time is the tests': each call of code that waits makes some
-// of it pass, and nothing else does, so that the slowest machine gives the same answers.
+// Workers answer slow questions beside the frames. These tests have a clock of their own: only code that waits moves
+// it, so a slow machine gives the same results.
 #include "server/quarantine.h"
 
 #include <gtest/gtest.h>
@@ -160,7 +160,7 @@ TEST(Quarantine, EditsKeepWhatIsKnownAndCallOffWhatIsGone) {
   EXPECT_EQ(m.quarantine.stats(), "\"quarantine\":0,\"quarantined\":[]");
 }
 
-// If the time stands still, the answer is shown when it comes, and the code runs once.
+// If the time stands still, frames show the late answer, and the code runs once.
 TEST(Quarantine, ATimeThatStandsGetsItsAnswer) {
   Maker m;
   Gate gate{.clock = &m.now};
