@@ -223,6 +223,7 @@ int serve(ServeCall& call) {
   if (const Status whole = served ? imaging.finish(monotonic_now()) : Status(Nothing{}); !whole)
     call.imaging.warn(whole.error().message + "; the journal beside it has all that was answered");
   if (served) end_soon();
+  doors.clear();  // hosts see that it ends, even if a worker takes long
   clock.reset();  // what it showed is finished
   ::close(call.serve.stop);
   if (!served) return complain(served.error(), machine_failed);

@@ -43,12 +43,20 @@ struct Transport {
   friend bool operator==(const Transport&, const Transport&) = default;
 };
 
+// A value of the film that has begun, or ceased, to take longer than frames have.
+struct SlowTurn {
+  std::string target;
+  bool slow = false;
+  double late = 0;  // milliseconds of the film: how old what is shown is
+};
+
 // A frame that was put where frames go.
 struct Shown {
   std::int64_t number = 0;  // of the frame at the server's rate; the one at time 0 has number 1
   Time time;
   Nanos late = 0;
   std::vector<std::string> problems;
+  std::vector<SlowTurn> turns = {};
 };
 
 class Imaging {
@@ -122,7 +130,7 @@ class Imaging {
   std::int64_t tick(Nanos now) const;
 
  private:
-  enum Topic : unsigned { changes = 1, notes = 2, frames = 4, contacts = 8 };
+  enum Topic : unsigned { changes = 1, notes = 2, frames = 4, contacts = 8, slow = 16 };
   struct Bundled {
     std::int64_t number = 0;  // of the line
     std::string text;

@@ -63,6 +63,13 @@ void Imaging::tell(const Shown& f) {
                                json_text(words));
     return remarks;
   });
+  tell_all(slow, [&] {
+    std::string turns;
+    for (const SlowTurn& s : f.turns)
+      turns += fmt::format("{{\"event\":\"slow\",\"target\":{},\"slow\":{},\"late\":{:.1f}}}\n", json_text(s.target),
+                           s.slow, s.late);
+    return turns;
+  });
   tell_all(frames, [&] {
     return fmt::format("{{\"event\":\"frame\",\"frame\":{},\"seconds\":{},\"late\":{:.1f}}}\n", f.number,
                        json_number(f.time.seconds()), static_cast<double>(f.late) / 1000);

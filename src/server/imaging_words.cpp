@@ -28,13 +28,13 @@ Result<std::string> said_of(const Result<std::string>& text) {
 }
 
 Result<unsigned> topics_of(const std::vector<std::string>& w) {
-  static constexpr std::string_view names[] = {"changes", "notes", "frames", "contacts"};
+  static constexpr std::string_view names[] = {"changes", "notes", "frames", "contacts", "slow"};
   unsigned topics = 0;
   for (std::size_t i = 1; i < w.size(); ++i) {
     const auto found = std::find(std::begin(names), std::end(names), w[i]);
     if (found == std::end(names))
       return fail(ErrorCode::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
-                  "changes, contacts, frames or notes");
+                  "changes, contacts, frames, notes or slow");
     topics |= 1u << (found - std::begin(names));
   }
   return topics;
@@ -153,14 +153,15 @@ std::span<const Imaging::Word> Imaging::words() {
       {"history", "history", "The document as a script: every command that was accepted.", 0, &Imaging::history_word},
       {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", 0, nullptr, {}, Did::undo},
       {"redo", "redo", "Does again what was taken back.", 0, nullptr, {}, Did::redo},
-      {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.", any_number,
-       &Imaging::subscribe,
+      {"subscribe", "subscribe changes|contacts|frames|notes|slow", "Events come by themselves from now on.",
+       any_number, &Imaging::subscribe,
        "  changes   what was carried out, and which host said it\n"
        "  contacts  what begins or ends to touch, what enters or leaves the view\n"
        "  frames    the number and time of each frame that was shown, and how late in µs it was\n"
        "  notes     notes whose time has come\n"
+       "  slow      a value that takes longer than frames have, or does so no longer\n"
        "  example: subscribe changes contacts\n"},
-      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", any_number,
+      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes|slow]", "No events any more.", any_number,
        &Imaging::unsubscribe},
       {"start", "start", "The time goes on, if it stood; with --wait it begins at 0.", 0, &Imaging::start},
       {"pause", "pause", "The time stands.", 0, &Imaging::pause},
@@ -274,7 +275,7 @@ Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>&, Na
 Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
-  if (*topics == 0) return fail(ErrorCode::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes");
+  if (*topics == 0) return fail(ErrorCode::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes|slow");
   if (*topics & contacts && !(h.topics & contacts)) watch_.reset();  // all begins anew, for whoever knows nothing yet
   h.topics |= *topics;
   return std::string();

@@ -5,10 +5,33 @@
 #include <atomic>
 #include <thread>
 
+#include "base/still_wanted.h"
 #include "procedure/routines.h"
 
 namespace betwixt {
 namespace {
+
+// Code cannot hold on to work that is called off, however deep it asks other code; the next call is as ever.
+TEST(Lua, WorkThatIsCalledOffEnds) {
+  const std::string loop = "local s = 0 for i = 1, 10000 do s = s + i end return s";
+  const std::atomic<bool> gone{true}, over{false};
+  const std::atomic<int> others{0};
+  FakeQuestions q;
+  q.procedures["slow"] = made(Role::value, loop);
+  FakeHost host;
+  FakeInput in;
+  {
+    const StillWanted wanted(gone, over, others, {});
+    std::uint64_t cost = 0;
+    for (const std::string& code : {loop, std::string("value('slow')"), std::string("slow()")})
+      EXPECT_THROW((void)made(Role::value, code)->value(q, {}, cost), NotWanted) << code;
+    EXPECT_THROW((void)made(Role::command, loop)->command(host, {}), NotWanted);
+    EXPECT_THROW((void)made(Role::filter, loop)->filter(in, 0, {}), NotWanted);
+    EXPECT_THROW((void)made(Role::twerper, loop)->blend(0.5), NotWanted);
+  }
+  EXPECT_EQ(number("value('slow')", q), 50005000);
+  EXPECT_TRUE(made(Role::command, loop)->command(host, {}));
+}
 
 // shows: G54
 TEST(Lua, WhatNeverEndsIsStopped) {
