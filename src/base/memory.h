@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-// What so many bytes take there: an allocator keeps their number beside them, and gives multiples of 16.
+// The size of an allocation of `bytes`: the allocator adds their number and rounds up to a multiple of 16.
 constexpr std::size_t in_heap(std::size_t bytes) {
   return bytes == 0 ? 0 : std::max<std::size_t>(32, (bytes + 8 + 15) / 16 * 16);
 }
@@ -31,7 +31,7 @@ std::size_t bytes_held(const std::map<K, T, C>& m) {
 inline std::size_t bytes_held(const std::string& s) {
   return s.capacity() > std::string().capacity() ? in_heap(s.capacity() + 1) : 0;
 }
-// What shared things are kept in: the thing, a table of functions and two counts.
+// The allocation of a shared thing: the thing, a table of functions and two counts.
 template <class T>
 constexpr std::size_t shared_bytes = in_heap(sizeof(T) + sizeof(void*) + 2 * sizeof(int));
 

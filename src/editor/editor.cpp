@@ -46,7 +46,7 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   if (translated) scene.policy = Policy::translate;
   read_line(scene, script, line, home_.name);
   if (translated) scene.policy = policy;
-  if (script.in_time && !in_reach(*now))  // it would stand in the history with a time that nothing can read again
+  if (script.in_time && !in_reach(*now))  // the history would have a time that no reader accepts
     script.report(Severity::error,
                   fail(ErrorCode::range, "it is later now than times reach (146 years, 4.6e9 s)",
                        "seek an earlier time, or say one: at TIME …"),
@@ -85,7 +85,7 @@ Deed Editor::carry_out(const Step& step) const {
       deed.done = true, deed.after = *std::move(after);
       return deed;
     }
-  for (const std::string& line : lines) {  // one by one, so that it is known which is wrong
+  for (const std::string& line : lines) {  // one by one, to find the line that is wrong
     deed = carry_out(at, line);
     if (!deed.done) return deed;
     at = deed.after;
@@ -163,8 +163,8 @@ Status Editor::redo() {
   return Nothing{};
 }
 
-// No document between them is kept, so that they take as long as a script with the same lines. Where one of them is
-// wrong, each half is carried out by itself.
+// Keeps no document between two steps, so that they take as long as a script with the same lines. If one step fails,
+// each half is carried out by itself.
 void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out) {
   if (steps.empty()) return;
   if (steps.size() == 1) {

@@ -82,9 +82,9 @@ class Editor {
   Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}, bool translated = false) const;
   // A step of a history, on what there is now: all its lines, below its sheet. On failure what is said is of one line.
   Deed carry_out(const Step&) const;
-  // The steps of an earlier session, of which so many stand; the sink is told nothing. Returns those that stand and
-  // cannot be carried out any more: they are left out, the others are there. Of those that were undone the first that
-  // cannot be carried out, and all behind it, are forgotten.
+  // Carries out the steps of an earlier session. The first `standing` of them stand, the others were undone. The sink
+  // hears nothing. Returns the steps that fail among those that stand; they are left out. A step that fails among those
+  // that were undone is forgotten, with all behind it.
   std::vector<LeftOut> restore(std::span<const Step> steps, std::size_t standing);
 
   // The sink's errors.
@@ -108,7 +108,7 @@ class Editor {
   };
   static std::size_t bytes_kept(const Point&, const Point& neighbour, const Step&);
   Status tell(Did what, const Step& step) const { return sink_ ? sink_(what, step) : Status(Nothing{}); }
-  // Lines of a history on one copy of a document. Returns nullopt if one of them is wrong.
+  // Carries out lines of a history on one copy of a document. Returns nullopt if one of them fails.
   std::optional<Point> carried_out(const Point& from, const std::string& lines) const;
   void settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out);
   const Step* last_step() const { return standing_ > 0 ? &steps_[standing_ - 1] : nullptr; }

@@ -140,11 +140,12 @@ std::string Session::State::recorded() const {
   return all;
 }
 
-// What cannot be carried out any more (a file that it needs is not there, say) is left out, and so is what took it back.
+// A command may fail now, as a file that it needs is missing. It is left out, with the undo and redo records about it.
 Session::State::Replayed Session::State::carry_out(std::span<const Record> records, const Killers& killers,
                                                    const std::string& now_saved) {
   Replayed out;
-  std::vector<bool> kept;  // of the commands that stand, then of those that were undone
+  // For each command, first those that stand, then those that were undone: nullopt if it was carried out.
+  std::vector<std::optional<SetAside>> failed;
   std::size_t standing = 0, number = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Record& r = records[i];
@@ -153,18 +154,20 @@ Session::State::Replayed Session::State::carry_out(std::span<const Record> recor
     if (r.what == Did::command) {
       std::string why = keep ? again(r.text) : fmt::format("it ends the program ({})", killer->second);
       keep = why.empty();
-      if (!keep)
-        out.aside.push_back({fmt::format("command {} of the journal", number + 1), unpacked(r.text), std::move(why)});
-      kept.resize(standing), kept.push_back(keep), ++standing, ++number;
+      failed.resize(standing++), failed.emplace_back();
+      ++number;
+      if (!keep) failed.back() = {fmt::format("command {} of the journal", number), unpacked(r.text), std::move(why)};
     } else if (r.what == Did::undo && keep && standing > 0) {
-      if ((keep = kept[--standing])) (void)go_back();
-    } else if (r.what == Did::redo && keep && standing < kept.size()) {
-      if ((keep = kept[standing++])) (void)go_again();
+      if ((keep = !failed[--standing])) (void)go_back();
+    } else if (r.what == Did::redo && keep && standing < failed.size()) {
+      if ((keep = !failed[standing++])) (void)go_again();
     }
     if (!keep) continue;
     out.records.push_back(r);
     if (r.what != Did::save || r.text == now_saved) tally.count(r.what);
   }
+  for (std::size_t i = 0; i < standing; ++i)
+    if (failed[i]) out.aside.push_back(*std::move(failed[i]));
   return out;
 }
 
@@ -199,12 +202,12 @@ Session::Answer Session::State::replay(Opening o, const std::string& base) {
       if (!killers.emplace(culprit->number, culprit->how).second) break;
     carry_out_first(records.size());
   }
-  const std::vector<SetAside>& aside = replayed.aside;
-  if (!aside.empty()) {
+  if (const std::vector<SetAside>& aside = replayed.aside; !aside.empty()) {
     if (Status s = set_aside(o.name, aside); !s) return refused(s.error());
-    if (Status s = journal->begin(fingerprint(base), replayed.records); !s) return refused(s.error());
     o.said += fmt::format("warning: {}\n", set_aside_message(o.name, aside));
   }
+  if (replayed.records.size() < records.size())
+    if (Status s = journal->begin(fingerprint(base), replayed.records); !s) return refused(s.error());
   keep_journal();
   journal_knows = editor.steps().size(), journal_undid = editor.undone().size();
   return done(o.said + fmt::format("recovered; {} not saved yet\n", counted(tally.unsaved(), "command")));

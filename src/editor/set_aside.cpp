@@ -9,8 +9,8 @@
 #include <map>
 
 #include "editor/journal.h"
-#include "language/lines.h"
 #include "language/line_words.h"
+#include "language/lines.h"
 
 namespace betwixt {
 namespace {
@@ -70,8 +70,8 @@ std::optional<Mended> without_errors(std::string_view text, const std::string& n
     const auto found = wrong.lower_bound(number);
     const bool is_wrong = found != wrong.end() && found->first < number + std::max(lines, 1);
     const bool row = indented(all);
-    with_rows = with_rows && row;
     const std::string_view words = all.substr(0, all.find_last_not_of('\n') + 1);
+    with_rows = with_rows && (row || words.empty());
     if (is_wrong && at >= bytes) return std::nullopt;
     if (is_wrong) {
       out.lines.push_back({fmt::format("line {}", number), {{std::string(words)}, {}}, found->second});
@@ -91,8 +91,8 @@ std::string set_aside_message(const std::string& script, std::span<const SetAsid
   const std::string line = first.step.lines[0];
   return fmt::format("{} of the history cannot be carried out any more; {} in '{}' now: {}{}: {}",
                      commands.size() == 1 ? "a command" : fmt::format("{} commands", commands.size()),
-                     commands.size() == 1 ? "it is" : "they are", set_aside_path(script),
-                     line.substr(0, longest_shown), commands.size() == 1 ? "" : " (the first)", first.why);
+                     commands.size() == 1 ? "it is" : "they are", set_aside_path(script), line.substr(0, longest_shown),
+                     commands.size() == 1 ? "" : " (the first)", first.why);
 }
 
 }  // namespace betwixt

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands of a history that cannot be carried out again: they are kept in a file beside the script, so that the rest
-// goes on without them and nothing is lost.
+// Commands of a history that cannot be carried out again. A file beside the script keeps them, so that nothing is lost
+// and the other commands can be carried out.
 #pragma once
 
 #include <optional>
@@ -24,10 +24,10 @@ struct SetAside {
 
 // FILE.set-aside
 std::string set_aside_path(const std::string& script);
-// Adds them to that file, each with the reason as a remark above it. What stands there already is not added again. The
-// file is on the disk when this returns. Errors: file, machine.
+// Adds commands to that file, each below a remark with the reason. A command that the file has already is not added
+// again. The file is on the disk when this returns. Errors: file, machine.
 Status set_aside(const std::string& script, std::span<const SetAside> commands);
-// A text without the lines that are wrong, each with its rows.
+// A text without the lines that have errors, each with its rows.
 struct Mended {
   std::string text;
   std::vector<SetAside> lines;
@@ -37,7 +37,7 @@ std::optional<Mended> without_errors(std::string_view text, const std::string& n
                                      const Diagnostics& errors);
 // Why something is refused: the first error.
 std::string why_refused(const Diagnostics&);
-// What is said to whoever started the program. `commands` is not empty.
+// The warning for the user who starts the program. `commands` is not empty.
 std::string set_aside_message(const std::string& script, std::span<const SetAside> commands);
 
 }  // namespace betwixt

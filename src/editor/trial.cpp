@@ -19,7 +19,7 @@
 namespace betwixt {
 namespace {
 
-// The copy has this thread alone: what others hold would be held for ever.
+// The copy has this thread only: a lock that another thread holds would never be released.
 bool one_thread() {
   std::error_code none;
   const std::filesystem::directory_iterator all("/proc/self/task", none);

@@ -46,9 +46,8 @@ std::size_t Objects::bytes_apart(const Objects& other) const {
   for (std::size_t s = 0; s < shelves_.size(); ++s)
     if (s >= other.shelves_.size() || !shelves_[s].same(other.shelves_[s]))
       sum += shared_bytes<Shelf> + bytes_held(*shelves_[s]);
-  each_chunk_apart(other, [&](std::size_t, const Chunk& mine, const Chunk*) {
-    sum += shared_bytes<Chunk> + bytes_held(mine);
-  });
+  each_chunk_apart(
+      other, [&](std::size_t, const Chunk& mine, const Chunk*) { sum += shared_bytes<Chunk> + bytes_held(mine); });
   return sum;
 }
 

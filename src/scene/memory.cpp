@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t compiled_code = 200;  // bytes: about what a line of code is compiled to
 
-// The thing that a value holds elsewhere; null: none.
+// The shared thing that a value refers to, or null.
 const void* elsewhere(const Value& v) {
   return std::visit(
       [](const auto& one) -> const void* {
@@ -25,7 +25,7 @@ const void* elsewhere(const Value& v) {
       v);
 }
 
-// What is copied along where a whole is: not what values share.
+// Bytes of the copy of a whole. Texts and points of values are shared, and not counted.
 std::size_t all_held(const std::string& s) { return bytes_held(s); }
 std::size_t all_held(const FunctionSpec& f) { return bytes_held(f.name) + bytes_held(f.words); }
 std::size_t all_held(const NamedProcedure& p) { return bytes_held(p.name); }
@@ -63,7 +63,7 @@ std::size_t all_held(const std::map<K, V, C>& all) {
   return sum_held(all);
 }
 
-// Of lists under their names: an edit copies the end of one, or a part that it replaces.
+// Display lists: an edit copies the end of one list, or the part in which it replaces a command.
 std::size_t apart(const DisplayLists& before, const DisplayLists& after) {
   constexpr std::size_t part = 64;
   std::size_t sum = sum_held(before);
@@ -165,7 +165,8 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   before.objects.each_changed(after.objects, [&](std::size_t i) {
     lost.apart(before.objects[i], i < after.objects.size() ? &after.objects[i] : nullptr);
   });
-  lost.sum.bytes += shared_bytes<Scene> + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
+  lost.sum.bytes +=
+      shared_bytes<Scene> + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
   const auto whole = [&lost](const auto& was, const auto& is) {  // what an edit copies as a whole
     using Whole = std::remove_cvref_t<decltype(*was)>;
     if (was && !was.same(is)) lost.sum.bytes += shared_bytes<Whole> + sum_held(*was);
@@ -176,7 +177,8 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   whole(before.views, after.views), whole(before.cuts, after.cuts);
   whole(before.meshes, after.meshes), whole(before.pictures, after.pictures), whole(before.sounds, after.sounds);
   whole(before.formulas, after.formulas);
-  if (!before.lists.same(after.lists)) lost.sum.bytes += shared_bytes<DisplayLists> + apart(*before.lists, *after.lists);
+  if (!before.lists.same(after.lists))
+    lost.sum.bytes += shared_bytes<DisplayLists> + apart(*before.lists, *after.lists);
   if (!before.later_lists.same(after.later_lists)) {
     lost.sum.bytes += shared_bytes<LaterLists> + bytes_held(*before.later_lists);
     for (const auto& [time, lists] : *before.later_lists) {

@@ -62,7 +62,7 @@ class Imaging {
     std::size_t checkpoint = 16 << 20;  // bytes of log from one checkpoint to the next
     bool sweep = false;                 // what is fast is noticed even where it slips through between two frames
     ContactOptions contacts;
-    bool wait = false;  // the clock stands at 0 until a host says `start`
+    bool wait = false;        // the clock stands at 0 until a host says `start`
     bool from_start = false;  // time begins at 0, not where it was in the history
     LoadOptions load;
     std::function<std::string()> stats;  // members of a JSON object, of what stands around

@@ -110,7 +110,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   return all;
 }
 
-// In the text that an earlier server left no line was wrong then: one that is wrong now is set aside.
+// A text that an earlier server left had no errors then: lines that have one now are set aside.
 Result<Diagnostics> Imaging::begin_script(const Kept& kept, bool goes_on, std::vector<SetAside>& aside) {
   std::string text = kept.base;
   Diagnostics all = editor_.begin(text, name_);
@@ -127,7 +127,7 @@ Result<Diagnostics> Imaging::begin_script(const Kept& kept, bool goes_on, std::v
   return all;
 }
 
-// What an earlier server did. A step that cannot be carried out, or that ends the process, is set aside.
+// Carries out an earlier server's steps. A step that fails, or that ends the process, is set aside.
 Status Imaging::begin_steps(StepList steps, std::vector<SetAside>& aside) {
   if (steps.all.empty()) return Nothing{};
   if (Status s = open_time(); !s) return s;
@@ -154,7 +154,7 @@ Status Imaging::begin_steps(StepList steps, std::vector<SetAside>& aside) {
   return Nothing{};
 }
 
-// The files go on with what is there now. `mended`: the script's text has lost lines; `less`: steps are gone.
+// Brings the files in line with the document. `mended`: the script has lost lines. `less`: the journal has lost steps.
 Status Imaging::begin_history(const Kept& kept, bool mended, bool less) {
   if (save_.empty()) return Nothing{};
   if (!kept.goes_on) {

@@ -181,7 +181,7 @@ TEST(Editor, WhatStandsMakesTheDocument) {
   }));
 }
 
-// Steps that cannot be undone are carried out on one copy; it is as if each had its own.
+// Steps that cannot be undone share one copy of the document. The result is the same as with a copy for each.
 TEST(Editor, RestoringAtOnceIsLikeOneByOne) {
   EXPECT_TRUE(rc::check([] {
     const auto pick = [](int n) { return *rc::gen::inRange(0, n); };
@@ -195,7 +195,7 @@ TEST(Editor, RestoringAtOnceIsLikeOneByOne) {
                           {{fmt::format("remove {}", o)}, ""},
                           {{fmt::format("create {} box", o), fmt::format("hide {}", o), "hide o2"}, ""},
                           {{"# a remark"}, ""},
-                          {{fmt::format("let a = {}", pick(9))}, ""},
+                          {{fmt::format("let a{} = {}", k, pick(9))}, ""},
                           {{fmt::format("make l{}", pick(2)), "  point (0 0)"}, ""}};
       steps.push_back(all[pick(static_cast<int>(std::size(all)))]);
     }
@@ -214,7 +214,7 @@ TEST(Editor, RestoringAtOnceIsLikeOneByOne) {
   }));
 }
 
-// What happens now stands in a history with its time: beyond all times nothing does.
+// A command that happens now gets its time in the history, so it is refused beyond the limit of time.
 TEST(Editor, NothingHappensBeyondAllTimes) {
   Editor editor;
   editor.begin("create ball sphere\n", "");

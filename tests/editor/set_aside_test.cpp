@@ -36,7 +36,9 @@ TEST(SetAside, TakesWrongLinesOutOfAText) {
   };
   const Case cases[] = {
       {"rate 24\nset a.radius 2\nrate 25", "rate 24\nrate 25", {"set a.radius 2"}},
-      {"create b sphere\nb.radius\n  1f 2\n  2f red\n  3f 4\n", "create b sphere\nb.radius\n  1f 2\n  3f 4\n", {"  2f red"}},
+      {"create b sphere\nb.radius\n  1f 2\n  2f red\n  3f 4\n",
+       "create b sphere\nb.radius\n  1f 2\n  3f 4\n",
+       {"  2f red"}},
       {"a.radius\n  1f 2\n\n  2f 3\nrate 25\n", "rate 25\n", {"a.radius\n  1f 2\n\n  2f 3"}},
       {"# one\nset a.position (1\n2\n3)\n# two\n", "# one\n# two\n", {"set a.position (1\n2\n3)"}},
       {"hang a on b\nrate 25\nset c.radius 2", "rate 25\n", {"hang a on b", "set c.radius 2"}},

@@ -22,7 +22,7 @@ double bytes_allocated() {
 // A sanitizer has an allocator of its own: it pads what is asked for, and this one stays without use.
 bool padded() { return bytes_allocated() == 0; }
 
-// Says so many lines: the estimate agrees with what is freed within a fifth.
+// Carries out the lines: the estimate agrees with the freed memory within a fifth.
 void expect_about_right(const std::string& base, int lines, const std::function<std::string(int)>& line) {
   Editor editor;
   editor.begin(base, "");
@@ -71,7 +71,7 @@ TEST(UndoBytes, OfDisplayListsToo) {
                      [](int i) { return fmt::format("make l{}\n  point ({} 0)\n  vector (0 0) (1 1)", i, i); });
 }
 
-// `points` of so many.
+// A value of `points` with n points.
 std::string points(int n, int last) {
   std::string all = "(";
   for (int k = 1; k < n; ++k) all += fmt::format("({} 0 {}) ", k, k % 7);
@@ -117,7 +117,7 @@ TEST(UndoBytes, OfWhatIsCopiedAsAWhole) {
   expect_about_right("make l\n  point (0 0)\n", 100, [](int i) { return fmt::format("edit l\n  point ({} 0)", i); });
 }
 
-// What was undone is kept too: for redo.
+// Undone steps are kept for redo.
 TEST(UndoBytes, OfWhatWasUndone) {
   if (padded()) GTEST_SKIP() << "sanitizers pad what is allocated";
   Editor editor;

@@ -262,8 +262,9 @@ TEST(Imaging, ACheckpointAndADamagedJournal) {
   EXPECT_EQ(before, last);
 }
 
-// A server goes on with what there is in the folder; what it says of that.
-std::string goes_on(const Folder& folder, const std::function<void(Imaging&)>& then = [](Imaging&) {}) {
+// Another server starts in the folder. Returns its messages.
+std::string goes_on(
+    const Folder& folder, const std::function<void(Imaging&)>& then = [](Imaging&) {}) {
   Imaging imaging({});
   const auto begun = imaging.begin("", folder / "live.bx", false, 0);
   EXPECT_TRUE(begun) << (begun ? "" : begun.error().message);
@@ -275,7 +276,7 @@ std::string goes_on(const Folder& folder, const std::function<void(Imaging&)>& t
   return said;
 }
 
-// What was answered in the last second of all times can be loaded; what comes later is refused.
+// Commands in the last second before the limit of time can be loaded; later ones are refused.
 TEST(Imaging, NothingIsStampedBeyondAllTimes) {
   const Folder folder;
   std::string history;
@@ -308,9 +309,9 @@ TEST(Imaging, WhatCannotBeDoneAgainIsSetAside) {
   {
     Stage s({}, "", folder / "live.bx");
     const auto host = s.imaging.arrive();
-    for (const char* line : {"create ball sphere", "create m mesh file=\"m.obj\"", "set ball.radius 2", "m.position",
-                             "  1f (1 2 3)", "save", "create box box", "hang m on ball", "hang box on ball", "undo",
-                             "set m.position (1 1 1)", "undo"})
+    for (const char* line :
+         {"create ball sphere", "create m mesh file=\"m.obj\"", "set ball.radius 2", "m.position", "  1f (1 2 3)",
+          "save", "create box box", "hang m on ball", "hang box on ball", "undo", "set m.position (1 1 1)", "undo"})
       s.done(host, line);
   }
   std::filesystem::rename(folder / "m.obj", folder / "away");
@@ -325,7 +326,7 @@ TEST(Imaging, WhatCannotBeDoneAgainIsSetAside) {
   const std::string aside = folder.get("live.bx.set-aside");
   for (const char* line : {"\ncreate m mesh file=\"m.obj\"\n", "\nm.position\n  1f (1 2 3)\n", "\nhang m on ball\n"})
     EXPECT_TRUE(holds(aside, line)) << line << aside;
-  // It is done with: later starts say nothing, and lose nothing more, also where a shell comes first.
+  // Later starts have no message and lose nothing more, and neither does a shell.
   for (int k = 0; k < 2; ++k)
     EXPECT_EQ(goes_on(folder, [&](Imaging& again) { EXPECT_EQ(again.history(), history); }), "");
   EXPECT_EQ(folder.get("live.bx.set-aside"), aside);
@@ -334,13 +335,13 @@ TEST(Imaging, WhatCannotBeDoneAgainIsSetAside) {
     ASSERT_TRUE(shell.open(folder / "live.bx", Session::Earlier::recover).done);
     EXPECT_EQ(shell.text(), history);
   }
-  // When the file is there again, what was set aside is a script that does it.
+  // When the file is back, the set-aside file is a script that can be carried out.
   std::filesystem::rename(folder / "away", folder / "m.obj");
   folder.put("all.bx", history + aside);
   EXPECT_FALSE(has_errors(load_file(folder / "all.bx").diagnostics));
 }
 
-// The same where the server had ended well, and all stands in the script.
+// The same after a server that ended normally: the script has all commands then.
 TEST(Imaging, LinesOfTheScriptThatItLeftAreSetAside) {
   const Folder folder;
   folder.put("m.obj", some_mesh);
@@ -360,7 +361,7 @@ TEST(Imaging, LinesOfTheScriptThatItLeftAreSetAside) {
   EXPECT_EQ(folder.get("live.bx.orig"), whole);
   EXPECT_TRUE(holds(folder.get("live.bx.set-aside"), "m.position\n  1f (1 2 3)\n"));
   EXPECT_EQ(goes_on(folder, [&](Imaging& i) { EXPECT_TRUE(i.finish()); }), "");
-  // What a person has written below it is that person's to mend.
+  // An error in a line that a person has added stops the start.
   folder.put("live.bx", left + "hide moon of\n");
   Imaging refused({});
   const auto begun = refused.begin("", folder / "live.bx", false, 0);
@@ -369,7 +370,8 @@ TEST(Imaging, LinesOfTheScriptThatItLeftAreSetAside) {
   EXPECT_EQ(folder.get("live.bx"), left + "hide moon of\n");
 }
 
-// A start that left its mark is tried in a copy of the process; where that lives nothing is set aside.
+// A start that was killed leaves a mark. The next one tries the history in a copy of the process; it lives, so nothing
+// is set aside.
 TEST(Imaging, AStartThatWasKilledLosesNothing) {
   const Folder folder;
   std::string history;
