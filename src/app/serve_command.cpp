@@ -263,6 +263,7 @@ std::vector<Parameter> clock_parameters(ServeCall& call) {
            .words = {"fifo", "nice", "ordinary"}},
           flag("--sweep", "contacts are noticed even between two frames", call.imaging.sweep),
           flag("--wait", "time stands at 0 until a host says start", call.imaging.wait),
+          flag("--from-start", "time begins at 0, not where it was in the history", call.imaging.from_start),
           {.name = "--latency",
            .value = "N",
            .sentence = "ticks from a command to its effect; by default 1",

@@ -45,6 +45,13 @@ struct Deed {
   Diagnostics said;         // a place without a file is of the line itself
 };
 
+// A step of an earlier session that cannot be carried out any more.
+struct LeftOut {
+  std::size_t number = 0;  // of the step, from 0
+  Step step;
+  Diagnostics why;
+};
+
 // So many steps can be taken back, and no more than hold so many bytes, by estimate; the last one always can.
 struct UndoDepth {
   static constexpr std::size_t without_limit = std::numeric_limits<std::size_t>::max();
@@ -84,9 +91,10 @@ class Editor {
   Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}, bool translated = false) const;
   // A step of a history, on what there is now: all its lines, below its sheet. On failure what is said is of one line.
   Deed carry_out(const Step&) const;
-  // The steps of an earlier session, of which so many stand; the sink is told nothing. The first that cannot be done
-  // any more, and why; it and those behind it are left out.
-  std::optional<std::pair<std::size_t, Diagnostics>> restore(const std::vector<Step>& steps, std::size_t standing);
+  // Carries out the steps of an earlier session. The first `standing` of them stand, the others were undone. The sink
+  // hears nothing. Returns the steps that fail among those that stand; they are left out. A step that fails among those
+  // that were undone is forgotten, with all behind it.
+  std::vector<LeftOut> restore(std::span<const Step> steps, std::size_t standing);
 
   // Bytes that undo keeps for a step between the two. This may take long, so it can be called before take().
   static std::size_t bytes_kept(const Point& before, const Point& after);
@@ -112,6 +120,10 @@ class Editor {
   Status tell(Did what, const Step& step) const { return sink_ ? sink_(what, step) : Status(Nothing{}); }
   void push(Point after, Step step, std::optional<std::size_t> bytes = {});
   void forget(Past& past);
+  // Carries out lines of a history on one copy of a document. Returns nullopt if one of them fails.
+  std::optional<Point> carried_out(const Point& from, const std::string& lines) const;
+  void settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out);
+  const Step* last_step() const { return standing_ > 0 ? &steps_[standing_ - 1] : nullptr; }
   void step_back();
   void shorten();
 

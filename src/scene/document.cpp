@@ -44,10 +44,12 @@ std::size_t Objects::add(Object object) {
 }
 
 std::size_t Objects::bytes_apart(const Objects& other) const {
-  std::size_t sum = shelves_.size() * sizeof(shelves_[0]);
-  each_chunk_apart(other, [&](std::size_t, const Chunk& mine, const Chunk*) {
-    sum += sizeof(Cow<Chunk>) + shared_bytes<Chunk> + mine.size() * sizeof(Cow<Object>);
-  });
+  std::size_t sum = bytes_held(shelves_);
+  for (std::size_t s = 0; s < shelves_.size(); ++s)
+    if (s >= other.shelves_.size() || !shelves_[s].same(other.shelves_[s]))
+      sum += shared_bytes<Shelf> + bytes_held(*shelves_[s]);
+  each_chunk_apart(
+      other, [&](std::size_t, const Chunk& mine, const Chunk*) { sum += shared_bytes<Chunk> + bytes_held(mine); });
   return sum;
 }
 

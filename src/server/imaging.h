@@ -26,6 +26,8 @@
 #include "editor/editor.h"
 #include "editor/history.h"
 #include "editor/said_line.h"
+#include "editor/set_aside.h"
+#include "editor/trial.h"
 #include "server/ceilings.h"
 #include "server/time_file.h"
 
@@ -69,7 +71,8 @@ class Imaging {
     std::size_t checkpoint = 16 << 20;  // bytes of log from one checkpoint to the next
     bool sweep = false;                 // what is fast is noticed even where it slips through between two frames
     ContactOptions contacts;
-    bool wait = false;  // the clock stands at 0 until a host says `start`
+    bool wait = false;        // the clock stands at 0 until a host says `start`
+    bool from_start = false;  // time begins at 0, not where it was in the history
     LoadOptions load;
     std::function<std::string()> stats;  // members of a JSON object, of what stands around
     // Does work that may take long, and lets other lines be entered meanwhile; it may be begun several times over,
@@ -198,7 +201,11 @@ class Imaging {
   Reply collect(Visitor&, std::string_view line, Nanos now);
   void start_clock(Nanos now);
   Result<Kept> gather(const std::string& from, bool goes_on, bool overwrite);
+  Result<Diagnostics> begin_script(const Kept&, bool goes_on, std::vector<SetAside>& aside);
+  Status begin_steps(StepList, std::vector<SetAside>& aside);
+  Status begin_history(const Kept&, bool mended, bool less);
   Status begin_time(const Kept&, bool goes_on, Nanos now);
+  Status open_time();
   Status keep_time();
   std::size_t checkpoint_every() const;
   void take_checkpoint();
@@ -238,6 +245,7 @@ class Imaging {
   Result<std::string> seek(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> save(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> names(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> set_aside_word(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> end(Visitor&, const std::vector<std::string>&, Nanos);
   Result<std::string> not_for_hosts(Visitor&, const std::vector<std::string>&, Nanos);
 

@@ -169,6 +169,8 @@ std::span<const Imaging::Word> Imaging::words() {
       {"seek", "seek TIME", "The time is another one now.", any_number, &Imaging::seek},
       {"save", "save", "Writes the history as a script, and says where. (It is kept without that, too.)", any_number,
        &Imaging::save},
+      {"set-aside", "set-aside", "What an earlier server did and this one could not do again, and why.", 0,
+       &Imaging::set_aside_word},
       {"names", "names", "A thousand numbers that nobody has: for hosts that make names of them.", 0, &Imaging::names},
       {"bundle", "bundle, then commands, then end",
        "The commands up to end are done together, all at one moment or none; end has the answer.", 0, &Imaging::bundle,
