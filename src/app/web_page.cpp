@@ -13,6 +13,7 @@
 
 #include "app/command.h"
 #include "app/markup.h"
+#include "app/page_policy.h"
 #include "app/player_file.h"
 #include "app/web_page_text.h"
 #include "base/base64.h"
@@ -161,9 +162,7 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
 
 std::string player_markup(const PageFilm& film, const PageOptions& options, bool alone) {
   const auto [width, height] = options.size.value_or(film.size);
-  // Where a page's policy forbids styles in it, it is as wide, and as high as its film has it.
-  const std::string fixed =
-      options.size ? fmt::format(" class=\"fixed\" style=\"width: {}px; height: {}px\"", width, height) : "";
+  const std::string fixed = options.size ? " class=\"fixed\"" : "";
   const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));
   // What begins with a line's end loses it when a page is read, and so nothing else is lost.
   return fmt::format(
@@ -221,12 +220,16 @@ std::string web_page(const std::vector<PageFilm>& films, const PageOptions& opti
     all += film_markup(film, options, alone);
     files.insert(film.files.begin(), film.files.end());
   }
+  PagePolicy policy;
   const bool beside = options.player.empty();
-  const std::string player =
-      beside ? "<script src=\"betwixt-player.js\"></script>" : "<script>\n" + options.player + "</script>";
-  const std::string look =
-      beside ? "<link rel=\"stylesheet\" href=\"betwixt-page.css\">" : fmt::format("<style>\n{}</style>", page_css);
-  return filled(page_html, {{"version", BETWIXT_VERSION},
+  const std::string player = beside ? policy.script_beside("betwixt-player.js") : policy.script("\n" + options.player);
+  std::string look = beside ? policy.style_beside("betwixt-page.css") : policy.style("\n" + std::string(page_css));
+  // Where a server's policy forbids styles in a page, it is as wide, and as high as its film has it.
+  if (options.size)
+    look += "\n" + policy.style(fmt::format(".fixed {{ width: {}px; height: {}px; }}", options.size->first,
+                                            options.size->second));
+  return filled(page_html, {{"policy", policy.said()},
+                            {"version", BETWIXT_VERSION},
                             {"title", escaped(options.title)},
                             {"look", look},
                             {"class", options.edit ? "edited" : "alone"},

@@ -46,7 +46,7 @@ has 'its text is edited' "$(cat ball.html)" '<betwixt-editor>'
 check 'without the text box' 0 '' web ball.bx -o alone.html --no-edit --title '<b> & "c"' --size 640x360
 is 'there is none' "$(grep -c 'betwixt-editor>' alone.html)" 0
 has 'a title of its own' "$(cat alone.html)" '<h1>&lt;b&gt; &amp; &quot;c&quot;</h1>'
-has 'a size of its own' "$(cat alone.html)" 'width: 640px; height: 360px'
+has 'a size of its own' "$(cat alone.html)" '.fixed { width: 640px; height: 360px; }'
 
 # What would end a script's place in a page does not, and comes back as it was.
 printf '%s\n' '# </script> <\/script> <!-- <script> <\\!-- </SCRIPT > — ümläut 🎈' 'create ball sphere' '' '' >odd.bx
