@@ -9,6 +9,7 @@
 #include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/tell_user.h"
+#include "base/utf8.h"
 
 namespace betwixt {
 namespace {
@@ -41,7 +42,7 @@ int check(const CheckCall& call) {
   if (errors + warnings > 0)
     fmt::print(stderr, "{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));
   else
-    fmt::print("{}: no errors, {}, {}\n", name, counted(loaded.document.names().size(), "object"),
+    fmt::print("{}: no errors, {}, {}\n", visible(name), counted(loaded.document.names().size(), "object"),
                counted(static_cast<std::size_t>(loaded.document.frame_count()), "frame"));
   return errors ? wrong_input : all_done;
 }

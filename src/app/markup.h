@@ -11,7 +11,7 @@
 
 namespace betwixt {
 
-// As text of XML and HTML; what they cannot hold is left out.
+// As text of XML and HTML. What they cannot hold, and what turns the direction of writing, is made visible (utf8.h).
 std::string escaped(std::string_view text);
 
 // A page in which each {{name}} is what stands beside that name. In one pass: what is filled in is not looked at again.

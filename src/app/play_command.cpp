@@ -17,6 +17,7 @@
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "base/files.h"
+#include "base/tell_user.h"
 #include "base/utf8.h"
 #include "betwixt/program.h"
 #include "editor/controls.h"
@@ -237,8 +238,7 @@ class Player {
     if (!note_.empty()) left += "  " + note_;
     const std::string keys = terminal_.has_keys() ? "space pause  arrows step  s style  q quit " : "";
     const std::size_t columns = static_cast<std::size_t>(size_.columns);
-    std::string line;
-    for (const char c : left) line += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+    std::string line = visible(left);
     const std::size_t used = count_characters(line);
     if (used > columns)
       line = first_characters(line, columns);
@@ -332,7 +332,7 @@ Status play(const Document& document, PlayCall& call) {
     return played;
   }
   if (Status s = write_recording(take, call.file, *place, call.overwrite); !s) return s;
-  fmt::print(stderr, "{} messages recorded in '{}'\n", player.turned(), *place);
+  tell_user(fmt::format("{} messages recorded in '{}'\n", player.turned(), *place));
   return played;
 }
 

@@ -96,8 +96,8 @@ int web(WebCall& call) {
         return complain(s.error(), wrong_call);
   for (const PageFilm& film : films)
     for (const std::string& lost : film.lost) tell_user(fmt::format("betwixt: notice: {}: {}\n", film.name, lost));
-  fmt::print(stderr, "{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
-             files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000), call.out);
+  tell_user(fmt::format("{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
+                        files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000), call.out));
   return all_done;
 }
 

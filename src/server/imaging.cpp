@@ -149,10 +149,10 @@ Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, const std::string& memb
 Imaging::Reply Imaging::no(const Visitor& h, Nanos now, const Error& e, const std::string& members) {
   ++refused_;
   std::string more = members;
-  if (!e.hint.empty()) more = ",\"hint\":" + json_text(e.hint) + more;
+  if (!e.hint.empty()) more = ",\"hint\":" + json_words(e.hint) + more;
   if (e.place.column > 0) more += fmt::format(",\"column\":{}", e.place.column);
   return {fmt::format("{{\"line\":{},\"ok\":false,\"tick\":{},\"error\":{}{}}}\n", h.line, tick(now),
-                      json_text(e.message), more),
+                      json_words(e.message), more),
           false};
 }
 

@@ -27,8 +27,8 @@ struct Imaging::Together {
   bool stamped = false, starts = false;
 
   void note(std::int64_t number, Error e) {
-    errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number, json_text(e.message),
-                          e.hint.empty() ? "" : ",\"hint\":" + json_text(e.hint),
+    errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number,
+                          json_words(e.message), e.hint.empty() ? "" : ",\"hint\":" + json_words(e.hint),
                           e.place.column > 0 ? fmt::format(",\"column\":{}", e.place.column) : "");
     e.message = fmt::format("line {}: {}", number, e.message), e.place = {};
     if (!first) first = std::move(e);
