@@ -18,7 +18,7 @@ class PagePolicy {
   // The element that fetches a file from beside the page.
   std::string script_beside(std::string_view name);
   std::string style_beside(std::string_view name);
-  // The element that says the policy. It stands before all others.
+  // Returns the policy as an element. Put it before all other elements.
   std::string said() const;
 
  private:

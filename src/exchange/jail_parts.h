@@ -26,7 +26,7 @@ class Folders {
   ~Folders();
   Folders(const Folders&) = delete;
   Folders& operator=(const Folders&) = delete;
-  // A file, or a folder and all below it, may be read and run. What is missing is left out.
+  // A file, or a folder and all below it, may be read and run. A path that does not exist is skipped.
   void may_read(const std::string& path) const;
   // From now on, for this process and all that it starts.
   void close_others() const;
@@ -48,7 +48,7 @@ class CallFilter {
   void refuse_unless_first_is(int call, std::uint32_t number);
   // The call if its first argument lacks this bit.
   void refuse_without_bit(int call, std::uint32_t bit);
-  // From now on, for this process and all that it starts. All calls of which nothing was said are allowed or refused.
+  // From now on, for this process and all that it starts. Calls without a rule are allowed or refused.
   void begin(bool others_allowed);
 
  private:

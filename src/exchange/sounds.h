@@ -20,7 +20,7 @@ using Listener = std::function<bool(std::span<const float> stereo)>;
 
 constexpr double longest_sound = 4 * 3600;  // seconds
 
-// Errors: file (missing, not readable, nothing to be heard in it, more work than `longest` seconds of sound take),
+// Errors: file (missing, not readable, silent, or slower to decode than `longest` seconds of sound should be),
 // machine (no ffmpeg).
 Status decode_sound(const std::string& path, const Listener&, double longest = longest_sound);
 // What can be asked of it. Errors: those, and range (above four hours; above five minutes and a second for every 100
