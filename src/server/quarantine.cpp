@@ -347,10 +347,11 @@ void Quarantine::engage() {
   }
 }
 
-// A slow one has an ordinary priority. It is no lower: a worker that hardly runs would keep the process's memory
-// locked.
+// A slow one comes behind hosts' lines, but not far: one that hardly runs keeps the process's memory locked. If the
+// system does not let a worker come back, it stays as it is.
 void Quarantine::step(const Worker& w) const {
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), w.slow ? 0 : options_.nice);
+  constexpr int slow_nice = 5;
+  if (w.steps) ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), w.slow ? slow_nice : options_.nice);
 }
 
 void Quarantine::give(Worker& w, std::shared_ptr<Batch> batch) {
@@ -365,6 +366,7 @@ void Quarantine::give(Worker& w, std::shared_ptr<Batch> batch) {
 
 void Quarantine::work(Worker& w) {
   w.id = static_cast<int>(::syscall(SYS_gettid));
+  w.steps = options_.nice < 0 && ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), options_.nice) == 0;
   while (!over_) {
     w.bell.wait();
     std::shared_ptr<Batch> batch;

@@ -87,6 +87,7 @@ class Quarantine final : public Beside {
     std::atomic<Nanos> begun{0};       // when it began its question; 0: it has no question
     std::atomic<std::size_t> item{0};  // that question's
     std::atomic<int> id{0};            // the thread's
+    std::atomic<bool> steps{false};    // its priority can be lowered and raised
     Nanos watched = 0, used = 0;       // for the maker: `begun` of a long question, and the processor time at that look
     std::thread thread;
     bool rests() {
