@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Our words as the toolkit's.
+// Converts our strings to Qt's.
 #pragma once
 
 #include <QString>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where playing is: forward or back, again and again, in a part of the film. Time comes from the clock, never from
-// counting pictures: a late picture is left out, and nothing slows down.
+// The state of playback: direction, loop and the part to play. Time comes from the clock, not from a count of pictures:
+// playback skips late pictures and does not slow down.
 #pragma once
 
 #include <algorithm>
@@ -19,29 +19,29 @@ class Transport {
   using Clock = std::chrono::steady_clock;
 
   bool playing() const { return direction_ != 0; }
-  int direction() const { return direction_; }  // 1, -1; 0: it stands
+  int direction() const { return direction_; }  // 1 or -1; 0 if it does not play
   bool loops() const { return loops_; }
   void loop(bool on) { hold(), loops_ = on; }
   Rate rate() const { return rate_; }
   Time first() const { return first_; }
   Time last() const { return last_; }
-  // The part that is played, both frames included; where it stood outside it goes on from the nearest.
+  // Sets the part to play, both frames included. If the position is outside, playback starts at the nearest end.
   void set(Rate rate, Time first, Time last) { hold(), rate_ = rate, first_ = first, last_ = std::max(first, last); }
 
-  // The frame's time that is due; while it stands, where it was put, which may be between frames.
+  // Returns the time of the frame that is due. Without playback it returns the position, which can be between frames.
   Time now(Clock::time_point clock = Clock::now()) const {
     if (direction_ == 0) return at_;
     const double frame = exact_frame(clock);
     return rate_.frame(std::clamp(direction_ > 0 ? std::floor(frame) : std::ceil(frame), rate_.frame_number(first_),
                                   rate_.frame_number(last_)));
   }
-  // Where it was at that moment; while it plays, on from there.
+  // Returns the position at the moment of the last change; playback counts from there.
   std::pair<Time, Clock::time_point> place() const { return {at_, since_}; }
-  // It has come to the end that it goes to, and stays there.
+  // Returns whether playback has reached its end.
   bool ended(Clock::time_point clock = Clock::now()) const {
     return direction_ != 0 && !loops_ && now(clock) == (direction_ > 0 ? last_ : first_);
   }
-  // From where it stands; from the other end where it stands at the one that it would go to.
+  // Plays from the position; from the other end if it is at the end already.
   void play(int direction) {
     hold();
     direction_ = direction;
@@ -53,7 +53,7 @@ class Transport {
   void go_to(Time t) { at_ = t, since_ = Clock::now(); }
 
  private:
-  // Where it is while it plays, between frames too. Of a loop the last frame lasts as long as the others.
+  // Returns the frame during playback, with a fraction. The last frame of a loop lasts as long as the others.
   double exact_frame(Clock::time_point clock) const {
     const double gone = direction_ * std::chrono::duration<double>(clock - since_).count() * rate_.per_second();
     const double from = rate_.frame_number(first_), to = rate_.frame_number(last_);
@@ -63,8 +63,8 @@ class Transport {
     const double past = std::fmod(frame - from, length);
     return from + (past < 0 ? past + length : past);
   }
-  // What is set while it plays holds from here on. The fraction of a frame is kept, so that nothing slows down however
-  // often this is called.
+  // Makes the current frame the position, so that changes apply from here. It keeps the fraction of the frame, so that
+  // repeated calls do not slow playback down.
   void hold() {
     const auto clock = Clock::now();
     if (direction_ != 0) at_ = rate_.frame(exact_frame(clock));
