@@ -14,7 +14,7 @@
 
 namespace betwixt::studio {
 
-// Drag a row onto another one to attach its object there; drag it to an empty place to detach it.
+// A row dragged onto another one becomes its child; dragged to an empty place it loses its parent.
 class OutlinerTree : public QTreeView {
   Q_OBJECT
  public:

@@ -13,7 +13,7 @@ namespace betwixt::studio {
 
 class Window;
 
-// Returns how well a name matches letters, in order and from its first one on; 0 if it does not.
+// Returns the score of a match, in which the name has all letters in this order; 0 if it does not match.
 int fit(const QString& letters, const QString& name);
 
 class Palette : public QDialog {
