@@ -49,7 +49,7 @@ class OutlinerModel : public QAbstractItemModel {
 
   Desk& desk_;
   QString pattern_;
-  std::vector<Node> nodes_;  // by object index; the last one is the root
+  std::vector<Node> nodes_;                            // by object index; the last one is the root
   Time from_ = from_the_beginning, until_ = for_good;  // the time in which the tree is valid
 };
 

@@ -18,7 +18,7 @@ class ScriptEdit : public WordEdit {
  public:
   explicit ScriptEdit(Desk&, QWidget* parent = nullptr);
   void go_to_line(int line, int column = 1);
-  // Returns the worst diagnostic of a line (from 1), or nullptr if there is none.
+  // Returns the worst diagnostic of a line (the first is 1), or nullptr if there is none.
   const Diagnostic* said_of(int line) const;
   // The margin: whether a visible line names a selected object.
   bool speaks(int line) const { return speaking_.contains(line); }

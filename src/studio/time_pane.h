@@ -35,10 +35,12 @@ class TimePane : public QWidget {
   virtual void drag(QMouseEvent*) {}
   virtual void release(QMouseEvent*) {}
   virtual void hover(QMouseEvent*) {}
-  virtual void pan(double) {}                                           // vertically, in pixels
-  virtual void call_off() {}                                            // Escape during a drag
-  virtual bool key(int, Qt::KeyboardModifiers, bool) { return false; }  // returns whether the key has an action;
-                                                                        // without `act` it does no more
+  virtual void pan(double) {}  // vertically, in pixels
+  virtual void call_off() {}   // Escape during a drag
+  virtual bool key(int, Qt::KeyboardModifiers, bool) {
+    return false;
+  }  // returns whether the key has an action;
+     // without `act` it does no more
   virtual void wheel(QWheelEvent* e) { zoom_time(e); }
   virtual bool in_ruler(const QPointF& at) const;
 
