@@ -87,7 +87,9 @@ void catch_stops() {
   struct sigaction old {};
   action.sa_handler = [](int) { stop_asked = 1; };
   for (const int s : {SIGINT, SIGTERM, SIGHUP}) {
-    const bool unheard = s == SIGHUP && ::sigaction(s, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;  // nohup
+    const bool unheard =
+        s == SIGHUP && ::sigaction(s, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;  // nohup ignores SIGHUP; keep
+                                                                                         // that
     if (!unheard) ::sigaction(s, &action, nullptr);
   }
 }

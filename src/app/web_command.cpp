@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt web: a page that plays films, and in which they are edited.
+// betwixt web: makes a page that plays films, and in which readers can edit them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ Status ready(const WebCall& call) {
   return check_place(call.out, !call.keep_old);
 }
 
-// One page has one file of each name.
+// A page can have only one file of each name.
 Status no_two_of_one_name(const std::vector<PageFilm>& films) {
   PageFiles all;
   for (const PageFilm& film : films)
@@ -50,7 +50,7 @@ Status no_two_of_one_name(const std::vector<PageFilm>& films) {
   return Nothing{};
 }
 
-// What pages share that lie in one folder; all versions of it begin with `mark`.
+// Writes a file that all pages of a folder share. All its versions begin with `mark`; a file that does not is an error.
 Status put_beside(const fs::path& page, std::string_view name, std::string_view text, std::string_view mark,
                   bool overwrite) {
   const std::string path = (page.parent_path() / name).string();
