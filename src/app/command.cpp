@@ -87,9 +87,7 @@ void catch_stops() {
   struct sigaction old {};
   action.sa_handler = [](int) { stop_asked = 1; };
   for (const int s : {SIGINT, SIGTERM, SIGHUP}) {
-    const bool unheard =
-        s == SIGHUP && ::sigaction(s, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;  // nohup ignores SIGHUP; keep
-                                                                                         // that
+    const bool unheard = s == SIGHUP && ::sigaction(s, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;  // nohup
     if (!unheard) ::sigaction(s, &action, nullptr);
   }
 }

@@ -19,8 +19,7 @@ namespace betwixt {
 struct LiveMessage {
   std::string address;
   std::vector<double> numbers;
-  std::vector<double> within;       // tolerance of each number, within which a message counts as the same; empty means
-                                    // exact
+  std::vector<double> within;       // tolerances for equal messages; empty means exact
   std::optional<std::string> text;  // the first text, if any
   // The time when the machine received it, which can be long before the program reads it.
   std::chrono::steady_clock::time_point arrived = std::chrono::steady_clock::now();

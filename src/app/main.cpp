@@ -14,9 +14,7 @@ namespace {
 // Opens closed standard streams, because a file opened later would get their number, and receive output meant for them.
 void fill_streams() {
   for (int file = 0; file <= STDERR_FILENO; ++file)
-    if (::fcntl(file, F_GETFD) < 0)
-      (void)::open("/dev/null", O_RDWR);  // takes the lowest free number, which is this
-                                          // one
+    if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);  // takes the lowest free number: this one
 }
 
 }  // namespace

@@ -66,9 +66,8 @@ std::unique_ptr<SoundOutput> open_sound_device() {
   snd_lib_error_set_handler(say_nothing);
   snd_pcm_t* pcm = nullptr;
   if (snd_pcm_open(&pcm, "default", SND_PCM_STREAM_PLAYBACK, SND_PCM_NONBLOCK) != 0) return nullptr;
-  constexpr unsigned microseconds = 4 * 1'000'000 * SoundStream::ahead / sound_rate;  // larger than what is written
-                                                                                      // ahead, so that writes never
-                                                                                      // wait
+  // Room for more than the sound thread ever writes ahead, so that no write waits.
+  constexpr unsigned microseconds = 4 * 1'000'000 * SoundStream::ahead / sound_rate;
   if (snd_pcm_set_params(pcm, SND_PCM_FORMAT_FLOAT_LE, SND_PCM_ACCESS_RW_INTERLEAVED, 2, sound_rate, 1, microseconds) !=
       0) {
     snd_pcm_close(pcm);

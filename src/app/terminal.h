@@ -48,8 +48,7 @@ class Terminal {
 
   TerminalSize size() const;
   bool has_keys() const { return keys_; }
-  bool write(std::string_view) const;  // in one call, so that no half picture shows; returns false if the terminal is
-                                       // closed
+  bool write(std::string_view) const;  // in one call, so that no half picture shows; false: closed
   std::vector<Key> wait(double seconds, bool& closed) const;  // the keys pressed; returns early if there are any
 
  private:

@@ -161,7 +161,7 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
 
 std::string player_markup(const PageFilm& film, const PageOptions& options, bool alone) {
   const auto [width, height] = options.size.value_or(film.size);
-  // If a page's policy forbids inline styles, the player gets the full width and the film's aspect ratio.
+  // If a page's policy forbids inline styles, the player has the page's width and the film's aspect ratio.
   const std::string fixed =
       options.size ? fmt::format(" class=\"fixed\" style=\"width: {}px; height: {}px\"", width, height) : "";
   const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));

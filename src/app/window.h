@@ -14,7 +14,7 @@ namespace betwixt {
 
 class Window {
  public:
-  static bool has_display();  // and it answers
+  static bool has_display();  // whether there is a display that answers
   // Errors: machine (no display, or one without full colours).
   static Result<std::unique_ptr<Window>> open(const std::string& title, int width, int height);
   virtual ~Window() = default;

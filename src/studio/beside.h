@@ -30,10 +30,8 @@ class Beside : public QObject {
   bool hears() const { return !at_work_ || answers_; }
   // Runs a function in the window's thread, whatever thread calls, and returns when it is done.
   void in_window(const std::function<void()>& work);
-  void set_patience(int milliseconds) {
-    patience_ = milliseconds;
-  }  // how long carry_out() blocks before it emits
-     // takes_long()
+  // Sets how long carry_out() blocks before it emits takes_long().
+  void set_patience(int milliseconds) { patience_ = milliseconds; }
 
  Q_SIGNALS:
   void takes_long(float share);  // progress, 0 to 1; repeated until the work ends

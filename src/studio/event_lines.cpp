@@ -59,8 +59,7 @@ class Together {
   template <class F>
   void each(F&& f) const {
     for (const auto& [same, objects] : groups_) {
-      std::vector<std::pair<std::string, std::vector<std::string>>> named;  // functions, and the objects that have
-                                                                            // exactly these
+      std::vector<std::pair<std::string, std::vector<std::string>>> named;  // functions; objects with just these
       for (const Of& o : objects) {
         const std::string functions = braces(o.functions);
         auto known = std::ranges::find(named, functions, &decltype(named)::value_type::first);

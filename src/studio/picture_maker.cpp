@@ -12,8 +12,7 @@ namespace {
 
 // Pictures that follow each other within this time, as in playback or a drag, may be coarser.
 constexpr std::chrono::milliseconds flows{150};
-constexpr double slow = 0.040, quick = 0.012;  // seconds for one of them: above the first they get coarser, below the
-                                               // second finer
+constexpr double slow = 0.040, quick = 0.012;  // seconds a picture: above, coarser; below, finer
 
 // Levels of coarseness: as wanted; one sample a pixel; half the width and height.
 constexpr int coarsest = 2;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Renders pictures for windows. A thread with a renderer of its own makes the latest picture wanted and drops earlier
-// ones. If pictures are wanted in quick succession and are slow, they have a lower resolution; after the last one it
-// renders again at full resolution.
+// ones. If requests follow each other quickly and pictures are slow, it lowers the quality; after the last request it
+// renders again at full quality.
 #pragma once
 
 #include <QImage>

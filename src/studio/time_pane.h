@@ -37,10 +37,8 @@ class TimePane : public QWidget {
   virtual void hover(QMouseEvent*) {}
   virtual void pan(double) {}  // vertically, in pixels
   virtual void call_off() {}   // Escape during a drag
-  virtual bool key(int, Qt::KeyboardModifiers, bool) {
-    return false;
-  }  // returns whether the key has an action;
-     // without `act` it does no more
+  // Returns whether a key has an action here. Carries it out only if the last argument is true.
+  virtual bool key(int, Qt::KeyboardModifiers, bool) { return false; }
   virtual void wheel(QWheelEvent* e) { zoom_time(e); }
   virtual bool in_ruler(const QPointF& at) const;
 
@@ -50,8 +48,8 @@ class TimePane : public QWidget {
   QRect time_box() const;  // the area right of the names
   int line_height() const;
   void paint_ruler(QPainter&) const;
-  void paint_lines(QPainter&, int from, int to) const;  // light lines below the ruler's labels; darker outside the
-                                                        // range
+  // Paints light lines at the ruler's labels, and darkens the time outside the film's range.
+  void paint_lines(QPainter&, int from, int to) const;
   void paint_playhead(QPainter&) const;
 
   Desk& desk_;

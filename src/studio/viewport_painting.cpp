@@ -116,7 +116,7 @@ void Viewport::draw_grid(QPainter& p, const Scope& s) const {
   draw(v, u, cv, cu, flat ? picture_colors().y : picture_colors().z);
 }
 
-// Erases the grid where objects stand in front of it. The ground itself keeps its lines.
+// Erases the grid behind objects. The ground itself keeps its lines.
 void Viewport::clear_things(QPainter& p, const Scope& s) const {
   p.setCompositionMode(QPainter::CompositionMode_DestinationOut);
   p.setRenderHint(QPainter::Antialiasing, false);
