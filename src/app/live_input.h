@@ -30,8 +30,9 @@ std::string in_words(const LiveMessage&);
 // Returns the messages of an OSC packet, including those in bundles, whose times are ignored. Returns an empty list if
 // the packet is not OSC.
 std::vector<LiveMessage> read_osc(std::span<const std::uint8_t> packet);
-// Names MIDI messages: control changes are /midi/cc/CHANNEL/NUMBER from 0 to 1, notes /midi/note/CHANNEL/NUMBER with
-// the velocity from 0 to 1, the pitch wheel /midi/bend/CHANNEL from -1 to 1. Channels count from 1.
+// Reads a MIDI message: control changes are /midi/cc/CHANNEL/NUMBER from 0 to 1, notes /midi/note/CHANNEL/NUMBER with
+// the velocity from 0 to 1, the pitch wheel /midi/bend/CHANNEL from -1 to 1. Channels count from 1. Returns nullopt for
+// other messages.
 std::optional<LiveMessage> read_midi(std::span<const std::uint8_t> message);
 
 class LiveInput {

@@ -38,7 +38,7 @@ struct Parameter {
   Into into = static_cast<bool*>(nullptr);
   bool required = false;
   bool separated = false;                         // one word holds several values, with commas between them
-  bool repeated = false;                          // the reader is called for each value
+  bool repeated = false;                          // the option can be given again; its reader is called each time
   bool hidden = false;                            // in help, completions and the manual
   bool words_only = false;                        // `words` are the only valid values
   std::vector<std::string> words = {};            // offered by a shell

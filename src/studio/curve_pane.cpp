@@ -17,7 +17,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr double patience = 6;  // ms of sampling before the next user input
+constexpr double patience = 6;  // ms of sampling between two checks for user input
 
 }  // namespace
 

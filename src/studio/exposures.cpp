@@ -328,7 +328,7 @@ void Exposures::paintEvent(QPaintEvent*) {
     const bool outside = begin(f) < range.first || begin(f) > range.second;
     if (outside) p.fillRect(row, faint(c.line, 0.35F));
     if (f == playhead) p.fillRect(row, faint(c.playhead, 0.22F));
-    p.setPen(faint(c.line, (f - 1) % second == 0 ? 1.0F : 0.4F));  // seconds get darker lines
+    p.setPen(faint(c.line, (f - 1) % second == 0 ? 1.0F : 0.4F));  // seconds get stronger lines
     p.drawLine(row.topLeft(), row.topRight());
     p.setPen(f == playhead ? c.playhead : c.dim);
     p.drawText(QRectF(0, row.top(), side() - 5, line_height()), Qt::AlignRight | Qt::AlignVCenter, QString::number(f));

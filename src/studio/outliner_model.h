@@ -17,8 +17,8 @@ class OutlinerModel : public QAbstractItemModel {
   enum Column { name, eye };
   explicit OutlinerModel(Desk&, QObject* parent = nullptr);
 
-  // Shows only objects that match a pattern, and their parents. A word without wildcards matches any name that contains
-  // it; "" matches all.
+  // Shows only objects that match a pattern, and their parents. A word that is no object's name matches all names that
+  // contain it; "" matches all.
   void filter(const QString& pattern);
   ObjectId object(const QModelIndex&) const;
   QModelIndex index_of(ObjectId, int column = name) const;

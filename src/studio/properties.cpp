@@ -266,7 +266,7 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
   connect(row->editor, &ValueEditor::said, this, [this, of](int component, const QString& t) {
     desk_.look_back();  // end the preview, because only the real document shows which tracks have events
     const std::vector<std::string> lines = lines_for(*of, component, t);
-    // A drag that ends at its start says nothing.
+    // An edit that changes nothing carries out no line.
     const auto then = desk_.session().look_ahead(lines);
     const bool changes = !lines.empty() && !(then && *then == desk_.session().document());
     if (changes) lines.size() == 1 ? desk_.say(lines[0]) : desk_.say(lines);

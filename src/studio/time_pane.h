@@ -48,7 +48,7 @@ class TimePane : public QWidget {
   QRect time_box() const;  // the area right of the names
   int line_height() const;
   void paint_ruler(QPainter&) const;
-  // Paints light lines at the ruler's labels, and darkens the time outside the film's range.
+  // Paints light lines at the ruler's labels, and shades the time outside the film's range.
   void paint_lines(QPainter&, int from, int to) const;
   void paint_playhead(QPainter&) const;
 
